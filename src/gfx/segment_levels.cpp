@@ -16,20 +16,9 @@ float nearest(const Sight& sight, const SegmentSize& size) {
   return std::max(0.0f, glm::distance(sight.eye, size.middle) - size.radius - kEyeOff);
 }
 
-void choose_lines(std::span<const SegmentSize> sizes, SegmentLevels& levels) {
-  const auto count = static_cast<std::int64_t>(sizes.size());
-  if (count * vertices(levels.steps) <= kPolylineBudget) return;
-  levels.far_lines = 1;
-  while (2 * levels.far_lines < levels.steps && count * vertices(2 * levels.far_lines) <= kPolylineBudget / 2)
-    levels.far_lines *= 2;
-  levels.line_off = levels.sight.off;
-  constexpr int kMostDoublings = 24;
-  for (int i = 0;; ++i, levels.line_off *= 2) {
-    if (i == kMostDoublings) levels.line_off = std::numeric_limits<float>::infinity();
-    std::int64_t sum = 0;
-    for (const SegmentSize& size : sizes) sum += vertices(levels.lines_of(size));
-    if (sum <= kPolylineBudget || i == kMostDoublings) return;
-  }
+bool needs_steps(const SegmentSize& size, int far_lines, float off_at_nearest) {
+  const float lines = static_cast<float>(far_lines);
+  return size.bend / (8 * lines * lines) > off_at_nearest;
 }
 
 }  // namespace
@@ -42,9 +31,7 @@ SegmentSize size_of(const curve::Cubic& cubic) {
 }
 
 int SegmentLevels::lines_of(const SegmentSize& size) const {
-  if (far_lines == steps) return steps;
-  const float lines = static_cast<float>(far_lines);
-  return size.bend / (8 * lines * lines) > line_off * nearest(sight, size) ? steps : far_lines;
+  return far_lines == steps || needs_steps(size, far_lines, line_off * nearest(sight, size)) ? steps : far_lines;
 }
 
 bool SegmentLevels::solid(const SegmentSize& size) const {
@@ -53,10 +40,49 @@ bool SegmentLevels::solid(const SegmentSize& size) const {
   return metres <= sight.reach || size.bend / 8 > sight.off * metres;
 }
 
-SegmentLevels choose_levels(std::span<const SegmentSize> sizes, int steps, const Sight& sight) {
-  SegmentLevels levels{steps, steps, 0, sizes.size() <= kMostSolids, sight};
-  levels.sight.eye = kEyeStep * glm::round(sight.eye / kEyeStep);
-  choose_lines(sizes, levels);
+Sight in_steps(Sight sight) {
+  sight.eye = kEyeStep * glm::round(sight.eye / kEyeStep);
+  return sight;
+}
+
+std::size_t LevelChoice::doublings_of(const SegmentSize& size) const {
+  const float metres = nearest(levels_.sight, size);
+  float off = levels_.sight.off;
+  std::size_t doublings = 0;
+  for (; doublings < kMostDoublings && needs_steps(size, levels_.far_lines, off * metres); off *= 2) ++doublings;
+  return doublings;
+}
+
+void LevelChoice::begin(std::span<const SegmentSize> sizes, int steps, const Sight& sight) {
+  segments_ = static_cast<std::int64_t>(sizes.size());
+  levels_ = {steps, steps, 0, sizes.size() <= kMostSolids, in_steps(sight)};
+  all_lines_ = segments_ * vertices(steps) <= kPolylineBudget;
+  if (all_lines_) return;
+  levels_.far_lines = 1;
+  while (2 * levels_.far_lines < steps && segments_ * vertices(2 * levels_.far_lines) <= kPolylineBudget / 2)
+    levels_.far_lines *= 2;
+  needing_ = {};
+  for (const SegmentSize& size : sizes) ++needing_[doublings_of(size)];
+}
+
+void LevelChoice::replace(const SegmentSize& before, const SegmentSize& now) {
+  if (all_lines_) return;
+  --needing_[doublings_of(before)], ++needing_[doublings_of(now)];
+}
+
+SegmentLevels LevelChoice::levels() const {
+  SegmentLevels levels = levels_;
+  if (!all_lines_) {
+    levels.line_off = std::numeric_limits<float>::infinity();
+    float off = levels.sight.off;
+    std::int64_t fine = segments_;
+    for (std::size_t i = 0; i < kMostDoublings; ++i, off *= 2) {
+      fine -= needing_[i];
+      if (fine * vertices(levels.steps) + (segments_ - fine) * vertices(levels.far_lines) > kPolylineBudget) continue;
+      levels.line_off = off;
+      break;
+    }
+  }
   if (levels.all()) levels.sight = {};  // wherever the eye is
   return levels;
 }

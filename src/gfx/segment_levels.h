@@ -2,6 +2,8 @@
 // the difference. Pure functions, no GL.
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <span>
 
@@ -44,8 +46,28 @@ struct SegmentLevels {
   friend bool operator==(const SegmentLevels&, const SegmentLevels&) = default;
 };
 
+// Returns the sight of an eye that moves in steps of some metres.
+Sight in_steps(Sight sight);
+
 // Chooses the levels for segments with polylines of `steps` steps. Where there is no room for all lines that can be
-// seen, line_off is sight.off times a power of two.
-SegmentLevels choose_levels(std::span<const SegmentSize> sizes, int steps, const Sight& sight);
+// seen, line_off is sight.off times a power of two. Depends on in_steps(sight) alone.
+class LevelChoice {
+ public:
+  // Counts all segments.
+  void begin(std::span<const SegmentSize> sizes, int steps, const Sight& sight);
+  // Counts a segment whose size changed.
+  void replace(const SegmentSize& before, const SegmentSize& now);
+  SegmentLevels levels() const;
+
+ private:
+  static constexpr std::size_t kMostDoublings = 24;
+  std::size_t doublings_of(const SegmentSize& size) const;
+
+  SegmentLevels levels_;  // without line_off
+  bool all_lines_ = true;
+  std::int64_t segments_ = 0;
+  // How many segments need all their steps unless line_off is sight.off doubled that often, or more.
+  std::array<std::int64_t, kMostDoublings + 1> needing_{};
+};
 
 }  // namespace coaster::gfx

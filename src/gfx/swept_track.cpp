@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <utility>
 
 namespace coaster::gfx {
 namespace {
@@ -139,7 +140,9 @@ void SweptTrack::measure(Segment& segment) const {
 std::int64_t SweptTrack::write(Id& id) {
   fit(id);
   Segment& segment = segments_[id];
+  const bool was_far = segment.far;
   measure(segment);
+  if (was_far || segment.far) grouped_ = false;
   std::int64_t written = 0;
   for (std::size_t kind = 0; kind < kKinds; ++kind) {
     put(rows_[kind], segment.pieces[kind], staged_[kind]);
@@ -170,6 +173,7 @@ void SweptTrack::sort() {
   for (std::size_t kind = 0; kind < kKinds; ++kind) {
     if (!rows_[kind].moved) continue;
     rows_[kind].moved = false;
+    grouped_ = false;
     std::vector<Id>& order = rows_[kind].order;
     order.clear();
     for (Id id = 0; id < segments_.size(); ++id)
@@ -177,31 +181,66 @@ void SweptTrack::sort() {
     std::sort(order.begin(), order.end(),
               [&](Id a, Id b) { return segments_[a].pieces[kind].first < segments_[b].pieces[kind].first; });
   }
+  if (!std::exchange(grouped_, true)) group();
 }
 
-// Collects runs of shown segments that are adjacent in a buffer; the gaps between them hold empty pieces.
-void SweptTrack::gather(Kind kind, const std::vector<std::uint8_t>& shown, std::vector<Range>& runs) const {
-  runs.clear();
-  bool open = false;
-  for (const Id id : rows_[kind].order) {
-    const bool show = (shown[id] >> kind & 1) != 0;
-    const Range place = segments_[id].pieces[kind];
-    if (show && !open) runs.push_back(place);
-    if (show) runs.back().size = place.first + place.size - runs.back().first;
-    open = show;
+void SweptTrack::group() {
+  constexpr std::uint32_t kMostPieces = 64;  // of a part
+  near_.clear();
+  for (std::size_t kind = 0; kind < kKinds; ++kind) {
+    std::vector<Part>& parts = parts_[kind];
+    parts.clear();
+    for (const Id id : rows_[kind].order) {
+      const Segment& segment = segments_[id];
+      const Range place = segment.pieces[kind];
+      if (!segment.far) {
+        parts.push_back({place, id});
+        if (kind == kFarTubes) near_.push_back(id);
+        continue;
+      }
+      const glm::vec3 low = segment.middle - segment.radius, high = segment.middle + segment.radius;
+      const bool joins = !parts.empty() && parts.back().near == kNone &&
+                         place.first + place.size - parts.back().place.first <= kMostPieces;
+      if (!joins) {
+        parts.push_back({place, kNone, low, high});
+        continue;
+      }
+      Part& part = parts.back();
+      part.place.size = place.first + place.size - part.place.first;
+      part.low = glm::min(part.low, low), part.high = glm::max(part.high, high);
+    }
+  }
+}
+
+std::size_t SweptTrack::part_count() const {
+  std::size_t count = 0;
+  for (const std::vector<Part>& parts : parts_) count += parts.size();
+  return count;
+}
+
+// Collects runs of shown parts that are adjacent in a buffer; the gaps between them hold empty pieces.
+void SweptTrack::gather(Runs& runs, const auto& shows_far) const {
+  for (std::size_t kind = 0; kind < kKinds; ++kind) {
+    runs[kind].clear();
+    bool open = false;
+    for (const Part& part : parts_[kind]) {
+      const bool show = part.near == kNone ? shows_far(part) : (shown_[part.near] >> kind & 1) != 0;
+      if (show && !open) runs[kind].push_back(part.place);
+      if (show) runs[kind].back().size = part.place.first + part.place.size - runs[kind].back().first;
+      open = show;
+    }
   }
 }
 
 void SweptTrack::choose(const Reach& reach) {
-  shown_.assign(segments_.size(), 0);
-  for (Id id = 0; id < segments_.size(); ++id) {
+  shown_.resize(segments_.size());
+  for (const Id id : near_) {
     const Segment& segment = segments_[id];
     const float metres = glm::distance(eye_, segment.middle) - segment.radius;
-    shown_[id] =
-        static_cast<std::uint8_t>(segment.far || metres > reach.full ? 1 << kFarTubes : 1 << kTubes | 1 << kCaps);
+    shown_[id] = static_cast<std::uint8_t>(metres > reach.full ? 1 << kFarTubes : 1 << kTubes | 1 << kCaps);
     if (metres <= reach.ties) shown_[id] |= 1 << kTies;
   }
-  for (const Kind kind : {kTubes, kCaps, kFarTubes, kTies}) gather(kind, shown_, chosen_[kind]);
+  gather(chosen_, [](const Part&) { return true; });
 }
 
 void SweptTrack::look_from(glm::vec3 eye, Reach reach) {
@@ -222,16 +261,15 @@ Cast SweptTrack::cast(const glm::mat4& light, float texel_metres, bool unseen) {
   sort();
   const bool full = texel_metres < 8 * static_cast<float>(sim::kRailRadius);
   const auto kinds = static_cast<std::uint8_t>(full ? 1 << kTubes | 1 << kCaps | 1 << kTies : 1 << kFarTubes);
-  shown_.assign(segments_.size(), 0);
-  for (Id id = 0; id < segments_.size(); ++id)
-    if (reaches(light, segments_[id].middle, segments_[id].radius))
-      shown_[id] = segments_[id].far ? 1 << kFarTubes : kinds;
-  for (const Kind kind : {kTubes, kCaps, kFarTubes, kTies}) {
-    gather(kind, shown_, cast_[kind]);
-    if (cast_[kind].size() > kMostRunsOfKind)
-      cast_[kind] = {Range{cast_[kind].front().first,
-                           cast_[kind].back().first + cast_[kind].back().size - cast_[kind].front().first}};
-  }
+  shown_.resize(segments_.size());
+  for (const Id id : near_)
+    shown_[id] = reaches(light, segments_[id].middle, segments_[id].radius) ? kinds : std::uint8_t{0};
+  gather(cast_, [&](const Part& part) {
+    return reaches(light, 0.5f * (part.low + part.high), 0.5f * glm::distance(part.low, part.high));
+  });
+  for (std::vector<Range>& runs : cast_)
+    if (runs.size() > kMostRunsOfKind)
+      runs = {Range{runs.front().first, runs.back().first + runs.back().size - runs.front().first}};
   if (!unseen) draw(cast_);
   return {draw_calls(cast_), triangles(cast_)};
 }

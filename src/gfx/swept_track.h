@@ -48,8 +48,8 @@ class SweptTrack {
     friend bool operator==(const Reach&, const Reach&) = default;
   };
   // From now on draws what is near `eye` in full. Both distances are halved until the triangles stay within
-  // kTriangleBudget and the draw calls within a few hundred. Linear in the segments; does nothing while neither these
-  // nor the eye changed.
+  // kTriangleBudget and the draw calls within a few hundred. Linear in the segments that are not far, see stage_far();
+  // does nothing while neither the segments nor the eye changed.
   void look_from(glm::vec3 eye, Reach reach);
   // Draws the segments with the program in use (the attributes of shaders/mesh.vert).
   void draw() const { draw(chosen_); }
@@ -62,6 +62,8 @@ class SweptTrack {
 
   // Changes whenever anything is written or removed.
   std::uint64_t version() const { return version_; }
+  // The parts that each choice goes over: near segments, and runs of far ones.
+  std::size_t part_count() const;
   // Bytes in use, gaps included.
   std::int64_t bytes() const;
 
@@ -88,11 +90,18 @@ class SweptTrack {
     std::vector<Id> order;  // by position in the buffer
     bool moved = true;      // ranges changed since the order was computed
   };
+  // A near segment, or neighbours in a buffer that are all far.
+  struct Part {
+    Range place;
+    Id near = kNone;
+    glm::vec3 low{0}, high{0};  // of the far ones
+  };
   void fit(Id& id);
   void measure(Segment& segment) const;
   void put(Row& row, Range range, std::vector<Piece>& pieces);
   void sort();
-  void gather(Kind kind, const std::vector<std::uint8_t>& shown, std::vector<Range>& runs) const;
+  void group();
+  void gather(Runs& runs, const auto& shows_far) const;
   void choose(const Reach& reach);
   void draw(const Runs& runs) const;
   int draw_calls(const Runs& runs) const;
@@ -102,13 +111,16 @@ class SweptTrack {
   ByKind<Row> rows_;
   std::vector<Segment> segments_;
   std::vector<Id> free_;
+  ByKind<std::vector<Part>> parts_;  // by position in the buffers
+  std::vector<Id> near_;             // segments that are not far
+  bool grouped_ = false;             // parts_ and near_ are up to date
   Runs chosen_, cast_;
   std::uint64_t version_ = 0;
   glm::vec3 eye_{0};
   Reach reach_{-1, -1};
   // Kept for their capacity.
   ByKind<std::vector<Piece>> staged_;
-  std::vector<std::uint8_t> shown_;  // by segment, a bit for each kind
+  std::vector<std::uint8_t> shown_;  // by segment, a bit for each kind; of the near ones
 };
 
 }  // namespace coaster::gfx

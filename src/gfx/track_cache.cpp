@@ -37,10 +37,16 @@ TrackCache::Synced TrackCache::sync(const sim::Derived& derived, const sim::Cloc
     for (const sim::ShapeChange& change : *changes) visit(derived.order[change.index]);
   };
   watch.time([&] {
-    for_changed([&](world::Entity segment) { sizes_[segment.index] = size_of(derived.shape(segment).key.cubic); });
-    Sight sight = sight_;
+    for_changed([&](world::Entity segment) {
+      const SegmentSize size = size_of(derived.shape(segment).key.cubic);
+      if (changes) level_choice_.replace(sizes_[segment.index], size);
+      sizes_[segment.index] = size;
+    });
+    Sight sight = in_steps(sight_);
     if (detail_.parts) sight.reach = std::max(sight.reach, ties_);
-    levels_ = choose_levels(sizes_, derived.steps, sight);
+    if (!changes || !(sight == levels_for_)) level_choice_.begin(sizes_, derived.steps, sight);
+    levels_for_ = sight;
+    levels_ = level_choice_.levels();
   });
   for_changed([&](world::Entity segment) {
     ++synced_.looked_at;

@@ -132,7 +132,8 @@ class TrackCache {
   // As of the last sync.
   std::uint64_t last_build_ = 0;
   world::Evaluation evaluation_;
-  Sight sight_;
+  Sight sight_, levels_for_;
+  LevelChoice level_choice_;
   float ties_ = 0;
   SegmentLevels levels_, levels_compared_;  // of this sync; those that all slots were last compared with
   std::vector<Placed> placed_;              // by slot of control points

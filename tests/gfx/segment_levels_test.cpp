@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 #include <random>
+#include <utility>
 #include <vector>
 
 namespace coaster::gfx {
@@ -32,6 +33,12 @@ std::vector<SegmentSize> sizes_of(const std::vector<curve::Cubic>& cubics) {
   std::vector<SegmentSize> sizes;
   for (const curve::Cubic& cubic : cubics) sizes.push_back(size_of(cubic));
   return sizes;
+}
+
+SegmentLevels choose_levels(const std::vector<SegmentSize>& sizes, int steps, const Sight& sight) {
+  LevelChoice choice;
+  choice.begin(sizes, steps, sight);
+  return choice.levels();
 }
 
 std::int64_t vertices(const SegmentLevels& levels, const std::vector<SegmentSize>& sizes) {
@@ -110,6 +117,24 @@ TEST(segment_levels, small_moves_of_the_eye_change_nothing) {
   const auto sizes = sizes_of(random_cubics(40'000, 9000));
   EXPECT_EQ(choose_levels(sizes, 64, {{1, 2, 3}, kOff, 50}), choose_levels(sizes, 64, {{-4, 7, 0}, kOff, 50}));
   EXPECT_NE(choose_levels(sizes, 64, {{1, 2, 3}, kOff, 50}), choose_levels(sizes, 64, {{40, 2, 3}, kOff, 50}));
+}
+
+TEST(segment_levels, segments_that_change_are_counted_as_if_all_were) {
+  auto sizes = sizes_of(random_cubics(30'000, 300));
+  const auto others = sizes_of(random_cubics(30'000, 50));
+  const Sight sight{{10, 5, 0}, 1e-9f, 50};
+  LevelChoice choice;
+  choice.begin(sizes, 64, sight);
+  const SegmentLevels first = choice.levels();
+  for (std::size_t i = 0; i < sizes.size(); ++i) {
+    const SegmentSize before = std::exchange(sizes[i], others[(7 * i) % others.size()]);
+    choice.replace(before, sizes[i]);
+    if (i % 6000 == 0) {
+      EXPECT_EQ(choice.levels(), choose_levels(sizes, 64, sight)) << i;
+    }
+  }
+  EXPECT_EQ(choice.levels(), choose_levels(sizes, 64, sight));
+  EXPECT_NE(choice.levels(), first);
 }
 
 }  // namespace segment_levels_test

@@ -43,6 +43,27 @@ TEST_F(Swept, what_is_far_off_takes_fewer_triangles_and_no_upload) {
   EXPECT_EQ(gl_.GetError(), static_cast<GLenum>(GL_NO_ERROR));
 }
 
+// A choice goes over runs of far segments, not over each.
+TEST_F(Swept, far_segments_of_a_very_long_track_cost_a_choice_little) {
+  constexpr int kSegments = 24'000;
+  Track track(test::ring_document(kSegments, 2.0f * kSegments), 2);
+  const glm::vec3 eye = world::knot(track.document, track.document.track.knots[0]).position + glm::vec3(0, 3, 0);
+  TrackCache cache(gl_);
+  cache.look_from({eye, 1e-5f, 100}, 0);
+  cache.sync(track.derived, {});
+  SweptTrack& swept = cache.swept();
+  const auto triangles_after = [&](std::size_t knot) {
+    track.move(knot, {0, 0.01f, 0});
+    EXPECT_EQ(cache.sync(track.derived, {}).uploads, 2);
+    swept.look_from(eye, {100, 100});
+    EXPECT_LT(swept.part_count(), kSegments / 20u);
+    return swept.triangles();
+  };
+  const std::int64_t triangles = triangles_after(1);
+  EXPECT_GE(triangles, kSegments);
+  EXPECT_EQ(triangles_after(kSegments / 2), triangles);
+}
+
 // A straight of 200 m in one segment that begins 10 m ahead of the eye: its middle is 110 m off.
 TEST_F(Swept, a_long_segment_is_as_near_as_its_nearest_part) {
   const Track track(test::straight_document({10, 9, 0}, {210, 9, 0}));
