@@ -12,7 +12,14 @@ enum class Column { left, right };
 
 // When a panel shows in a workspace other than `all`, which shows every panel: in Build while an element is chosen, a
 // section or something else is selected, or neither; in the laboratory.
-enum Occasion : unsigned { kElement = 1, kSelection = 2, kTrack = 4, kSection = 8, kWhileBuilding = 15, kLaboratory = 16 };
+enum Occasion : unsigned {
+  kElement = 1,
+  kSelection = 2,
+  kTrack = 4,
+  kSection = 8,
+  kWhileBuilding = 15,
+  kLaboratory = 16
+};
 
 struct Panel {
   std::string_view name;  // first part of its widgets' paths

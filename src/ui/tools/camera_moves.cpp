@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "edit/commands/commands_settings.h"
+#include "ui/tools/fly_keys.h"
 #include "ui/tools/viewport_tool.h"
 #include "world/camera_feel.h"
 
@@ -47,6 +48,24 @@ void set_camera(Ui& ui, const world::Camera& camera) {
 void zoom_chase(Ui& ui, float notches) {
   const float distance = ui.session().settings.feel->chase_distance * std::pow(kPerNotch, -notches);
   ui.emit(edit::Set<&world::CameraFeel::chase_distance>{std::clamp(distance, world::kMinChase, world::kMaxChase)});
+}
+
+world::CameraMode shown_camera(const Ui& ui) {
+  const edit::Session& s = ui.session();
+  return view::shown_mode({s.document, s.derived, s.motion, s.settings});
+}
+
+void ViewportTool::turn_wheel(Ui& ui, const view::View& view, float notches) {
+  constexpr float kMetres = 2;
+  const world::Settings& settings = ui.session().settings;
+  switch (shown_camera(ui)) {
+    case world::CameraMode::orbit:
+      ui.emit(edit::SetCamera{zoomed(settings.camera, view, mouse_position(), notches)});
+      break;
+    case world::CameraMode::fly: ui.emit(edit::SetFly{flown(fly_now(ui), {0, 0, kMetres * notches})}); break;
+    case world::CameraMode::chase: zoom_chase(ui, notches); break;
+    case world::CameraMode::ride: break;
+  }
 }
 
 }  // namespace coaster::ui

@@ -36,11 +36,6 @@ glm::vec3 item_position(const world::Document& document, const view::Pick& pick)
   return knot.position;
 }
 
-world::CameraMode shown_camera(const Ui& ui) {
-  const edit::Session& s = ui.session();
-  return view::shown_mode({s.document, s.derived, s.motion, s.settings});
-}
-
 }  // namespace
 
 view::Pick ViewportTool::update(Ui& ui, const view::View& view) {
@@ -69,19 +64,6 @@ view::Pick ViewportTool::update(Ui& ui, const view::View& view) {
   move(ui, view, mouse);
   if (!io.MouseDown[drag_.button]) release(ui, view);
   return held;
-}
-
-void ViewportTool::turn_wheel(Ui& ui, const view::View& view, float notches) {
-  constexpr float kMetres = 2;
-  const world::Settings& settings = ui.session().settings;
-  switch (shown_camera(ui)) {
-    case world::CameraMode::orbit:
-      ui.emit(edit::SetCamera{zoomed(settings.camera, view, mouse_position(), notches)});
-      break;
-    case world::CameraMode::fly: ui.emit(edit::SetFly{flown(fly_now(ui), {0, 0, kMetres * notches})}); break;
-    case world::CameraMode::chase: zoom_chase(ui, notches); break;
-    case world::CameraMode::ride: break;
-  }
 }
 
 bool ViewportTool::cancel(Ui& ui) {

@@ -58,6 +58,8 @@ class ViewportTool {
   bool box_waits_ = false, chose_section_ = false;  // the last press chose a section
 };
 
+// The camera that is shown, whatever is chosen.
+world::CameraMode shown_camera(const Ui& ui);
 // Return the camera after a drag by `pixels`, rotated about its target or moved with it, and after a turn of the wheel.
 // The scene follows the mouse; a drag about the target leaves an orthographic view, whose point under the cursor stays
 // when the wheel turns.
