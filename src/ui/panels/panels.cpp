@@ -3,6 +3,7 @@
 
 #include <imgui.h>
 
+#include <algorithm>
 #include <array>
 
 #include "world/aids.h"
@@ -39,12 +40,12 @@ std::span<const Panel> panels() {
       Panel{"Operation", Column::left, kSelection | kTrack, "Equipment, train and losses.", operation_panel},
       Panel{"Challenge", Column::right, kWhileBuilding, "The current challenge: goals, limits and medals.",
             challenge_panel, true, challenge_shown},
-      Panel{"Sections", Column::right, 0, "Every section: length, heights, speeds and g.", sections_panel, false},
       Panel{"Evaluation", Column::right, kLaboratory,
             "How curves become polylines: method, resolution, accuracy and speed.", evaluation_panel},
       Panel{"Ride", Column::right, kLaboratory, "Run the carts and read their speed, height and g.", ride_panel},
       Panel{"Camera", Column::right, kLaboratory, "Camera modes and camera feel.", camera_panel},
       Panel{"Statistics", Column::right, kLaboratory, "Cost of the last frame.", statistics_panel},
+      Panel{"Sections", Column::right, 0, "Every section: length, heights, speeds and g.", sections_panel, false},
       Panel{"History", Column::right, kTrack, "Undo and redo steps. Click a step to go to it.", history_panel, false},
   };
   return kPanels;
@@ -67,6 +68,13 @@ bool belongs(const Ui& ui, const Panel& panel, Column column) {
   return (panel.shows & occasions(ui)) != 0;
 }
 
+// Scrolls down to what was built last, from `top` (px), as far as that stays in sight.
+void bring_into_sight(float top) {
+  const float low = ImGui::GetWindowPos().y, high = low + ImGui::GetWindowHeight();
+  const float by = std::min(ImGui::GetCursorScreenPos().y - high, top - low);
+  if (by > 0) ImGui::SetScrollY(ImGui::GetScrollY() + by);
+}
+
 }  // namespace
 
 void build_column(Ui& ui, Column column, const view::Viewport& area) {
@@ -76,7 +84,12 @@ void build_column(Ui& ui, Column column, const view::Viewport& area) {
       if (!belongs(ui, panel, column)) return;
       ui.panel = panel.name;
       ImGui::PushID(panel.name.data(), panel.name.data() + panel.name.size());
-      if (header(ui, panel.name, panel.help, panel.open)) panel.build(ui);
+      if (header(ui, panel.name, panel.help, panel.open)) {
+        const bool opened = ImGui::IsItemToggledOpen();
+        const float top = ImGui::GetItemRectMin().y;
+        panel.build(ui);
+        if (opened) bring_into_sight(top);
+      }
       ImGui::PopID();
     };
     // In Build a chosen element comes before what else is selected.
