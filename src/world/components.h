@@ -12,6 +12,7 @@
 #include "world/equipment_kind.h"
 #include "world/fields.h"
 #include "world/registry.h"
+#include "world/way_home.h"
 
 namespace coaster::world {
 
@@ -86,9 +87,11 @@ struct Segment {
 };
 
 // What a section was planned as. A free one was shaped by hand.
-enum class SectionKind : std::uint8_t { free, element };
-inline constexpr base::NameRow kSectionKinds[] = {{"free", "Hand-shaped", "Shaped knot by knot."},
-                                                  {"element", "Element", "Planned as an element of the palette."}};
+enum class SectionKind : std::uint8_t { free, element, complete };
+inline constexpr base::NameRow kSectionKinds[] = {
+    {"free", "Hand-shaped", "Shaped knot by knot."},
+    {"element", "Element", "Planned as an element of the palette."},
+    {"complete", "Complete circuit", "Planned as a way home, and again when track before it moves."}};
 constexpr std::span<const base::NameRow> rows_of(SectionKind) { return kSectionKinds; }
 
 // A run of neighbouring segments that is one part of the ride to its builder. While it is not free, its knots are as
@@ -97,6 +100,7 @@ struct Section {
   std::string title;  // UTF-8, at most kMaxNameBytes; empty: it is shown by its kind
   SectionKind kind = SectionKind::free;
   Element element = {};  // with its parameters, if it was planned as one; else as here
+  WayHome way = {};      // if it completes a circuit; else as here
   // Not what it was planned as: files and hashes have the names of kind and parameters.
   static constexpr void fields(auto visit) { visit(Field{"title"}, &Section::title); }
   friend bool operator==(const Section&, const Section&) = default;

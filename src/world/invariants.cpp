@@ -83,10 +83,21 @@ Broken broken_chain(const Document& document) {
   return {};
 }
 
+bool within_limits(const WayHome& way) {
+  bool within = true;
+  WayHome::fields([&](const Field& field, auto member) {
+    const auto value = way.*member;
+    if constexpr (std::is_same_v<decltype(value), const double>)
+      within = within && value >= field.low && value <= field.high;
+  });
+  return within;
+}
+
 bool sound(const Section& section) {
   if (section.title.size() > kMaxNameBytes || !base::is_printable_utf8(section.title)) return false;
   if (!base::has_row(section.kind)) return false;
-  return section.kind == SectionKind::element ? within_limits(section.element) : section.element == Element{};
+  return (section.kind == SectionKind::element ? within_limits(section.element) : section.element == Element{}) &&
+         (section.kind == SectionKind::complete ? within_limits(section.way) : section.way == WayHome{});
 }
 
 // Each segment belongs to a section, and the segments of a section are neighbours.

@@ -33,6 +33,18 @@ Entity section_of_knot(const Document& document, Entity knot) {
 const Section& section(const Document& document, Entity e) { return document.entities.get<Section>(e); }
 bool is_free(const Document& document, Entity e) { return section(document, e).kind == SectionKind::free; }
 
+std::optional<SectionRun> completing(const Document& document, std::size_t knot) {
+  const std::vector<Entity>& segments = document.track.segments;
+  if (!document.track.closed) return std::nullopt;
+  for (std::size_t i = segments.size(); i-- > knot;)
+    if (const Entity e = segment(document, segments[i]).section; section(document, e).kind == SectionKind::complete) {
+      const SectionRun run = run_of(document, e);
+      if (run.first >= knot) return run;
+      break;
+    }
+  return std::nullopt;
+}
+
 std::string_view kind_name(const Section& section) {
   return section.kind == SectionKind::element ? base::name_of(section.element.kind) : base::name_of(section.kind);
 }

@@ -1,6 +1,7 @@
 // Sections of the track, to read. topology.h changes them.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -27,6 +28,9 @@ Entity section_of_knot(const Document& document, Entity knot);
 
 const Section& section(const Document& document, Entity e);
 bool is_free(const Document& document, Entity section);
+// Returns the last section that completes the circuit, of those that begin at the knot with that index or behind it;
+// nothing on an open track and where there is none.
+std::optional<SectionRun> completing(const Document& document, std::size_t knot);
 
 // Returns "free" or the name of the element, as scripts and files have it.
 std::string_view kind_name(const Section& section);

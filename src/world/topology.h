@@ -50,8 +50,9 @@ Entity make_section(Document& document, std::size_t first, std::size_t count, Se
 // values and the fittings of the segment before them. The caller shapes the knots and repositions trains.
 void resize_section(Document& document, Entity section, std::size_t count);
 
-// Removes a section of an open track, the trains on it, and its knots but the first; of the track's first section its
-// knots but the last. Swaps a section of an open track with the next. The caller moves the knots of what follows.
+// Removes a section, the trains on it, and its knots but the first; of the track's first section its knots but the
+// last. Swaps a section with the next. The caller moves the knots of what follows. Neither may take the last section of
+// a closed track.
 void remove_section(Document& document, Entity section);
 void swap_sections(Document& document, Entity section);
 

@@ -8,12 +8,12 @@
 namespace coaster::world {
 namespace {
 
-// Makes the segments [begin, end) of an open track lead from knot to knot again.
+// Makes the segments [begin, end) lead from knot to knot again.
 void link_segments(Document& document, std::size_t begin, std::size_t end) {
   const Track& track = document.track;
   for (std::size_t i = begin; i < end; ++i) {
     Segment& segment = document.entities.get<Segment>(track.segments[i]);
-    segment.from = track.knots[i], segment.to = track.knots[i + 1];
+    segment.from = track.knots[i], segment.to = track.knots[(i + 1) % track.knots.size()];
   }
 }
 
@@ -62,9 +62,9 @@ void resize_section(Document& document, Entity section, std::size_t count) {
 
 void remove_section(Document& document, Entity section) {
   Track& track = document.track;
-  COASTER_CHECK(!track.closed, "what follows can move");
   const SectionRun run = run_of(document, section);
   const bool follows = run.end() < track.segments.size();
+  COASTER_CHECK(!track.closed || follows, "the last section of a closed track leads to its first knot");
   for (std::size_t i = run.end(); i-- > run.first;) remove_segment(document, i);
   const auto from = track.knots.begin() + static_cast<std::ptrdiff_t>(run.first + (run.first == 0 && follows ? 0 : 1)),
              to = from + static_cast<std::ptrdiff_t>(run.count);
@@ -76,7 +76,7 @@ void remove_section(Document& document, Entity section) {
 void swap_sections(Document& document, Entity section) {
   Track& track = document.track;
   const SectionRun run = run_of(document, section), next = run_of(document, section_at(document, run.end()));
-  COASTER_CHECK(!track.closed, "no knot belongs to two ends");
+  COASTER_CHECK(!track.closed || next.end() < track.segments.size(), "no knot belongs to two ends");
   const auto rotate = [&](std::vector<Entity>& order, std::size_t begin) {
     const auto first = order.begin() + static_cast<std::ptrdiff_t>(begin),
                middle = first + static_cast<std::ptrdiff_t>(run.count);

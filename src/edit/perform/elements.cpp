@@ -99,7 +99,7 @@ Status perform(Session& session, Change& change, const CompleteCircuit& command)
   for (std::size_t k = 1; k + 1 < knots.size(); ++k) change.select = world::append_knot(document, knots[k]);
   world::set_closed(document, true);
   world::make_section(document, document.track.segments.size() - proposal.plan.spans(), proposal.plan.spans(),
-                      {"Complete circuit"});
+                      {{}, world::SectionKind::complete, {}, proposal.way});
   world::Knot& first = document.entities.get<world::Knot>(document.track.knots.front());
   first.joint = world::JointKind::aligned;
   first.in_length = knots.back().in_length;

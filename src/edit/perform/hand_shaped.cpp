@@ -117,8 +117,9 @@ void free_hand_shaped(const std::vector<PlannedSection>& before, Session& sessio
                                   [&](const PlannedSection& planned) { return planned.run.section == run.section; });
     world::Section& section = document.entities.get<world::Section>(run.section);
     if (was == before.end() || !(was->value == section) || comparison.keeps_its_plan(was->run, run)) continue;
+    if (std::find(change.planned.begin(), change.planned.end(), run.section) != change.planned.end()) continue;
     freed.push_back(world::title_of(section));
-    section.kind = world::SectionKind::free, section.element = {};
+    section.kind = world::SectionKind::free, section.element = {}, section.way = {};
   }
   if (freed.empty()) return;
   if (!change.note.empty()) change.note += ' ';

@@ -28,6 +28,7 @@ struct Change {
   std::vector<world::Entity> respun{};    // knots whose automatic spins follow from new twists
   std::optional<world::Entity> select{};  // the selection on success
   std::vector<world::Entity> also{};      // further selected knots
+  std::vector<world::Entity> planned{};   // sections that the command planned again, besides its own
   bool remeasure = false;                 // a setting with derived data has changed
 
   // Returns `value` clamped to [low,high]; adds a sentence about WHAT and the limit if that changed it. Finite values

@@ -8,8 +8,11 @@
 
 #include "base/text.h"
 #include "curve/arc_length.h"
+#include "curve/continuity.h"
+#include "curve/frames.h"
 #include "edit/commands/commands_sections.h"
 #include "edit/perform/placing.h"
+#include "edit/perform/take_up.h"
 #include "world/sections.h"
 #include "world/topology.h"
 
@@ -109,6 +112,20 @@ void equip_again(Document& document, const sim::ElementPlan& plan, const Section
   equip(document, plan, run.first);
 }
 
+// Returns where a section begins. One that completes the circuit before it follows its curvature, not the other way.
+sim::TrackEnd start_of(const Document& document, const SectionRun& run) {
+  sim::TrackEnd start = sim::end_at(document, run.first);
+  const std::vector<Entity>& segments = document.track.segments;
+  const Entity before = segments[(run.first + segments.size() - 1) % segments.size()];
+  const bool completed =
+      document.track.closed &&
+      world::section(document, world::segment(document, before).section).kind == world::SectionKind::complete;
+  if (completed)
+    start.curvature =
+        curve::across(curve::curvature_vector(world::cubic_of(document, segments[run.first]), 0.0), start.forward);
+  return start;
+}
+
 Status placeable(const Session& session, const world::Track& track, const sim::ElementPlan& plan,
                  const SectionRun& run) {
   if (!plan.refusal.empty()) return refused(plan.refusal);
@@ -118,16 +135,24 @@ Status placeable(const Session& session, const world::Track& track, const sim::E
 
 }  // namespace
 
-Status adopt(Session& session, Document&& next) {
+Status adopt(Session& session, Change& change, const Document& former, Document&& next) {
+  if (const Status taken = take_up(session, change, former, next); !taken) return taken;
   if (const auto broken = world::broken_invariant(next)) return refused("the track would leave the world: " + *broken);
   session.document = std::move(next);
   return {};
 }
 
+Status may_move(const Document& document, std::size_t knot) {
+  if (!document.track.closed || world::completing(document, knot)) return {};
+  return refused(
+      "the track is closed, and no Complete circuit section follows that can take up the change. Open it first");
+}
+
 Status carry_after(Document& document, std::size_t knot, const sim::Carry& carry) {
+  if (const Status may = may_move(document, knot); !may) return may;
   const world::Track& track = document.track;
-  if (track.closed) return refused("the track is closed, and no section of it can take up the change. Open it first");
-  for (std::size_t i = knot + 1; i < track.knots.size(); ++i) {
+  const std::size_t end = track.closed ? world::completing(document, knot)->first + 1 : track.knots.size();
+  for (std::size_t i = knot + 1; i < end; ++i) {
     Knot& moved = document.entities.get<Knot>(track.knots[i]);
     moved = carry.knot(moved);
     for (int axis = 0; axis < 3; ++axis)
@@ -138,9 +163,28 @@ Status carry_after(Document& document, std::size_t knot, const sim::Carry& carry
   return {};
 }
 
-Status replan(const Session& session, Change& change, Document& document, Entity section, const world::Element& as) {
+void reshape(Document& document, Entity section, const sim::ElementFit& fit, SectionEnd end) {
+  const std::size_t spans = fit.knots.size() - 1;
   SectionRun run = world::run_of(document, section);
-  const sim::ElementPlan plan = sim::plan_element(as, sim::end_at(document, run.first));
+  const auto last = [&]() -> Knot& {
+    return document.entities.get<Knot>(document.track.knots[run.end() % document.track.knots.size()]);
+  };
+  const Starts starts = spans == run.count ? Starts{} : starts_on(document, run);
+  const Knot held = last();
+  world::resize_section(document, section, spans);
+  run.count = spans;
+  shape_knots(fit, run, end != SectionEnd::open, document);
+  if (end == SectionEnd::stays) {
+    const Knot shaped = last();
+    last() = held;
+    last().in_length = shaped.in_length, last().joint = shaped.joint;
+  }
+  put_back(starts, run, document);
+}
+
+Status replan(const Session& session, Change& change, Document& document, Entity section, const world::Element& as) {
+  const SectionRun run = world::run_of(document, section);
+  const sim::ElementPlan plan = sim::plan_element(as, start_of(document, run));
   if (const Status good = placeable(session, document.track, plan, run); !good) return good;
   const std::size_t end = run.end();
   const bool follows = document.track.closed || end < document.track.segments.size();
@@ -151,24 +195,13 @@ Status replan(const Session& session, Change& change, Document& document, Entity
     if (!found) return found.status();
     carry = *found;
   }
-  const Starts starts = plan.spans() == run.count ? Starts{} : starts_on(document, run);
   const bool moves = follows && !stays(carry);
   if (moves)
     if (const Status carried = carry_after(document, end, carry); !carried) return carried;
-  std::optional<Knot> held;  // where nothing moves, the end stays to the bit
-  if (follows && !moves) held = world::knot(document, document.track.knots[end % document.track.knots.size()]);
-  world::resize_section(document, section, plan.spans());
-  run.count = plan.spans();
-  shape_knots(plan.fit, run, follows, document);
-  equip_again(document, plan, run);
-  if (held) {
-    Knot& last = document.entities.get<Knot>(document.track.knots[run.end() % document.track.knots.size()]);
-    held->in_length = last.in_length, held->joint = last.joint;
-    last = *held;
-  }
-  put_back(starts, run, document);
+  reshape(document, section, plan.fit, moves ? SectionEnd::moves : follows ? SectionEnd::stays : SectionEnd::open);
+  equip_again(document, plan, world::run_of(document, section));
   world::Section& value = document.entities.get<world::Section>(section);
-  value.kind = world::SectionKind::element, value.element = world::limited(plan.element);
+  value.kind = world::SectionKind::element, value.element = world::limited(plan.element), value.way = {};
   change.clamped.insert(change.clamped.end(), plan.lines.begin(), plan.lines.end());
   if (plan.lowest < 0)
     change.clamped.push_back(fmt::format("The section goes {:.1f} m below the ground.", -plan.lowest));
@@ -181,9 +214,10 @@ Status perform(Session& session, Change& change, const ChangeSection& command) {
   if (const Status good = well_formed(command.to); !good) return good;
   const Document& start = session.history.gesture_start;
   const bool anew = command.anew && session.history.in_gesture && start.entities.find<world::Section>(*section);
-  Document next = anew ? start : session.document;
+  const Document& former = anew ? start : session.document;
+  Document next = former;
   if (const Status planned = replan(session, change, next, *section, command.to); !planned) return planned;
-  return adopt(session, std::move(next));
+  return adopt(session, change, former, std::move(next));
 }
 
 }  // namespace coaster::edit

@@ -18,23 +18,19 @@ using world::Entity;
 using world::Knot;
 using world::SectionRun;
 
+// Returns what a section is alone: a way home leads nowhere else.
+world::Section alone(world::Section section) {
+  if (section.kind == world::SectionKind::complete) section = {world::title_of(section)};
+  return section;
+}
+
 // Returns a section alone as a track.
 Document track_of(const Document& document, const SectionRun& run) {
-  Document alone;
-  alone.name = world::title_of(world::section(document, run.section));
-  alone.curve = document.curve, alone.heartline = document.heartline;
-  const auto& knots = document.track.knots;
-  for (std::size_t i = 0; i <= run.count; ++i)
-    world::append_knot(alone, world::knot(document, knots[(run.first + i) % knots.size()]));
-  for (std::size_t i = 0; i < run.count; ++i) {
-    const Entity from = document.track.segments[run.first + i], to = alone.track.segments[i];
-    alone.entities.get<world::Segment>(to).turns = world::segment(document, from).turns;
-    world::copy_fittings(document, from, alone, to);
-  }
-  for (Knot& knot : alone.entities.pool<Knot>().items())
-    if (knot.joint == world::JointKind::automatic) knot.joint = world::JointKind::aligned;
-  world::make_section(alone, 0, run.count, world::section(document, run.section));
-  return alone;
+  Document track = stretch_of(document, run.first, run.count);
+  const world::Section& section = world::section(document, run.section);
+  track.name = world::title_of(section);
+  world::make_section(track, 0, run.count, alone(section));
+  return track;
 }
 
 // Adds a hand-shaped section at the open end, turned so that it goes on from there.
@@ -57,7 +53,7 @@ Status append_run(const Document& from, const SectionRun& run, Document& documen
     document.entities.get<world::Segment>(document.track.segments.back()).turns = segment.turns;
   }
   const std::size_t first = document.track.segments.size() - run.count;
-  world::make_section(document, first, run.count, world::section(from, run.section));
+  world::make_section(document, first, run.count, alone(world::section(from, run.section)));
   return {};
 }
 
@@ -80,7 +76,52 @@ Status paste(Change& change, const Document& from, const SectionRun& run, Docume
   return {};
 }
 
+// Adds all sections before the one that completes the circuit. That one gets a new start and is not shaped yet. Returns
+// the last section added; none if there is none.
+base::Result<Entity> paste_before(Change& change, const Document& from, const SectionRun& home, Document& document) {
+  const std::size_t count = document.track.segments.size();
+  const Entity last = document.track.segments[(home.first + count - 1) % count];
+  const SectionRun before = world::run_of(document, world::segment(document, last).section);
+  Document open = stretch_of(document, home.end() % count, count - home.count);
+  const std::size_t old = open.track.segments.size();
+  for (const SectionRun& run : world::sections_of(from))
+    if (const Status pasted = paste(change, from, run, open); !pasted) return pasted;
+  const std::size_t added = open.track.segments.size() - old;
+  world::resize_section(document, before.section, before.count + added);
+  for (std::size_t i = 0; i <= added; ++i)
+    document.entities.get<Knot>(document.track.knots[(before.end() + i) % document.track.knots.size()]) =
+        world::knot(open, open.track.knots[old + i]);
+  for (std::size_t i = 0; i < added; ++i) {
+    const Entity own = open.track.segments[old + i], into = document.track.segments[before.end() + i];
+    document.entities.get<world::Segment>(into).turns = world::segment(open, own).turns;
+    document.entities.pool<world::Equipment>().erase(into);
+    world::copy_fittings(open, own, document, into);
+  }
+  Entity made;
+  for (const SectionRun& run : world::sections_of(open))
+    if (run.first >= old)
+      made =
+          world::make_section(document, before.end() + run.first - old, run.count, world::section(open, run.section));
+  return made;
+}
+
 }  // namespace
+
+Document stretch_of(const Document& document, std::size_t first, std::size_t count) {
+  Document stretch;
+  stretch.curve = document.curve, stretch.heartline = document.heartline;
+  const auto &knots = document.track.knots, &segments = document.track.segments;
+  for (std::size_t i = 0; i <= count; ++i)
+    world::append_knot(stretch, world::knot(document, knots[(first + i) % knots.size()]));
+  for (std::size_t i = 0; i < count; ++i) {
+    const Entity from = segments[(first + i) % segments.size()], to = stretch.track.segments[i];
+    stretch.entities.get<world::Segment>(to).turns = world::segment(document, from).turns;
+    world::copy_fittings(document, from, stretch, to);
+  }
+  for (Knot& knot : stretch.entities.pool<Knot>().items())
+    if (knot.joint == world::JointKind::automatic) knot.joint = world::JointKind::aligned;
+  return stretch;
+}
 
 Status perform(Session& session, Change& change, const CopySection& command) {
   const auto sections = chosen_sections(session, command.sections);
@@ -100,20 +141,23 @@ Status perform(Session& session, Change& change, const CopySection& command) {
 Status perform(Session& session, Change& change, const PasteSections& command) {
   const std::string& text = command.text.empty() ? session.copied : command.text;
   if (text.empty()) return refused("nothing was copied");
-  if (session.document.track.closed) return refused("the track is closed: open it first");
+  if (const Status may = may_move(session.document, 0); !may) return may;
   const auto loaded = exchange::parse_track(text, "clipboard");
   if (!loaded) return refused(loaded.status().message);
   Document next = session.document;
-  for (const SectionRun& run : world::sections_of(loaded->document))
-    if (const Status pasted = paste(change, loaded->document, run, next); !pasted) return pasted;
+  if (const auto home = world::completing(next, 0)) {
+    const base::Result<Entity> last = paste_before(change, loaded->document, *home, next);
+    if (!last) return last.status();
+    change.select = *last;
+  } else {
+    for (const SectionRun& run : world::sections_of(loaded->document))
+      if (const Status pasted = paste(change, loaded->document, run, next); !pasted) return pasted;
+    if (!next.track.segments.empty()) change.select = world::segment(next, next.track.segments.back()).section;
+  }
   if (next.track.segments.size() == session.document.track.segments.size()) return refused("nothing was copied");
   if (const Status room = room_for(session, next.track.knots.size(), next.track.segments.size()); !room) return room;
-  if (const auto broken = world::broken_invariant(next))
-    return refused("what was copied would leave the world: " + *broken);
   if (session.document.track.segments.empty()) add_first_train(next);
-  change.select = world::segment(next, next.track.segments.back()).section;
-  session.document = std::move(next);
-  return {};
+  return adopt(session, change, session.document, std::move(next));
 }
 
 }  // namespace coaster::edit

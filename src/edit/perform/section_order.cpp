@@ -19,10 +19,6 @@ using world::Entity;
 using world::Knot;
 using world::SectionRun;
 
-const Knot& nth_knot(const Document& document, std::size_t index) {
-  const auto& knots = document.track.knots;
-  return world::knot(document, knots[index % knots.size()]);
-}
 Knot& knot_to_change(Document& document, std::size_t index) {
   const auto& knots = document.track.knots;
   return document.entities.get<Knot>(knots[index % knots.size()]);
@@ -32,19 +28,6 @@ Knot& knot_to_change(Document& document, std::size_t index) {
 void begin_there(Knot& knot, float out_length) {
   knot.out_length = out_length;
   if (knot.in_length != out_length || knot.joint == world::JointKind::automatic) knot.joint = world::JointKind::aligned;
-}
-
-Status open_track(const Document& document) {
-  if (document.track.closed) return refused("the track is closed: open it first");
-  return {};
-}
-
-// Returns the section of a target on an open track.
-base::Result<Entity> on_open_track(const Session& session, Target target) {
-  auto section = require(session, target, world::Kind::section);
-  if (!section) return section;
-  if (const Status open = open_track(session.document); !open) return open;
-  return section;
 }
 
 // Returns the element with left and right swapped.
@@ -114,11 +97,12 @@ Status swap_runs(Document& document, const SectionRun& run, const SectionRun& ne
 
 }  // namespace
 
-Status perform(Session& session, Change&, const DeleteSection& command) {
-  const auto section = on_open_track(session, command.section);
+Status perform(Session& session, Change& change, const DeleteSection& command) {
+  const auto section = require(session, command.section, world::Kind::section);
   if (!section) return section.status();
   Document next = session.document;
   const SectionRun run = world::run_of(next, *section);
+  if (const Status may = may_move(next, run.end()); !may) return may;
   if (run.first > 0 && run.end() < next.track.segments.size()) {
     const Knot start = nth_knot(next, run.first), end = nth_knot(next, run.end());
     const auto carry = sim::carry_between(end, start);
@@ -127,7 +111,7 @@ Status perform(Session& session, Change&, const DeleteSection& command) {
     begin_there(knot_to_change(next, run.first), end.out_length);
   }
   world::remove_section(next, *section);
-  return adopt(session, std::move(next));
+  return adopt(session, change, session.document, std::move(next));
 }
 
 Status perform(Session& session, Change& change, const MirrorSection& command) {
@@ -139,11 +123,11 @@ Status perform(Session& session, Change& change, const MirrorSection& command) {
                           ? replan(session, change, next, *section, mirrored(value.element))
                           : mirror_knots(next, world::run_of(next, *section));
   if (!done) return done;
-  return adopt(session, std::move(next));
+  return adopt(session, change, session.document, std::move(next));
 }
 
-Status perform(Session& session, Change&, const MoveSection& command) {
-  const auto section = on_open_track(session, command.section);
+Status perform(Session& session, Change& change, const MoveSection& command) {
+  const auto section = require(session, command.section, world::Kind::section);
   if (!section) return section.status();
   Document next = session.document;
   const std::vector<SectionRun> runs = world::sections_of(next);
@@ -153,8 +137,9 @@ Status perform(Session& session, Change&, const MoveSection& command) {
     return refused(
         fmt::format("there is no section {} @{}", earlier ? "before" : "after", world::label_of(next, *section)));
   const auto first = earlier ? at - 1 : at;
+  if (const Status may = may_move(next, (first + 1)->end()); !may) return may;
   if (const Status swapped = swap_runs(next, *first, *(first + 1)); !swapped) return swapped;
-  return adopt(session, std::move(next));
+  return adopt(session, change, session.document, std::move(next));
 }
 
 }  // namespace coaster::edit

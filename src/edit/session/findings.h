@@ -95,6 +95,7 @@ struct Findings {
     sim::CircuitMemo circuit;
     // By Session::edits, the last build, the ride's serial and the first and the last car.
     base::Kept<std::tuple<std::uint64_t, std::uint64_t, std::uint64_t, int, int>, sim::SectionTable> sections;
+    sim::OpenedTrack opened;  // for the section that completes a circuit, planned again
     sim::FrenetBreaks breaks;
     sim::TrackValueMemo values;
     sim::Supports supports, passed;  // shown, and passed by a ride: each counts what it rebuilds

@@ -17,6 +17,7 @@ constexpr std::string_view kSides[] = {"left", "right"};
 std::vector<std::string> kinds() {
   std::vector<std::string> names = base::names_of<world::ElementKind>();
   names.insert(names.begin(), std::string(base::name_of(world::SectionKind::free)));
+  names.emplace_back(base::name_of(world::SectionKind::complete));
   return names;
 }
 
@@ -57,7 +58,8 @@ bool read_parameters(Fields& fields, world::Element& element) {
 bool read_kind(Fields& fields, world::Section& section) {
   std::string kind;
   if (!fields.text("kind", kind)) return false;
-  if (kind == base::name_of(world::SectionKind::free)) return true;
+  for (const world::SectionKind own : {world::SectionKind::free, world::SectionKind::complete})
+    if (kind == base::name_of(own)) return section.kind = own, true;
   const auto element = base::value_named<world::ElementKind>(kind);
   if (!element) return fields.reject("kind", base::alternatives(kinds(), "\""));
   section.kind = world::SectionKind::element;

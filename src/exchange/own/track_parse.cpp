@@ -105,6 +105,7 @@ bool read_section(TrackParse& parse, const Json& value, std::size_t index, std::
   std::size_t count = 0;
   if (!create(parse, fields, Kind::section, e)) return false;
   if (!read_section_members(fields, segments.size() - first, section, count)) return false;
+  if (section.kind == world::SectionKind::complete && !read_component(parse, fields, section.way)) return false;
   for (; count > 0; --count) parse.document.entities.get<world::Segment>(segments[first++]).section = e;
   parse.document.entities.put(e, std::move(section));
   keep_unknown(parse, fields, e);

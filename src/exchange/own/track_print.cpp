@@ -93,8 +93,9 @@ std::string cart_line(const Document& document, Entity e) {
 }
 
 std::string section_line(const Document& document, const world::SectionRun& run) {
-  return fmt::format("{{\"id\": {}, {}{}", id(document, run.section),
-                     section_members(world::section(document, run.section), run.count),
+  const world::Section& section = world::section(document, run.section);
+  return fmt::format("{{\"id\": {}, {}{}{}", id(document, run.section), section_members(section, run.count),
+                     section.kind == world::SectionKind::complete ? members(document, section.way) : "",
                      extra_members(document, run.section));
 }
 

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "base/portable_math.h"
 #include "base/text.h"
 #include "world/motion.h"
 
@@ -105,6 +106,63 @@ bool consider(CircuitCandidate candidate, double floor, CircuitWay& way, Circuit
   return true;
 }
 
+// Returns the ends and levels between which ways are sought, or why there can be none.
+CircuitCandidates prepared(const CircuitTask& task) {
+  CircuitCandidates c;
+  c.task = task;
+  c.refusal = hopeless(task);
+  if (!c.refusal.empty()) return c;
+  const double rise = task.home.position.y - task.from.position.y, start = task.speed * task.speed,
+               end = std::max(1.0, square_speed(task, rise, glm::distance(task.home.position, task.from.position)));
+  c.arrival = std::sqrt(end);
+  c.in = lead_from(task.from, lead_radius(task.from, start));
+  TrackEnd back = task.home;
+  back.forward = -back.forward;
+  c.out = lead_to(task.home, lead_radius(back, end));
+  const double floor = floor_of(task);
+  if (std::min(c.in.height, c.out.height) < floor)
+    c.refusal = "the ground is in the way: the track is too steep there to be levelled above it";
+  else c.levels = levels_between(c, floor);
+  return c;
+}
+
+// Adds the candidates that turns and levels give, in their order.
+void consider_all(CircuitCandidates& c) {
+  const double floor = floor_of(c.task);
+  CircuitWay way{c.in, c.out, {}, {}};
+  for (std::size_t i = 0; i < c.turns.size(); ++i) {
+    way.turns = c.turns[i].rough;
+    for (int level = -1; level < static_cast<int>(c.levels.size()); ++level) {
+      const bool room = consider({i, level, false, 0}, floor, way, c) || consider({i, level, true, 0}, floor, way, c);
+      if (!room) ++c.losses.steep;
+    }
+  }
+}
+
+void sort_by_cost(CircuitCandidates& c) {
+  std::stable_sort(c.list.begin(), c.list.end(),
+                   [](const CircuitCandidate& a, const CircuitCandidate& b) { return a.cost < b.cost; });
+}
+
+// Returns by how much the two turns differ from a former way's, rad.
+double turned_from(const world::WayHome& former, const TurnChoice& choice) {
+  const auto differs = [](double was_deg, const Bend& is) {
+    return std::abs(is.to - is.from - base::radians(was_deg));
+  };
+  return differs(former.first, choice.rough.first) + differs(former.second, choice.rough.second);
+}
+
+// Returns how much of the shape changes from the former way to a candidate, about in metres.
+double unlikeness(const world::WayHome& former, const CircuitCandidates& c, const CircuitCandidate& candidate) {
+  constexpr double kTurn = 40, kOtherSlopes = 15, kOtherBends = 5;  // m per rad, m, m
+  const TurnChoice& choice = c.turns[candidate.turns];
+  double sum = kTurn * turned_from(former, choice) + std::abs(choice.before - former.before) +
+               std::abs(choice.after - former.after) + 2.0 * std::abs(choice.radius - former.radius);
+  if (former.level != (candidate.level >= 0)) sum += kOtherSlopes;
+  else if (former.level) sum += std::abs(c.levels[static_cast<std::size_t>(candidate.level)] - former.height);
+  return sum + (candidate.tight != former.tight ? kOtherBends : 0.0);
+}
+
 }  // namespace
 
 CircuitWay CircuitCandidates::rough(const CircuitCandidate& candidate) const {
@@ -121,37 +179,46 @@ std::optional<CircuitWay> CircuitCandidates::exact(const CircuitCandidate& candi
   return CircuitWay{in, out, *found, *heights};
 }
 
+world::WayHome CircuitCandidates::described(const CircuitCandidate& candidate, const CircuitWay& exact) const {
+  const TurnChoice& choice = turns[candidate.turns];
+  const auto turned = [](const Bend& bend) {
+    return std::clamp(base::degrees(bend.to - bend.from), -world::kMostTurned_deg, world::kMostTurned_deg);
+  };
+  world::WayHome way{turned(exact.turns.first), turned(exact.turns.second), choice.radius, choice.before, choice.after};
+  way.level = candidate.level >= 0;
+  if (way.level) way.height = levels[static_cast<std::size_t>(candidate.level)];
+  way.tight = candidate.tight;
+  way.speed = std::min(task.speed, world::kFastestPlanned), way.coasts = task.coasts;
+  return way;
+}
+
 CircuitCandidates circuit_candidates(const CircuitTask& task) {
-  CircuitCandidates c;
-  c.task = task;
-  c.refusal = hopeless(task);
+  CircuitCandidates c = prepared(task);
   if (!c.refusal.empty()) return c;
-  const double rise = task.home.position.y - task.from.position.y, start = task.speed * task.speed,
-               end = std::max(1.0, square_speed(task, rise, glm::distance(task.home.position, task.from.position)));
-  c.arrival = std::sqrt(end);
-  c.in = lead_from(task.from, lead_radius(task.from, start));
-  TrackEnd back = task.home;
-  back.forward = -back.forward;
-  c.out = lead_to(task.home, lead_radius(back, end));
-  const double floor = floor_of(task);
-  if (std::min(c.in.height, c.out.height) < floor) {
-    c.refusal = "the ground is in the way: the track is too steep there to be levelled above it";
-    return c;
-  }
-  c.levels = levels_between(c, floor);
+  const double start = task.speed * task.speed, end = c.arrival * c.arrival;
   std::array<double, std::size(kSideG)> radii{};
   for (std::size_t i = 0; i < radii.size(); ++i) radii[i] = radius_for(std::max(start, end), kSideG[i], kLeastRadii[i]);
   c.turns = turn_choices(c.in.pose, c.out.pose, radii, kStraights);
-  CircuitWay way{c.in, c.out, {}, {}};
-  for (std::size_t i = 0; i < c.turns.size(); ++i) {
-    way.turns = c.turns[i].rough;
-    for (int level = -1; level < static_cast<int>(c.levels.size()); ++level) {
-      const bool room = consider({i, level, false, 0}, floor, way, c) || consider({i, level, true, 0}, floor, way, c);
-      if (!room) ++c.losses.steep;
-    }
-  }
-  std::stable_sort(c.list.begin(), c.list.end(),
-                   [](const CircuitCandidate& a, const CircuitCandidate& b) { return a.cost < b.cost; });
+  consider_all(c);
+  sort_by_cost(c);
+  return c;
+}
+
+CircuitCandidates candidates_like(const world::WayHome& former, const CircuitTask& task) {
+  constexpr double kMostTurned = 1;  // rad, of both turns together, from the former ones
+  constexpr double kWider = 1.2;     // a larger radius to try
+  CircuitCandidates c = prepared(task);
+  if (!c.refusal.empty()) return c;
+  if (former.level) c.levels.insert(c.levels.begin(), former.height);
+  std::vector<double> straights{former.before, former.after, 0.0};
+  std::sort(straights.begin(), straights.end());
+  straights.erase(std::unique(straights.begin(), straights.end()), straights.end());
+  const double radii[] = {former.radius, std::min(kWider * former.radius, world::kWidestTurn)};
+  c.turns = turn_choices(c.in.pose, c.out.pose, radii, straights);
+  std::erase_if(c.turns, [&](const TurnChoice& choice) { return turned_from(former, choice) > kMostTurned; });
+  consider_all(c);
+  for (CircuitCandidate& candidate : c.list) candidate.cost = unlikeness(former, c, candidate);
+  sort_by_cost(c);
   return c;
 }
 

@@ -10,7 +10,7 @@ struct CircuitCandidate {
   std::size_t turns = 0;  // index into `CircuitCandidates::turns`
   int level = -1;         // index into `levels`; below 0: one slope all the way
   bool tight = false;     // with bends of the smaller radii
-  double cost = 0;        // m: its length, and kCostOfG for each g
+  double cost = 0;        // m: its length, and kCostOfG for each g; or how far it is from a former way
 };
 inline constexpr double kCostOfG = 25;  // m of length that a rider would go round for 1 g less
 
@@ -33,9 +33,13 @@ struct CircuitCandidates {
   // Return the way of a candidate: with turns that are wrong by about a centimetre, and exact.
   CircuitWay rough(const CircuitCandidate& candidate) const;
   std::optional<CircuitWay> exact(const CircuitCandidate& candidate) const;
+  // Returns what it is planned again from; `exact` is its way.
+  world::WayHome described(const CircuitCandidate& candidate, const CircuitWay& exact) const;
 };
 
 // Takes about 50 ms.
 CircuitCandidates circuit_candidates(const CircuitTask& task);
+// Returns those that are like a former way, the most similar first. Takes about 2 ms.
+CircuitCandidates candidates_like(const world::WayHome& former, const CircuitTask& task);
 
 }  // namespace coaster::sim

@@ -79,21 +79,28 @@ ElementPlan plan_of(ElementCurve curve) {
   return plan;
 }
 
+struct SearchTerms {
+  const Derived& derived;
+  const Conflicts& conflicts;
+  std::size_t most_found;
+  int most_tried;
+};
+
 // One search: what it has found and why others failed.
 struct Search {
   const CircuitCandidates& candidates;
-  const Derived& derived;
-  const Conflicts& conflicts;
-  CircuitProposals found;
-  Obstacles obstacles;
+  const SearchTerms& terms;
+  CircuitProposals found = {};
+  Obstacles obstacles = {};
   int forced = 0, buried_ones = 0, unfit = 0;
   double least_g = 1e9;
 
   // Returns whether the way has room, roughly.
   bool has_room(const CircuitCandidate& candidate) {
     const CircuitWay way = candidates.rough(candidate);
-    const std::vector<Narrow> narrow = conflicts.against(
-        derived, rough_points(rough_line(candidates.task, way, kRoughStep), way.out.length), {true, kRoughMargin});
+    const std::vector<Narrow> narrow = terms.conflicts.against(
+        terms.derived, rough_points(rough_line(candidates.task, way, kRoughStep), way.out.length),
+        {true, kRoughMargin});
     if (!narrow.empty()) obstacles.add(narrow);
     return narrow.empty();
   }
@@ -103,7 +110,7 @@ struct Search {
     const CircuitTask& task = candidates.task;
     const std::optional<CircuitWay> way = candidates.exact(candidate);
     if (!way) return;
-    CircuitProposal proposal{plan_of(way_curve(task, *way)), {}};
+    CircuitProposal proposal{plan_of(way_curve(task, *way)), {}, candidates.described(candidate, *way)};
     ElementPlan& plan = proposal.plan;
     for (const CircuitProposal& other : found.list)
       if (resembles(plan, other.plan)) return;
@@ -116,7 +123,8 @@ struct Search {
       ++buried_ones;
       return;
     }
-    const std::vector<Narrow> narrow = conflicts.against(derived, line_of(plan.ideal, task.rails), {true, kMargin});
+    const std::vector<Narrow> narrow =
+        terms.conflicts.against(terms.derived, line_of(plan.ideal, task.rails), {true, kMargin});
     if (!narrow.empty()) return obstacles.add(narrow);
     plan.fit = fit_element(plan.ideal);
     if (!plan.fit.within) ++unfit;
@@ -127,7 +135,7 @@ struct Search {
     std::map<std::array<int, 5>, int> failures;
     int tried = 0;
     for (const CircuitCandidate& candidate : candidates.list) {
-      if (found.list.size() == kMostProposals || tried == kMostTried) break;
+      if (found.list.size() == terms.most_found || tried == terms.most_tried) break;
       const TurnChoice& turns = candidates.turns[candidate.turns];
       int& failed = failures[{turns.first, turns.second, turns.more_first, turns.more_second, candidate.level}];
       if (failed >= kMostFailures) continue;
@@ -156,6 +164,15 @@ struct Search {
   }
 };
 
+CircuitProposals searched(const CircuitCandidates& candidates, const SearchTerms& terms) {
+  Search search{candidates, terms};
+  search.found.speed = candidates.task.speed, search.found.assumed = !candidates.task.coasts;
+  if (candidates.refusal.empty()) search.run();
+  if (search.found.list.empty())
+    search.found.refusal = candidates.refusal.empty() ? search.why_not() : candidates.refusal;
+  return std::move(search.found);
+}
+
 }  // namespace
 
 std::optional<CircuitTask> circuit_task(const world::Document& document, const Ghost* ride) {
@@ -181,18 +198,25 @@ std::optional<CircuitTask> circuit_task(const world::Document& document, const G
   return task;
 }
 
+CircuitProposals complete_again(const world::WayHome& former, const CircuitTask& task, const Derived& derived,
+                                const Conflicts& conflicts) {
+  return searched(candidates_like(former, task), {derived, conflicts, 1, kMostTriedAgain});
+}
+
 CircuitProposals complete_circuit(const CircuitTask& task, const Derived& derived, const Conflicts& conflicts) {
-  const CircuitCandidates candidates = circuit_candidates(task);
-  Search search{candidates, derived, conflicts, {}, {}};
-  search.found.speed = task.speed, search.found.assumed = !task.coasts;
-  if (candidates.refusal.empty()) search.run();
-  CircuitProposals found = std::move(search.found);
+  CircuitProposals found = searched(circuit_candidates(task), {derived, conflicts, kMostProposals, kMostTried});
   std::stable_sort(found.list.begin(), found.list.end(), [](const CircuitProposal& a, const CircuitProposal& b) {
     const auto cost = [](const CircuitProposal& p) { return p.plan.length + kCostOfG * (p.felt.most + p.felt.side); };
     return cost(a) < cost(b);
   });
-  if (found.list.empty()) found.refusal = candidates.refusal.empty() ? search.why_not() : candidates.refusal;
   return found;
+}
+
+void OpenedTrack::update(const world::Document& opened) {
+  world::Settings settings;
+  settings.evaluation->steps = 1;
+  derive(opened, settings, {}, derived);
+  conflicts.update(derived);
 }
 
 const CircuitProposals& CircuitMemo::update(const world::Document& document, const Derived& derived,

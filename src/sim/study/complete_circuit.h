@@ -14,7 +14,8 @@ inline constexpr std::size_t kMostProposals = 3;
 struct CircuitProposal {
   // Its last knot is the track's first, with the new incoming handle.
   ElementPlan plan;
-  FeltRange felt;  // g, at the speeds that follow from the energy
+  FeltRange felt;      // g, at the speeds that follow from the energy
+  world::WayHome way;  // what it is planned again from
 };
 
 struct CircuitProposals {
@@ -32,6 +33,18 @@ inline constexpr double kAssumedSpeed = 10;  // m/s, where no train reaches the 
 // `conflicts` and `derived` are the open track's and up to date. Tries at most kMostTried candidates: below 1 s.
 CircuitProposals complete_circuit(const CircuitTask& task, const Derived& derived, const Conflicts& conflicts);
 inline constexpr int kMostTried = 1200;
+// Returns at most one way home: that which is most like a former way. Tries at most kMostTriedAgain candidates: about
+// 10 ms, and 50 ms where all fail.
+CircuitProposals complete_again(const world::WayHome& former, const CircuitTask& task, const Derived& derived,
+                                const Conflicts& conflicts);
+inline constexpr int kMostTriedAgain = 12;
+
+// The track of a circuit without the section that completes it, from that section's end to its start.
+struct OpenedTrack {
+  Derived derived;
+  Conflicts conflicts;
+  void update(const world::Document& opened);
+};
 
 // Caches the proposals while task and track are unchanged.
 class CircuitMemo {

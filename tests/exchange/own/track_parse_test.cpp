@@ -182,6 +182,16 @@ TEST(track_parse, sections_are_checked) {
                "sections[0].side: expected \"left\" or \"right\", found \"up\"");
   expect_error(one(R"("kind": "loop", "height": 101)"),
                "sections[0].height: expected a number from 3 to 100, found 101");
+  constexpr const char* kWay = R"("kind": "complete", "first": 90, "second": -90, "radius": 20, "before": 0,
+      "after": 5, "level": true, "height": 12, "tight": false, "speed": 14, "coasts": true)";
+  EXPECT_EQ(error_of(one(kWay)), "");
+  expect_error(one(R"("kind": "complete")"), "sections[0].first: missing; expected a number");
+  const auto way_with = [&](std::string_view before, std::string_view after) {
+    std::string way(kWay);
+    return one(way.replace(way.find(before), before.size(), after));
+  };
+  expect_error(way_with("-90", "-721"), "sections[0].second: expected a number from -720 to 720, found -721");
+  expect_error(way_with("true", "1"), "sections[0].level: expected true or false, found 1");
   expect_error(one(R"("kind": "free", "title": "a\nb")"), "sections[0].title: expected a line of at most 200 bytes");
   expect_error(one(R"("kind": "free", "title": ")" + std::string(201, 'x') + "\""), "sections[0].title");
 }

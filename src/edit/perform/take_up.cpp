@@ -1,0 +1,100 @@
+#include "edit/perform/take_up.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "edit/perform/replan.h"
+#include "world/motion.h"
+#include "world/sections.h"
+
+namespace coaster::edit {
+namespace {
+
+using base::Status;
+using world::Document;
+using world::Knot;
+using world::SectionRun;
+
+// What the track beside a section demands of its ends.
+struct Ends {
+  Knot start, end;
+  curve::Cubic before, after;
+  friend bool operator==(const Ends&, const Ends&) = default;
+};
+Ends ends_of(const Document& document, const SectionRun& run) {
+  const auto& segments = document.track.segments;
+  const auto cubic = [&](std::size_t i) { return world::cubic_of(document, segments[i % segments.size()]); };
+  Ends ends{nth_knot(document, run.first), nth_knot(document, run.end()), cubic(run.first + segments.size() - 1),
+            cubic(run.end())};
+  // The section's own.
+  ends.start.out_length = ends.end.in_length = 0;
+  ends.start.joint = ends.end.joint = world::JointKind::aligned;
+  return ends;
+}
+
+// Whether trains get a speed from equipment between the first knot that is another one, or elsewhere, and the section.
+bool driven_between(const Document& former, const SectionRun& was, const Document& next, const SectionRun& run) {
+  std::size_t same = 0;
+  while (same < std::min(was.first, run.first) && nth_knot(former, same).position == nth_knot(next, same).position)
+    ++same;
+  const auto driven = [&](const Document& document, std::size_t end) {
+    for (std::size_t i = same > 0 ? same - 1 : 0; i < end; ++i)
+      if (document.entities.find<world::Equipment>(document.track.segments[i])) return true;
+    return false;
+  };
+  return driven(former, was.first) || driven(next, run.first);
+}
+
+// Returns the task of the section: from its start to its end.
+base::Result<sim::CircuitTask> task_of(const Session& session, const Document& opened, const world::WayHome& way,
+                                       double risen) {
+  sim::CircuitTask task = *sim::circuit_task(opened, nullptr);
+  const double square = way.speed * way.speed - (way.coasts ? 2 * world::kGravity * risen : 0.0);
+  if (square < std::min(1.0, way.speed * way.speed))
+    return refused(
+        fmt::format("the train does not reach the Complete circuit section, which would begin {:.1f} m higher", risen));
+  task.speed = std::sqrt(square), task.coasts = way.coasts;
+  task.losses = session.document.resistance;
+  if (const world::Cart* const cart = session.document.entities.find<world::Cart>(chosen_cart(session)))
+    task.losses.drag *= world::kCarMass / cart->mass;
+  return task;
+}
+
+}  // namespace
+
+Status take_up(Session& session, Change& change, const Document& former, Document& next) {
+  const std::optional<SectionRun> run = world::completing(next, 0);
+  const std::size_t count = next.track.segments.size();
+  if (!run || !former.entities.find<world::Section>(run->section)) return {};
+  if (run->count == count) return refused("a circuit has a section besides the one that completes it");
+  const SectionRun was = world::run_of(former, run->section);
+  if (ends_of(former, was) == ends_of(next, *run)) return {};
+  const world::WayHome& way = world::section(next, run->section).way;
+  const Document opened = stretch_of(next, run->end() % count, count - run->count);
+  const double risen = driven_between(former, was, next, *run) ? 0.0
+                                                               : double{nth_knot(next, run->first).position.y} -
+                                                                     double{nth_knot(former, was.first).position.y};
+  const base::Result<sim::CircuitTask> task = task_of(session, opened, way, risen);
+  if (!task) return task.status();
+  sim::OpenedTrack& open = session.findings.memory.opened;
+  open.update(opened);
+  sim::CircuitProposals found = sim::complete_again(way, *task, open.derived, open.conflicts);
+  if (found.list.empty() && !session.history.in_gesture) {
+    found = sim::complete_circuit(*task, open.derived, open.conflicts);
+    if (!found.list.empty()) change.note = "Complete circuit takes another way home.";
+  }
+  if (found.list.empty()) return refused("the Complete circuit section cannot take up the change: " + found.refusal);
+  const sim::CircuitProposal& proposal = found.list.front();
+  const std::size_t spans = proposal.plan.spans();
+  if (const Status room = room_for(session, next.track.knots.size() + spans - run->count, count + spans - run->count);
+      !room)
+    return room;
+  reshape(next, run->section, proposal.plan.fit, SectionEnd::stays);
+  next.entities.get<world::Section>(run->section).way = proposal.way;
+  change.planned.push_back(run->section);
+  return {};
+}
+
+}  // namespace coaster::edit
