@@ -1,4 +1,12 @@
-// Completing a circuit: the search for three ways home on an open track with free room, and where every way is blocked.
+// Completing a circuit: the search for three ways home on an open track with free room, where every way is blocked, and
+// on random tracks; a change of a circuit of 40 elements that the section that completes it takes up.
+#include <cmath>
+#include <random>
+
+#include <fmt/format.h>
+
+#include "edit/commands/codec.h"
+#include "edit/perform/apply.h"
 #include "paired.h"
 #include "sim/study/complete_circuit.h"
 #include "world/topology.h"
@@ -35,6 +43,78 @@ void complete(benchmark::State& state, bool blocked) {
   }
   state.counters["checksum"] = sum / static_cast<double>(state.iterations());
 }
+
+struct Builder {
+  edit::Session session = edit::make_session({});
+  base::Files files;
+  bool apply(const std::string& line) {
+    std::vector<base::Token> tokens;
+    base::TextError error;
+    if (!base::tokenise(line, tokens, error)) return false;
+    const auto command = edit::parse(tokens, error);
+    return command && edit::apply(session, files, *command);
+  }
+};
+
+// A station, a lift and up to eight elements.
+void build_random(std::uint32_t seed, Builder& builder) {
+  std::mt19937 bits(seed);
+  const auto uniform = [&](double low, double high) { return low + (high - low) * (bits() / 4294967296.0); };
+  builder.apply("element straight length 30 equipment station");
+  builder.apply(fmt::format("element climb height {:.0f} equipment lift", uniform(15, 40)));
+  builder.apply(fmt::format("element dive height {:.0f}", uniform(10, 30)));
+  for (std::uint32_t left = bits() % 8; left > 0; --left) {
+    const char* const side = bits() % 2 ? "left" : "right";
+    const std::string lines[] = {
+        fmt::format("element straight length {:.0f}", uniform(5, 60)),
+        fmt::format("element curve {} radius {:.0f} angle {:.0f}", side, uniform(15, 50), uniform(20, 200)),
+        fmt::format("element camelback height {:.0f} speed 18", uniform(4, 10)),
+        fmt::format("element helix {} radius 18 turns 1.2 height 6", side)};
+    builder.apply(lines[bits() % 4]);
+  }
+}
+
+void complete_random(benchmark::State& state) {
+  Builder builder;
+  build_random(static_cast<std::uint32_t>(state.range(0)), builder);
+  edit::Session& session = builder.session;
+  edit::find(session, edit::Want::ride | edit::Want::conflicts);
+  const sim::CircuitTask task = *sim::circuit_task(session.document, session.findings.ride);
+  std::size_t proposals = 0;
+  for (auto _ : state)
+    proposals = sim::complete_circuit(task, session.derived, session.findings.memory.conflicts).list.size();
+  state.counters["proposals"] = static_cast<double>(proposals);
+}
+BENCHMARK(complete_random)->DenseRange(1, 20)->Unit(benchmark::kMillisecond);
+
+// Two turns and hills between them, 40 elements in all. A lift is changed by a drag; what shows then follows.
+void change_40_elements(benchmark::State& state) {
+  Builder builder;
+  builder.apply("element straight length 30 equipment station");
+  builder.apply("element climb height 45 equipment lift");
+  builder.apply("element dive height 40");
+  for (int leg = 0; leg < 2; ++leg) {
+    for (int i = 0; i < 16; ++i)
+      builder.apply(i % 2 ? "element camelback height 8 speed 26" : "element straight length 8");
+    builder.apply(fmt::format("element curve left radius {} angle 180 bank 50", 60 + 25 * leg));
+  }
+  builder.apply("element straight length 60 equipment brake speed 8");
+  builder.apply("element straight length 20");
+  const bool closed = builder.apply("complete 1");
+  edit::Session& session = builder.session;
+  builder.apply("gesture.begin");
+  int step = 0, taken = 0;
+  for (auto _ : state) {
+    taken += builder.apply(
+        fmt::format("section.change @q2 anew on to climb height {} equipment lift", 45 + 0.05 * (++step % 40)));
+    edit::find(session, edit::Want::ride | edit::Want::overloads | edit::Want::conflicts);
+  }
+  state.counters["closed"] = closed;
+  state.counters["sections"] = static_cast<double>(session.document.entities.pool<world::Section>().size());
+  state.counters["segments"] = static_cast<double>(session.document.track.segments.size());
+  state.counters["taken"] = static_cast<double>(taken) / static_cast<double>(state.iterations());
+}
+BENCHMARK(change_40_elements)->Unit(benchmark::kMillisecond);
 
 BENCHMARK_CAPTURE(complete, free, false)->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(complete, blocked, true)->Unit(benchmark::kMillisecond);
