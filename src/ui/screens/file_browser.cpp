@@ -19,10 +19,8 @@ namespace {
 constexpr std::size_t kMostRows = 2000;  // drawn at once; typing finds the others
 constexpr double kReadAgain = 1;         // s
 
-// "~/x" and "/x" are paths, whatever is looked for.
-bool is_path(const std::string& words) {
-  return words.starts_with('/') || words.starts_with("~/") || words == "~" || words.starts_with("../") || words == "..";
-}
+// No name contains a slash.
+bool is_path(const std::string& words) { return words.find('/') != std::string::npos || words == "~" || words == ".."; }
 
 std::filesystem::path expanded(const std::string& words, const std::filesystem::path& folder) {
   const char* const home = std::getenv("HOME");
@@ -219,7 +217,7 @@ FileBrowser::Answer FileBrowser::build(Ui& ui, const platform::Events& events, b
   const std::string_view label = saving ? "Name" : "Search or path";
   if (auto typed = text(ui, label, words_,
                         saving ? "Name of the file. Its extension selects the format, .json by default."
-                               : "Part of a name, or a path that starts with / or ~/.")) {
+                               : "Part of a name, or a path.")) {
     words_ = std::move(*typed);
     untouched_ = by_key_ = false;
     if (!saving) marked_.clear();
