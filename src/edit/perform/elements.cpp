@@ -27,9 +27,10 @@ void report(const sim::ElementPlan& plan, double missing, Change& change) {
     change.clamped.push_back(fmt::format("The fit error is {} m because the element is far from the origin.",
                                          base::to_text(static_cast<float>(plan.fit.error))));
   if (!change.clamped.empty()) return;  // the warning should be the newest notice
-  change.note = fmt::format("Placed {}: {:.1f} m, {} {}, fit error {} mm.", base::row_of(plan.element.kind).name,
-                            plan.length, plan.spans(), plan.spans() == 1 ? "span" : "spans",
-                            static_cast<int>(std::ceil(plan.fit.error * 1000)));
+  std::string name(base::row_of(plan.element.kind).name);
+  std::replace(name.begin(), name.end(), '_', ' ');
+  change.note = fmt::format("Placed {}: {:.1f} m, {} {}, fit error {} mm.", name, plan.length, plan.spans(),
+                            plan.spans() == 1 ? "span" : "spans", static_cast<int>(std::ceil(plan.fit.error * 1000)));
 }
 
 }  // namespace
