@@ -142,7 +142,10 @@ void section_equipment(Ui& ui, const Chosen& chosen) {
 // Buttons in pairs: what is done with whole sections.
 void section_buttons(Ui& ui, const Chosen& chosen) {
   const edit::Session& session = ui.session();
-  const bool open = !chosen.document.track.closed;
+  const auto movable = [&](std::size_t knot) {
+    return !chosen.document.track.closed || world::completing(chosen.document, knot);
+  };
+  const std::size_t end = chosen.runs.back().end();
   const bool first = chosen.runs.front().first == 0,
              last = chosen.runs.back().end() == chosen.document.track.segments.size();
   const float gap = ImGui::GetStyle().ItemSpacing.x;
@@ -162,15 +165,16 @@ void section_buttons(Ui& ui, const Chosen& chosen) {
               chosen.single() && !last))
     ui.emit(edit::JoinSections{{chosen.name()}});
   if (pressed("Move before", "Swap the section with the one before it.", "Move section before",
-              open && chosen.single() && !first))
+              movable(end) && chosen.single() && !first))
     ui.emit(edit::MoveSection{{chosen.name()}, edit::Neighbour::before});
   if (pressed("Move after", "Swap the section with the one after it.", "Move section after",
-              open && chosen.single() && !last))
+              movable(end + 1) && chosen.single() && !last))
     ui.emit(edit::MoveSection{{chosen.name()}, edit::Neighbour::after});
   if (pressed("Copy", "Copy the sections.", "Copy section", true)) ui.out.commands.push_back(copying(session));
-  if (pressed("Paste", "Add the copied sections at the open end of the track.", "Paste section", open))
+  if (pressed("Paste", "Add the copied sections at the open end of the track, or before Complete circuit.",
+              "Paste section", movable(0)))
     ui.out.wants_paste = true;
-  if (pressed("Delete", "Delete the sections. What follows moves to where they began.", "Delete", open))
+  if (pressed("Delete", "Delete the sections. What follows moves to where they began.", "Delete", movable(end)))
     each([](world::Name name) { return edit::DeleteSection{{name}}; });
 }
 
