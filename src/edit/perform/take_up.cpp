@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "curve/arc_length.h"
 #include "edit/perform/replan.h"
 #include "world/motion.h"
 #include "world/sections.h"
@@ -80,7 +81,10 @@ Status take_up(Session& session, Change& change, const Document& former, Documen
   if (!task) return task.status();
   sim::OpenedTrack& open = session.findings.memory.opened;
   open.update(opened);
-  sim::CircuitProposals found = sim::complete_again(way, *task, open.derived, open.conflicts);
+  sim::FormerWay like{way, {}};
+  for (std::size_t i = was.first; i < was.end(); ++i)
+    like.lengths.push_back(curve::arc_length(world::cubic_of(former, former.track.segments[i])));
+  sim::CircuitProposals found = sim::complete_again(like, *task, open.derived, open.conflicts);
   if (found.list.empty() && !session.history.in_gesture) {
     found = sim::complete_circuit(*task, open.derived, open.conflicts);
     if (!found.list.empty()) change.note = "Complete circuit takes another way home.";

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "base/check.h"
 #include "base/portable_math.h"
@@ -167,7 +168,53 @@ void even_out(const ElementCurve& curve, Trial& best) {
   }
 }
 
+// Returns the ends of spans of those lengths; nothing if they have no room.
+std::vector<std::size_t> places_of(const ElementCurve& curve, std::span<const double> lengths) {
+  const auto longest = std::max_element(lengths.begin(), lengths.end());
+  const double rest = curve.length() - std::accumulate(lengths.begin(), lengths.end(), 0.0);
+  std::vector<std::size_t> at{0};
+  double s = 0;
+  for (auto length = lengths.begin(); length != lengths.end(); ++length) {
+    s += *length + (length == longest ? rest : 0.0);
+    const auto found = std::lower_bound(curve.points.begin(), curve.points.end(), s,
+                                        [](const ElementPoint& point, double wanted) { return point.s < wanted; });
+    const bool last = length + 1 == lengths.end();
+    const auto place = last ? curve.points.size() - 1 : static_cast<std::size_t>(found - curve.points.begin());
+    if (place <= at.back() || place + (last ? 0 : 1) >= curve.points.size()) return {};
+    at.push_back(place);
+  }
+  return at;
+}
+
+ElementFit fit_of(Trial trial, bool within) {
+  ElementFit fit;
+  fit.within = within;
+  for (const SpanCheck& check : trial.checks)
+    fit.error = std::max(fit.error, check.error), fit.roll_error = std::max(fit.roll_error, check.roll_error);
+  for (const double jump : trial.spans.jumps) fit.jump = std::max(fit.jump, jump);
+  fit.knots = std::move(trial.spans.knots);
+  return fit;
+}
+
 }  // namespace
+
+ElementFit fit_element(const ElementCurve& curve, std::span<const double> lengths) {
+  constexpr int kRounds = 3;
+  std::vector<std::size_t> at = places_of(curve, lengths);
+  for (int round = 0; round < kRounds && at.size() > 1; ++round) {
+    Trial trial = try_places(curve, std::move(at));
+    bool all = true;
+    at = {0};
+    for (std::size_t k = 0; k < trial.checks.size(); ++k) {
+      const bool good = holds(curve, trial, k);
+      all = all && good;
+      if (!good && trial.at[k + 1] - trial.at[k] > 1) at.push_back((trial.at[k] + trial.at[k + 1]) / 2);
+      at.push_back(trial.at[k + 1]);
+    }
+    if (all) return fit_of(std::move(trial), true);
+  }
+  return fit_element(curve);
+}
 
 ElementFit fit_element(const ElementCurve& curve) {
   COASTER_CHECK(curve.points.size() >= 2 && curve.breaks.size() >= 2, "an element has a length");
@@ -181,14 +228,9 @@ ElementFit fit_element(const ElementCurve& curve) {
     trial = try_places(curve, places_for(curve, counts));
     more = refine(curve, trial, counts);
   }
-  ElementFit fit;
-  fit.within = more == 0;
-  if (fit.within && curve.points.size() * trial.at.size() <= kMostThinning) thin(curve, trial), even_out(curve, trial);
-  for (const SpanCheck& check : trial.checks)
-    fit.error = std::max(fit.error, check.error), fit.roll_error = std::max(fit.roll_error, check.roll_error);
-  for (const double jump : trial.spans.jumps) fit.jump = std::max(fit.jump, jump);
-  fit.knots = std::move(trial.spans.knots);
-  return fit;
+  const bool within = more == 0;
+  if (within && curve.points.size() * trial.at.size() <= kMostThinning) thin(curve, trial), even_out(curve, trial);
+  return fit_of(std::move(trial), within);
 }
 
 }  // namespace coaster::sim

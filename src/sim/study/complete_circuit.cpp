@@ -84,6 +84,7 @@ struct SearchTerms {
   const Conflicts& conflicts;
   std::size_t most_found;
   int most_tried;
+  std::span<const double> lengths = {};  // of a former way's spans
 };
 
 // One search: what it has found and why others failed.
@@ -126,7 +127,7 @@ struct Search {
     const std::vector<Narrow> narrow =
         terms.conflicts.against(terms.derived, line_of(plan.ideal, task.rails), {true, kMargin});
     if (!narrow.empty()) return obstacles.add(narrow);
-    plan.fit = fit_element(plan.ideal);
+    plan.fit = terms.lengths.empty() ? fit_element(plan.ideal) : fit_element(plan.ideal, terms.lengths);
     if (!plan.fit.within) ++unfit;
     else found.list.push_back(std::move(proposal));
   }
@@ -198,9 +199,9 @@ std::optional<CircuitTask> circuit_task(const world::Document& document, const G
   return task;
 }
 
-CircuitProposals complete_again(const world::WayHome& former, const CircuitTask& task, const Derived& derived,
+CircuitProposals complete_again(const FormerWay& former, const CircuitTask& task, const Derived& derived,
                                 const Conflicts& conflicts) {
-  return searched(candidates_like(former, task), {derived, conflicts, 1, kMostTriedAgain});
+  return searched(candidates_like(former.way, task), {derived, conflicts, 1, kMostTriedAgain, former.lengths});
 }
 
 CircuitProposals complete_circuit(const CircuitTask& task, const Derived& derived, const Conflicts& conflicts) {

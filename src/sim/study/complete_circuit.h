@@ -33,9 +33,14 @@ inline constexpr double kAssumedSpeed = 10;  // m/s, where no train reaches the 
 // `conflicts` and `derived` are the open track's and up to date. Tries at most kMostTried candidates: below 1 s.
 CircuitProposals complete_circuit(const CircuitTask& task, const Derived& derived, const Conflicts& conflicts);
 inline constexpr int kMostTried = 1200;
-// Returns at most one way home: that which is most like a former way. Tries at most kMostTriedAgain candidates: about
-// 10 ms, and 50 ms where all fail.
-CircuitProposals complete_again(const world::WayHome& former, const CircuitTask& task, const Derived& derived,
+// A way home that is track, with the lengths of its spans, m.
+struct FormerWay {
+  world::WayHome way;
+  std::vector<double> lengths;
+};
+// Returns at most one way home: that which is most like a former way, in spans of about the same lengths. Tries at most
+// kMostTriedAgain candidates: about 10 ms, and 50 ms where all fail.
+CircuitProposals complete_again(const FormerWay& former, const CircuitTask& task, const Derived& derived,
                                 const Conflicts& conflicts);
 inline constexpr int kMostTriedAgain = 12;
 
