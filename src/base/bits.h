@@ -1,4 +1,4 @@
-// Comparison of plain data bit by bit.
+// Comparison and copies of plain data bit by bit.
 #pragma once
 
 #include <cstring>
@@ -18,6 +18,13 @@ bool same_bits(std::span<const T> a, std::span<const T> b) {
 template <class T>
 bool same_bits(const std::vector<T>& a, const std::vector<T>& b) {
   return same_bits(std::span<const T>(a), std::span<const T>(b));
+}
+
+// Copies a value with its padding, which an assignment may leave as it was.
+template <class T>
+void copy_bits(const T& from, T& to) {
+  static_assert(std::is_trivially_copyable_v<T>);
+  std::memcpy(static_cast<void*>(&to), &from, sizeof(T));
 }
 
 }  // namespace coaster::base

@@ -109,7 +109,7 @@ void take_knots(const world::Document& document, Derived& derived, const auto& v
     for (std::size_t i = begin; i < end; ++i) {
       const world::Knot& knot = in_order ? pool.items()[i] : pool.get(order[i]);
       if (!(copies[i] == knot)) visit(i);
-      copies[i] = knot;
+      base::copy_bits(knot, copies[i]);
     }
   }
 }
