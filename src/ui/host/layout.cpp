@@ -45,23 +45,44 @@ void lay_out_laboratory(Layout& layout, float width, float height, float scale, 
   add_strip(layout, strip_height(1.4f * height, scale, bar, middle.height, wish.strip));
 }
 
-// In a column of this size: with labels where they fill no more than two fifths of it.
-PaletteGrid grid_in(float width, float height, float scale, const LayoutWish& wish, bool may_label) {
-  constexpr float kIcon = 34, kLabelled = 40, kGap = 4, kMostForLabels = 0.42f;
+// Of the palette, design px; kColumn: of palette and parameters together.
+constexpr float kColumn = 228, kPad = 8, kGap = 4, kIcon = 34, kLabelled = 36;
+
+PaletteGrid grid_of(int columns, bool labels, float width, float scale, int elements) {
+  columns = std::clamp(columns, 1, std::max(1, elements));
+  const float each = (width - kGap * scale * static_cast<float>(columns - 1)) / static_cast<float>(columns);
+  return {columns, (elements + columns - 1) / columns, labels, std::floor(each),
+          std::floor((labels ? kLabelled : kIcon) * scale)};
+}
+float height_of(const PaletteGrid& grid, float scale) {
+  return static_cast<float>(grid.rows) * (grid.cell_height + kGap * scale) + 2 * std::floor(kPad * scale);
+}
+
+// In a column of `width` px above the parameters: with labels where the parameters keep a legible height.
+PaletteGrid grid_above(float width, float height, float scale, const LayoutWish& wish) {
+  constexpr float kParameters = 130;  // design px
   const float gap = kGap * scale;
-  const auto grid = [&](int columns, bool labels) {
-    columns = std::clamp(columns, 1, std::max(1, wish.elements));
-    const float each = (width - gap * static_cast<float>(columns - 1)) / static_cast<float>(columns);
-    return PaletteGrid{columns, (wish.elements + columns - 1) / columns, labels, std::floor(each),
-                       std::floor((labels ? kLabelled : kIcon) * scale)};
-  };
-  if (may_label && wish.label_width > 0) {
-    const PaletteGrid labelled = grid(static_cast<int>((width + gap) / (wish.label_width + gap)), true);
-    const float rows = static_cast<float>(labelled.rows);
-    if (labelled.cell_width >= wish.label_width && rows * (labelled.cell_height + gap) <= kMostForLabels * height)
-      return labelled;
+  if (const auto columns = static_cast<int>((width + gap) / (wish.label_width + gap)); columns > 0) {
+    const PaletteGrid labelled = grid_of(columns, true, width, scale, wish.elements);
+    if (height_of(labelled, scale) <= height - kParameters * scale) return labelled;
   }
-  return grid(static_cast<int>((width + gap) / ((kIcon + kGap) * scale)), false);
+  return grid_of(static_cast<int>((width + gap) / ((kIcon + kGap) * scale)), false, width, scale, wish.elements);
+}
+
+// Alone in a column of `height` px: as narrow as holds every button, with labels unless that is wider than kColumn, and
+// never wider than `most` px.
+PaletteGrid grid_alone(float height, float most, float scale, const LayoutWish& wish) {
+  const float gap = kGap * scale, labelled = std::min(most, kColumn * scale - 2 * std::floor(kPad * scale));
+  for (const bool labels : {true, false}) {
+    const float cell = labels ? std::ceil(wish.label_width) : kIcon * scale, limit = labels ? labelled : most;
+    for (int columns = labels ? 1 : 2; static_cast<float>(columns) * (cell + gap) - gap <= limit; ++columns) {
+      const float width = static_cast<float>(columns) * (cell + gap) - gap;
+      const PaletteGrid grid = grid_of(columns, labels, width, scale, wish.elements);
+      if (height_of(grid, scale) <= height) return grid;
+      if (grid.rows == 1) break;
+    }
+  }
+  return grid_of(static_cast<int>((most + gap) / (kIcon * scale + gap)), false, most, scale, wish.elements);
 }
 
 void lay_out_graph(Layout& layout, float width, float height, float scale, float bar, const LayoutWish& wish) {
@@ -80,27 +101,29 @@ void lay_out_graph(Layout& layout, float width, float height, float scale, float
 
 // Palette and parameters take a column at the left; folded, the palette alone a narrow one.
 void lay_out_build(Layout& layout, float width, float height, float scale, float bar, const LayoutWish& wish) {
-  constexpr float kColumn = 228, kPad = 8, kIcon = 34, kGap = 4, kRoomy = 1000;
+  constexpr float kRoomy = 1000;
   lay_out_graph(layout, width, height, scale, bar, wish);
   Viewport& scene = layout.scene;
   const bool roomy = width >= kRoomy * scale, open = wish.parameters.value_or(roomy);
   const float pad = std::floor(kPad * scale), drawer = roomy && open ? 0 : std::min(bar, scene.height);
-  const float cell = (kIcon + kGap) * scale, room = std::max(cell, scene.height - drawer - 2 * pad);
-  const int columns_of_icons =
-      std::max(2, static_cast<int>(std::ceil(static_cast<float>(wish.elements) * cell / room)));
-  const float narrow = static_cast<float>(columns_of_icons) * cell + 2 * pad;
-  const float column = std::floor(std::min(std::max(narrow, open ? kColumn * scale : 0), 0.5f * width));
-  layout.grid = grid_in(column - 2 * pad, scene.height, scale, wish, open);
-  const float wanted = static_cast<float>(layout.grid.rows) * (layout.grid.cell_height + kGap * scale) + 2 * pad;
-  const float palette = open ? std::min(std::floor(wanted), scene.height - drawer) : scene.height - drawer;
+  const float room = scene.height - drawer;
+  float column = kColumn * scale;
+  if (!open) {
+    layout.grid = grid_alone(room, 0.5f * width - 2 * pad, scale, wish);
+    const auto columns = static_cast<float>(layout.grid.columns);
+    column = std::ceil(columns * (layout.grid.cell_width + kGap * scale) - kGap * scale) + 2 * pad;
+  }
+  column = std::floor(std::min(column, 0.5f * width));
+  if (open) layout.grid = grid_above(column - 2 * pad, room, scale, wish);
+  const float palette = open ? std::min(std::floor(height_of(layout.grid, scale)), room) : room;
   layout.palette = {0, scene.y, column, palette};
   layout.drawer = {0, scene.y + palette, column, drawer};
-  if (open) layout.parameters = {0, scene.y + palette + drawer, column, scene.height - palette - drawer};
+  if (open) layout.parameters = {0, scene.y + palette + drawer, column, room - palette};
   scene.x += column, scene.width -= column;
 }
 
 void lay_out_ride(Layout& layout, float width, float scale, float bar) {
-  constexpr float kRoomy = 1240, kPad = 8;
+  constexpr float kRoomy = 1240;
   const float rows = width >= kRoomy * scale ? 1 : 2;
   const float ride = std::min(std::floor(rows * bar + (rows + 1) * kPad * scale), 0.5f * layout.scene.height);
   layout.scene.height -= ride;

@@ -52,6 +52,14 @@ void next_cell(int& cell, const PaletteGrid& grid) {
   if (cell++ % grid.columns != 0) ImGui::SameLine();
 }
 
+// The label of a button: the row's, or a shorter one. Scripts may say either.
+std::string label_of(ElementKind kind) {
+  const std::string_view label = base::row_of(kind).label;
+  if (kind == ElementKind::curve) return fmt::format("Curve###{}", label);
+  if (kind == ElementKind::overbanked_turn) return fmt::format("Overbank###{}", label);
+  return std::string(label);
+}
+
 // Returns the number of cells used.
 int element_buttons(Ui& ui, const PaletteGrid& grid) {
   const world::Settings& settings = ui.session().settings;
@@ -65,10 +73,7 @@ int element_buttons(Ui& ui, const PaletteGrid& grid) {
     const bool chosen = settings.aids->show_element && settings.element.kind == kind;
     const std::string help =
         grid.labels ? std::string(rows[i].help) : fmt::format("{}. {}", rows[i].label, rows[i].help);
-    // Scripts may say "Curve" for "Banked curve".
-    const std::string label =
-        kind == ElementKind::curve ? fmt::format("{}###Curve", rows[i].label) : std::string(rows[i].label);
-    if (face_button(ui, {icon_of(kind), label, help, chosen}, grid)) choose(ui, kind, chosen);
+    if (face_button(ui, {icon_of(kind), label_of(kind), help, chosen}, grid)) choose(ui, kind, chosen);
   }
   return cell;
 }
@@ -86,13 +91,13 @@ void by_hand_button(Ui& ui, const PaletteGrid& grid, int cell) {
     ui.emit(edit::Set<&Aids::append_mode>{!on});
 }
 
-constexpr std::string_view kCompleteCircuit = "Complete circuit";
+constexpr std::string_view kCompleteCircuit = "Complete circuit", kCircuitLabel = "Circuit###Complete circuit";
 
 void circuit_cell(Ui& ui, const PaletteGrid& grid, int cell) {
   next_cell(cell, grid);
   const bool open = completable(ui.session().document), on = open && ui.session().settings.aids->circuit > 0;
   const std::string help = with_keys(ui.keys, fmt::format("{}. {}", kCompleteCircuit, kCircuitHelp), kCompleteCircuit);
-  if (face_button(ui, {kCircuitIcon, std::string(kCompleteCircuit), help, on, open}, grid)) toggle_ways_home(ui);
+  if (face_button(ui, {kCircuitIcon, std::string(kCircuitLabel), help, on, open}, grid)) toggle_ways_home(ui);
 }
 
 }  // namespace
@@ -100,9 +105,10 @@ void circuit_cell(Ui& ui, const PaletteGrid& grid, int cell) {
 int palette_size() { return static_cast<int>(world::elements().size()) + 2; }
 
 float palette_label_width(float scale) {
-  float widest = std::max(small_size(kByHand).x, small_size(kCompleteCircuit).x);
-  for (const world::ElementRow& row : world::elements()) widest = std::max(widest, small_size(row.label).x);
-  return widest + std::floor(4 * scale);
+  float widest = std::max(small_size(kByHand).x, small_size(shown(kCircuitLabel)).x);
+  for (std::size_t i = 0; i < world::elements().size(); ++i)
+    widest = std::max(widest, small_size(shown(label_of(static_cast<ElementKind>(i)))).x);
+  return widest + std::floor(3 * scale);
 }
 
 void build_palette_of_elements(Ui& ui, const view::Viewport& area, const PaletteGrid& grid) {
@@ -151,9 +157,7 @@ void build_drawer(Ui& ui, const view::Viewport& area) {
 void all_element_buttons(Ui& ui) {
   const float room = ImGui::GetContentRegionAvail().x, gap = ImGui::GetStyle().ItemSpacing.x;
   PaletteGrid grid{.labels = true};
-  float widest = 0;
-  for (const world::ElementRow& row : world::elements())
-    widest = std::max(widest, small_size(row.label).x + std::floor(4 * ui.scale));
+  const float widest = palette_label_width(ui.scale);
   grid.columns = std::clamp(static_cast<int>((room + gap) / (widest + gap)), 1, 4);
   grid.cell_width = std::floor((room - gap * static_cast<float>(grid.columns - 1)) / static_cast<float>(grid.columns));
   element_buttons(ui, grid);

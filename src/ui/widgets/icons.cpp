@@ -24,8 +24,13 @@ constexpr std::array kHelix{Stroke{{0.05f, 0.9f}, {0.4f, 1.0f}, {0.95f, 0.95f}, 
                             Stroke{{0.92f, 0.76f}, {0.88f, 0.55f}, {0.1f, 0.62f}, {0.12f, 0.45f}},
                             Stroke{{0.12f, 0.45f}, {0.15f, 0.25f}, {0.92f, 0.5f}, {0.88f, 0.28f}},
                             Stroke{{0.88f, 0.28f}, {0.84f, 0.1f}, {0.4f, 0.05f}, {0.12f, 0.1f}}};
-constexpr std::array kClimb{Stroke{{0.02f, 0.88f}, {0.5f, 0.88f}, {0.5f, 0.14f}, {0.98f, 0.14f}}};
-constexpr std::array kDive{Stroke{{0.02f, 0.14f}, {0.5f, 0.14f}, {0.5f, 0.88f}, {0.98f, 0.88f}}};
+// Seen from the side, with arrows up and down.
+constexpr std::array kClimb{Stroke{{0.02f, 0.92f}, {0.6f, 0.92f}, {0.5f, 0.3f}, {0.98f, 0.3f}},
+                            line({0.2f, 0.66f}, {0.2f, 0.06f}), line({0.2f, 0.06f}, {0.04f, 0.26f}),
+                            line({0.2f, 0.06f}, {0.36f, 0.26f})};
+constexpr std::array kDive{Stroke{{0.02f, 0.3f}, {0.5f, 0.3f}, {0.4f, 0.92f}, {0.98f, 0.92f}},
+                           line({0.8f, 0.06f}, {0.8f, 0.66f}), line({0.8f, 0.66f}, {0.64f, 0.46f}),
+                           line({0.8f, 0.66f}, {0.96f, 0.46f})};
 constexpr std::array kCamelback{Stroke{{0.02f, 0.88f}, {0.28f, 0.88f}, {0.28f, 0.2f}, {0.5f, 0.2f}},
                                 Stroke{{0.5f, 0.2f}, {0.72f, 0.2f}, {0.72f, 0.88f}, {0.98f, 0.88f}}};
 constexpr std::array kLoop{Stroke{{0.02f, 0.92f}, {0.6f, 0.92f}, {0.86f, 0.66f}, {0.82f, 0.4f}},
@@ -34,7 +39,8 @@ constexpr std::array kLoop{Stroke{{0.02f, 0.92f}, {0.6f, 0.92f}, {0.86f, 0.66f},
 constexpr std::array kCorkscrew{Stroke{{0.02f, 0.7f}, {0.3f, 0.7f}, {0.62f, 0.62f}, {0.6f, 0.3f}},
                                 Stroke{{0.6f, 0.3f}, {0.58f, 0.1f}, {0.34f, 0.1f}, {0.36f, 0.34f}},
                                 Stroke{{0.36f, 0.34f}, {0.4f, 0.75f}, {0.7f, 0.85f}, {0.98f, 0.85f}}};
-constexpr std::array kSBend{Stroke{{0.02f, 0.86f}, {0.6f, 0.86f}, {0.4f, 0.16f}, {0.98f, 0.16f}}};
+// Seen from above, as the curve: it begins at the foot.
+constexpr std::array kSBend{Stroke{{0.2f, 0.98f}, {0.2f, 0.36f}, {0.8f, 0.64f}, {0.8f, 0.02f}}};
 constexpr std::array kOverbankedTurn{Stroke{{0.06f, 0.92f}, {0.1f, 0.1f}, {0.9f, 0.1f}, {0.94f, 0.92f}},
                                      line({0.5f, 0.3f}, {0.5f, 0.62f}), line({0.22f, 0.5f}, {0.36f, 0.66f}),
                                      line({0.78f, 0.5f}, {0.64f, 0.66f})};
@@ -48,13 +54,13 @@ constexpr std::array kZeroGRoll{Stroke{{0.02f, 0.9f}, {0.3f, 0.9f}, {0.28f, 0.42
                                 Stroke{{0.5f, 0.42f}, {0.72f, 0.42f}, {0.7f, 0.9f}, {0.98f, 0.9f}},
                                 Stroke{{0.3f, 0.26f}, {0.36f, 0.0f}, {0.64f, 0.0f}, {0.7f, 0.26f}},
                                 line({0.7f, 0.26f}, {0.58f, 0.2f}), line({0.7f, 0.26f}, {0.77f, 0.13f})};
-constexpr std::array kImmelmann{Stroke{{0.02f, 0.92f}, {0.7f, 0.92f}, {0.96f, 0.78f}, {0.96f, 0.5f}},
-                                Stroke{{0.96f, 0.5f}, {0.96f, 0.22f}, {0.78f, 0.1f}, {0.55f, 0.12f}},
-                                Stroke{{0.55f, 0.12f}, {0.34f, 0.14f}, {0.3f, 0.34f}, {0.02f, 0.34f}}};
-constexpr std::array kDiveLoop{Stroke{{0.02f, 0.34f}, {0.3f, 0.34f}, {0.34f, 0.14f}, {0.55f, 0.12f}},
-                               Stroke{{0.55f, 0.12f}, {0.78f, 0.1f}, {0.96f, 0.22f}, {0.96f, 0.5f}},
-                               Stroke{{0.96f, 0.5f}, {0.96f, 0.78f}, {0.7f, 0.92f}, {0.02f, 0.92f}},
-                               line({0.02f, 0.92f}, {0.16f, 0.82f}), line({0.02f, 0.92f}, {0.16f, 1.0f})};
+// Half a loop with an arrow at its end, which is above or below.
+constexpr std::array kImmelmann{Stroke{{0.02f, 0.92f}, {0.7f, 0.92f}, {0.96f, 0.78f}, {0.96f, 0.52f}},
+                                Stroke{{0.96f, 0.52f}, {0.96f, 0.26f}, {0.7f, 0.16f}, {0.06f, 0.2f}},
+                                line({0.06f, 0.2f}, {0.26f, 0.04f}), line({0.06f, 0.2f}, {0.26f, 0.36f})};
+constexpr std::array kDiveLoop{Stroke{{0.98f, 0.1f}, {0.3f, 0.08f}, {0.04f, 0.22f}, {0.04f, 0.48f}},
+                               Stroke{{0.04f, 0.48f}, {0.04f, 0.76f}, {0.3f, 0.84f}, {0.94f, 0.8f}},
+                               line({0.94f, 0.8f}, {0.74f, 0.64f}), line({0.94f, 0.8f}, {0.74f, 0.96f})};
 constexpr std::array kCobraRoll{Stroke{{0.2f, 0.98f}, {0.3f, 0.6f}, {0.46f, 0.5f}, {0.42f, 0.24f}},
                                 Stroke{{0.42f, 0.24f}, {0.38f, 0.0f}, {0.02f, 0.04f}, {0.08f, 0.34f}},
                                 Stroke{{0.08f, 0.34f}, {0.16f, 0.74f}, {0.84f, 0.74f}, {0.92f, 0.34f}},
@@ -118,24 +124,23 @@ bool icon_button(WidgetFrame& ui, const Icon& icon, std::string_view label, std:
   const bool above = place == IconPlace::above, alone = place == IconPlace::alone;
   const std::string_view name = shown(label);
   if (above) ImGui::PushFont(small_font());
-  const ImVec2 padding = ImGui::GetStyle().FramePadding, words = alone ? ImVec2(0, 0) : text_size(name);
-  const float line = ImGui::GetTextLineHeight(), small = std::floor(line * 0.62f),
-              size = alone   ? std::floor(20 * ui.scale)
-                     : above ? std::floor(line * 1.3f)
-                             : small,
-              gap = alone ? 0 : std::floor(line * (above ? 0.15f : 0.35f));
-  const float height = alone ? std::floor(34 * ui.scale) : line + 2 * padding.y + (above ? size + gap : 0);
+  const ImVec2 words = alone ? ImVec2(0, 0) : text_size(name);
+  const float line = ImGui::GetTextLineHeight(), design = above ? 36.0f : 34.0f,
+              size = std::floor(alone   ? 20 * ui.scale
+                                : above ? 17 * ui.scale
+                                        : 0.62f * line),
+              gap = alone ? 0 : std::floor(above ? ui.scale : 0.35f * line);
+  const float height = above || alone ? std::floor(design * ui.scale) : line + 2 * ImGui::GetStyle().FramePadding.y;
   ImGui::BeginDisabled(!enabled);
   const ImVec2 low = ImGui::GetCursorScreenPos();
   const bool pressed = ImGui::Button(hidden(label).c_str(), {width, height});
   const ImU32 colour = ImGui::GetColorU32(ImGuiCol_Text);
   ImDrawList& list = *ImGui::GetWindowDrawList();
   list.PushClipRect(low, {low.x + width, low.y + height}, true);
-  const float inside = above ? words.x : words.x + gap + size, left = low.x + std::max(2.0f, (width - inside) / 2);
-  const ImVec2 icon_at =
-      above ? ImVec2(low.x + (width - size) / 2, low.y + padding.y) : ImVec2(left, low.y + (height - size) / 2);
-  const ImVec2 words_at =
-      above ? ImVec2(left, low.y + padding.y + size + gap) : ImVec2(std::floor(left) + size + gap, low.y + padding.y);
+  const float inside = above ? words.x : words.x + gap + size, left = low.x + std::max(1.0f, (width - inside) / 2);
+  const float top = low.y + std::floor((height - line - (above ? size + gap : 0)) / 2);
+  const ImVec2 icon_at = above ? ImVec2(low.x + (width - size) / 2, top) : ImVec2(left, low.y + (height - size) / 2);
+  const ImVec2 words_at = above ? ImVec2(left, top + size + gap) : ImVec2(std::floor(left) + size + gap, top);
   draw_icon(list, icon, {std::floor(icon_at.x), std::floor(icon_at.y)}, size, colour);
   if (!alone) list.AddText(words_at, colour, name.data(), name.data() + name.size());
   list.PopClipRect();

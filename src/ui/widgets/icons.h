@@ -30,7 +30,7 @@ const Icon& icon_of(world::ElementKind kind);
 
 // Where a button's icon is: before its label, above it with the label in the small font, or without a drawn label.
 enum class IconPlace { before, above, alone };
-// A button as in widgets.h with an icon. width: px; alone 34 design px high.
+// A button as in widgets.h with an icon. width: px; alone 34 design px high, above its label 36.
 bool icon_button(WidgetFrame& ui, const Icon& icon, std::string_view label, std::string_view tooltip, bool enabled,
                  float width, IconPlace place = IconPlace::before);
 

@@ -135,6 +135,24 @@ TEST(layout, the_palette_has_room_for_every_button_with_or_without_parameters) {
         }
 }
 
+TEST(layout, the_palette_has_labels_at_usual_sizes_and_the_view_its_share) {
+  constexpr std::tuple<int, int, float> kWindows[] = {
+      {1280, 720, 1.0f}, {1280, 720, 1.5f}, {1920, 1080, 1.0f}, {1920, 1080, 1.5f}, {1920, 1080, 2.0f}};
+  for (const auto& [width, height, scale] : kWindows)
+    for (const std::optional<bool> parameters : {std::optional<bool>(), std::optional(true), std::optional(false)}) {
+      LayoutWish wish = building();
+      wish.elements = 18;
+      wish.label_width = 67.4f * scale;
+      wish.parameters = parameters;
+      const Layout l = make_layout(width, height, scale, std::floor(23 * scale), wish);
+      const std::string where = std::to_string(width) + " at " + std::to_string(scale);
+      EXPECT_TRUE(l.grid.labels) << where;
+      EXPECT_GE(l.grid.cell_width, wish.label_width - 1) << where;
+      EXPECT_GE(scene_share(width, height, scale, wish), 0.62f) << where;
+      EXPECT_GE(l.parameters.height, parameters == true ? 130 * scale : 0) << where;
+    }
+}
+
 TEST(layout, parameters_and_graph_fold_where_there_is_little_room_unless_the_user_opens_them) {
   const Layout roomy = make_layout(1280, 720, 1, 23, building());
   EXPECT_GT(roomy.parameters.height, 250);
