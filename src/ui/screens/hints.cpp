@@ -40,7 +40,11 @@ std::string foot_text(const ViewportTool& tool, const edit::Session& session, co
                        tool.transform().status(), keys.shown("Cancel"));
   if (tool.box_waits())
     return fmt::format("Drag a box around knots. Shift adds, Ctrl removes, {} cancels.", keys.shown("Cancel"));
-  if (session.document.track.knots.empty()) return "Click on the ground to place the first knot";
+  const bool empty = session.document.track.knots.empty();
+  if (empty && session.settings.aids->show_element && !session.settings.aids->append_mode)
+    return fmt::format("{} places the element, {} hides its preview", keys.shown("Place element"),
+                       keys.shown("Cancel"));
+  if (empty) return "Choose an element, or click on the ground to place the first knot";
   if (session.settings.aids->append_mode && !session.document.track.closed)
     return fmt::format("Click on the ground to append knots; {} or {} ends it", keys.shown("Append points"),
                        keys.shown("Cancel"));
@@ -97,7 +101,7 @@ void draw_section_name(Ui& ui, const view::Viewport& scene) {
 void draw_foot_line(const Ui& ui, const ViewportTool& tool, const view::Viewport& scene) {
   const std::string hint = foot_text(tool, ui.session(), ui.keys);
   if (hint.empty()) return;
-  const bool empty = ui.session().document.track.knots.empty();
+  const bool empty = ui.session().document.track.knots.empty() && !ui.session().settings.aids->show_element;
   const ImVec2 size = ImGui::CalcTextSize(hint.c_str());
   // Above the notices.
   const ImVec2 at(std::floor(scene.x + (scene.width - size.x) * 0.5f),

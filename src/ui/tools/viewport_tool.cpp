@@ -12,7 +12,7 @@
 #include "edit/commands/commands_session.h"
 #include "edit/commands/commands_settings.h"
 #include "edit/commands/commands_shape.h"
-#include "ui/tools/append_place.h"
+#include "ui/tools/cursor_places.h"
 #include "ui/tools/fly_keys.h"
 #include "ui/tools/section_clicks.h"
 #include "ui/widgets/theme.h"
@@ -270,12 +270,11 @@ void ViewportTool::release(Ui& ui, const view::View& view) {
 void ViewportTool::click_ground(Ui& ui, const view::View& view) {
   const edit::Session& session = ui.session();
   const world::Track& track = session.document.track;
-  if ((session.settings.aids->append_mode && !track.closed) || track.knots.empty()) {
+  const bool appends = session.settings.aids->append_mode;
+  if ((appends && !track.closed) || (track.knots.empty() && !session.settings.aids->show_element)) {
     const auto at = append_place(session.document, view, drag_.start);
-    if (!at) return;
-    ui.emit(edit::AppendKnot{*at});
-    // Who starts a track goes on with it.
-    if (!session.settings.aids->append_mode) ui.emit(edit::Set<&world::Aids::append_mode>{true});
+    if (at) ui.emit(edit::AppendKnot{*at});
+    if (at && !appends) ui.emit(edit::Set<&world::Aids::append_mode>{true});
   } else if (session.settings.selected.valid()) {
     ui.emit(edit::Select{});
   }

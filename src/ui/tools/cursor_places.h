@@ -7,8 +7,8 @@
 
 namespace coaster::ui {
 
-// Returns the position under a pixel, m: on the ground, or in an orthographic view in its plane through the last knot.
-// Nothing where the pixel shows no ground.
+// Returns the position under a pixel, m, at the height at which tracks begin. In an orthographic view: in its plane
+// through the last knot, and at least so high. Nothing where the pixel shows no ground.
 std::optional<glm::vec3> append_place(const world::Document& document, const view::View& view, glm::vec2 pixel);
 
 }  // namespace coaster::ui
