@@ -4,6 +4,8 @@
 #include <cmath>
 
 #include "sim/plan/element_shapes.h"
+#include "view/gizmo.h"
+#include "world/aids.h"
 
 namespace coaster::ui {
 
@@ -25,6 +27,18 @@ std::optional<glm::vec3> append_place(const world::Document& document, const vie
     if (std::abs(normal[i]) == 1) (*at)[i] = last[i];  // to the bit
   at->y = std::max(at->y, standing);
   return at;
+}
+
+std::optional<view::Pick> in_front_of_gizmo(const Ui& ui, const view::View& view, glm::vec3 gizmo) {
+  using view::PickKind;
+  const edit::Session& s = ui.session();
+  world::Settings settings = s.settings;
+  settings.aids->show_gizmo = false;
+  const view::Pick pick = view::pick(s.document, s.derived, s.motion, settings, view, mouse_position());
+  const auto depth = [&](glm::vec3 at) { return glm::dot(at - view.eye, view::line_of_sight(view)); };
+  const float reach = view::kGizmoLength * ui.scale * view::metres_per_pixel(view, depth(gizmo));
+  const bool solid = pick.kind == PickKind::curve || pick.kind == PickKind::cart;
+  return solid && depth(pick.position) < depth(gizmo) - reach ? std::optional(pick) : std::nullopt;
 }
 
 }  // namespace coaster::ui

@@ -1,14 +1,18 @@
-// Where a click appends a knot.
+// Places under the cursor that are no marks: where a click appends a knot, and the track in front of the gizmo.
 #pragma once
 
 #include <optional>
 
-#include "view/camera.h"
+#include "ui/context/ui.h"
+#include "view/pick.h"
 
 namespace coaster::ui {
 
 // Returns the position under a pixel, m, at the height at which tracks begin. In an orthographic view: in its plane
 // through the last knot, and at least so high. Nothing where the pixel shows no ground.
 std::optional<glm::vec3> append_place(const world::Document& document, const view::View& view, glm::vec2 pixel);
+
+// Returns the track or train under the cursor if it is in front of the whole gizmo at `gizmo`, m.
+std::optional<view::Pick> in_front_of_gizmo(const Ui& ui, const view::View& view, glm::vec3 gizmo);
 
 }  // namespace coaster::ui

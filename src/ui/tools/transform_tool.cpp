@@ -183,11 +183,11 @@ void TransformTool::emit(Ui& ui, const view::View& view) {
   ui.out.commands.push_back(next);
 }
 
-void TransformTool::update(Ui& ui, const view::View& view) {
-  if (!active_) return;
+bool TransformTool::update(Ui& ui, const view::View& view) {
+  if (!active_) return false;
   if (gesture_ && !ui.session().history.in_gesture) {  // undone, or ended by a script
     *this = {};
-    return;
+    return false;
   }
   constexpr float kStill = 3;  // px
   const ImGuiIO& io = ImGui::GetIO();
@@ -195,10 +195,12 @@ void TransformTool::update(Ui& ui, const view::View& view) {
   const std::string mistake = mistyped();
   if (begun_ && mistake.empty()) emit(ui, view);
   else (void)command(ui, view);
-  const bool let_go = button_ ? !io.MouseDown[*button_] : entered_ || io.MouseClicked[ImGuiMouseButton_Left];
+  const bool still = !begun_,
+             let_go = button_ ? !io.MouseDown[*button_] : entered_ || io.MouseClicked[ImGuiMouseButton_Left];
   if (!button_ && io.MouseClicked[ImGuiMouseButton_Right]) cancel(ui);
   else if (let_go && mistake.empty()) finish(ui);
   else if (let_go) refuse(ui, mistake);
+  return still && let_go;
 }
 
 void TransformTool::finish(Ui& ui) {

@@ -20,8 +20,8 @@ class TransformTool {
   // Handles X Y Z, Shift+axis, digits, Tab, Backspace, Enter and G R S. Escape comes through cancel().
   void take_keys(const platform::Events& events);
   // Once a frame, after the keys: follows the mouse, emits at most one command; ends on a click or the button's
-  // release.
-  void update(Ui& ui, const view::View& view);
+  // release. Returns true where it ends as a click that moved nothing.
+  bool update(Ui& ui, const view::View& view);
   // Reverts the transform. Returns false if none is active.
   bool cancel(Ui& ui);
 

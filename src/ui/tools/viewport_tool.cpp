@@ -43,7 +43,8 @@ view::Pick ViewportTool::update(Ui& ui, const view::View& view) {
   const edit::Session& session = ui.session();
   const glm::vec2 mouse = mouse_position();
   if (transform_.active()) {
-    transform_.update(ui, view);
+    if (transform_.update(ui, view) && in_front_)
+      ui.emit(edit::Select{{world::name_of(session.document, in_front_->entity)}, in_front_->t});
     return {};
   }
   // An undo or a script may have ended the gesture, or removed what is dragged.
@@ -55,7 +56,7 @@ view::Pick ViewportTool::update(Ui& ui, const view::View& view) {
   view::Pick under;
   if (over && !dragging()) {
     under = view::pick(session.document, session.derived, session.motion, session.settings, view, mouse);
-    press(ui, under);
+    press(ui, view, under);
   }
   if (over && io.MouseWheel != 0) turn_wheel(ui, view, io.MouseWheel);
   if (!dragging()) return under;
@@ -75,7 +76,7 @@ bool ViewportTool::cancel(Ui& ui) {
   return true;
 }
 
-void ViewportTool::press(Ui& ui, const view::Pick& under) {
+void ViewportTool::press(Ui& ui, const view::View& view, const view::Pick& under) {
   const ImGuiIO& io = ImGui::GetIO();
   const auto begin = [&](What what, int button) {
     drag_ = {};
@@ -92,6 +93,7 @@ void ViewportTool::press(Ui& ui, const view::Pick& under) {
       drag_.box = io.KeyShift ? BoxMode::add : io.KeyCtrl ? BoxMode::remove : BoxMode::replace;
     } else if (view::is_gizmo(under.kind)) {
       drag_ = {};
+      in_front_ = in_front_of_gizmo(ui, view, under.position);
       const Constraint constraint{view::is_axis(under.kind) ? Constraint::Kind::axis : Constraint::Kind::plane,
                                   view::gizmo_axis(under.kind)};
       transform_.begin(ui, TransformKind::move, constraint, ImGuiMouseButton_Left);

@@ -42,7 +42,7 @@ class ViewportTool {
     glm::vec3 sent{0};               // m: the position of the last command
   };
 
-  void press(Ui& ui, const view::Pick& under);
+  void press(Ui& ui, const view::View& view, const view::Pick& under);
   void press_left(Ui& ui, const view::Pick& under);
   void move(Ui& ui, const view::View& view, glm::vec2 mouse);
   void move_item(Ui& ui, const view::View& view, glm::vec2 mouse);
@@ -55,6 +55,7 @@ class ViewportTool {
 
   Drag drag_;
   TransformTool transform_;
+  std::optional<view::Pick> in_front_;              // of the gizmo's part that is pressed: a click selects it
   bool box_waits_ = false, chose_section_ = false;  // the last press chose a section
 };
 

@@ -1,4 +1,4 @@
-// Clicks on the ground.
+// Clicks on what view::pick() does not tell: the ground, the track in front of the gizmo.
 #include "ui/tools/cursor_places.h"
 
 #include "edit/commands/commands_document.h"
@@ -6,6 +6,7 @@
 #include "edit/commands/commands_session.h"
 #include "edit/commands/commands_settings.h"
 #include "ui/stage.h"
+#include "view/gizmo.h"
 #include "world/aids.h"
 
 namespace coaster::ui {
@@ -44,6 +45,42 @@ TEST_F(CursorPlacesTest, knots_stand_above_the_ground_in_every_view) {
   set_projection(world::Projection::top);
   EXPECT_EQ(append_place(session_.document, host_->view(), low)->y, last.y);
   EXPECT_EQ(append_place({}, host_->view(), low)->y, 2) << "the first knot";
+}
+
+TEST_F(CursorPlacesTest, a_click_on_the_gizmo_selects_the_track_before_it_and_a_drag_moves_the_knots) {
+  select(world::Kind::knot, 2);
+  const view::View v = host_->view();
+  const auto gizmo = view::gizmo_of(session_.document, session_.settings, v);
+  ASSERT_TRUE(gizmo);
+  const glm::vec3 arrow = view::gizmo_place(*gizmo, 1, view::PickKind::axis_x);
+  const auto pixel = view::project(v, arrow);
+  ASSERT_TRUE(pixel);
+  const std::size_t knots = session_.document.track.knots.size();
+  click_at(glm::vec2(*pixel));
+  EXPECT_EQ(session_.settings.selected, entity(world::Kind::knot, 2)) << "nothing is in front";
+  // A stretch of track that crosses the arrow on the screen, nearer to the eye.
+  const glm::vec3 middle = glm::mix(v.eye, arrow, 0.5f), up = 6.0f * view::top_of(v);
+  ASSERT_TRUE(edit::apply(session_, files_, edit::AppendKnot{middle + up}));
+  ASSERT_TRUE(edit::apply(session_, files_, edit::AppendKnot{middle - up}));
+  ASSERT_EQ(session_.document.track.knots.size(), knots + 2);
+  const edit::Knots both({{world::Kind::knot, 4}, {world::Kind::knot, 5}});
+  ASSERT_TRUE(edit::apply(session_, files_, edit::SetDirection{both, -up}));  // a straight through the middle
+  select(world::Kind::knot, 2);
+  const glm::vec3 before = knot(2).position;
+  hover(glm::vec2(*pixel));
+  press();
+  hover(glm::vec2(*pixel) + glm::vec2(25, 0));
+  release();
+  frames(2);
+  EXPECT_NE(knot(2).position, before) << "a drag moves the knot";
+  EXPECT_EQ(session_.settings.selected, entity(world::Kind::knot, 2));
+  ASSERT_TRUE(edit::apply(session_, files_, edit::Undo{}));
+  frames(2);
+  click_at(glm::vec2(*pixel));
+  frames(2);
+  const world::Entity crossing = session_.document.track.segments.back();
+  EXPECT_EQ(session_.settings.selected, crossing);
+  EXPECT_EQ(knot(2).position, before);
 }
 
 TEST_F(CursorPlacesTest, a_click_beside_the_preview_of_the_first_element_places_no_knot) {
