@@ -14,6 +14,7 @@
 #include "edit/commands/commands_session.h"
 #include "edit/commands/commands_shape.h"
 #include "ui/tools/selecting.h"
+#include "ui/tools/snap_label.h"
 #include "world/selection.h"
 
 namespace coaster::ui {
@@ -195,6 +196,7 @@ bool TransformTool::update(Ui& ui, const view::View& view) {
   const std::string mistake = mistyped();
   if (begun_ && mistake.empty()) emit(ui, view);
   else (void)command(ui, view);
+  if (begun_ && !any_typed()) draw_snap_label(ui, kind_, snap_now(ui.session().settings));
   const bool still = !begun_,
              let_go = button_ ? !io.MouseDown[*button_] : entered_ || io.MouseClicked[ImGuiMouseButton_Left];
   if (!button_ && io.MouseClicked[ImGuiMouseButton_Right]) cancel(ui);

@@ -15,6 +15,7 @@
 #include "ui/tools/cursor_places.h"
 #include "ui/tools/fly_keys.h"
 #include "ui/tools/section_clicks.h"
+#include "ui/tools/snap_label.h"
 #include "ui/widgets/theme.h"
 #include "view/gizmo.h"
 #include "view/spin_ring.h"
@@ -205,6 +206,7 @@ void ViewportTool::move_item(Ui& ui, const view::View& view, glm::vec2 mouse) {
   if (!at) return;
   glm::vec3 to = *at + drag_.offset;
   const world::Settings& settings = ui.session().settings;
+  if (drag_.pick.kind == PickKind::knot) draw_snap_label(ui, TransformKind::move, settings.snapping.to);
   if (drag_.pick.kind == PickKind::knot && settings.snapping.to != world::SnapTo::off) {
     const Constraint constraint{along == Along::vertical ? Constraint::Kind::axis
                                 : along == Along::ground ? Constraint::Kind::plane

@@ -1,4 +1,4 @@
-// Clicks on what view::pick() does not tell: the ground, the track in front of the gizmo.
+// Clicks on what view::pick() does not tell: the ground, the track in front of the gizmo; what a drag snaps to.
 #include "ui/tools/cursor_places.h"
 
 #include "edit/commands/commands_document.h"
@@ -81,6 +81,33 @@ TEST_F(CursorPlacesTest, a_click_on_the_gizmo_selects_the_track_before_it_and_a_
   const world::Entity crossing = session_.document.track.segments.back();
   EXPECT_EQ(session_.settings.selected, crossing);
   EXPECT_EQ(knot(2).position, before);
+}
+
+TEST_F(CursorPlacesTest, a_drag_says_at_the_cursor_what_it_snaps_to) {
+  EXPECT_EQ(find("Cursor/Snapping"), nullptr);
+  const auto dragged = [&] {
+    hover(pixel_of(2));
+    press();
+    hover(pixel_of(2) + glm::vec2(20, -20));
+    hover(pixel_of(2) + glm::vec2(25, -22));
+    const Widget* const label = find("Cursor/Snapping");
+    const std::string words = label ? label->value : "nothing";
+    release();
+    frames(2);
+    EXPECT_EQ(find("Cursor/Snapping"), nullptr);
+    return words;
+  };
+  EXPECT_EQ(dragged(), "Snap: off");
+  ASSERT_TRUE(edit::apply(session_, files_, edit::SetSnapping{world::SnapTo::grid, 0.5, 15}));
+  EXPECT_EQ(dragged(), "Snap: grid 0.5 m");
+  ASSERT_TRUE(edit::apply(session_, files_, edit::SetSnapping{world::SnapTo::knots, 0.5, 15}));
+  EXPECT_EQ(dragged(), "Snap: knots");
+  select(world::Kind::knot, 2);
+  key(platform::Key::r);
+  hover(pixel_of(2) + glm::vec2(60, 0));
+  hover(pixel_of(2) + glm::vec2(60, 40));
+  ASSERT_NE(find("Cursor/Snapping"), nullptr);
+  EXPECT_EQ(find("Cursor/Snapping")->value, "Snap: 15\u00B0");
 }
 
 TEST_F(CursorPlacesTest, a_click_beside_the_preview_of_the_first_element_places_no_knot) {
