@@ -21,7 +21,7 @@ Answer selected_count(const Context& c, View) {
   return number(several > 0 ? several : c.session.settings.selected.valid() ? 1 : 0);
 }
 Answer undo_label(const Context& c, View) {
-  return text(c.session.history.undo.empty() ? "" : c.session.history.undo.back().label);
+  return text(c.session.history.undo.empty() ? "" : c.session.history.undo.back().text.command);
 }
 Answer snapping(const Context& c, View) { return text(base::name_of(c.session.settings.snapping.to)); }
 Answer undo_depth(const Context& c, View) { return number(c.session.history.undo.size()); }

@@ -29,11 +29,13 @@ struct FieldType {
   std::string (*print)(const void* value);
   bool (*read)(base::Words& words, void* value);
   std::string (*usage)(const void* value);  // null: a target, whose words depend on the command
+  std::string (*words)(const void* value);  // as a sentence says it
 };
 template <class T>
 constexpr FieldType field_type() {
   FieldType type{};
   type.print = [](const void* value) { return print_value(*static_cast<const T*>(value)); };
+  type.words = [](const void* value) { return words_of(*static_cast<const T*>(value)); };
   type.read = [](base::Words& words, void* value) { return read_value(words, *static_cast<T*>(value)); };
   if constexpr (!std::is_same_v<T, Target>)
     type.usage = [](const void* value) { return usage_of(*static_cast<const T*>(value)); };
@@ -116,6 +118,19 @@ bool read_field(base::Words& words, const Field& field) {
   return field.type->read(words, field.value);
 }
 
+// Returns what stands for "{KEYWORD}" or "{KEYWORD?on|off}" in CommandInfo::done.
+std::string done_part(const Fields& fields, std::string_view part) {
+  const std::size_t choice = part.find('?');
+  const std::string_view keyword = part.substr(0, choice);
+  const auto found =
+      std::find_if(fields.begin(), fields.end(), [&](const Field& f) { return f.keyword.word == keyword; });
+  if (found == fields.end()) return {};
+  std::string words = found->type->words(found->value);
+  if (choice == std::string_view::npos) return words;
+  const std::size_t other = part.find('|', choice);
+  return std::string(words == "on" ? part.substr(choice + 1, other - choice - 1) : part.substr(other + 1));
+}
+
 }  // namespace
 
 Command::Command() : Command(Undo{}) {}
@@ -152,6 +167,21 @@ std::string print(const Command& command) {
     if (!flag) text += " " + field.type->print(field.value);
   }
   return text;
+}
+
+std::string done(const Command& command) {
+  Command copy = command;
+  const Fields fields = fields_of(copy);
+  std::string text;
+  std::string_view left = info(copy).done;
+  for (;;) {
+    const std::size_t from = left.find('{');
+    text += left.substr(0, from);
+    if (from == std::string_view::npos) return text;
+    const std::size_t to = left.find('}', from);
+    text += done_part(fields, left.substr(from + 1, to - from - 1));
+    left.remove_prefix(to + 1);
+  }
 }
 
 const std::vector<CommandHelp>& command_table() {

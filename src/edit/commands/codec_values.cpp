@@ -18,6 +18,14 @@ bool read_number(base::Words& words, std::string_view what, Parse parse, T& valu
   return true;
 }
 
+template <class Several>
+std::string words_of_several(const Several& value, std::string_view kind) {
+  if (value.which == Knots::Which::all) return fmt::format("all {}", kind);
+  if (value.which == Knots::Which::selected) return fmt::format("the selected {}", kind);
+  if (value.names.size() != 1) return fmt::format("{} {}", value.names.size(), kind);
+  return world::to_text(value.names.front());
+}
+
 }  // namespace
 
 std::string joined(const Names& names) {
@@ -37,6 +45,16 @@ std::string print_value(glm::vec3 v) {
 }
 std::string print_value(bool value) { return value ? "on" : "off"; }
 std::string print_value(const std::string& value) { return base::quoted(value); }
+
+std::string words_of(const Target& value) { return value.name.number == 0 ? "nothing" : world::to_text(value.name); }
+std::string words_of(const HandleTarget& value) {
+  return fmt::format("the {} handle of {}", value.end == HandleEnd::in ? "incoming" : "outgoing",
+                     world::to_text(value.knot));
+}
+std::string words_of(const Knots& value) { return words_of_several(value, "knots"); }
+std::string words_of(const Sections& value) { return words_of_several(value, "sections"); }
+std::string words_of(glm::vec3 v) { return fmt::format("({:.6g}, {:.6g}, {:.6g})", v.x, v.y, v.z); }
+std::string words_of(const world::Element& value) { return words_of(value.kind); }
 
 namespace {
 

@@ -1,11 +1,14 @@
 // Values of command fields as text: printing, reading and description of each type. Private to the codec.
 #pragma once
 
+#include <algorithm>
 #include <concepts>
 #include <cstdint>
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include <fmt/format.h>
 
 #include "base/words.h"
 #include "edit/commands/command.h"
@@ -31,6 +34,19 @@ inline std::string print_value(std::floating_point auto value) { return base::to
 inline std::string print_value(std::integral auto value) { return std::to_string(value); }
 
 inline std::string print_value(const Flag&) { return {}; }  // its keyword says it
+
+// The same for people, in sentences: "k4", "28 knots", "the outgoing handle of k3".
+std::string words_of(const Target& value);
+std::string words_of(const HandleTarget& value);
+std::string words_of(const Knots& value);
+std::string words_of(const Sections& value);
+std::string words_of(glm::vec3 value);
+std::string words_of(const world::Element& value);
+inline std::string words_of(bool value) { return print_value(value); }
+inline std::string words_of(const std::string& value) { return print_value(value); }
+inline std::string words_of(const Flag&) { return {}; }
+std::string words_of(std::floating_point auto value) { return fmt::format("{:.6g}", value); }
+inline std::string words_of(std::integral auto value) { return std::to_string(value); }
 
 bool read_value(base::Words& words, Target& value);
 bool read_value(base::Words& words, HandleTarget& value);
@@ -62,6 +78,12 @@ std::string usage_of(const world::Element& value);
 template <base::Named E>
 std::string print_value(E value) {
   return std::string(base::name_of(value));
+}
+template <base::Named E>
+std::string words_of(E value) {
+  std::string words = print_value(value);
+  std::replace(words.begin(), words.end(), '_', ' ');
+  return words;
 }
 template <base::Named E>
 bool read_value(base::Words& words, E& value) {

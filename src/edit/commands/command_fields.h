@@ -65,15 +65,18 @@ struct CommandInfo {
   std::string_view name;  // the first word of its line
   std::string_view help;
   Effect effect;
+  // What the history says of a command that changes the document: "Set the roll of {} to {to}°". Braces hold a field's
+  // keyword, that of the first field is empty; "{to?Closed|Opened}" says which of two a switch is.
+  std::string_view done = {};
 };
 
 struct Session;
 struct Change;  // of the session by one command: edit/perform/perform.h
 
-// The name, help and effect of a kind of command, and the function that carries it out. It checks first and changes
-// nothing on failure; one with Effect::document changes only the document.
-#define COASTER_COMMAND(Kind, name, help, effect)         \
-  static constexpr CommandInfo kInfo{name, help, effect}; \
+// The CommandInfo of a kind of command, and the function that carries it out. It checks first and changes nothing on
+// failure; one with Effect::document changes only the document.
+#define COASTER_COMMAND(Kind, ...)                 \
+  static constexpr CommandInfo kInfo{__VA_ARGS__}; \
   friend base::Status perform(Session& session, Change& change, const Kind& command)
 
 // fields(self, visit) calls visit(keyword, member) in the order of the text; an empty keyword is positional: "move @k4

@@ -13,7 +13,7 @@ namespace coaster::edit {
 struct MoveKnot {
   Target knot;
   glm::vec3 to{0};
-  COASTER_COMMAND(MoveKnot, "move", "Move a knot to a position (m).", Effect::document);
+  COASTER_COMMAND(MoveKnot, "move", "Move a knot to a position (m).", Effect::document, "Moved {}");
   COASTER_FIELDS(visit("", self.knot), visit("to", self.to))
 };
 struct MoveHandle {
@@ -22,27 +22,27 @@ struct MoveHandle {
   COASTER_COMMAND(MoveHandle, "handle",
                   "Move a handle to a position (m): sets the knot's direction and that side's length; a smooth joint "
                   "keeps both sides equal.",
-                  Effect::document);
+                  Effect::document, "Moved {}");
   COASTER_FIELDS(visit("", self.handle), visit("to", self.to))
 };
 struct SetDirection {
   Knots knots;
   glm::vec3 to{1, 0, 0};
-  COASTER_COMMAND(SetDirection, "direct", "Turn the tangents of knots to a direction.", Effect::document);
+  COASTER_COMMAND(SetDirection, "direct", "Turn the tangents of knots to a direction.", Effect::document, "Turned {}");
   COASTER_FIELDS(visit("", self.knots), visit("to", self.to))
 };
 struct SetLengths {
   Knots knots;
   float in = 5, out = 5;
   COASTER_COMMAND(SetLengths, "lengths", "Set handle lengths of knots (m); different ones make a smooth joint aligned.",
-                  Effect::document);
+                  Effect::document, "Set the handle lengths of {}");
   COASTER_FIELDS(visit("", self.knots), visit("in", self.in), visit("out", self.out))
 };
 struct SetRoll {
   Knots knots;
   double to = 0;
   COASTER_COMMAND(SetRoll, "roll", "Set the roll of knots (degrees from the horizon, positive to the rider's right).",
-                  Effect::document);
+                  Effect::document, "Set the roll of {} to {to}\u00B0");
   COASTER_FIELDS(visit("", self.knots), visit("to", self.to))
 };
 struct SetSpin {
@@ -51,76 +51,82 @@ struct SetSpin {
   COASTER_COMMAND(SetSpin, "spin",
                   "Set the spin of knots: the rate at which the track rolls there (degrees per metre, positive to the "
                   "rider's right).",
-                  Effect::document);
+                  Effect::document, "Set the spin of {} to {to} \u00B0/m");
   COASTER_FIELDS(visit("", self.knots), visit("to", self.to))
 };
 struct AutomaticSpin {
   Knots knots;
   COASTER_COMMAND(AutomaticSpin, "auto_spin",
                   "Let the spin of knots follow from the roll of their neighbours, without overshoot.",
-                  Effect::document);
+                  Effect::document, "Made the spin of {} automatic");
   COASTER_FIELDS(visit("", self.knots))
 };
 struct SetJoint {
   Knots knots;
   world::JointKind to = world::JointKind::smooth;
-  COASTER_COMMAND(SetJoint, "joint", "Set the joint of knots: smooth, aligned or automatic.", Effect::document);
+  COASTER_COMMAND(SetJoint, "joint", "Set the joint of knots: smooth, aligned or automatic.", Effect::document,
+                  "Set the joint of {} to {to}");
   COASTER_FIELDS(visit("", self.knots), visit("to", self.to))
 };
 struct SetTurns {
   Target segment;
   int to = 0;
-  COASTER_COMMAND(SetTurns, "turns", "Set the whole turns of roll within a segment.", Effect::document);
+  COASTER_COMMAND(SetTurns, "turns", "Set the whole turns of roll within a segment.", Effect::document,
+                  "Set the turns of {} to {to}");
   COASTER_FIELDS(visit("", self.segment), visit("to", self.to))
 };
 struct SplitSegment {
   Target segment;
   double at = 0.5;
   COASTER_COMMAND(SplitSegment, "split",
-                  "Insert a knot into a segment at a parameter, keeping the shape (de Casteljau).", Effect::document);
+                  "Insert a knot into a segment at a parameter, keeping the shape (de Casteljau).", Effect::document,
+                  "Inserted a knot into {}");
   COASTER_FIELDS(visit("", self.segment), visit("at", self.at))
 };
 struct AddCurve {
   COASTER_COMMAND(AddCurve, "add_curve",
                   "Split the longest segment at half its arc length; on an open track with no segment, append a knot.",
-                  Effect::document);
+                  Effect::document, "Added a curve");
   COASTER_FIELDS()
 };
 struct AppendKnot {
   glm::vec3 at{0};
-  COASTER_COMMAND(AppendKnot, "append", "Append a knot to an open track.", Effect::document);
+  COASTER_COMMAND(AppendKnot, "append", "Append a knot to an open track.", Effect::document, "Appended a knot");
   COASTER_FIELDS(visit("at", self.at))
 };
 struct RemoveKnot {
   Target knot;
-  COASTER_COMMAND(RemoveKnot, "remove", "Remove a knot or a cart.", Effect::document);
+  COASTER_COMMAND(RemoveKnot, "remove", "Remove a knot or a cart.", Effect::document, "Deleted {}");
   COASTER_FIELDS(visit("", self.knot))
 };
 struct SetClosed {
   bool to = true;
-  COASTER_COMMAND(SetClosed, "closed", "Close the track (on) or open it (off).", Effect::document);
+  COASTER_COMMAND(SetClosed, "closed", "Close the track (on) or open it (off).", Effect::document,
+                  "{?Closed|Opened} the track");
   COASTER_FIELDS(visit("", self.to))
 };
 struct AddCart {
   Target segment;
   double at = 0;
   COASTER_COMMAND(AddCart, "add_cart", "Add a cart that starts on a segment, at a fraction of its length.",
-                  Effect::document);
+                  Effect::document, "Added a cart");
   COASTER_FIELDS(visit("", self.segment), visit("at", self.at))
 };
 struct SetName {
   std::string to;
-  COASTER_COMMAND(SetName, "name", "Name the track.", Effect::document);
+  COASTER_COMMAND(SetName, "name", "Name the track.", Effect::document, "Named the track {}");
   COASTER_FIELDS(visit("", self.to))
 };
 struct SetStartSpeed {
   double to = 1;
-  COASTER_COMMAND(SetStartSpeed, "start_speed", "Set the speed at which carts start (m/s).", Effect::document);
+  COASTER_COMMAND(SetStartSpeed, "start_speed", "Set the speed at which carts start (m/s).", Effect::document,
+                  "Set the start speed to {} m/s");
   COASTER_FIELDS(visit("", self.to))
 };
 struct SetDatum {
   double to = 0;
-  COASTER_COMMAND(SetDatum, "datum", "Set the height at which potential energy is zero (m).", Effect::document);
+  COASTER_COMMAND(SetDatum, "datum", "Set the height at which potential energy is zero (m).", Effect::document,
+                  "Set the datum to {} m");
   COASTER_FIELDS(visit("", self.to))
 };
 
@@ -129,12 +135,12 @@ struct MakeG2 {
   Target knot;
   COASTER_COMMAND(MakeG2, "make_g2",
                   "Give a knot's two segments one curvature (G2) by moving the least; other joints keep their class.",
-                  Effect::document);
+                  Effect::document, "Made {} G2");
   COASTER_FIELDS(visit("", self.knot))
 };
 struct MakeAllG2 {
   COASTER_COMMAND(MakeAllG2, "make_all_g2", "Make every joint G2 by moving little; says which could not be.",
-                  Effect::document);
+                  Effect::document, "Made all joints G2");
   COASTER_FIELDS()
 };
 

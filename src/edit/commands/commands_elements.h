@@ -11,7 +11,7 @@ struct PlaceElement {
   COASTER_COMMAND(PlaceElement, "element",
                   "Add an element at the open end of the track, e.g. element loop right height 20; what is not named "
                   "has its usual value.",
-                  Effect::document);
+                  Effect::document, "Placed {}");
   COASTER_FIELDS(visit("", self.what))
 };
 struct ChooseElement {
@@ -25,7 +25,7 @@ struct CompleteCircuit {
   int proposal = 1;
   COASTER_COMMAND(CompleteCircuit, "complete",
                   "Close the track by a way from its open end to its first knot: one of up to three proposals.",
-                  Effect::document);
+                  Effect::document, "Completed the circuit");
   COASTER_FIELDS(visit("", self.proposal))
 };
 

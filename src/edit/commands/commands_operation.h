@@ -15,14 +15,16 @@ struct SetEquipment {
   float speed = world::Equipment{}.speed, acceleration = world::Equipment{}.acceleration;
   float hysteresis = world::Equipment{}.hysteresis, seconds = world::Equipment{}.seconds;
   COASTER_COMMAND(SetEquipment, "equip",
-                  "Put a station, lift, launch, brake or block on a segment (m/s, m/s^2, m/s, s).", Effect::document);
+                  "Put a station, lift, launch, brake or block on a segment (m/s, m/s^2, m/s, s).", Effect::document,
+                  "Made {} a {as}");
   COASTER_FIELDS(visit("", self.segment), visit("as", self.to), visit("speed?", self.speed),
                  visit("acceleration?", self.acceleration), visit("hysteresis?", self.hysteresis),
                  visit("seconds?", self.seconds))
 };
 struct RemoveEquipment {
   Target segment;
-  COASTER_COMMAND(RemoveEquipment, "unequip", "Make a segment plain track again.", Effect::document);
+  COASTER_COMMAND(RemoveEquipment, "unequip", "Make a segment plain track again.", Effect::document,
+                  "Removed the equipment of {}");
   COASTER_FIELDS(visit("", self.segment))
 };
 struct SetTrain {
@@ -32,7 +34,7 @@ struct SetTrain {
   COASTER_COMMAND(SetTrain, "train",
                   "Set how many cars a train has, how far their middles are apart (m), how long (m) and how heavy (kg) "
                   "each is; what is 0 or left out stays.",
-                  Effect::document);
+                  Effect::document, "Changed the train {}");
   COASTER_FIELDS(visit("", self.cart), visit("cars", self.cars), visit("spacing?", self.spacing),
                  visit("length?", self.length), visit("mass?", self.mass))
 };
@@ -40,19 +42,20 @@ struct SetLosses {
   float rolling = 0, drag = 0;
   COASTER_COMMAND(SetLosses, "losses",
                   "Set rolling friction (of the weight) and drag (1/m); 0 0 is the frictionless circuit.",
-                  Effect::document);
+                  Effect::document, "Set friction and drag");
   COASTER_FIELDS(visit("rolling", self.rolling), visit("drag", self.drag))
 };
 struct SetLossSet {
   world::LossSet to{};
-  COASTER_COMMAND(SetLossSet, "losses.set", "Set rolling friction and drag to those of a named set.", Effect::document);
+  COASTER_COMMAND(SetLossSet, "losses.set", "Set rolling friction and drag to those of a named set.", Effect::document,
+                  "Set friction and drag to {}");
   COASTER_FIELDS(visit("", self.to))
 };
 struct SetHeartline {
   double to = 1.1;
   COASTER_COMMAND(SetHeartline, "heartline",
                   "Set the height of the riders' hearts above the rails, for which forces are computed (m).",
-                  Effect::document);
+                  Effect::document, "Set the heartline to {} m");
   COASTER_FIELDS(visit("", self.to))
 };
 enum class Keep : std::uint8_t { rails, numbers };
@@ -66,13 +69,13 @@ struct SetCurve {
   COASTER_COMMAND(SetCurve, "curve",
                   "Make the track's curve the rails or the riders' heartline, with the rails below it; keeps the shape "
                   "of the rails, within 1 cm, or the knots' numbers.",
-                  Effect::document);
+                  Effect::document, "Made the {} the curve");
   COASTER_FIELDS(visit("", self.to), visit("keep", self.keep))
 };
 struct SetRollbackFails {
   bool to = true;
   COASTER_COMMAND(SetRollbackFails, "rollback_fails", "Whether a train that rolls back ends the ride (on, off).",
-                  Effect::document);
+                  Effect::document, "Rollbacks {?end|no longer end} the ride");
   COASTER_FIELDS(visit("", self.to))
 };
 struct SaveReport {
@@ -94,7 +97,7 @@ struct AutoBank {
   COASTER_COMMAND(
       AutoBank, "auto_bank",
       "Roll every knot so that the riders of the selected cart, else of the first, feel no lateral g there.",
-      Effect::document);
+      Effect::document, "Banked the track");
   COASTER_FIELDS()
 };
 

@@ -12,24 +12,27 @@ struct MakeSection {
   Knots knots;
   COASTER_COMMAND(MakeSection, "section.make",
                   "Make the track between neighbouring knots one hand-shaped section; its shape stays.",
-                  Effect::document);
+                  Effect::document, "Made {} a section");
   COASTER_FIELDS(visit("", self.knots))
 };
 struct SplitSection {
   Target knot;
-  COASTER_COMMAND(SplitSection, "section.split", "Split a section in two at a knot inside it.", Effect::document);
+  COASTER_COMMAND(SplitSection, "section.split", "Split a section in two at a knot inside it.", Effect::document,
+                  "Split a section at {}");
   COASTER_FIELDS(visit("", self.knot))
 };
 struct JoinSections {
   Target section;
-  COASTER_COMMAND(JoinSections, "section.join", "Join a section with the next one.", Effect::document);
+  COASTER_COMMAND(JoinSections, "section.join", "Join a section with the next one.", Effect::document,
+                  "Joined {} with the next section");
   COASTER_FIELDS(visit("", self.section))
 };
 struct SetSectionTitle {
   Target section;
   std::string to;
   COASTER_COMMAND(SetSectionTitle, "section.title",
-                  "Set the title of a section; with an empty one it is shown by its kind.", Effect::document);
+                  "Set the title of a section; with an empty one it is shown by its kind.", Effect::document,
+                  "Titled {} {to}");
   COASTER_FIELDS(visit("", self.section), visit("to", self.to))
 };
 // With `anew on` it starts from the section as it was when the open gesture began.
@@ -40,7 +43,7 @@ struct ChangeSection {
   COASTER_COMMAND(ChangeSection, "section.change",
                   "Plan a section again as an element with these parameters; what follows moves with its end. What is "
                   "not named has its usual value.",
-                  Effect::document);
+                  Effect::document, "Changed {} to {to}");
   COASTER_FIELDS(visit("", self.section), visit("anew?", self.anew), visit("to", self.to))
 };
 struct EquipSection {
@@ -50,28 +53,30 @@ struct EquipSection {
   float hysteresis = world::Equipment{}.hysteresis, seconds = world::Equipment{}.seconds;
   COASTER_COMMAND(EquipSection, "section.equip",
                   "Put a station, lift, launch, brake or block on all segments of a section (m/s, m/s^2, m/s, s).",
-                  Effect::document);
+                  Effect::document, "Made {} a {as}");
   COASTER_FIELDS(visit("", self.section), visit("as", self.to), visit("speed?", self.speed),
                  visit("acceleration?", self.acceleration), visit("hysteresis?", self.hysteresis),
                  visit("seconds?", self.seconds))
 };
 struct UnequipSection {
   Target section;
-  COASTER_COMMAND(UnequipSection, "section.unequip", "Make all of a section plain track again.", Effect::document);
+  COASTER_COMMAND(UnequipSection, "section.unequip", "Make all of a section plain track again.", Effect::document,
+                  "Removed the equipment of {}");
   COASTER_FIELDS(visit("", self.section))
 };
 
 struct DeleteSection {
   Target section;
   COASTER_COMMAND(DeleteSection, "section.delete",
-                  "Delete a section of an open track; what follows moves to where it began.", Effect::document);
+                  "Delete a section of an open track; what follows moves to where it began.", Effect::document,
+                  "Deleted {}");
   COASTER_FIELDS(visit("", self.section))
 };
 struct MirrorSection {
   Target section;
   COASTER_COMMAND(MirrorSection, "section.mirror",
-                  "Swap left and right of a section, with its roll; what follows moves with its end.",
-                  Effect::document);
+                  "Swap left and right of a section, with its roll; what follows moves with its end.", Effect::document,
+                  "Mirrored {}");
   COASTER_FIELDS(visit("", self.section))
 };
 enum class Neighbour : std::uint8_t { before, after };
@@ -83,7 +88,7 @@ struct MoveSection {
   Neighbour to{};
   COASTER_COMMAND(MoveSection, "section.move",
                   "Swap a section of an open track with the one before or after it; what follows moves along.",
-                  Effect::document);
+                  Effect::document, "Moved {} along the track");
   COASTER_FIELDS(visit("", self.section), visit("", self.to))
 };
 struct CopySection {
@@ -96,7 +101,7 @@ struct PasteSections {
   std::string text;  // a track; empty: what was copied
   COASTER_COMMAND(PasteSections, "section.paste",
                   "Add what was copied, or all sections of a track's text, at the open end of the track.",
-                  Effect::document);
+                  Effect::document, "Pasted sections");
   COASTER_FIELDS(visit("text?", self.text))
 };
 

@@ -16,7 +16,7 @@ struct Translate {
   bool anew = false;
   COASTER_COMMAND(Translate, "translate",
                   "Move knots by a distance (m). With anew on, from where they were when the gesture began.",
-                  Effect::document);
+                  Effect::document, "Moved {}");
   COASTER_FIELDS(visit("", self.knots), visit("by", self.by), visit("anew?", self.anew))
 };
 struct Rotate {
@@ -25,7 +25,7 @@ struct Rotate {
   glm::vec3 about{0}, axis{0, 1, 0};
   bool anew = false;
   COASTER_COMMAND(Rotate, "rotate", "Turn knots by an angle (degrees, right-handed) about a point and an axis.",
-                  Effect::document);
+                  Effect::document, "Rotated {} by {by}\u00B0");
   COASTER_FIELDS(visit("", self.knots), visit("by", self.by), visit("about", self.about), visit("axis?", self.axis),
                  visit("anew?", self.anew))
 };
@@ -34,20 +34,22 @@ struct Scale {
   glm::vec3 by{1}, about{0};
   bool anew = false;
   COASTER_COMMAND(Scale, "scale_knots", "Scale knots and their handles along x, y and z about a point.",
-                  Effect::document);
+                  Effect::document, "Scaled {}");
   COASTER_FIELDS(visit("", self.knots), visit("by", self.by), visit("about", self.about), visit("anew?", self.anew))
 };
 struct Mirror {
   Knots knots;
   glm::vec3 across{1, 0, 0}, about{0};
-  COASTER_COMMAND(Mirror, "mirror", "Mirror knots across the plane through a point with a normal.", Effect::document);
+  COASTER_COMMAND(Mirror, "mirror", "Mirror knots across the plane through a point with a normal.", Effect::document,
+                  "Mirrored {}");
   COASTER_FIELDS(visit("", self.knots), visit("across", self.across), visit("about", self.about))
 };
 struct Align {
   Knots knots;
   world::Axis axis = world::Axis::y;
   double to = 0;
-  COASTER_COMMAND(Align, "align", "Give knots one coordinate (m): x, y or z.", Effect::document);
+  COASTER_COMMAND(Align, "align", "Give knots one coordinate (m): x, y or z.", Effect::document,
+                  "Aligned {} at {axis} = {to} m");
   COASTER_FIELDS(visit("", self.knots), visit("axis", self.axis), visit("to", self.to))
 };
 struct Smooth {
@@ -56,43 +58,45 @@ struct Smooth {
   COASTER_COMMAND(Smooth, "smooth",
                   "Give knots the direction and handles of the natural C2 spline through them, with chords or equal "
                   "steps as the parameter.",
-                  Effect::document);
+                  Effect::document, "Smoothed {}");
   COASTER_FIELDS(visit("", self.knots), visit("by?", self.by))
 };
 struct Equalise {
   Knots knots;
   COASTER_COMMAND(Equalise, "equalise", "Make both handles of knots as long as they are on average: C1.",
-                  Effect::document);
+                  Effect::document, "Equalised the handles of {}");
   COASTER_FIELDS(visit("", self.knots))
 };
 struct Straighten {
   Knots knots;
   COASTER_COMMAND(Straighten, "straighten", "Put neighbouring knots on the line from the first to the last of them.",
-                  Effect::document);
+                  Effect::document, "Straightened {}");
   COASTER_FIELDS(visit("", self.knots))
 };
 struct SetRadius {
   Knots knots;
   double to = 20;
   COASTER_COMMAND(SetRadius, "radius", "Set the radius of curvature at knots (m), by the lengths of their handles.",
-                  Effect::document);
+                  Effect::document, "Set the radius at {} to {to} m");
   COASTER_FIELDS(visit("", self.knots), visit("to", self.to))
 };
 struct DropToGround {
   Knots knots;
   double to = 0;
-  COASTER_COMMAND(DropToGround, "drop", "Put knots on the ground (or at a height, m), level.", Effect::document);
+  COASTER_COMMAND(DropToGround, "drop", "Put knots on the ground (or at a height, m), level.", Effect::document,
+                  "Put {} at height {to} m");
   COASTER_FIELDS(visit("", self.knots), visit("to?", self.to))
 };
 struct Reverse {
-  COASTER_COMMAND(Reverse, "reverse", "Turn the direction of travel round; the shape stays.", Effect::document);
+  COASTER_COMMAND(Reverse, "reverse", "Turn the direction of travel round; the shape stays.", Effect::document,
+                  "Reversed the track");
   COASTER_FIELDS()
 };
 struct Duplicate {
   Knots knots;
   COASTER_COMMAND(Duplicate, "duplicate",
                   "Copy the track between neighbouring knots to the end of an open track, turned to go on from there.",
-                  Effect::document);
+                  Effect::document, "Duplicated {}");
   COASTER_FIELDS(visit("", self.knots))
 };
 struct CloseExactly {
@@ -100,7 +104,7 @@ struct CloseExactly {
   COASTER_COMMAND(
       CloseExactly, "close",
       "Close the track: ends that are within a distance (m) become one knot, others get a segment between them.",
-      Effect::document);
+      Effect::document, "Closed the track");
   COASTER_FIELDS(visit("within?", self.within))
 };
 

@@ -73,8 +73,9 @@ Status document_command(Session& session, const C& command, Change& change) {
   // The derived data are still those of the previous document.
   const sim::SegmentShape* const split = session.derived.segments.find(change.motion.first);
   follow_document(session, change, split ? split->roll : sim::Roll{});
-  if (history.in_gesture) history.gesture_label = print(command);
-  else if (!(*before == session.document)) record(history, print(command), std::move(*before), session.document);
+  const auto text = [&] { return StepText{print(command), done(command)}; };
+  if (history.in_gesture) history.gesture_text = text();
+  else if (!(*before == session.document)) record(history, text(), std::move(*before), session.document);
   return {};
 }
 

@@ -23,13 +23,14 @@ bool step_over(History& history, From& from, To& to, world::Document& document) 
 }  // namespace
 
 std::size_t bytes_of(const HistoryStep& step) {
-  return sizeof(HistoryStep) - sizeof(world::Difference) + step.label.capacity() + world::bytes_of(step.change);
+  return sizeof(HistoryStep) - sizeof(world::Difference) + step.text.command.capacity() +
+         step.text.sentence.capacity() + world::bytes_of(step.change);
 }
 
-void record(History& history, std::string label, world::Document before, const world::Document& after) {
+void record(History& history, StepText text, world::Document before, const world::Document& after) {
   for (const HistoryStep& step : history.redo) history.bytes -= bytes_of(step);
   history.redo.clear();
-  history.undo.push_back({std::move(label), world::difference_of(std::move(before), after)});
+  history.undo.push_back({std::move(text), world::difference_of(std::move(before), after)});
   history.bytes += bytes_of(history.undo.back());
   while (history.undo.size() > 1 && history.bytes > history.limit) {
     history.bytes -= bytes_of(history.undo.front());
@@ -49,13 +50,13 @@ bool redo(History& history, world::Document& document) {
 void begin_gesture(History& history, const world::Document& document) {
   history.in_gesture = true;
   history.gesture_start = document;
-  history.gesture_label.clear();
+  history.gesture_text = {};
 }
 
 void end_gesture(History& history, const world::Document& document) {
   history.in_gesture = false;
   world::Document start = std::exchange(history.gesture_start, {});
-  if (!(start == document)) record(history, history.gesture_label, std::move(start), document);
+  if (!(start == document)) record(history, history.gesture_text, std::move(start), document);
 }
 
 void cancel_gesture(History& history, world::Document& document) {

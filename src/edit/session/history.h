@@ -9,7 +9,7 @@ namespace coaster::edit {
 
 // Pushes the step from `before` to `after` on the undo stack and clears the redo stack; drops the oldest steps beyond
 // the history's limit, but never this one.
-void record(History& history, std::string label, world::Document before, const world::Document& after);
+void record(History& history, StepText text, world::Document before, const world::Document& after);
 // Turn `document` into the one before the newest step or after the next one; return false if there is none.
 bool undo(History& history, world::Document& document);
 bool redo(History& history, world::Document& document);

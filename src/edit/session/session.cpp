@@ -32,7 +32,7 @@ void notify(Session& session, const base::Status& error) {
 
 bool dirty(const Finder& find) {
   const History& history = find.session().history;
-  if (history.in_gesture && !history.gesture_label.empty()) return true;
+  if (history.in_gesture && !history.gesture_text.command.empty()) return true;
   return find(Want::document_hash).document_hash != find.session().file.saved_hash;
 }
 

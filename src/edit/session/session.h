@@ -22,9 +22,14 @@
 
 namespace coaster::edit {
 
+// What an undo step did.
+struct StepText {
+  std::string command, sentence;  // of a gesture: its last command
+};
+
 // One undo step.
 struct HistoryStep {
-  std::string label;         // the command's text, or that of a gesture's last command
+  StepText text;
   world::Difference change;  // to the document before the step on the undo stack, to the one after it on the redo stack
 };
 
@@ -36,7 +41,7 @@ struct History {
   std::size_t dropped = 0;                          // steps
   bool in_gesture = false;
   world::Document gesture_start;
-  std::string gesture_label;
+  StepText gesture_text;
 };
 
 enum class NoticeKind : std::uint8_t { info, warning, error };

@@ -19,6 +19,13 @@ void repeat(Ui& ui, std::size_t steps) {
   for (std::size_t i = 0; i < steps; ++i) ui.emit(Command{});
 }
 
+// "Undo to this step." and the command, which may name thousands of knots.
+std::string tooltip_of(std::string_view does, const edit::HistoryStep& step) {
+  constexpr std::size_t kMost = 120;  // bytes
+  const std::string_view command = step.text.command;
+  return fmt::format("{} Command: {}{}", does, command.substr(0, kMost), command.size() > kMost ? " ..." : "");
+}
+
 // A step as a line to click; `name` is its path for scripts.
 bool step_row(Ui& ui, const std::string& text, const std::string& name, std::uint32_t tint, std::string_view tooltip) {
   ImGui::PushStyleColor(ImGuiCol_Text, colour(tint));
@@ -42,15 +49,16 @@ void history_panel(Ui& ui) {
     repeat<edit::Undo>(ui, undo);
   for (std::size_t i = first; i < undo; ++i) {
     const bool now = i + 1 == undo;
-    if (step_row(ui, fmt::format("{}  {}", i + 1, in_units(ui, history.undo[i].label)), std::to_string(i + 1),
-                 now ? palette().accent : palette().text, now ? "The current step." : "Undo to this step."))
+    if (step_row(ui, fmt::format("{}  {}", i + 1, in_units(ui, history.undo[i].text.sentence)), std::to_string(i + 1),
+                 now ? palette().accent : palette().text,
+                 tooltip_of(now ? "The current step." : "Undo to this step.", history.undo[i])))
       repeat<edit::Undo>(ui, undo - 1 - i);
   }
   // The redo stack has the next step last.
   for (std::size_t k = 0; k < std::min(redo, kMostShown); ++k) {
     const std::size_t number = undo + k + 1;
-    if (step_row(ui, fmt::format("{}  {}", number, in_units(ui, history.redo[redo - 1 - k].label)),
-                 std::to_string(number), palette().dim, "Redo to this step."))
+    if (step_row(ui, fmt::format("{}  {}", number, in_units(ui, history.redo[redo - 1 - k].text.sentence)),
+                 std::to_string(number), palette().dim, tooltip_of("Redo to this step.", history.redo[redo - 1 - k])))
       repeat<edit::Redo>(ui, k + 1);
   }
 }

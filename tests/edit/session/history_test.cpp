@@ -45,7 +45,7 @@ TEST_F(HistoryOfEdits, a_gesture_is_one_step) {
   good("gesture.end");
   const world::Document after = session.document;
   ASSERT_EQ(session.history.undo.size(), 1u);
-  EXPECT_EQ(session.history.undo.back().label, "move @k3 to 169 7.7 -11.3");
+  EXPECT_EQ(session.history.undo.back().text.command, "move @k3 to 169 7.7 -11.3");
   good("undo");
   EXPECT_TRUE(session.document == before);
   good("redo");
@@ -111,18 +111,18 @@ TEST(history, the_oldest_steps_are_dropped_beyond_the_limit_but_never_the_newest
   history.limit = kLimit;
   world::Document large;
   large.name.assign(kLimit / 4, 'x');
-  for (int i = 0; i < 10; ++i) record(history, std::to_string(i), large, large);
+  for (int i = 0; i < 10; ++i) record(history, {std::to_string(i), {}}, large, large);
   EXPECT_EQ(history.undo.size(), 3u);
-  EXPECT_EQ(history.undo.back().label, "9");
+  EXPECT_EQ(history.undo.back().text.command, "9");
   EXPECT_LE(history.bytes, kLimit);
   EXPECT_EQ(history.dropped, 7u);
   large.name.assign(kLimit * 2, 'x');
-  record(history, "huge", large, large);
+  record(history, {"huge", {}}, large, large);
   ASSERT_EQ(history.undo.size(), 1u);
-  EXPECT_EQ(history.undo.back().label, "huge");
+  EXPECT_EQ(history.undo.back().text.command, "huge");
   ASSERT_TRUE(undo(history, large));
   EXPECT_EQ(history.bytes, bytes_of(history.redo.back()));
-  record(history, "small", {}, {});
+  record(history, {"small", {}}, {}, {});
   EXPECT_EQ(history.bytes, bytes_of(history.undo.back())) << "a new step ends the redo stack";
 }
 
