@@ -7,6 +7,7 @@
 
 #include "app/frame.h"
 #include "app/pictures.h"
+#include "app/process.h"
 #include "app/program.h"
 #include "app/scene.h"
 #include "base/console.h"
@@ -53,10 +54,16 @@ std::int64_t ticks_of_lap(edit::Session& session) {
 
 void start_by_hand(Program& program) {
   base::Status begun = begin_lap(program);
-  if (begun)
-    begun = start_movie(program, {movie_folder(program), script::kUsualMovieRate, false, program.files.root()}, true);
+  const std::filesystem::path folder = movie_folder(program);
+  if (begun) begun = start_movie(program, {folder, script::kUsualMovieRate, false, program.files.root()}, true);
   if (!begun) return edit::notify(program.session, begun);
   program.filming->by_hand = true;
+  edit::notify(program.session, edit::NoticeKind::info,
+               find_program("ffmpeg").empty()
+                   ? fmt::format("Recording one lap as pictures in {}. Without ffmpeg "
+                                 "there is no movie file.",
+                                 folder.string())
+                   : fmt::format("Recording one lap as pictures and movie.mp4 in {}.", folder.string()));
   program.filming->lap_ticks = ticks_of_lap(program.session);
 }
 

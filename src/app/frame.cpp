@@ -128,7 +128,7 @@ void draw(Program& program, const ui::Output& output, const Look& look, const ed
   set_title(program);
   program.picture.unseen = look.unseen;
   program.picture.tick = program.session.tick, program.picture.commands = program.commands;
-  if (output.wants_screenshot) take_photo(program);
+  if (output.photo != ui::PhotoWish::none) take_photo(program, output.photo == ui::PhotoWish::window);
 }
 
 }  // namespace
@@ -157,7 +157,7 @@ void run_frame(Program& program, const platform::Events& events, int ticks) {
     edit::advance_measurement(program.session);
     // From the trains' present positions: an eye from the frame's start would lag by this frame's ticks.
     program.picture.view = view::view_of(program.picture.rig.eye, output->view.viewport);
-    const bool unseen = !program.surface->is_window() && !output->wants_screenshot;
+    const bool unseen = !program.surface->is_window() && output->photo == ui::PhotoWish::none;
     const Look look{program.session.settings, program.picture.view, output->hovered, false, unseen};
     const edit::Findings& found = edit::find(program.session, wanted_by(look, program));
     times.found = program.surface->clock();

@@ -11,10 +11,10 @@ namespace coaster::app {
 
 base::Status write_picture(Program& program, const std::filesystem::path& path);
 
-// Saves the last frame as NAME-1.png, or with the first unused number, where NAME is the track's name: in the user's
-// picture folder ($XDG_PICTURES_DIR, else ~/Pictures, else the current folder), in a script's $OUT. A notice gives the
-// path or the error.
-void take_photo(Program& program);
+// Saves the scene, or with its panels the last frame, as NAME-1.png, or with the first unused number, where NAME is the
+// track's name: in the user's picture folder ($XDG_PICTURES_DIR, else ~/Pictures, else the current folder), in a
+// script's $OUT. A notice gives the path or the error.
+void take_photo(Program& program, bool panels);
 
 // Combines PNG files into one, optionally each at half its size. Code::bad_file if one is no picture.
 base::Status write_sheet(const base::Root& root, const std::filesystem::path& path, int columns, bool half,

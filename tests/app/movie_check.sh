@@ -105,6 +105,8 @@ ui.menu "File/Record movie"
 frames 12
 expect visible "Movie/Stop"
 expect movie.frames >= 6
+expect toast ~ "Recording one lap as pictures in"
+expect toast ~ "Without ffmpeg there is no movie file"
 shot "$OUT/bar.png"
 ui.click "Movie/Stop"
 frames 1

@@ -7,7 +7,10 @@ namespace {
 
 using platform::Key;
 
-void screenshot(Act& act) { act.ui.out.wants_screenshot = true; }
+template <PhotoWish wish>
+void photo(Act& act) {
+  act.ui.out.photo = wish;
+}
 constexpr Condition kInChallenge{[](const Act& act) { return act.ui.session().game.challenge.has_value(); },
                                  "No challenge is open."};
 bool filming(const Act& act) { return act.ui.state.movie != nullptr; }
@@ -28,7 +31,10 @@ constexpr Action kFileActions[] = {
     {"Leave challenge", "File", kNoKey, 0, "Leave the challenge. The track stays as it is.", emit<edit::LeaveChallenge>,
      kInChallenge},
     {"Settings", "File", ctrl(Key::comma), 0, "Scale, theme, sound, autosave and keys.", want<Want::Kind::settings>},
-    {"Screenshot", "File", key(Key::f12), kInDrag, "Save a screenshot of the window.", screenshot},
+    {"Screenshot", "File", key(Key::f12), kInDrag, "Save a picture of the scene, without panels and selection.",
+     photo<PhotoWish::scene>},
+    {"Screenshot with panels", "File", ctrl(Key::f12), kInDrag, "Save a picture of the whole window.",
+     photo<PhotoWish::window>},
     {"Record movie", "File", shift(Key::f12), kInDrag,
      "Record one lap as pictures and, where ffmpeg is installed, as a movie. Again to stop.", record_movie, kFilmable,
      filming},

@@ -14,6 +14,7 @@
 namespace coaster::ui {
 
 enum class MovieWish { none, start, stop };
+enum class PhotoWish { none, scene, window };
 enum class Recovery { recover, discard, later };  // later: offered again at the next start
 struct SystemDialogRequest {
   bool save = false;
@@ -25,8 +26,8 @@ struct Output {
   view::View view;  // of the scene
   view::Pick hovered;
   bool quit = false;
-  bool wants_screenshot = false;
   bool wants_paste = false;  // of sections: of the clipboard, or those that were copied here
+  PhotoWish photo = PhotoWish::none;
   bool cancel_import = false;
   MovieWish movie = MovieWish::none;
   std::optional<exchange::UserSettings> settings;  // to keep instead of the present ones

@@ -112,8 +112,9 @@ TEST_F(ActionsTest, a_key_of_the_settings_takes_the_place_of_the_table_s) {
 }
 
 TEST_F(ActionsTest, f12_asks_for_a_picture) {
-  EXPECT_TRUE(frame({platform::KeyPress{platform::Key::f12, true, false, {}}}).wants_screenshot);
-  EXPECT_FALSE(frame().wants_screenshot);
+  EXPECT_EQ(frame({platform::KeyPress{platform::Key::f12, true, false, {}}}).photo, PhotoWish::scene);
+  EXPECT_EQ(frame({platform::KeyPress{platform::Key::f12, true, false, {.ctrl = true}}}).photo, PhotoWish::window);
+  EXPECT_EQ(frame().photo, PhotoWish::none);
 }
 
 }  // namespace actions_test
