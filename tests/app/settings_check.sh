@@ -11,7 +11,9 @@ key Ctrl+,
 ui.click "Settings/Scale/125 %"
 ui.check "Settings/Shadows" off
 ui.type "Settings/Autosave every (s)" "12"
-ui.type "Settings/Keys/Undo" "Ctrl+U"
+ui.click "Settings/Keys/Undo"
+key Ctrl+U
+expect visible "Settings/Keys/Undo"
 ui.click "Settings/Close"
 key L
 frames 90'

@@ -52,8 +52,9 @@ struct AskedChange {
 
 // What panels keep between frames.
 struct Inputs {
-  std::string file;    // the path in Track/File
-  double radius = 20;  // m, the number in Shape/Radius
+  std::string file;                      // the path in Track/File
+  double radius = 20;                    // m, the number in Shape/Radius
+  std::string waits_for_key, keys_note;  // of the settings: the action whose key is to be pressed, what was changed
   std::array<world::Element, world::elements().size()> elements = world::usual_elements();  // the palette's, by kind
   AskedChange asked;
   // Rows of the table of sections as they are shown, by the table's serial and the sorting.

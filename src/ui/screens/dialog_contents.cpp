@@ -171,7 +171,7 @@ void Dialogs::build_shown(Ui& ui, const platform::Events& events, bool text_had_
     case Dialog::settings:
       ui.panel = "Settings";
       title("Settings");
-      if (build_settings(ui) || (!text_had_keyboard && pressed(events, Key::escape))) dialog_ = Dialog::none;
+      if (build_settings(ui, text_had_keyboard ? platform::Events{} : events)) dialog_ = Dialog::none;
       break;
   }
   ui.panel.clear();

@@ -132,7 +132,7 @@ void Dialogs::take_system(Ui& ui) {
 std::pair<float, float> Dialogs::wanted_size() const {
   switch (shown_) {
     case Dialog::browse: return {680, 470};
-    case Dialog::settings: return {560, 580};
+    case Dialog::settings: return {560, 660};
     case Dialog::challenges: return {620, 640};
     case Dialog::recovery: return {480, -168};
     default: return {440, -96};

@@ -65,6 +65,6 @@ bool pressed(const platform::Events& events, platform::Key a, platform::Key b = 
 std::string file_name_for(const std::string& track);
 
 // The content of the settings window (settings_window.cpp); true when it is to be closed.
-bool build_settings(Ui& ui);
+bool build_settings(Ui& ui, const platform::Events& events);
 
 }  // namespace coaster::ui

@@ -4,12 +4,14 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/text.h"
+#include <fmt/format.h>
+
 #include "platform/sound.h"
 #include "ui/actions/actions.h"
 #include "ui/context/rows.h"
 #include "ui/context/setting_rows.h"
 #include "ui/screens/dialogs.h"
+#include "ui/widgets/theme.h"
 
 namespace coaster::ui {
 namespace {
@@ -58,48 +60,94 @@ void keeping(Ui& ui) {
   setting_box<&world::Aids::show_card>(ui, "Score cards", "Show a card with results at the end of a ride.");
 }
 
-// Returns the choices with another one for an action. Its default keys are no choice.
+// Returns the choices with another one for an action: a key, which no other choice keeps, or none. Its default keys are
+// no choice.
 std::vector<exchange::KeyChoice> with_choice(std::vector<exchange::KeyChoice> keys, const Action& action,
-                                             const std::string& typed) {
+                                             std::optional<platform::Chord> chord) {
   std::erase_if(keys, [&](const exchange::KeyChoice& c) { return c.action == action.name; });
+  if (chord)
+    for (exchange::KeyChoice& other : keys)
+      std::erase_if(other.keys, [&](const std::string& text) { return platform::parse_chord(text) == chord; });
   exchange::KeyChoice choice{std::string(action.name), {}};
-  std::vector<base::Token> words;
-  base::TextError error;
-  if (base::tokenise(typed, words, error))
-    for (const base::Token& word : words) choice.keys.push_back(word.text);
+  if (chord) choice.keys.push_back(platform::to_text(*chord));
   std::vector<std::string> own;
-  for (const platform::Chord& chord : {action.chord, action.other})
-    if (chord.key != platform::Key::unknown) own.push_back(platform::to_text(chord));
-  if (choice.keys != own && choice.keys.size() <= 2) keys.push_back(std::move(choice));
+  for (const platform::Chord& one : {action.chord, action.other})
+    if (one.key != platform::Key::unknown) own.push_back(platform::to_text(one));
+  if (choice.keys != own) keys.push_back(std::move(choice));
   return keys;
 }
 
-void key_fields(Ui& ui) {
+void give_key(Ui& ui, const Action& action, std::optional<platform::Chord> chord) {
+  const std::string key = chord ? platform::to_text(*chord) : "";
+  ui.inputs.keys_note =
+      chord ? fmt::format("{} has the key {}.", action.name, key) : fmt::format("{} has no key.", action.name);
+  for (const Action& other : actions()) {
+    const auto chords = ui.keys.chords(other.name);
+    if (chord && other.name != action.name && std::find(chords.begin(), chords.end(), *chord) != chords.end())
+      ui.inputs.keys_note = fmt::format("{} now belongs to {}, not to {}.", key, action.name, other.name);
+  }
+  change_kept(ui).keys = with_choice(ui.state.kept->settings.keys, action, chord);
+}
+
+// Takes the key for the action that waits for one: Escape keeps its keys, Backspace removes them.
+void take_key(Ui& ui, const platform::Events& events) {
+  const auto waiting = std::find_if(actions().begin(), actions().end(),
+                                    [&](const Action& a) { return a.name == ui.inputs.waits_for_key; });
+  if (waiting == actions().end()) return;
+  for (const platform::Event& event : events) {
+    const auto* const press = std::get_if<platform::KeyPress>(&event);
+    if (press == nullptr || !press->down || press->repeat || press->key == platform::Key::unknown) continue;
+    ui.inputs.waits_for_key.clear();
+    const platform::Chord chord{press->key, press->modifiers};
+    if (chord == platform::Chord{platform::Key::escape, {}}) return;
+    const bool none = chord == platform::Chord{platform::Key::backspace, {}};
+    return give_key(ui, *waiting, none ? std::nullopt : std::optional(chord));
+  }
+}
+
+void key_row(Ui& ui, const Action& action) {
+  begin_row(action.name);
+  const bool waits = ui.inputs.waits_for_key == action.name;
+  const std::string keys = chords_text(ui.keys.chords(action.name), ", "), words = waits ? "Press a key" : keys;
+  if (waits) ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetStyleColorVec4(ImGuiCol_ButtonActive));
+  const bool pressed = ImGui::Button(fmt::format("{}##{}", words, action.name).c_str(), {ImGui::CalcItemWidth(), 0});
+  if (waits) ImGui::PopStyleColor();
+  note_item(ui, action.name, "button", action.help, true, words);
+  if (pressed) ui.inputs.waits_for_key = waits ? "" : action.name;
+}
+
+void key_list(Ui& ui, const platform::Events& events) {
   if (ui.state.kept == nullptr) return;
-  const exchange::UserSettings& now = ui.state.kept->settings;
-  heading(ui, "Keys", "One or two keys per action, such as Ctrl+Z. Empty: none.");
-  const float below = ImGui::GetFrameHeightWithSpacing() + ImGui::GetStyle().ItemSpacing.y;
+  take_key(ui, events);
+  heading(ui, "Keys", "Click an action, then press its key. Escape keeps its keys, Backspace removes them.");
+  const float below = 2 * ImGui::GetFrameHeightWithSpacing() + ImGui::GetStyle().ItemSpacing.y;
   if (ImGui::BeginChild("##keys", {0, std::max(3 * ImGui::GetFrameHeight(), ImGui::GetContentRegionAvail().y - below)},
                         true)) {
     ui.panel = "Settings/Keys";  // some actions are named like rows above
-    for (const Action& action : actions())
-      if (const auto typed = text(ui, action.name, chords_text(ui.keys.chords(action.name), " "), action.help))
-        change_kept(ui).keys = with_choice(now.keys, action, *typed);
+    for (const Action& action : actions()) key_row(ui, action);
     ui.panel = "Settings";
   }
   ImGui::EndChild();
-  if (button(ui, "Default keys", "Reset every action to its default keys.", !now.keys.empty()))
+  const std::string& note = ui.inputs.keys_note;
+  paragraph(ui, "Keys note", note.empty() ? "Click an action, then press its key." : note, palette().dim);
+  if (button(ui, "Default keys", "Reset every action to its default keys.", !ui.state.kept->settings.keys.empty())) {
     change_kept(ui).keys.clear();
+    ui.inputs.keys_note.clear();
+  }
   ImGui::SameLine();
 }
 
 }  // namespace
 
-bool build_settings(Ui& ui) {
+bool build_settings(Ui& ui, const platform::Events& events) {
+  const bool waits = !ui.inputs.waits_for_key.empty();
   look(ui);
   keeping(ui);
-  key_fields(ui);
-  return button(ui, "Close", "Back to the track. Key Escape.");
+  key_list(ui, events);
+  const bool closed =
+      button(ui, "Close", "Back to the track. Key Escape.") || (!waits && pressed(events, platform::Key::escape));
+  if (closed) ui.inputs.waits_for_key.clear(), ui.inputs.keys_note.clear();
+  return closed;
 }
 
 }  // namespace coaster::ui

@@ -155,14 +155,33 @@ TEST_F(DialogsTest, the_settings_say_what_to_keep) {
   frames(2);
   key(Key::comma, {.ctrl = true});
   frames(2);
-  ASSERT_NE(find("Settings/Keys/Undo"), nullptr);
-  click("Settings/Keys/Undo");
-  key(Key::a, {.ctrl = true});
-  frame({platform::TextInput{"Ctrl+U F2"}});
-  const Output out = frame({platform::KeyPress{Key::enter, true, false, {}}});
-  ASSERT_TRUE(out.settings.has_value());
-  ASSERT_EQ(out.settings->keys.size(), 1u);
-  EXPECT_EQ(out.settings->keys[0], (exchange::KeyChoice{"Undo", {"Ctrl+U", "F2"}}));
+  ASSERT_NE(find("Settings/Keys/Save"), nullptr);
+  const auto press = [&](const std::string& action, Key k, platform::Modifiers m) {
+    click("Settings/Keys/" + action);
+    EXPECT_EQ(find("Settings/Keys/" + action)->value, "Press a key");
+    const Output out = frame({platform::KeyPress{k, true, false, m}});
+    frame({platform::KeyPress{k, false, false, {}}});  // a wheel with Ctrl would not scroll
+    if (out.settings) user_->settings = *out.settings, host_->set_keys(out.settings->keys);
+    frames(2);
+    return out.settings.has_value();
+  };
+  using Keys = std::vector<exchange::KeyChoice>;
+  ASSERT_TRUE(press("Save", Key::u, {.ctrl = true}));
+  EXPECT_EQ(user_->settings.keys, (Keys{{"Save", {"Ctrl+U"}}}));
+  EXPECT_EQ(find("Settings/Keys/Save")->value, "Ctrl+U");
+  ASSERT_TRUE(press("Open", Key::u, {.ctrl = true}));
+  EXPECT_EQ(user_->settings.keys, (Keys{{"Save", {}}, {"Open", {"Ctrl+U"}}})) << "no key belongs to two";
+  EXPECT_EQ(find("Settings/Keys note")->value, "Ctrl+U now belongs to Open, not to Save.");
+  EXPECT_FALSE(press("Open", Key::escape, {})) << "keeps its keys";
+  ASSERT_NE(find("Settings/Keys/Open"), nullptr) << "and the window is still open";
+  EXPECT_EQ(find("Settings/Keys/Open")->value, "Ctrl+U");
+  ASSERT_TRUE(press("Open", Key::backspace, {}));
+  EXPECT_EQ(user_->settings.keys, (Keys{{"Save", {}}, {"Open", {}}}));
+  ASSERT_TRUE(press("Save", Key::s, {.ctrl = true}));
+  EXPECT_EQ(user_->settings.keys, (Keys{{"Open", {}}})) << "the default key is no choice";
+  key(Key::escape);
+  frames(2);
+  EXPECT_EQ(find("Settings/Keys/Save"), nullptr);
 }
 
 }  // namespace dialogs_test
