@@ -10,6 +10,7 @@
 #include "base/text.h"
 #include "edit/commands/commands_challenge.h"
 #include "edit/commands/commands_ride.h"
+#include "ui/screens/challenge_list.h"
 #include "ui/tools/places.h"
 #include "ui/widgets/medals.h"
 #include "ui/widgets/theme.h"
@@ -39,23 +40,27 @@ void rating(Ui& ui, const char* name, double value, std::uint32_t rgb, std::stri
   note(ui, name, "label", tooltip, true, number, low, {low.x + room, low.y + line});
 }
 
-void numbers(Ui& ui, const edit::RideResult& result) {
+constexpr std::string_view kTerms = "From g, drops, airtime, near misses, jolts and overloads.";
+
+void few_numbers(Ui& ui, const edit::RideResult& result) {
   const sim::Ratings& r = result.ratings;
   if (result.end == RideEnd::failed)
     read_out(ui, "Time", fixed(result.seconds, 2), "s", "Time from the start to the failure.");
   else read_out(ui, result.end == RideEnd::lap ? "Lap time" : "Time", fixed(r.seconds, 2), "s", "Time of the ride.");
-  read_out(ui, "Length", r.length, 1, "m", "Length of the track.");
   read_out(ui, "Top speed", r.top_speed.value, 1, "m/s", "Highest speed of the ride.");
+  rating(ui, "Excitement", r.excitement, 0x4FB477, kTerms);
+}
+
+void more_numbers(Ui& ui, const sim::Ratings& r) {
+  rating(ui, "Intensity", r.intensity, 0xF2B84B, kTerms);
+  rating(ui, "Nausea", r.nausea, 0xE5534B, kTerms);
+  read_out(ui, "Length", r.length, 1, "m", "Length of the track.");
   read_out(ui, "Highest drop", r.highest_drop, 1, "m", fmt::format("Largest of {} descents of 3 m or more.", r.drops));
   read_out(ui, "Airtime", fixed(r.airtime, 2), "s", "Time with vertical g below 0.");
   read_out(ui, "Vertical g", fmt::format("{} .. {}", fixed(r.up_least.value, 2), fixed(r.up_most.value, 2)), "g",
            "Smallest and largest, low-pass filtered, all cars.");
   read_out(ui, "Lateral g", fixed(r.side_most.value, 2), "g", "Largest to either side, low-pass filtered.");
   read_out(ui, "Inversions", std::to_string(r.inversions), "", "Number of times that riders are upside down.");
-  constexpr std::string_view kTerms = "From g, drops, airtime, near misses, jolts and overloads.";
-  rating(ui, "Excitement", r.excitement, 0x4FB477, kTerms);
-  rating(ui, "Intensity", r.intensity, 0xF2B84B, kTerms);
-  rating(ui, "Nausea", r.nausea, 0xE5534B, kTerms);
 }
 
 void verdict(Ui& ui, const edit::Verdict& verdict) {
@@ -79,21 +84,42 @@ void verdict(Ui& ui, const edit::Verdict& verdict) {
   note(ui, "Verdict", "label", "Verdict of the challenge.", true, words, low, {low.x + room, low.y + size});
 }
 
+// The challenge after the present one in the list, or the list itself.
+Want next_challenge(const Ui& ui) {
+  const std::vector<ChallengeEntry> all = read_challenges(ui);
+  const std::filesystem::path name = std::filesystem::path(ui.session().game.challenge->path).filename();
+  const auto is_now = [&](const ChallengeEntry& entry) { return entry.path.filename() == name; };
+  const auto now = std::find_if(all.begin(), all.end(), is_now);
+  const auto next = now == all.end() ? now : std::find_if(now + 1, all.end(), [](const ChallengeEntry& entry) {
+    return entry.problem.empty();
+  });
+  return next == all.end() ? Want{Want::Kind::challenges} : Want{Want::Kind::challenge, next->path.string()};
+}
+
 void buttons(Ui& ui, const edit::Session& session) {
   const auto place = failed_place(session);
-  const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
-  if (button(ui, "Ride again", "Start the ride again.")) {
+  const edit::RideResult& result = *session.game.result;
+  const bool passed = result.verdict && result.verdict->medal > 0 && session.game.challenge;
+  const float gap = ImGui::GetStyle().ItemInnerSpacing.x, half = (ImGui::GetContentRegionAvail().x - gap) / 2;
+  if (button(ui, "Ride again", "Start the ride again.", true, half)) {
     ui.emit(edit::RideStop{});
     ui.emit(edit::RideStart{});
   }
   ImGui::SameLine(0, gap);
-  if (button(ui, "Show where",
-             with_keys(ui.keys, "Go to the place of the failure and select the segment.", "Show where it failed"),
-             place.has_value()))
+  if (passed) {
+    if (button(ui, "Next challenge", "Start the next challenge of the list.", true, half)) ui.want = next_challenge(ui);
+  } else if (button(
+                 ui, "Show where",
+                 with_keys(ui.keys, "Go to the place of the failure and select the segment.", "Show where it failed"),
+                 place.has_value(), half)) {
     show_place(ui, *place);
+  }
+  bool& details = ui.inputs.score_details;
+  if (button(ui, details ? "Fewer values###Details" : "Details", "Show or hide the other values of the ride.", true,
+             half))
+    details = !details;
   ImGui::SameLine(0, gap);
-  if (button(ui, "Close", with_keys(ui.keys, "Close this card.", "Cancel"), true, ImGui::GetContentRegionAvail().x))
-    ui.emit(edit::CloseCard{});
+  if (button(ui, "Close", with_keys(ui.keys, "Close this card.", "Cancel"), true, half)) ui.emit(edit::CloseCard{});
 }
 
 void build(Ui& ui, const edit::Session& session) {
@@ -110,7 +136,8 @@ void build(Ui& ui, const edit::Session& session) {
       paragraph(ui, "Why not", base::sentence(result.verdict->reason), palette().warning);
   }
   ImGui::Separator();
-  numbers(ui, result);
+  few_numbers(ui, result);
+  if (ui.inputs.score_details) more_numbers(ui, result.ratings);
   if (!result.whole)
     paragraph(
         ui, "Note",
@@ -127,9 +154,13 @@ void draw_score_card(Ui& ui, const view::Viewport& scene) {
   if (!card_shows(session)) return;
   const float width = std::floor(288 * ui.scale), margin = std::floor(14 * ui.scale);
   if (scene.width < width + 2 * margin || scene.height < 240 * ui.scale) return;
-  const ImVec2 corner(std::floor(scene.x + scene.width - margin), std::floor(scene.y + margin));
+  // Below a lesson, which is at the top.
+  const bool low = ui.state.lesson != nullptr;
+  const ImVec2 corner(std::floor(scene.x + scene.width - margin),
+                      std::floor(low ? scene.y + scene.height - margin : scene.y + margin));
   ImGui::SetNextWindowSizeConstraints({width, 0}, {width, scene.height - 2 * margin});
-  Card card{.id = "##score", .panel = "Score", .at = corner, .pivot = {1, 0}, .width = width, .alpha = 0.92f};
+  Card card{
+      .id = "##score", .panel = "Score", .at = corner, .pivot = {1, low ? 1.0f : 0.0f}, .width = width, .alpha = 0.92f};
   card.flags &= ~ImGuiWindowFlags_NoScrollbar;
   card.flags |= ImGuiWindowFlags_NoNav;
   build_card(ui, card, [&] { build(ui, session); });

@@ -72,6 +72,8 @@ TEST_F(UnitsTest, in_feet_no_panel_shows_a_metric_unit) {
   edit::advance(session_, 120 * 120);
   ASSERT_TRUE(session_.game.result);
   frames(2);
+  click("Score/Details");
+  frames(2);
   EXPECT_GE(metric_widgets().size(), 40u);
   show_in(base::Units::feet);
   for (const std::string& widget : metric_widgets()) ADD_FAILURE() << widget;

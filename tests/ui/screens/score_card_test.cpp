@@ -28,6 +28,12 @@ TEST_F(ScoreCardTest, the_card_shows_the_ghosts_numbers_and_closes_by_key) {
   ASSERT_NE(find("Score/Top speed"), nullptr);
   EXPECT_EQ(find("Score/Top speed")->value,
             fixed(edit::find(session_, edit::Want::ratings).ratings->top_speed.value, 1) + " m/s");
+  EXPECT_EQ(find("Score/Length"), nullptr) << "the card is slim until its details are wanted";
+  const float slim = find("Score/Close")->y;
+  click("Score/Details");
+  frames(2);
+  ASSERT_NE(find("Score/Length"), nullptr);
+  EXPECT_GT(find("Score/Close")->y, slim + 100);
   EXPECT_EQ(find("Score/Length")->value, fixed(session_.derived.length, 1) + " m");
   key(platform::Key::escape);
   frame();
