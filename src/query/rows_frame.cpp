@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "query/rows.h"
+#include "sim/shape/deviation.h"
 
 namespace coaster::query {
 namespace {
@@ -22,6 +23,7 @@ Answer deviation(const Context& c, View) {
   const sim::Derived& derived = c.session.derived;
   return number(derived.evaluated_by == curve::EvaluatedBy::processor ? derived.deviation : c.stats.deviation);
 }
+Answer chord_error(const Context& c, View) { return number(sim::chord_error(c.session.derived)); }
 Answer drawn_by(const Context& c, View) {
   constexpr std::array<View, 4> kNames{"processor", "vertex_shader", "geometry_shader", "tessellation_shader"};
   return text(kNames[static_cast<std::size_t>(c.stats.drawn_by)]);
@@ -36,6 +38,7 @@ constexpr auto kDrawRows = rows_of<view::kDrawNumbers>(std::make_index_sequence<
 constexpr auto kFrameRows = rows_of<kFrameNumbers>(std::make_index_sequence<kFrameNumbers.size()>());
 constexpr std::array kMoreRows{
     Query{"deviation", "", "m", "Largest distance of a vertex from the exact point at the same parameter.", deviation},
+    Query{"chord_error", "", "m", "Largest distance of the curve from the polyline's chords.", chord_error},
     Query{"drawn_by", "", "",
           "Where the polylines were evaluated: processor, vertex_shader, geometry_shader or tessellation_shader.",
           drawn_by},

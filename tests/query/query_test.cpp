@@ -79,40 +79,12 @@ TEST_F(QueryTest, names_are_unique_and_found) {
 }
 
 TEST_F(QueryTest, the_names_that_scripts_rely_on_are_there) {
-  for (const char* name : {"knots",
-                           "segments",
-                           "closed",
-                           "length",
-                           "exact_length",
-                           "evaluator",
-                           "resolution",
-                           "frames_by",
-                           "name",
-                           "position",
-                           "geometric",
-                           "parametric",
-                           "gap",
-                           "hash",
-                           "vertices",
-                           "uploads",
-                           "rebuilds",
-                           "deviation",
-                           "ride.state",
-                           "ride.speed",
-                           "ride.height",
-                           "ride.distance",
-                           "ride.lap",
-                           "ride.energy",
-                           "ride.energy_drift",
-                           "ride.g_up",
-                           "ride.g_side",
-                           "ride.g_forward",
-                           "frame",
-                           "tick",
-                           "selected",
-                           "undo_depth",
-                           "toast",
-                           "title"})
+  for (const char* name :
+       {"knots",          "segments",      "closed",   "length",      "exact_length",      "evaluator",  "resolution",
+        "frames_by",      "name",          "position", "geometric",   "parametric",        "gap",        "hash",
+        "vertices",       "uploads",       "rebuilds", "deviation",   "chord_error",       "ride.state", "ride.speed",
+        "ride.height",    "ride.distance", "ride.lap", "ride.energy", "ride.energy_drift", "ride.g_up",  "ride.g_side",
+        "ride.g_forward", "frame",         "tick",     "selected",    "undo_depth",        "toast",      "title"})
     EXPECT_TRUE(find_query(name)) << name;
 }
 

@@ -29,4 +29,26 @@ double deviation_of(const curve::Cubic& cubic, std::span<const glm::vec3> points
   return std::sqrt(worst);
 }
 
+double chord_error(const curve::Cubic& cubic, int steps) {
+  constexpr int kMost = 16;
+  const curve::CoefficientsD exact = curve::coefficients_d(cubic);
+  const int measured = std::min(steps, kMost);
+  double worst = 0;
+  for (int i = 0; i < measured; ++i) {
+    const int step = measured == 1 ? 0 : i * (steps - 1) / (measured - 1);
+    const auto at = [&](double offset) { return exact.point((step + offset) / steps); };
+    const dvec3 from = at(0), chord = at(1) - from, off = at(0.5) - from;
+    const double square = glm::dot(chord, chord), part = square > 0 ? glm::dot(off, chord) / square : 0;
+    worst = std::max(worst, glm::length(off - std::clamp(part, 0.0, 1.0) * chord));
+  }
+  return worst;
+}
+
+double chord_error(const Derived& derived) {
+  double worst = 0;
+  for (const world::Entity segment : derived.order)
+    worst = std::max(worst, chord_error(derived.shape(segment).key.cubic, derived.steps));
+  return worst;
+}
+
 }  // namespace coaster::sim

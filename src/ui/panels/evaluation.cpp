@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "sim/shape/deviation.h"
 #include "ui/context/rows.h"
 #include "ui/context/setting_rows.h"
 #include "ui/panels/panels.h"
@@ -77,6 +78,19 @@ void resolution(Ui& ui) {
     ui.emit(edit::Set<&world::Evaluation::vertex_budget>{static_cast<std::int64_t>(*to)});
 }
 
+// Beside the rounding error, which says nothing about how well the polyline shows the curve.
+void chord_error(Ui& ui) {
+  constexpr std::size_t kMost = 10'000;  // segments, 10 ms after each change
+  const sim::Derived& derived = ui.session().derived;
+  const bool shown = !derived.order.empty() && derived.order.size() <= kMost;
+  const auto measure = [&] { return sim::chord_error(derived); };
+  constexpr std::string_view kHelp =
+      "Largest distance of the curve from the polyline. More steps make it smaller. Up to 10,000 segments.";
+  if (!shown) return read_out(ui, "Chord error", "--", "mm", kHelp);
+  read_out(ui, "Chord error", 1e3 * ui.inputs.chord_error.get({derived.last_build, derived.steps}, measure), 3, "mm",
+           kHelp);
+}
+
 }  // namespace
 
 void evaluation_panel(Ui& ui) {
@@ -106,10 +120,10 @@ void evaluation_panel(Ui& ui) {
            segments == 0 ? "--" : fixed(static_cast<double>(stats.polyline_bytes) / static_cast<double>(segments), 0),
            "B",
            "Bytes uploaded when a segment moves: its vertices, or its four control points when evaluated on the GPU.");
-  read_query(ui, "Largest deviation", "deviation",
-             "Largest distance of a vertex from the exact point at the same t (de Casteljau in long double): rounding "
-             "error only.",
+  read_query(ui, "Rounding error###Largest deviation", "deviation",
+             "Largest distance of a vertex from the exact point at the same t (de Casteljau in long double).",
              {.decimals = 6, .unit = "mm", .factor = 1e3});
+  chord_error(ui);
 }
 
 }  // namespace coaster::ui
