@@ -9,6 +9,7 @@
 #include <fmt/ranges.h>
 
 #include "app/program.h"
+#include "app/tutorial_settings.h"
 #include "edit/commands/commands_session.h"
 #include "edit/commands/commands_settings.h"
 #include "world/settings_groups.h"
@@ -120,12 +121,12 @@ void show(Program& program, const exchange::UserSettings& settings) {
 // Copies the state of session and window that belongs to the settings.
 void follow_session(const Program& program, exchange::UserSettings& settings) {
   for_each_kept([&]<auto Setting>() {
+    if (program.tutorial.running && kLentToTutorial<Setting>) return;
     world::value_in<Setting>(settings.session) = world::value_in<Setting>(program.session.settings);
   });
   const auto at = program.surface->placement();
-  if (!at) return;
-  if (at->maximised && settings.window) settings.window->maximised = true;  // keeps the position it restores to
-  else settings.window = exchange::WindowPlace{at->x, at->y, at->width, at->height, at->maximised};
+  if (at && at->maximised && settings.window) settings.window->maximised = true;  // keeps the position it restores to
+  else if (at) settings.window = exchange::WindowPlace{at->x, at->y, at->width, at->height, at->maximised};
 }
 
 void write_settings(Program& program, Keeper& keeper) {

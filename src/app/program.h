@@ -46,7 +46,7 @@ struct Picture {
 
 // The lesson that a script gives in a window.
 struct Tutorial {
-  bool wanted = false;
+  bool wanted = false, running = false;
   std::optional<query::LessonCard> card;
   query::LessonAnswer answer = query::LessonAnswer::none;
 };

@@ -3,10 +3,13 @@
 
 #include "app/frame.h"
 #include "app/script_host.h"
+#include "app/tutorial_settings.h"
 #include "base/folders.h"
+#include "edit/commands/commands_settings.h"
 #include "platform/signals.h"
 #include "script/grammar.h"
 #include "script/runner.h"
+#include "world/settings_groups.h"
 
 namespace coaster::app {
 namespace {
@@ -28,9 +31,7 @@ script::Host teaching_host(Program& program) {
   return host;
 }
 
-}  // namespace
-
-void run_tutorial(Program& program) {
+void teach(Program& program) {
   base::Files files;
   const std::filesystem::path path = base::data_folder() / "tutorials" / "first_coaster.coaster";
   const auto parsed = script::parse_script_file(path, files);
@@ -43,6 +44,21 @@ void run_tutorial(Program& program) {
   const base::Status taught = script::run_script(parsed->script, host, run);
   program.tutorial.card.reset();
   if (!taught && !ends(program)) edit::notify(program.session, edit::NoticeKind::error, taught.message);
+}
+
+}  // namespace
+
+void run_tutorial(Program& program) {
+  const world::Settings former = program.session.settings;
+  program.tutorial.running = true;
+  teach(program);
+  world::for_each_setting([&]<auto Setting>() {
+    if constexpr (kLentToTutorial<Setting>)
+      if (const auto value = world::value_in<Setting>(former);
+          value != world::value_in<Setting>(program.session.settings))
+        (void)apply(program, edit::Set<Setting>{value});
+  });
+  program.tutorial.running = false;
 }
 
 }  // namespace coaster::app

@@ -1,0 +1,19 @@
+// The kept settings that the tutorial changes. They are not kept while it runs, and are as before after it.
+#pragma once
+
+#include <type_traits>
+
+#include "world/aids.h"
+#include "world/look.h"
+
+namespace coaster::app {
+
+template <auto A, auto B>
+inline constexpr bool kSameSetting =
+    std::is_same_v<std::integral_constant<decltype(A), A>, std::integral_constant<decltype(B), B>>;
+template <auto Setting>
+inline constexpr bool kLentToTutorial =
+    kSameSetting<Setting, &world::Look::workspace> || kSameSetting<Setting, &world::Look::show_panels> ||
+    kSameSetting<Setting, &world::Look::show_laboratory> || kSameSetting<Setting, &world::Aids::show_hints>;
+
+}  // namespace coaster::app

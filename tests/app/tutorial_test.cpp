@@ -1,0 +1,34 @@
+// The tutorial in a window that its player leaves at once.
+#include "app/keeper.h"
+#include "app/program_fixture.h"
+#include "app/script_host.h"
+#include "edit/commands/commands_settings.h"
+#include "world/look.h"
+
+namespace coaster::app {
+namespace tutorial_test {
+
+class TutorialTest : public ProgramTest {};
+
+TEST_F(TutorialTest, settings_are_as_before_and_none_of_its_own_is_kept) {
+  restart_drawing();
+  Program& program = *program_;
+  surface(program).window = true;
+  start_keeping(program, {folder_ / "config", folder_ / "state"}, {}, false);
+  ASSERT_TRUE(apply(program, edit::Set<&world::Look::workspace>{world::Workspace::laboratory}).ok());
+  ASSERT_TRUE(apply(program, edit::Set<&world::Look::show_laboratory>{true}).ok());
+  program.time.seconds = 1;
+  keep(program);
+  ASSERT_EQ(program.keeper->state.settings.session.look->workspace, world::Workspace::laboratory);
+  program.tutorial.answer = query::LessonAnswer::leave;
+  run_tutorial(program);
+  EXPECT_TRUE(program.session.document.track.knots.empty()) << "it began: " << last_notice(program);
+  EXPECT_EQ(program.session.settings.look->workspace, world::Workspace::laboratory);
+  EXPECT_TRUE(program.session.settings.look->show_laboratory);
+  EXPECT_EQ(program.keeper->state.settings.session.look->workspace, world::Workspace::laboratory);
+  EXPECT_TRUE(program.keeper->state.settings.session.look->show_laboratory);
+  stop_keeping(program, true);
+}
+
+}  // namespace tutorial_test
+}  // namespace coaster::app
