@@ -61,6 +61,7 @@ class Stage : public testing::Test {
     seconds_ += 1.0 / 60;
     State state{session_, stats_, seconds_, scripted_, nullptr, user_ ? &*user_ : nullptr};
     state.pictures = &pictures_;
+    state.lesson = lesson_;
     Output out = host_->build(events, state, width_, height_);
     for (const edit::Command& command : out.commands) {
       (void)edit::apply(session_, files_, command);
@@ -163,6 +164,7 @@ class Stage : public testing::Test {
   edit::Session session_ = edit::make_session({});
   query::FrameStats stats_;
   std::optional<UserState> user_;
+  const query::LessonCard* lesson_ = nullptr;
   std::map<std::string, TrackPicture> pictures_;  // of the start screen
   std::vector<edit::Command> commands_;
   Output last_;

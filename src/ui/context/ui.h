@@ -89,8 +89,10 @@ struct Ui : WidgetFrame {
   std::string_view renderer;  // GL_RENDERER
   const view::Pick& hovered;  // what the mouse pointed at in the frame before, in the viewport or a plot
   Drawers& drawers;
-  Want want = {};           // taken by the host in the same frame
-  view::Pick pointed = {};  // a place on the track that a plot under the mouse shows
+  Want want = {};                         // taken by the host in the same frame
+  bool lesson_begins = false;             // a lesson's first frames
+  const Widget* lesson_widget = nullptr;  // what it points at, as last drawn, in sight or not
+  view::Pick pointed = {};                // a place on the track that a plot under the mouse shows
 
   const edit::Session& session() const { return state.session; }
   const edit::Findings& find(edit::Want wanted) const { return state.find(wanted); }

@@ -66,7 +66,7 @@ struct Host::Parts {
   Dialogs dialogs;
   StartScreen start;
   Drawers drawers;
-  std::optional<Widget> lessons_widget;  // the widget that the lesson is about, as last drawn
+  LessonGuide guide;
   KeyMap keys;
   Inputs inputs;
   std::filesystem::path file_of;  // the session's path it was taken from
@@ -161,7 +161,7 @@ void Host::Parts::lay_out(Ui& ui, const platform::Events& events, int width, int
     build_areas(ui, layout);
   }
   if (ui.state.lesson == nullptr && !card_shows(session)) draw_hints(ui, layout.scene);
-  draw_lesson(ui, layout.scene, lessons_widget ? &*lessons_widget : nullptr);
+  draw_lesson(ui, layout.scene, guide);
   draw_score_card(ui, layout.scene);
   draw_import(ui, layout.scene);
   draw_movie(ui, layout.scene);
@@ -238,15 +238,14 @@ Output Host::build(const platform::Events& events, const State& state, int width
       p.gl.renderer,
       p.hovered,
       p.drawers};
+  ui.lesson_begins = p.guide.begins(state.lesson);
+  ui.lesson_widget = p.guide.target ? &*p.guide.target : nullptr;
   p.lay_out(ui, events, width, height);
   p.rest.seconds = p.rest.next == p.rest.path ? p.rest.seconds + ImGui::GetIO().DeltaTime : 0;
   p.rest.path = std::exchange(p.rest.next, {});
   ImGui::Render();
   p.list.finish();  // now the order of the windows and which of them were used is settled
-  p.lessons_widget.reset();
-  if (state.lesson != nullptr)
-    for (const Widget& widget : p.list.widgets())
-      if (widget.is(state.lesson->widget) && widget.visible) p.lessons_widget = widget;
+  p.guide.follow(state.lesson, p.list.widgets());
   out.view = p.view;
   out.hovered = p.hovered;
   return out;

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <string>
 
 #include "world/aids.h"
 #include "world/look.h"
@@ -80,11 +81,18 @@ void bring_into_sight(float top) {
 void build_column(Ui& ui, Column column, const view::Viewport& area) {
   if (area.width < 1 || area.height < 1) return;
   if (begin_area(column == Column::left ? "##left" : "##right", {area.x, area.y}, {area.width, area.height}, 0)) {
+    // A new lesson opens the panel of its widget and brings the widget into sight.
+    const auto leads_to = [&](const Panel& panel) {
+      return ui.lesson_begins && ui.state.lesson->widget.starts_with(std::string(panel.name) + "/");
+    };
+    if (ui.lesson_begins && ui.lesson_widget && !ui.lesson_widget->visible && ui.lesson_widget->x >= area.x &&
+        ui.lesson_widget->x < area.x + area.width)
+      ImGui::SetScrollY(std::max(0.0f, ImGui::GetScrollY() + ui.lesson_widget->y - (area.y + 0.4f * area.height)));
     const auto build = [&](const Panel& panel) {
       if (!belongs(ui, panel, column)) return;
       ui.panel = panel.name;
       ImGui::PushID(panel.name.data(), panel.name.data() + panel.name.size());
-      if (header(ui, panel.name, panel.help, panel.open)) {
+      if (header(ui, panel.name, panel.help, panel.open, leads_to(panel))) {
         const bool opened = ImGui::IsItemToggledOpen();
         const float top = ImGui::GetItemRectMin().y;
         panel.build(ui);

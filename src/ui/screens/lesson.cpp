@@ -36,7 +36,28 @@ void ring(const State& state, const Widget& widget, float scale, ImVec2 card) {
 
 }  // namespace
 
-void draw_lesson(Ui& ui, const view::Viewport& scene, const Widget* marked) {
+bool LessonGuide::begins(const query::LessonCard* lesson) const {
+  constexpr int kFrames = 10;  // a panel that opens, then a column that scrolls
+  return lesson != nullptr && (lesson->number != number || frames < kFrames);
+}
+
+void LessonGuide::follow(const query::LessonCard* lesson, const std::vector<Widget>& widgets) {
+  target.reset(), marked.reset();
+  frames = lesson != nullptr && lesson->number == number ? frames + 1 : 0;
+  number = lesson != nullptr ? lesson->number : 0;
+  if (lesson == nullptr) return;
+  for (std::string path = lesson->widget; !path.empty() && !marked;) {
+    for (const Widget& widget : widgets) {
+      if (!widget.is(path)) continue;
+      if (path == lesson->widget) target = widget;
+      if (widget.visible) marked = widget;
+    }
+    const std::size_t slash = path.rfind('/');
+    path.resize(slash == std::string::npos ? 0 : slash);
+  }
+}
+
+void draw_lesson(Ui& ui, const view::Viewport& scene, const LessonGuide& guide) {
   const query::LessonCard* const lesson = ui.state.lesson;
   if (lesson == nullptr) return;
   const float width = std::min(std::floor(430 * ui.scale), scene.width - 16 * ui.scale);
@@ -61,7 +82,7 @@ void draw_lesson(Ui& ui, const view::Viewport& scene, const Widget* marked) {
     foot.y = ImGui::GetWindowPos().y + ImGui::GetWindowSize().y;
   });
   ImGui::PopStyleColor();
-  if (marked != nullptr) ring(ui.state, *marked, ui.scale, foot);
+  if (guide.marked) ring(ui.state, *guide.marked, ui.scale, foot);
 }
 
 }  // namespace coaster::ui

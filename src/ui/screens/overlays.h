@@ -14,9 +14,17 @@ void draw_foot_line(const Ui& ui, const ViewportTool& tool, const view::Viewport
 void draw_hints(Ui& ui, const view::Viewport& scene);
 // The legend of the track's colours, in the upper left corner. Drawn behind all windows.
 void draw_legend(Ui& ui, const view::Viewport& scene);
-// A lesson of the tutorial: a card, and a ring around the widget it is about. `marked` is that widget as last drawn;
-// null when the lesson names none, or it does not show.
-void draw_lesson(Ui& ui, const view::Viewport& scene, const Widget* marked);
+// What a lesson of the tutorial points at.
+struct LessonGuide {
+  std::optional<Widget> target;  // its widget as last drawn, in sight or not; none where it names none
+  std::optional<Widget> marked;  // it, or else the closed list or panel that holds it, in sight
+  int number = 0, frames = 0;    // the lesson, 0 for none, and the frames it has shown
+  bool begins(const query::LessonCard* lesson) const;
+  // At the end of a frame, with its widgets.
+  void follow(const query::LessonCard* lesson, const std::vector<Widget>& widgets);
+};
+// A card, and a ring around what it points at.
+void draw_lesson(Ui& ui, const view::Viewport& scene, const LessonGuide& guide);
 // The score card at the end of a ride: results, the challenge's verdict, and why the ride failed. Upper right corner.
 void draw_score_card(Ui& ui, const view::Viewport& scene);
 // Progress of a file import, with a cancel button. Escape cancels, too.

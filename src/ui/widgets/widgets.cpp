@@ -129,9 +129,10 @@ void begin_row(std::string_view label, float needed) {
   ImGui::SetNextItemWidth(beside ? room - label_room : room);
 }
 
-bool header(WidgetFrame& ui, std::string_view name, std::string_view tooltip, bool at_first) {
+bool header(WidgetFrame& ui, std::string_view name, std::string_view tooltip, bool at_first, bool open_now) {
   if (ImGui::GetCursorPosY() > 2 * ImGui::GetStyle().WindowPadding.y)
     ImGui::Dummy({0, std::floor(3 * ui.scale)});  // not before the first
+  if (open_now) ImGui::SetNextItemOpen(true);
   const bool open = ImGui::CollapsingHeader(std::string(name).c_str(), at_first ? ImGuiTreeNodeFlags_DefaultOpen : 0);
   note_item(ui, "", "header", tooltip, true, open ? "open" : "closed");
   return open;

@@ -103,7 +103,7 @@ void build_card(WidgetFrame& ui, const Card& card, const std::function<void()>& 
 
 // Labels may be "Shown###Id" (widget_list.h).
 // True while open; `open`: at first.
-bool header(WidgetFrame& ui, std::string_view name, std::string_view tooltip, bool open = true);
+bool header(WidgetFrame& ui, std::string_view name, std::string_view tooltip, bool open = true, bool open_now = false);
 void heading(WidgetFrame& ui, std::string_view label, std::string_view tooltip);
 // Text of a colour 0xRRGGBB: one line, wrapped, or wrapped and registered.
 void tinted_line(std::string_view words, std::uint32_t rgb);
