@@ -13,7 +13,7 @@ namespace {
 using view::PickKind;
 using AimVerb = AimAction::Verb;
 constexpr std::string_view kTargets =
-    "@k3, @k3.in, @k3.out, @k3.spin, @s2:0.4, @c1, gizmo.x .. gizmo.xy, ground X Y Z or world X Y Z";
+    "@k3, @k3.in, @k3.out, @k3.spin, @s2:0.4, @c1, @q2, gizmo.x .. gizmo.xy, ground X Y Z or world X Y Z";
 
 bool refuse(Words& words, const base::Token& word) {
   return words.fail(word.column, fmt::format("expected {}, found {}", kTargets, base::quoted(word.text)));
@@ -38,6 +38,8 @@ bool parse_entity(Words& words, const base::Token& word, AimPoint& point) {
     for (const auto& [mark, kind] : kMarks)
       if (handle == mark) return point.kind = kind, true;
   if (name->kind == world::Kind::cart && place.empty() && handle.empty()) return point.kind = PickKind::cart, true;
+  if (name->kind == world::Kind::section && place.empty() && handle.empty())
+    return point.kind = PickKind::section, true;
   if (name->kind != world::Kind::segment || !handle.empty()) return refuse(words, word);
   point.kind = PickKind::curve;
   point.t = 0.5;

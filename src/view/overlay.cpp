@@ -10,6 +10,7 @@
 #include "view/overlay_lab.h"
 #include "view/overlay_lab_parts.h"
 #include "view/overlay_section.h"
+#include "view/section_handle.h"
 #include "view/spin_ring.h"
 #include "world/lab_view.h"
 #include "world/look.h"
@@ -137,6 +138,8 @@ Overlay build_overlay(const world::Document& document, const sim::Derived& deriv
   const Selected selected(settings);
   for (const PlacedMark& placed : shown_marks(document, derived, settings, view, hovered, selected, findings.riding))
     overlay.marks.push_back(mark_of(placed, settings, selected, hovered));
+  if (const auto handle = shown_section_handle(document, derived, settings); handle && !findings.riding)
+    add_section_handle(*handle, scale, hovered.kind == PickKind::section, overlay);
   add_failure(derived, findings.failure, view, scale, overlay);
   return overlay;
 }

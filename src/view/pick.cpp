@@ -9,6 +9,7 @@
 #include "view/beam.h"
 #include "view/gizmo.h"
 #include "view/marks.h"
+#include "view/section_handle.h"
 #include "view/spin_ring.h"
 #include "world/look.h"
 
@@ -170,9 +171,24 @@ std::optional<Pick> pick_place(const sim::Derived& derived, const world::Setting
 
 }  // namespace
 
+namespace {
+
+std::optional<Pick> pick_section_handle(const world::Document& document, const sim::Derived& derived,
+                                        const world::Settings& settings, const View& view, glm::vec2 pixel) {
+  const auto handle = shown_section_handle(document, derived, settings);
+  const auto at = handle ? Projector(view)(handle->at) : std::nullopt;
+  if (!at) return std::nullopt;
+  const dvec2 off = glm::abs(dvec2(pixel) - *at);
+  if (std::max(off.x, off.y) > kSectionHandleHalf * settings.look->ui_scale) return std::nullopt;
+  return Pick{PickKind::section, handle->section, 0, glm::vec3(handle->at)};
+}
+
+}  // namespace
+
 Pick pick(const world::Document& document, const sim::Derived& derived, const world::Motion& motion,
           const world::Settings& settings, const View& view, glm::vec2 pixel) {
   if (!view.viewport.contains(pixel)) return {};
+  if (const auto handle = pick_section_handle(document, derived, settings, view, pixel)) return *handle;
   if (const auto mark = pick_mark(document, derived, settings, view, pixel)) return *mark;
   if (const auto gizmo = gizmo_of(document, settings, view))
     if (const PickKind part = pick_gizmo(*gizmo, view, settings.look->ui_scale, pixel); part != PickKind::none)
@@ -197,6 +213,10 @@ std::optional<glm::vec3> position_of(const world::Document& document, const sim:
     case PickKind::curve: {
       const sim::SegmentShape* const shape = derived.segments.find(entity);
       return shape ? std::optional(glm::vec3(curve::point(shape->key.cubic, t))) : std::nullopt;
+    }
+    case PickKind::section: {
+      const auto handle = section_handle(document, derived, entity);
+      return handle ? std::optional(glm::vec3(handle->at)) : std::nullopt;
     }
     default: return std::nullopt;  // nothing, and parts of the gizmo
   }

@@ -15,7 +15,8 @@ enum class PickKind : std::uint8_t {
   knot,
   handle_in,
   handle_out,
-  spin,  // the handle of the spin ring (view/spin_ring.h)
+  spin,     // the handle of the spin ring (view/spin_ring.h)
+  section,  // the handle of the selected section (view/section_handle.h)
   cart,
   curve,
   axis_x,
@@ -28,7 +29,7 @@ enum class PickKind : std::uint8_t {
 
 struct Pick {
   PickKind kind = PickKind::none;
-  world::Entity entity;   // knot, cart or segment
+  world::Entity entity;   // knot, cart, section or segment
   double t = 0;           // parameter on the segment, for curve
   glm::vec3 position{0};  // m
   friend bool operator==(const Pick& a, const Pick& b) { return a.kind == b.kind && a.entity == b.entity; }
@@ -37,10 +38,12 @@ struct Pick {
 // Sizes on screen at UI scale 1 (they scale with it), in pixels. Marks are drawn and picked with them.
 inline constexpr float kKnotRadius = 5.0f;
 inline constexpr float kHandleHalf = 4.0f;  // half the side of the handle's square
+inline constexpr float kSectionHandleHalf = 6.0f;
 inline constexpr float kCurveReach = 8.0f;  // px from the curve
 inline constexpr float kCartReach = 9.0f;   // px from a car's middle: more than a knot's radius
 
-// Returns what is under a pixel. Marks are on top of everything and never hidden. Handles win over knots, knots over
+// Returns what is under a pixel. Marks are on top of everything and never hidden. A section's handle wins over the
+// others, handles over knots, knots over
 // the gizmo, the gizmo over cars, cars over the curve; within a kind the mark nearest to the eye wins (ties: the
 // earlier in the track). Cars are picked by their box, oriented as drawn, and near their middle however small they are;
 // the car that the eye sits in is not. Where curves cross on screen the selected one wins near its picked position.

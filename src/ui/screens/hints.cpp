@@ -13,6 +13,7 @@
 #include "edit/commands/commands_settings.h"
 #include "ui/tools/section_clicks.h"
 #include "ui/widgets/theme.h"
+#include "view/section_handle.h"
 #include "world/aids.h"
 #include "world/look.h"
 #include "world/sections.h"
@@ -73,14 +74,30 @@ void draw_hints(Ui& ui, const view::Viewport& scene) {
   });
 }
 
+namespace {
+
+// The title of the section under the mouse, or what its handle changes; empty for none.
+std::string named_section(const Ui& ui) {
+  const edit::Session& session = ui.session();
+  if (ui.hovered.kind == view::PickKind::section)
+    if (const auto handle = view::section_handle(session.document, session.derived, ui.hovered.entity)) {
+      std::string name(handle->parameter);
+      name[0] = static_cast<char>(name[0] - 'a' + 'A');
+      return fmt::format("{} {}", name, measured(ui, handle->value, 2, "m"));
+    }
+  const world::Entity section = section_under(session, ui.hovered);
+  if (!section.valid() || ImGui::IsAnyMouseDown()) return {};
+  return world::title_of(world::section(session.document, section));
+}
+
+}  // namespace
+
 void draw_section_name(Ui& ui, const view::Viewport& scene) {
   const edit::Session& session = ui.session();
   const glm::vec2 mouse = mouse_position();
   if (session.settings.look->workspace != world::Workspace::build || !scene.contains(mouse)) return;
-  if (ImGui::IsAnyMouseDown() || ImGui::GetIO().WantCaptureMouse) return;
-  const world::Entity section = section_under(session, ui.hovered);
-  if (!section.valid()) return;
-  const std::string title = world::title_of(world::section(session.document, section));
+  const std::string title = named_section(ui);
+  if (title.empty() || ImGui::GetIO().WantCaptureMouse) return;
   const float pad = std::floor(8 * ui.scale), aside = std::floor(16 * ui.scale), width = text_size(title).x + 2 * pad;
   const bool left = mouse.x + aside + width > scene.x + scene.width, above = mouse.y > scene.y + 0.5f * scene.height;
   build_card(ui,

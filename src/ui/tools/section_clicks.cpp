@@ -1,9 +1,16 @@
 #include "ui/tools/section_clicks.h"
 
-#include <algorithm>
+#include <imgui.h>
 
+#include <algorithm>
+#include <cmath>
+
+#include "edit/commands/commands_sections.h"
+#include "edit/commands/commands_session.h"
 #include "edit/commands/commands_settings.h"
 #include "ui/tools/selecting.h"
+#include "ui/tools/viewport_tool.h"
+#include "view/section_handle.h"
 #include "world/look.h"
 #include "world/sections.h"
 #include "world/selection.h"
@@ -56,6 +63,37 @@ std::optional<edit::Command> section_click(const edit::Session& session, const v
   if (shift && (among_sections || !session.settings.selected.valid())) return toggled_section(session, section);
   if (is_open(session, section) && !(among_sections && !session.settings.also.empty())) return std::nullopt;
   return edit::Select{{world::name_of(session.document, section)}};
+}
+
+void ViewportTool::pull_section(Ui& ui, const view::View& view, glm::vec2 mouse) {
+  const edit::Session& session = ui.session();
+  const auto handle = view::section_handle(session.document, session.derived, drag_.pick.entity);
+  if (!handle) return;
+  const auto under = [&](glm::vec2 pixel) { return view::value_under(*handle, view::ray_through(view, pixel)); };
+  if (drag_.grip == 0) {
+    const auto grabbed = under(drag_.start);
+    if (!grabbed || *grabbed == 0) return;
+    drag_.grip = handle->value / *grabbed;
+  }
+  const auto value = under(mouse);
+  if (!value) return;
+  const double steps = ImGui::GetIO().KeyCtrl ? 1 : 20;  // in a metre
+  world::Element to = world::section(session.document, handle->section).element;
+  world::set_value(to, handle->parameter, std::round(*value * drag_.grip * steps) / steps);
+  if (world::value_of(to, handle->parameter) == handle->value) return;
+  if (!drag_.gesture) ui.emit(edit::BeginGesture{});
+  drag_.gesture = true;
+  ui.emit(edit::ChangeSection{{world::name_of(session.document, handle->section)}, true, to});
+}
+
+// A click selects the knot that a section's handle lies over, at the section's end.
+void ViewportTool::click_handle(Ui& ui) {
+  constexpr float kThere = 1e-3f;  // m
+  const world::Document& document = ui.session().document;
+  const std::vector<Entity>& knots = document.track.knots;
+  const Entity knot = knots[world::run_of(document, drag_.pick.entity).end() % knots.size()];
+  if (glm::distance(world::knot(document, knot).position, drag_.pick.position) < kThere)
+    ui.emit(edit::Select{{world::name_of(document, knot)}});
 }
 
 }  // namespace coaster::ui

@@ -137,6 +137,10 @@ void ViewportTool::press_left(Ui& ui, const view::Pick& under) {
     ui.emit(edit::AutomaticSpin{target.name});
     return;
   }
+  if (under.kind == PickKind::section) {
+    drag_.what = What::section;
+    return;
+  }
   drag_.what = under.kind == PickKind::cart ? What::cart : under.kind == PickKind::spin ? What::spin : What::item;
   // With Shift or Ctrl a click adds to the selection, and a drag moves: which of them it is shows later.
   const bool waits =
@@ -165,6 +169,7 @@ void ViewportTool::move(Ui& ui, const view::View& view, glm::vec2 mouse) {
       break;
     case What::item: move_item(ui, view, mouse); break;
     case What::spin: turn_spin(ui, view, mouse); break;
+    case What::section: pull_section(ui, view, mouse); break;
     case What::box: {
       const glm::vec2 low = glm::min(drag_.start, mouse), high = glm::max(drag_.start, mouse);
       ImDrawList& list = *ImGui::GetBackgroundDrawList();
@@ -265,6 +270,7 @@ void ViewportTool::release(Ui& ui, const view::View& view) {
   if (drag_.gesture) ui.emit(edit::EndGesture{});
   if (!drag_.moved && drag_.click_acts) click_ground(ui, view);
   if (!drag_.moved && drag_.what == What::item && drag_.pick.kind == PickKind::knot) click_knot(ui);
+  if (!drag_.moved && drag_.what == What::section) click_handle(ui);
   if (drag_.moved && drag_.what == What::box)
     if (auto chosen = boxed(ui.session(), view, drag_.start, drag_.last, drag_.box))
       ui.out.commands.push_back(std::move(*chosen));

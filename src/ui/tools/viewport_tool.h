@@ -24,7 +24,7 @@ class ViewportTool {
   bool cancel(Ui& ui);
 
  private:
-  enum class What : std::uint8_t { nothing, item, spin, place, cart, orbit, pan, box };
+  enum class What : std::uint8_t { nothing, item, spin, section, place, cart, orbit, pan, box };
   enum class Along : std::uint8_t { screen, vertical, ground };  // where a dragged item moves
   struct Drag {
     What what = What::nothing;
@@ -40,17 +40,20 @@ class ViewportTool {
     bool grabbed = false;
     glm::vec3 anchor{0}, offset{0};  // m: the item when grabbed, and its distance from the ray's hit
     glm::vec3 sent{0};               // m: the position of the last command
+    double grip = 0;                 // of a section's handle: its value by that under the cursor when grabbed
   };
 
   void press(Ui& ui, const view::View& view, const view::Pick& under);
   void press_left(Ui& ui, const view::Pick& under);
   void move(Ui& ui, const view::View& view, glm::vec2 mouse);
   void move_item(Ui& ui, const view::View& view, glm::vec2 mouse);
+  void pull_section(Ui& ui, const view::View& view, glm::vec2 mouse);
   void turn_spin(Ui& ui, const view::View& view, glm::vec2 mouse);
   void release(Ui& ui, const view::View& view);
   void turn_wheel(Ui& ui, const view::View& view, float notches);
   void click_ground(Ui& ui, const view::View& view);
   void click_knot(Ui& ui);
+  void click_handle(Ui& ui);
   void move_knots(Ui& ui, glm::vec3 to);
 
   Drag drag_;

@@ -1,6 +1,7 @@
 #include "ui/tools/section_clicks.h"
 
 #include "ui/sections_stage.h"
+#include "view/section_handle.h"
 #include "world/selection.h"
 
 namespace coaster::ui {
@@ -108,6 +109,32 @@ TEST_F(SectionClicks, other_workspaces_and_tracks_without_plans_select_at_once) 
   click_at(pixel_of_knot(1));
   EXPECT_TRUE(is(Kind::knot));
   EXPECT_FALSE(picks_sections(session_));
+}
+
+TEST_F(SectionClicks, a_drag_of_the_handle_changes_the_height_in_one_step) {
+  click_at(pixel_on(2));
+  frames(2);
+  const std::size_t undo = session_.history.undo.size();
+  const auto place = [&] { return view::section_handle(session_.document, session_.derived, section(2))->at; };
+  const glm::dvec3 from = place();
+  const glm::vec2 at = pixel(glm::vec3(from)), to = pixel(glm::vec3(from) + glm::vec3(0, 6, 0));
+  hover(at);
+  ASSERT_EQ(last_.hovered.kind, view::PickKind::section);
+  press();
+  for (int i = 1; i <= 4; ++i) hover(at + (to - at) * (static_cast<float>(i) / 4));
+  EXPECT_NEAR(parameter(2, "height"), 31, 0.3);
+  frame();
+  ASSERT_NE(find("View/Section"), nullptr);
+  EXPECT_NE(find("View/Section")->value.find("Height 3"), std::string::npos);
+  release();
+  frames(2);
+  EXPECT_EQ(session_.history.undo.size(), undo + 1);
+  EXPECT_EQ(session_.settings.selected, section(2));
+  good(edit::Undo{});
+  EXPECT_EQ(parameter(2, "height"), 25);
+  frames(40);
+  click_at(pixel(glm::vec3(place())));
+  EXPECT_EQ(session_.settings.selected, session_.document.track.knots[run(2).end()]) << "a click is for the knot below";
 }
 
 }  // namespace section_clicks_test
