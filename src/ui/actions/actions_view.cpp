@@ -33,8 +33,9 @@ void show_or_hide(Act& act) {
   act.ui.emit(edit::ShowLayer{layer, !layer_shown<layer>(act)});
 }
 
-constexpr Condition kInConflict{[](const Act& act) { return !act.ui.find(edit::Want::conflicts_so_far).conflicts.empty(); },
-                                "The track has no conflicts."};
+constexpr Condition kInConflict{
+    [](const Act& act) { return !act.ui.find(edit::Want::conflicts_so_far).conflicts.empty(); },
+    "The track has no conflicts."};
 void next_conflict(Act& act) { show_next_conflict(act.ui); }
 constexpr Condition kRidden{[](const Act& act) { return !act.ui.find(edit::Want::jolts).jolts.empty(); },
                             "A ride needs a track and a cart."};
