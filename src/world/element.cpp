@@ -69,4 +69,12 @@ double value_of(const Element& element, std::string_view parameter) {
   return *found;
 }
 
+bool counts(const Element& element, const ElementParameter& parameter) {
+  const std::span<const ElementParameter> parameters = base::row_of(element.kind).parameters;
+  const auto at = [&](std::string_view name) { return std::ranges::find(parameters, name, &ElementParameter::name); };
+  const auto equipment = at(element_rows::kEquipment.name), asked = at(parameter.name);
+  if (equipment == parameters.end() || asked <= equipment) return true;  // values of the equipment follow its choice
+  return element.values[static_cast<std::size_t>(equipment - parameters.begin())] > 0;
+}
+
 }  // namespace coaster::world

@@ -68,7 +68,7 @@ inline constexpr ElementParameter kEquipment{
     "equipment",      "Equipment", "", 0, 0, kEquipmentChoices.size() - 1, "Equipment of the whole element.",
     kEquipmentChoices};
 inline constexpr ElementParameter kEquipmentSpeed{
-    "speed", "Its speed", "m/s", 4, 0, 150, "Speed of the equipment: of the chain, after the launch or brake."};
+    "speed", "Speed", "m/s", 4, 0, 150, "Speed of the equipment: of the chain, after the launch or brake."};
 inline constexpr ElementParameter kStraight[] = {
     {"length", "Length", "m", 30, 2, 2000, "Length of the straight."},
     {"roll", "Roll", "deg", 0, -1440, 1440,
@@ -248,5 +248,8 @@ std::optional<double> found_value(const Element& element, std::string_view param
 double value_of(const Element& element, std::string_view parameter);
 // Sets a parameter, brought within its limits; nothing if the element's row does not have it.
 void set_value(Element& element, std::string_view parameter, double value);
+
+// False for a parameter that has no effect beside the others: a value of the equipment where there is none.
+bool counts(const Element& element, const ElementParameter& parameter);
 
 }  // namespace coaster::world

@@ -44,5 +44,15 @@ TEST(element, a_value_is_the_one_of_its_name) {
     EXPECT_EQ(value_of(e, parameters[i].name), 100.5 + static_cast<double>(i));
 }
 
+TEST(element, values_of_the_equipment_count_where_there_is_some) {
+  Element climb = usual_element(ElementKind::climb);
+  const auto parameters = base::row_of(climb.kind).parameters;
+  for (const ElementParameter& p : parameters) EXPECT_EQ(counts(climb, p), p.name != "speed") << p.name;
+  climb.values[3] = 2;  // a lift
+  for (const ElementParameter& p : parameters) EXPECT_TRUE(counts(climb, p)) << p.name;
+  const Element curve = usual_element(ElementKind::curve);  // has a speed and no equipment
+  for (const ElementParameter& p : base::row_of(curve.kind).parameters) EXPECT_TRUE(counts(curve, p)) << p.name;
+}
+
 }  // namespace element_test
 }  // namespace coaster::world

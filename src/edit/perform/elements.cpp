@@ -1,6 +1,5 @@
 // Commands of the palette: place an element at the open end, select and preview one.
 #include <algorithm>
-#include <cmath>
 
 #include <fmt/format.h>
 
@@ -29,8 +28,7 @@ void report(const sim::ElementPlan& plan, double missing, Change& change) {
   if (!change.clamped.empty()) return;  // the warning should be the newest notice
   std::string name(base::row_of(plan.element.kind).name);
   std::replace(name.begin(), name.end(), '_', ' ');
-  change.note = fmt::format("Placed {}: {:.1f} m, {} {}, fit error {} mm.", name, plan.length, plan.spans(),
-                            plan.spans() == 1 ? "span" : "spans", static_cast<int>(std::ceil(plan.fit.error * 1000)));
+  change.note = fmt::format("Placed {}: {:.1f} m, fit error {:.1f} mm.", name, plan.length, plan.fit.error * 1000);
 }
 
 }  // namespace

@@ -41,7 +41,7 @@ std::optional<std::string_view> element_fields(Ui& ui, world::Element& element, 
   }
   for (std::size_t i = 0; i < row.parameters.size(); ++i) {
     const world::ElementParameter& p = row.parameters[i];
-    if (!shown(p.name)) continue;
+    if (!shown(p.name) || !world::counts(element, p)) continue;
     if (const auto to = parameter_field(ui, p, element.values[i])) element.values[i] = *to, changed = p.name;
     below(p.name);
   }

@@ -22,7 +22,8 @@ TEST_F(PanelElementsTest, every_element_has_its_button_its_fields_and_its_help) 
     EXPECT_TRUE(session_.settings.aids->show_element);
     EXPECT_EQ(static_cast<std::size_t>(session_.settings.element.kind), i);
     for (const world::ElementParameter& p : row.parameters)
-      EXPECT_NE(find("Elements/" + std::string(p.label)), nullptr) << row.name << " " << p.label;
+      EXPECT_EQ(find("Elements/" + std::string(p.label)) != nullptr, world::counts(session_.settings.element, p))
+          << row.name << " " << p.label;
     EXPECT_EQ(find("Elements/Left") != nullptr, row.sided) << row.name;
     for (const char* path : {"Elements/Spans", "Elements/Total length", "Elements/Fit error", "Elements/Place"})
       EXPECT_NE(find(path), nullptr) << row.name << " " << path;
