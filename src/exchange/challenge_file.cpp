@@ -55,16 +55,17 @@ bool read_rules(ChallengeParse& parse, Fields& fields, RuleList which) {
   return true;
 }
 
-bool read_hints(ChallengeParse& parse, Fields& fields) {
-  if (!fields.has("hints")) return true;
-  const Json* const list = fields.list("hints", kMaxChallengeHints);
+// Reads an optional list of texts.
+bool read_texts(Fields& fields, std::string_view member, std::size_t most, std::vector<std::string>& to) {
+  if (!fields.has(member)) return true;
+  const Json* const list = fields.list(member, most);
   if (!list) return false;
   for (std::size_t i = 0; i < list->size(); ++i) {
-    const Json& hint = (*list)[i];
-    const bool fits = hint.is_string() && !hint.get_ref<const std::string&>().empty() &&
-                      hint.get_ref<const std::string&>().size() <= kMaxChallengeText;
-    if (!fits) return fields.fail(fmt::format("hints[{}]", i), "expected a text, found " + describe(hint));
-    parse.loaded.challenge.hints.push_back(hint.get<std::string>());
+    const Json& text = (*list)[i];
+    const bool fits = text.is_string() && !text.get_ref<const std::string&>().empty() &&
+                      text.get_ref<const std::string&>().size() <= kMaxChallengeText;
+    if (!fits) return fields.fail(fmt::format("{}[{}]", member, i), "expected a text, found " + describe(text));
+    to.push_back(text.get<std::string>());
   }
   return true;
 }
@@ -98,7 +99,10 @@ bool read_all(ChallengeParse& parse, const Json& tree, const std::filesystem::pa
   if (!parse.error.empty() || !read_challenge_head(parse, fields)) return false;
   for (const RuleList which : {RuleList::goals, RuleList::limits, RuleList::bronze, RuleList::silver, RuleList::gold})
     if (!read_rules(parse, fields, which)) return false;
-  if (!read_hints(parse, fields) || !read_track(parse, fields, tree, folder, files)) return false;
+  ChallengeFile& to = parse.loaded.challenge;
+  if (!read_texts(fields, "hints", kMaxChallengeHints, to.hints) ||
+      !read_texts(fields, "locks", kMaxChallengeLocks, to.locks) || !read_track(parse, fields, tree, folder, files))
+    return false;
   (void)fields.unknown(parse.loaded.warnings);
   return true;
 }

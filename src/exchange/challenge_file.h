@@ -17,7 +17,7 @@ namespace coaster::exchange {
 inline constexpr std::string_view kChallengeFormat = "coaster-challenge";
 inline constexpr int kChallengeVersion = 1;
 inline constexpr std::size_t kMaxChallengeRules = 32;  // per list
-inline constexpr std::size_t kMaxChallengeHints = 16;
+inline constexpr std::size_t kMaxChallengeHints = 16, kMaxChallengeLocks = 16;
 inline constexpr std::size_t kMaxChallengeText = 2000;  // bytes of any text
 inline constexpr double kMaxChallengeSeconds = 900;     // the time limit of the ghost's ride
 
@@ -44,7 +44,8 @@ struct ChallengeFile {
   double seconds = 0;                               // of Judged::time
   std::array<std::vector<ChallengeRule>, 5> rules;  // by RuleList; goals is not empty
   std::vector<std::string> hints;
-  std::string track;  // the start track's file as written; empty if the challenge contains the track
+  std::vector<std::string> locks;  // words of commands that are refused: "auto_bank"
+  std::string track;               // the start track's file as written; empty if the challenge contains the track
   world::Document start;
 
   const std::vector<ChallengeRule>& list(RuleList which) const { return rules[static_cast<std::size_t>(which)]; }

@@ -7,6 +7,8 @@
 
 #include <fmt/format.h>
 
+#include "base/text.h"
+#include "edit/commands/command_list.h"
 #include "query/rows.h"
 
 namespace coaster::query {
@@ -164,6 +166,10 @@ base::Status check_rules(const exchange::ChallengeFile& challenge, const std::st
   for (const Rule& rule : *rules)
     if (const base::Status sense = comparable(rule, empty); !sense)
       return at_rule(path, rule.list, rule.index, rule.condition.column, sense.message);
+  for (std::size_t i = 0; i < challenge.locks.size(); ++i)
+    if (!edit::is_command_word(challenge.locks[i]))
+      return {base::Code::bad_file,
+              fmt::format("{}: error: locks[{}]: there is no command {}", path, i, base::quoted(challenge.locks[i]))};
   return {};
 }
 

@@ -18,6 +18,7 @@ std::string standard() {
          "  \"goals\": [\n    {\"expect\": \"knots <= 12\", \"text\": \"Twelve knots\"},\n    {\"expect\": \"ride.lap "
          "== 1\", \"text\": \"A lap\"}\n  ],\n"
          "  \"gold\": [{\"expect\": \"knots <= 4\", \"text\": \"Four\"}],\n  \"hints\": [\"One.\", \"Two.\"],\n  "
+         "\"locks\": [\"smooth\"],\n  "
          "\"track\": " +
          track + "\n}\n";
 }
@@ -49,6 +50,7 @@ TEST(challenge_file, all_members_are_read) {
   EXPECT_TRUE(c.list(RuleList::silver).empty());
   ASSERT_EQ(c.list(RuleList::gold).size(), 1u);
   EXPECT_EQ(c.hints, (std::vector<std::string>{"One.", "Two."}));
+  EXPECT_EQ(c.locks, std::vector<std::string>{"smooth"});
   EXPECT_EQ(world::hash(c.start), world::hash(test::sample_document()));
   EXPECT_TRUE(loaded->warnings.empty());
 }
@@ -77,6 +79,7 @@ TEST(challenge_file, errors_name_the_place_and_what_was_expected) {
   expect_error(with(", \"text\": \"A lap\"", ""), "goals[1].text: missing");
   expect_error(with("{\"expect\": \"knots <= 4\", \"text\": \"Four\"}", "4"), "gold[0]: expected an object, found 4");
   expect_error(with("\"Two.\"", "2"), "hints[1]: expected a text, found 2");
+  expect_error(with("\"smooth\"", "[]"), "locks[0]: expected a text, found an array");
   expect_error(with("\"track\": {", "\"track\": 5, \"was\": {"), "track: expected a text");
   expect_error(with("\"track\": {", "\"track\": \"no/such.json\", \"was\": {"), "no/such.json");
   expect_error(with("\"track\": {", "\"track\": \"readme.txt\", \"was\": {"), "track: expected the start track");

@@ -231,6 +231,34 @@ TEST_F(ChallengeTest, every_challenge_that_comes_with_the_program_can_be_judged)
   }
 }
 
+TEST_F(ChallengeTest, no_challenge_that_comes_with_the_program_is_passed_by_one_button) {
+  for (const auto& entry : fs::directory_iterator(fs::path(COASTER_SOURCE_DIR) / "challenges")) {
+    if (entry.path().extension() != ".json") continue;
+    for (const char* button : {"auto_bank", "make_all_g2", "smooth all", "smooth all by uniform", "equalise all",
+                               "straighten all", "drop all", "reverse", "auto_spin all", "joint all to smooth",
+                               "joint all to automatic", "complete 1", "close"}) {
+      ASSERT_TRUE(apply(edit::StartChallenge{entry.path().string()}).ok());
+      (void)apply(button);  // some are refused on a closed track
+      EXPECT_LT(number("challenge.met"), number("challenge.goals")) << entry.path().filename() << ": " << button;
+    }
+  }
+}
+
+TEST_F(ChallengeTest, a_locked_command_is_refused_until_the_challenge_is_left) {
+  ASSERT_TRUE(begin(R"("judged": "build", "goals": [{"expect": "knots <= 3", "text": "x"}], "locks": ["equalise"])"));
+  const world::Document before = session.document;
+  const base::Status locked = apply("equalise all");
+  EXPECT_EQ(locked.code, base::Code::refused);
+  EXPECT_NE(locked.message.find("equalise is locked"), std::string::npos) << locked.message;
+  EXPECT_TRUE(session.document == before);
+  EXPECT_TRUE(session.history.undo.empty());
+  good("smooth all");
+  good("challenge.leave");
+  good("equalise all");
+  refuse(R"("judged": "build", "goals": [{"expect": "knots <= 3", "text": "x"}], "locks": ["smooth", "equalize"])",
+         "locks[1]: there is no command \"equalize\"");
+}
+
 TEST_F(ChallengeTest, another_track_ends_the_challenge_and_hints_come_one_by_one) {
   ASSERT_TRUE(begin(R"("judged": "build", "goals": [{"expect": "knots <= 3", "text": "x"}], "hints": ["a", "b"])"));
   good("challenge.hint");

@@ -33,12 +33,18 @@ using Commands = decltype(DocumentCommands() + ShapeCommands() + OperationComman
                           SectionCommands() + SettingsCommands() + LabCommands() + RideCommands() + SessionCommands() +
                           ChallengeCommands() + set_commands(world::SettingGroups()));
 
+inline constexpr auto kCommandInfos = Commands::table([]<class C>() { return &C::kInfo; });
+
 // The place of a command's kind in the list (COASTER_CHECK).
 inline std::size_t index_of(const Command& command) {
-  static constexpr auto kInfos = Commands::table([]<class C>() { return &C::kInfo; });
-  const auto found = std::find(kInfos.begin(), kInfos.end(), &command.info());
-  COASTER_CHECK(found != kInfos.end(), "the kind of a command is in the list of commands");
-  return static_cast<std::size_t>(found - kInfos.begin());
+  const auto found = std::find(kCommandInfos.begin(), kCommandInfos.end(), &command.info());
+  COASTER_CHECK(found != kCommandInfos.end(), "the kind of a command is in the list of commands");
+  return static_cast<std::size_t>(found - kCommandInfos.begin());
+}
+
+// Returns whether a command starts with this word in scripts.
+inline bool is_command_word(std::string_view word) {
+  return std::ranges::any_of(kCommandInfos, [&](const CommandInfo* info) { return info->name == word; });
 }
 
 }  // namespace coaster::edit

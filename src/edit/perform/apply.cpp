@@ -6,6 +6,8 @@
 #include <type_traits>
 #include <utility>
 
+#include <fmt/format.h>
+
 #include "base/portable_math.h"
 #include "edit/commands/codec.h"
 #include "edit/commands/command_list.h"
@@ -115,6 +117,14 @@ constexpr auto kPerform = Commands::table([]<class C>() -> Perform {
   };
 });
 
+// Refused for a command that the challenge locks.
+Status allowed(const Session& session, const Command& command) {
+  if (!session.game.challenge) return {};
+  const std::vector<std::string>& locks = session.game.challenge->file.locks;
+  if (std::ranges::find(locks, info(command).name) == locks.end()) return {};
+  return refused(fmt::format("{} is locked: this challenge is to be solved without it", info(command).name));
+}
+
 }  // namespace
 
 Status perform(Session& session, Change&, const Undo&) {
@@ -146,7 +156,8 @@ Status apply(Session& session, base::Files& files, const Command& command) {
   Change change{files};
   const Effect effect = info(command).effect;
   const bool complete = session.history.dropped == 0;
-  const Status status = kPerform[index_of(command)](session, change, command);
+  const Status open = allowed(session, command);
+  const Status status = open ? kPerform[index_of(command)](session, change, command) : open;
   if (effect != Effect::settings && effect != Effect::motion) ++session.edits;
   if (!status) {
     notify(session, status);

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <string>
 
-#include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "edit/commands/commands_challenge.h"
 #include "edit/commands/commands_ride.h"
@@ -115,6 +115,8 @@ void challenge_panel(Ui& ui) {
                                                            : "To pass###To pass, ride so that",
           "Goals and limits. Values of the ride come from a simulation of the whole ride.");
   rules_of(ui, *rules, {RuleList::goals, RuleList::limits, RuleList::bronze});
+  if (!challenge.file.locks.empty())
+    paragraph(ui, "Locked", fmt::format("Locked: {}.", fmt::join(challenge.file.locks, ", ")), palette().dim);
   medals(ui, challenge, std::max(challenge.medal, known_medal(ui, challenge.path)));
   medal_rules(ui, *rules);
   if (!challenge.last.reason.empty()) {
