@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "base/text.h"
 #include "edit/commands/commands_lab.h"
 #include "edit/commands/commands_operation.h"
 #include "edit/commands/commands_session.h"
@@ -125,8 +126,9 @@ Status perform(Session& session, Change& change, const RecoverTrack& command) {
   session.file.saved_hash = saved;
   session.file.content = content;
   warn(session, loaded->warnings);
-  change.note =
-      command.original.empty() ? "Recovered a track that had no file." : fmt::format("Recovered {}", command.original);
+  change.note = fmt::format("Recovered {}: {} knots, {:.0f} m. It is not saved yet.",
+                            command.original.empty() ? base::quoted(session.document.name) : command.original,
+                            session.document.track.knots.size(), session.derived.length);
   return {};
 }
 Status perform(Session& session, Change&, const NewTrack&) {

@@ -184,7 +184,7 @@ void Host::Parts::lay_out(Ui& ui, const platform::Events& events, int width, int
       frame_next = true;
       start.hide();
     }
-  if (ui.out.wants_tutorial) start.hide();
+  if (ui.out.wants_tutorial || ui.out.recovery == Recovery::recover) start.hide();
 }
 
 base::Result<std::unique_ptr<Host>> Host::make(const gfx::Gl& gl, float content_scale) {

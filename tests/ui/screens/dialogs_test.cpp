@@ -98,6 +98,18 @@ TEST_F(DialogsTest, recovery_is_offered_once_and_its_answer_goes_out) {
   EXPECT_EQ(find("Recovery/Later"), nullptr);
 }
 
+TEST_F(DialogsTest, recovering_leaves_the_start_screen_for_the_track) {
+  user_.emplace();
+  host_->show_start();
+  user_->recoveries.push_back({"/tmp/x.json", "Red", 1'000'000, 2'000'000});
+  frames(3);
+  ASSERT_NE(find("Recovery/Recover"), nullptr);
+  click_at(middle(*find("Recovery/Recover")));
+  user_->recoveries.clear();  // as its keeper does
+  frames(3);
+  EXPECT_EQ(find("Start/New track"), nullptr);
+}
+
 TEST_F(DialogsTest, a_file_in_use_elsewhere_is_saved_under_another_name) {
   ASSERT_TRUE(edit::apply(session_, files_, edit::Save{(folder / "a.json").string()}));
   user_.emplace();
