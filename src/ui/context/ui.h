@@ -55,7 +55,6 @@ struct Inputs {
   std::string file;                                                // the path in Track/File
   double radius = 20;                                              // m, the number in Shape/Radius
   base::Kept<std::tuple<std::uint64_t, int>, double> chord_error;  // m, by the track's build, and steps
-  bool score_details = false;                                      // whether the score card shows all values
   std::string waits_for_key, keys_note;  // of the settings: the action whose key is to be pressed, what was changed
   std::array<world::Element, world::elements().size()> elements = world::usual_elements();  // the palette's, by kind
   AskedChange asked;

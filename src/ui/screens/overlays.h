@@ -25,7 +25,8 @@ struct LessonGuide {
 };
 // A card, and a ring around what it points at.
 void draw_lesson(Ui& ui, const view::Viewport& scene, const LessonGuide& guide);
-// The score card at the end of a ride: results, the challenge's verdict, and why the ride failed. Upper right corner.
+// The score card at the end of a ride, a strip at the foot: how it ended, the challenge's verdict, the main values, and
+// on request the others.
 void draw_score_card(Ui& ui, const view::Viewport& scene);
 // Progress of a file import, with a cancel button. Escape cancels, too.
 void draw_import(Ui& ui, const view::Viewport& scene);

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -21,130 +23,124 @@ namespace {
 
 using edit::RideEnd;
 
-// A name, a bar towards 10 and the number.
-void rating(Ui& ui, const char* name, double value, std::uint32_t rgb, std::string_view tooltip) {
-  const ImVec2 low = ImGui::GetCursorScreenPos();
-  const float room = ImGui::GetContentRegionAvail().x, line = ImGui::GetTextLineHeight(),
-              bar = std::floor(6 * ui.scale);
-  const float left = low.x + std::floor(room * 0.36f), right = low.x + room - std::floor(48 * ui.scale),
-              y = std::floor(low.y + (line - bar) * 0.5f + 1);
-  constexpr double kFull = 10;
-  ImDrawList& list = *ImGui::GetWindowDrawList();
-  draw_text(list, low, palette().dim, name);
-  list.AddRectFilled({left, y}, {right, y + bar}, packed(palette().field), bar * 0.5f);
-  const float filled = left + (right - left) * static_cast<float>(std::clamp(value / kFull, 0.0, 1.0));
-  if (filled > left + bar) list.AddRectFilled({left, y}, {filled, y + bar}, packed(ink(rgb)), bar * 0.5f);
-  const std::string number = fixed(value, 2);
-  draw_text(list, {low.x + room - text_size(number).x, low.y}, palette().text, number);
-  ImGui::Dummy({room, line});
-  note(ui, name, "label", tooltip, true, number, low, {low.x + room, low.y + line});
-}
+// Widgets side by side, as many to a row as there is room for.
+struct CardRow {
+  Ui& ui;
+  bool first = true;
+  void place(float width) {
+    const float gap = std::floor(14 * ui.scale), end = ImGui::GetItemRectMax().x + gap + width;
+    const float room = ImGui::GetWindowPos().x + ImGui::GetWindowWidth() - ImGui::GetStyle().WindowPadding.x;
+    if (!std::exchange(first, false) && end <= room) ImGui::SameLine(0, gap);
+  }
+  void value(const char* label, const std::string& shown, std::string_view tooltip) {
+    const float width = text_size(label).x + std::floor(6 * ui.scale) + text_size(shown).x;
+    place(width);
+    const ImVec2 low = ImGui::GetCursorScreenPos(), high(low.x + width, low.y + ImGui::GetTextLineHeight());
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    draw_text(list, low, palette().dim, label);
+    draw_text(list, {high.x - text_size(shown).x, low.y}, palette().text, shown);
+    ImGui::Dummy({width, high.y - low.y});
+    note(ui, label, "label", tooltip, true, shown, low, high);
+  }
+  bool button(std::string_view label, std::string_view tooltip) {
+    place(text_size(shown(label)).x + 2 * ImGui::GetStyle().FramePadding.x);
+    return ui::button(ui, label, tooltip);
+  }
+};
 
-constexpr std::string_view kTerms = "From g, drops, airtime, near misses, jolts and overloads.";
+std::string range(double low, double high) { return fmt::format("{} .. {} g", fixed(low, 1), fixed(high, 1)); }
 
-void few_numbers(Ui& ui, const edit::RideResult& result) {
+// The five numbers that players compare.
+void values(Ui& ui, const edit::RideResult& result) {
   const sim::Ratings& r = result.ratings;
+  CardRow row{ui};
   if (result.end == RideEnd::failed)
-    read_out(ui, "Time", fixed(result.seconds, 2), "s", "Time from the start to the failure.");
-  else read_out(ui, result.end == RideEnd::lap ? "Lap time" : "Time", fixed(r.seconds, 2), "s", "Time of the ride.");
-  read_out(ui, "Top speed", r.top_speed.value, 1, "m/s", "Highest speed of the ride.");
-  rating(ui, "Excitement", r.excitement, 0x4FB477, kTerms);
+    row.value("Time", fixed(result.seconds, 2) + " s", "Time from the start to the failure.");
+  else row.value(result.end == RideEnd::lap ? "Lap time" : "Time", fixed(r.seconds, 2) + " s", "Time of the ride.");
+  row.value("Top speed", measured(ui, r.top_speed.value, 1, "m/s"), "Highest speed of the ride.");
+  row.value("Vertical g", range(r.up_least.value, r.up_most.value),
+            "Smallest and largest, low-pass filtered, all cars.");
+  row.value("Airtime", fixed(r.airtime, 1) + " s", "Time with vertical g below 0.");
+  row.value("Excitement", fixed(r.excitement, 1),
+            "From 0 to 10: from g, drops, airtime, near misses, jolts, overloads.");
 }
 
-void more_numbers(Ui& ui, const sim::Ratings& r) {
-  rating(ui, "Intensity", r.intensity, 0xF2B84B, kTerms);
-  rating(ui, "Nausea", r.nausea, 0xE5534B, kTerms);
+void details(Ui& ui, const edit::RideResult& result) {
+  const sim::Ratings& r = result.ratings;
   read_out(ui, "Length", r.length, 1, "m", "Length of the track.");
   read_out(ui, "Highest drop", r.highest_drop, 1, "m", fmt::format("Largest of {} descents of 3 m or more.", r.drops));
-  read_out(ui, "Airtime", fixed(r.airtime, 2), "s", "Time with vertical g below 0.");
-  read_out(ui, "Vertical g", fmt::format("{} .. {}", fixed(r.up_least.value, 2), fixed(r.up_most.value, 2)), "g",
-           "Smallest and largest, low-pass filtered, all cars.");
   read_out(ui, "Lateral g", fixed(r.side_most.value, 2), "g", "Largest to either side, low-pass filtered.");
   read_out(ui, "Inversions", std::to_string(r.inversions), "", "Number of times that riders are upside down.");
-}
-
-void verdict(Ui& ui, const edit::Verdict& verdict) {
-  const ImVec2 low = ImGui::GetCursorScreenPos();
-  const float size = std::floor(40 * ui.scale), line = ImGui::GetTextLineHeight(),
-              room = ImGui::GetContentRegionAvail().x;
-  ImDrawList& list = *ImGui::GetWindowDrawList();
-  draw_medal(list, low, size, std::max(1, verdict.medal), verdict.medal > 0);
-  const std::string words = verdict.medal > 0 ? fmt::format("{} medal", medal_title(verdict.medal)) : "Not passed yet";
-  const edit::Session& session = ui.session();
-  const std::string name = session.game.challenge && session.game.challenge->file.name != session.document.name
-                               ? session.game.challenge->file.name
-                               : std::string();
-  const float x = low.x + size + std::floor(10 * ui.scale),
-              y = std::floor(low.y + (size - (name.empty() ? 1 : 2) * line) * 0.5f);
-  draw_text(list, {x, y}, verdict.medal > 0 ? palette().good : palette().warning, words);
-  const ImVec4 clip(x, low.y, low.x + room, low.y + size);
-  list.AddText(ImGui::GetFont(), ImGui::GetFontSize(), {x, y + line}, packed(palette().dim), name.c_str(), nullptr, 0,
-               &clip);
-  ImGui::Dummy({room, size});
-  note(ui, "Verdict", "label", "Verdict of the challenge.", true, words, low, {low.x + room, low.y + size});
-}
-
-// The challenge after the present one in the list, or the list itself.
-Want next_challenge(const Ui& ui) {
-  const std::vector<ChallengeEntry> all = read_challenges(ui);
-  const std::filesystem::path name = std::filesystem::path(ui.session().game.challenge->path).filename();
-  const auto is_now = [&](const ChallengeEntry& entry) { return entry.path.filename() == name; };
-  const auto now = std::find_if(all.begin(), all.end(), is_now);
-  const auto next = now == all.end() ? now : std::find_if(now + 1, all.end(), [](const ChallengeEntry& entry) {
-    return entry.problem.empty();
-  });
-  return next == all.end() ? Want{Want::Kind::challenges} : Want{Want::Kind::challenge, next->path.string()};
-}
-
-void buttons(Ui& ui, const edit::Session& session) {
-  const auto place = failed_place(session);
-  const edit::RideResult& result = *session.game.result;
-  const bool passed = result.verdict && result.verdict->medal > 0 && session.game.challenge;
-  const float gap = ImGui::GetStyle().ItemInnerSpacing.x, half = (ImGui::GetContentRegionAvail().x - gap) / 2;
-  if (button(ui, "Ride again", "Start the ride again.", true, half)) {
-    ui.emit(edit::RideStop{});
-    ui.emit(edit::RideStart{});
-  }
-  ImGui::SameLine(0, gap);
-  if (passed) {
-    if (button(ui, "Next challenge", "Start the next challenge of the list.", true, half)) ui.want = next_challenge(ui);
-  } else if (button(
-                 ui, "Show where",
-                 with_keys(ui.keys, "Go to the place of the failure and select the segment.", "Show where it failed"),
-                 place.has_value(), half)) {
-    show_place(ui, *place);
-  }
-  bool& details = ui.inputs.score_details;
-  if (button(ui, details ? "Fewer values###Details" : "Details", "Show or hide the other values of the ride.", true,
-             half))
-    details = !details;
-  ImGui::SameLine(0, gap);
-  if (button(ui, "Close", with_keys(ui.keys, "Close this card.", "Cancel"), true, half)) ui.emit(edit::CloseCard{});
-}
-
-void build(Ui& ui, const edit::Session& session) {
-  const edit::RideResult& result = *session.game.result;
-  tinted_line(session.document.name.empty() ? "The ride" : session.document.name, palette().accent);
-  note_item(ui, "Track", "label", "", true, session.document.name);
-  const bool failed = result.end == RideEnd::failed;
-  paragraph(ui, "Title", std::string(base::row_of(result.end).label), failed ? palette().error : palette().text);
-  if (!result.reason.empty())
-    paragraph(ui, "Reason", base::sentence(result.reason), failed ? palette().warning : palette().dim);
-  if (result.verdict) {
-    verdict(ui, *result.verdict);
-    if (!result.verdict->reason.empty() && result.verdict->reason != result.reason)
-      paragraph(ui, "Why not", base::sentence(result.verdict->reason), palette().warning);
-  }
-  ImGui::Separator();
-  few_numbers(ui, result);
-  if (ui.inputs.score_details) more_numbers(ui, result.ratings);
+  constexpr std::string_view kTerms = "From g, drops, airtime, near misses, jolts and overloads.";
+  read_out(ui, "Intensity", fixed(r.intensity, 1), "", kTerms);
+  read_out(ui, "Nausea", fixed(r.nausea, 1), "", kTerms);
   if (!result.whole)
     paragraph(
         ui, "Note",
         "The track or the train was changed during the ride. These values are of a whole ride on the current track.",
         palette().dim);
+}
+
+// How the ride ended, and the medal.
+void title(Ui& ui, const edit::RideResult& result) {
+  const bool failed = result.end == RideEnd::failed;
+  std::string words(base::row_of(result.end).label);
+  std::uint32_t tint = failed ? palette().error : palette().text;
+  if (result.verdict) {
+    const int medal = result.verdict->medal;
+    const ImVec2 low = ImGui::GetCursorScreenPos();
+    const float size = std::floor(24 * ui.scale);
+    draw_medal(*ImGui::GetWindowDrawList(), low, size, std::max(1, medal), medal > 0);
+    ImGui::Dummy({size, size});
+    const std::string verdict = medal > 0 ? fmt::format("{} medal", medal_title(medal)) : "Not passed yet";
+    note_item(ui, "Verdict", "label", "Verdict of the challenge.", true, verdict);
+    ImGui::SameLine();
+    words = fmt::format("{}. {}", verdict, words);
+    if (!failed) tint = medal > 0 ? palette().good : palette().warning;
+  }
+  paragraph(ui, "Title", words, tint);
+  if (!result.reason.empty())
+    paragraph(ui, "Reason", base::sentence(result.reason), failed ? palette().warning : palette().dim);
+  if (result.verdict && !result.verdict->reason.empty() && result.verdict->reason != result.reason)
+    paragraph(ui, "Why not", base::sentence(result.verdict->reason), palette().warning);
+}
+
+// The file of the challenge after this one in its folder, once this one is passed.
+std::optional<std::filesystem::path> next_challenge(const edit::Session& session) {
+  const edit::RideResult& result = *session.game.result;
+  if (!session.game.challenge || !result.verdict || result.verdict->medal == 0) return std::nullopt;
+  const std::filesystem::path now(session.game.challenge->path);
+  for (const std::filesystem::path& file : json_files(now.parent_path()))  // by name
+    if (file.filename() > now.filename()) return file;
+  return std::nullopt;
+}
+
+// Returns whether the details show.
+bool buttons(Ui& ui, const edit::Session& session) {
+  bool* const more = ImGui::GetStateStorage()->GetBoolRef(ImGui::GetID("##details"), false);
+  CardRow row{ui};
+  if (const auto next = next_challenge(session); next && row.button("Next challenge", "Begin the next challenge."))
+    ui.want = {Want::Kind::challenge, next->string()};
+  if (row.button("Ride again", "Start the ride again.")) {
+    ui.emit(edit::RideStop{});
+    ui.emit(edit::RideStart{});
+  }
+  if (const auto place = failed_place(session);
+      place && row.button("Show where", with_keys(ui.keys, "Go to the place of the failure and select the segment.",
+                                                  "Show where it failed")))
+    show_place(ui, *place);
+  if (row.button(*more ? "Fewer details###Details" : "Details", "More values of this ride.")) *more = !*more;
+  if (row.button("Close", with_keys(ui.keys, "Close this card.", "Cancel"))) ui.emit(edit::CloseCard{});
+  return *more;
+}
+
+void build(Ui& ui, const edit::Session& session) {
+  const edit::RideResult& result = *session.game.result;
+  title(ui, result);
+  values(ui, result);
+  if (!buttons(ui, session)) return;
   ImGui::Separator();
-  buttons(ui, session);
+  details(ui, result);
 }
 
 }  // namespace
@@ -152,15 +148,12 @@ void build(Ui& ui, const edit::Session& session) {
 void draw_score_card(Ui& ui, const view::Viewport& scene) {
   const edit::Session& session = ui.session();
   if (!card_shows(session)) return;
-  const float width = std::floor(288 * ui.scale), margin = std::floor(14 * ui.scale);
-  if (scene.width < width + 2 * margin || scene.height < 240 * ui.scale) return;
-  // Below a lesson, which is at the top.
-  const bool low = ui.state.lesson != nullptr;
-  const ImVec2 corner(std::floor(scene.x + scene.width - margin),
-                      std::floor(low ? scene.y + scene.height - margin : scene.y + margin));
-  ImGui::SetNextWindowSizeConstraints({width, 0}, {width, scene.height - 2 * margin});
-  Card card{
-      .id = "##score", .panel = "Score", .at = corner, .pivot = {1, low ? 1.0f : 0.0f}, .width = width, .alpha = 0.92f};
+  const float margin = std::floor(14 * ui.scale), notice = std::floor(54 * ui.scale);
+  const float width = std::min(std::floor(640 * ui.scale), scene.width - 2 * margin);
+  if (width < 240 * ui.scale || scene.height < 240 * ui.scale) return;
+  const ImVec2 foot(std::floor(scene.x + scene.width * 0.5f), std::floor(scene.y + scene.height - notice));
+  ImGui::SetNextWindowSizeConstraints({width, 0}, {width, scene.height - notice - margin});
+  Card card{.id = "##score", .panel = "Score", .at = foot, .pivot = {0.5f, 1}, .width = width, .alpha = 0.9f};
   card.flags &= ~ImGuiWindowFlags_NoScrollbar;
   card.flags |= ImGuiWindowFlags_NoNav;
   build_card(ui, card, [&] { build(ui, session); });

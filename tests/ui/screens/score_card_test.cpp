@@ -1,3 +1,7 @@
+#include <algorithm>
+#include <filesystem>
+
+#include "edit/commands/commands_challenge.h"
 #include "edit/commands/commands_operation.h"
 #include "edit/commands/commands_ride.h"
 #include "edit/commands/commands_settings.h"
@@ -28,13 +32,14 @@ TEST_F(ScoreCardTest, the_card_shows_the_ghosts_numbers_and_closes_by_key) {
   ASSERT_NE(find("Score/Top speed"), nullptr);
   EXPECT_EQ(find("Score/Top speed")->value,
             fixed(edit::find(session_, edit::Want::ratings).ratings->top_speed.value, 1) + " m/s");
-  EXPECT_EQ(find("Score/Length"), nullptr) << "the card is slim until its details are wanted";
-  const float slim = find("Score/Close")->y;
+  EXPECT_EQ(find("Score/Length"), nullptr);
   click("Score/Details");
   frames(2);
   ASSERT_NE(find("Score/Length"), nullptr);
-  EXPECT_GT(find("Score/Close")->y, slim + 100);
   EXPECT_EQ(find("Score/Length")->value, fixed(session_.derived.length, 1) + " m");
+  click("Score/Details");
+  frames(2);
+  EXPECT_EQ(find("Score/Length"), nullptr);
   key(platform::Key::escape);
   frame();
   EXPECT_EQ(find("Score/Top speed"), nullptr);
@@ -56,6 +61,40 @@ TEST_F(ScoreCardTest, the_card_stays_within_the_viewport_and_gives_way_where_the
   resize(320, 200);
   frames(3);
   EXPECT_EQ(find("Score/Top speed"), nullptr) << "there is no room";
+}
+
+TEST_F(ScoreCardTest, the_card_is_a_strip_at_the_foot_and_leaves_a_lesson_free) {
+  for (const glm::ivec2 size : {glm::ivec2{1280, 720}, {1920, 1080}}) {
+    resize(size.x, size.y);
+    end_a_ride();
+    const view::Viewport scene = last_.view.viewport;
+    float top = scene.y + scene.height;
+    for (const Widget& widget : host_->widgets())
+      if (widget.path.starts_with("Score/")) top = std::min(top, widget.y);
+    EXPECT_GT(top, scene.y + scene.height - 170);
+    EXPECT_GT(top, scene.y + 0.6f * scene.height) << "a lesson is at the top, and the track in the middle";
+  }
+}
+
+TEST_F(ScoreCardTest, the_next_challenge_is_offered_once_this_one_is_passed) {
+  const std::filesystem::path folder = std::filesystem::path(COASTER_SOURCE_DIR) / "challenges";
+  ASSERT_TRUE(edit::apply(session_, files_, edit::StartChallenge{(folder / "01_first_hill.json").string()}));
+  end_a_ride();
+  session_.game.result->verdict = edit::Verdict{};  // nobody judges here
+  frames(2);
+  EXPECT_EQ(find("Score/Next challenge"), nullptr);
+  session_.game.result->verdict->medal = 2;
+  frames(2);
+  ASSERT_NE(find("Score/Next challenge"), nullptr);
+  commands_.clear();
+  session_.file.saved_hash = edit::find(session_, edit::Want::document_hash).document_hash;
+  click("Score/Next challenge");
+  frames(2);
+  ASSERT_EQ(all<edit::StartChallenge>().size(), 1u);
+  EXPECT_EQ(std::filesystem::path(all<edit::StartChallenge>()[0].path).filename(), "02_smooth_joints.json");
+  session_.game.challenge->path = (folder / "08_tired_train.json").string();
+  frames(2);
+  EXPECT_EQ(find("Score/Next challenge"), nullptr) << "it is the last";
 }
 
 TEST_F(ScoreCardTest, where_it_failed_is_selected_and_looked_at) {
