@@ -160,7 +160,7 @@ void Host::Parts::lay_out(Ui& ui, const platform::Events& events, int width, int
     build_menu(act);
     build_areas(ui, layout);
   }
-  if (ui.state.lesson == nullptr && !card_shows(session)) draw_hints(ui, layout.scene);
+  draw_hints(ui, layout.scene);
   draw_lesson(ui, layout.scene, guide);
   draw_score_card(ui, layout.scene);
   draw_import(ui, layout.scene);

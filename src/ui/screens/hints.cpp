@@ -11,6 +11,7 @@
 #include <fmt/format.h>
 
 #include "edit/commands/commands_settings.h"
+#include "ui/tools/places.h"
 #include "ui/tools/section_clicks.h"
 #include "ui/widgets/theme.h"
 #include "view/section_handle.h"
@@ -25,14 +26,21 @@ namespace {
 std::array<std::pair<std::string, std::string>, 8> first_steps(const KeyMap& keys) {
   const auto k = [&](std::string_view action) { return keys.shown(action); };
   return {
-      {{"Drag", fmt::format("orbit; wheel zooms, {} frames all", k("Frame all"))},
-       {"Click", "select a knot, then drag it or its handles"},
+      {{"Palette", fmt::format("click an element; {} places it", k("Place element"))},
+       {"Drag", fmt::format("orbit; wheel zooms, {} frames all", k("Frame all"))},
+       {"Click", "select a section or a knot, then drag its handles"},
        {fmt::format("{} {} {}", k("Move"), k("Rotate"), k("Scale")), "move, rotate, scale; then X, Y, Z or a number"},
-       {k("Append points"), fmt::format("append knots by clicking; {} adds a curve", k("Add curve"))},
        {k("Play or pause"), fmt::format("ride; {} rider's view, {} orbit view", k("Ride camera"), k("Orbit camera"))},
        {k("Laboratory"), "the laboratory: curves, errors, forces"},
        {k("Undo"), "undo, any number of steps"},
        {k("Command palette"), "find any action or command"}}};
+}
+
+constexpr float kHintsWidth = 384, kMargin = 14;  // design px
+
+bool hints_show(const Ui& ui, const view::Viewport& scene) {
+  return ui.session().settings.aids->show_hints && ui.state.lesson == nullptr && !card_shows(ui.session()) &&
+         scene.width >= (kHintsWidth + 2 * kMargin) * ui.scale && scene.height >= 300 * ui.scale;
 }
 
 std::string foot_text(const ViewportTool& tool, const edit::Session& session, const KeyMap& keys) {
@@ -55,9 +63,8 @@ std::string foot_text(const ViewportTool& tool, const edit::Session& session, co
 }  // namespace
 
 void draw_hints(Ui& ui, const view::Viewport& scene) {
-  if (!ui.session().settings.aids->show_hints) return;
-  const float width = std::floor(384 * ui.scale), margin = std::floor(14 * ui.scale);
-  if (scene.width < width + 2 * margin || scene.height < 300 * ui.scale) return;
+  if (!hints_show(ui, scene)) return;
+  const float width = std::floor(kHintsWidth * ui.scale), margin = std::floor(kMargin * ui.scale);
   // Below the track, clear of the notices at the foot.
   const ImVec2 foot(std::floor(scene.x + margin), std::floor(scene.y + scene.height - 58 * ui.scale));
   const Card card{.id = "##hints", .panel = "Hints", .at = foot, .pivot = {0, 1}, .width = width, .alpha = 0.88f};
@@ -120,10 +127,12 @@ void draw_foot_line(const Ui& ui, const ViewportTool& tool, const view::Viewport
   if (hint.empty()) return;
   const bool empty = ui.session().document.track.knots.empty() && !ui.session().settings.aids->show_element;
   const ImVec2 size = ImGui::CalcTextSize(hint.c_str());
-  // Above the notices.
-  const ImVec2 at(std::floor(scene.x + (scene.width - size.x) * 0.5f),
-                  std::floor(empty ? scene.y + scene.height * 0.62f : scene.y + scene.height - 5.6f * size.y));
   const ImVec2 pad(size.y * 0.9f, size.y * 0.5f);
+  // Above the notices, and beside the first steps where there is room.
+  const float left = hints_show(ui, scene) ? (kHintsWidth + kMargin) * ui.scale : 0;
+  const float beside = scene.width - left >= size.x + 2 * pad.x ? left : 0;
+  const ImVec2 at(std::floor(scene.x + beside + (scene.width - beside - size.x) * 0.5f),
+                  std::floor(empty ? scene.y + scene.height * 0.62f : scene.y + scene.height - 5.6f * size.y));
   ImDrawList& list = *ImGui::GetBackgroundDrawList();
   list.AddRectFilled({at.x - pad.x, at.y - pad.y}, {at.x + size.x + pad.x, at.y + size.y + pad.y},
                      packed(palette().background, 0.78f), size.y);
