@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "edit/commands/commands_settings.h"
+#include "ui/context/ways_home.h"
 #include "ui/tools/viewport_tool.h"
 #include "world/aids.h"
 #include "world/camera_feel.h"
@@ -33,10 +34,17 @@ bool near(const world::Camera& a, const world::Camera& b) {
 
 std::vector<glm::vec3> preview_points(const Ui& ui) {
   std::vector<glm::vec3> points;
-  if (!ui.session().settings.aids->show_element) return points;
-  const sim::ElementPlan& plan = *ui.find(edit::Want::element).element;
-  if (!plan.refusal.empty()) return points;
-  for (const world::Knot& knot : plan.fit.knots) points.emplace_back(knot.position);
+  const world::Aids& aids = *ui.session().settings.aids;
+  const auto add = [&](const sim::ElementPlan& plan) {
+    if (plan.refusal.empty())
+      for (const world::Knot& knot : plan.fit.knots) points.emplace_back(knot.position);
+  };
+  if (aids.circuit > 0 && completable(ui.session().document)) {
+    const sim::CircuitProposals& ways = *ui.find(edit::Want::circuit).circuit;
+    if (!ways.list.empty()) add(ways.list[shown_way_home(aids, ways)].plan);
+  } else if (aids.show_element) {
+    add(*ui.find(edit::Want::element).element);
+  }
   return points;
 }
 
@@ -45,7 +53,7 @@ void FollowCamera::update(Ui& ui, const view::View& view, bool busy) {
   const world::Settings& settings = session.settings;
   const std::vector<world::Entity>& knots = session.document.track.knots;
   std::vector<glm::vec3> points = preview_points(ui);
-  Seen now{knots.size(), glm::vec3(0), points.empty() ? 0 : ui.find(edit::Want::element).element->serial};
+  Seen now{knots.size(), glm::vec3(0), points};
   if (!session.document.track.closed && !knots.empty()) {
     now.end = world::knot(session.document, knots.back()).position;
     points.push_back(now.end);

@@ -18,8 +18,8 @@ class FollowCamera {
  private:
   struct Seen {
     std::size_t knots = 0;
-    glm::vec3 end{0};           // m, the last knot
-    std::uint64_t preview = 0;  // serial of the shown plan; 0: none
+    glm::vec3 end{0};                // m, the last knot
+    std::vector<glm::vec3> preview;  // preview_points()
     friend bool operator==(const Seen&, const Seen&) = default;
   };
   std::optional<Seen> seen_;         // what was last looked at; nothing before the first frame
@@ -27,7 +27,7 @@ class FollowCamera {
   world::Camera sent_;               // its last step
 };
 
-// The points of the palette's preview, m; empty where none shows.
+// The knots of the shown way home, or else of the palette's preview, m; empty where none shows.
 std::vector<glm::vec3> preview_points(const Ui& ui);
 
 }  // namespace coaster::ui

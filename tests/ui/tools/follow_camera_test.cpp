@@ -2,6 +2,7 @@
 
 #include "edit/commands/commands_document.h"
 #include "edit/commands/commands_elements.h"
+#include "edit/commands/commands_session.h"
 #include "edit/commands/commands_settings.h"
 #include "ui/stage.h"
 #include "world/aids.h"
@@ -66,6 +67,23 @@ TEST_F(FollowCameraTest, shows_a_preview_and_leaves_the_camera_to_the_user) {
   commands_.clear();
   frames(30);
   EXPECT_TRUE(all<edit::SetCamera>().empty()) << "the user has turned the camera";
+}
+
+TEST_F(FollowCameraTest, shows_the_way_home_and_the_next_one) {
+  const auto straight = [&](double length) {
+    world::Element element = world::usual_element(world::ElementKind::straight);
+    element.values[0] = length;
+    ASSERT_TRUE(edit::apply(session_, files_, edit::PlaceElement{element}));
+  };
+  ASSERT_TRUE(edit::apply(session_, files_, edit::NewTrack{}));
+  straight(60), straight(60);
+  ASSERT_TRUE(edit::apply(session_, files_, edit::SetCamera{{.target = {120, 2, 0}, .distance = 40}}));
+  follow(true);
+  frames(3);
+  ASSERT_FALSE(shows({0, 2, 0}));
+  ASSERT_TRUE(edit::apply(session_, files_, edit::Set<&world::Aids::circuit>{1}));
+  frames(120);
+  EXPECT_TRUE(shows({0, 2, 0})) << "it ends there";
 }
 
 }  // namespace follow_camera_test
