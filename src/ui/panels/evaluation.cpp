@@ -78,8 +78,13 @@ void resolution(Ui& ui) {
     ui.emit(edit::Set<&world::Evaluation::vertex_budget>{static_cast<std::int64_t>(*to)});
 }
 
-// Beside the rounding error, which says nothing about how well the polyline shows the curve.
+// The rounding error says nothing about how well the polyline shows the curve. Beside the last item where there is
+// room.
 void chord_error(Ui& ui) {
+  if (beside_last(ui, "Chord error 1")) {
+    const float earlier = std::floor(9 * ui.scale);  // the label and its value need more than half
+    ImGui::SetCursorPos({ImGui::GetCursorPosX() - earlier, ImGui::GetCursorPosY() + ImGui::GetStyle().FramePadding.y});
+  }
   constexpr std::size_t kMost = 10'000;  // segments, 10 ms after each change
   const sim::Derived& derived = ui.session().derived;
   const bool shown = !derived.order.empty() && derived.order.size() <= kMost;
@@ -87,7 +92,7 @@ void chord_error(Ui& ui) {
   constexpr std::string_view kHelp =
       "Largest distance of the curve from the polyline. More steps make it smaller. Up to 10,000 segments.";
   if (!shown) return read_out(ui, "Chord error", "--", "mm", kHelp);
-  read_out(ui, "Chord error", 1e3 * ui.inputs.chord_error.get({derived.last_build, derived.steps}, measure), 3, "mm",
+  read_out(ui, "Chord error", 1e3 * ui.inputs.chord_error.get({derived.last_build, derived.steps}, measure), 2, "mm",
            kHelp);
 }
 
@@ -101,6 +106,7 @@ void evaluation_panel(Ui& ui) {
   if (const auto on = checkbox(ui, "Show polyline", ui.session().settings.lab->layers.has(world::Layer::polyline),
                                "Draw the evaluated polyline over the track."))
     ui.emit(edit::SetPolyline{*on});
+  chord_error(ui);
 
   const query::FrameStats& stats = ui.state.stats;
   const bool timed = !ui.state.scripted && stats.evaluated_vertices > 0;
@@ -123,7 +129,6 @@ void evaluation_panel(Ui& ui) {
   read_query(ui, "Rounding error###Largest deviation", "deviation",
              "Largest distance of a vertex from the exact point at the same t (de Casteljau in long double).",
              {.decimals = 6, .unit = "mm", .factor = 1e3});
-  chord_error(ui);
 }
 
 }  // namespace coaster::ui
