@@ -18,8 +18,9 @@ namespace {
 using glm::dvec3;
 
 constexpr double kRoughStep = 3, kRoughMargin = 0.3, kMargin = 0.15;  // m: chords differ from those of the track later
-constexpr int kMostFailures = 30;  // of candidates that turn the same way and reach the same level
-constexpr double kApart = 8;       // m between the middles of two proposals
+constexpr int kMostFailures = 30;      // of candidates that turn the same way and reach the same level
+constexpr double kLargestJump = 5e-4;  // 1/m, of curvature at a joint; a fit with a very short span may have more
+constexpr double kApart = 8;           // m between the middles of two proposals
 
 // Where the ways home that failed for other track came nearest to it.
 struct Obstacles {
@@ -128,7 +129,7 @@ struct Search {
         terms.conflicts.against(terms.derived, line_of(plan.ideal, task.rails), {true, kMargin});
     if (!narrow.empty()) return obstacles.add(narrow);
     plan.fit = terms.lengths.empty() ? fit_element(plan.ideal) : fit_element(plan.ideal, terms.lengths);
-    if (!plan.fit.within) ++unfit;
+    if (!plan.fit.within || plan.fit.jump > kLargestJump) ++unfit;
     else found.list.push_back(std::move(proposal));
   }
 
