@@ -1,6 +1,9 @@
 // Evaluation: methods, resolution, and the read-outs to compare them.
 #include <imgui.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include <fmt/format.h>
 
 #include "sim/shape/deviation.h"
@@ -82,7 +85,9 @@ void resolution(Ui& ui) {
 // room.
 void chord_error(Ui& ui) {
   if (beside_last(ui, "Chord error 1")) {
-    const float earlier = std::floor(9 * ui.scale);  // the label and its value need more than half
+    // The label and its value need more than half.
+    const float free = ImGui::GetCursorScreenPos().x - ImGui::GetItemRectMax().x;
+    const float earlier = std::floor(std::clamp(free - 5 * ui.scale, 0.0f, 9 * ui.scale));
     ImGui::SetCursorPos({ImGui::GetCursorPosX() - earlier, ImGui::GetCursorPosY() + ImGui::GetStyle().FramePadding.y});
   }
   constexpr std::size_t kMost = 10'000;  // segments, 10 ms after each change
