@@ -199,7 +199,10 @@ Failure UiDriver::check(std::string_view path, bool on) {
 Failure UiDriver::type(std::string_view path, std::string_view text) {
   if (Failure reached = reach(path); !reached) return reached;
   const platform::Modifiers ctrl{false, true, false};
-  if (Failure opened = press_and_release(widget_.kind == "text" ? platform::Modifiers{} : ctrl); !opened) return opened;
+  const bool plain = widget_.kind == "text" || widget_.kind == "cell";
+  if (Failure opened = press_and_release(plain ? platform::Modifiers{} : ctrl); !opened) return opened;
+  if (widget_.kind == "cell")  // a double click opens it, and its field takes the keyboard a frame later
+    if (Failure opened = press_and_release({}); !opened || !(opened = frame({}))) return opened;
   if (Failure all = key(Key::a, ctrl); !all) return all;
   if (Failure typed = frame(
           text.empty() ? platform::Events{KeyPress{Key::del, true, false, {}}, KeyPress{Key::del, false, false, {}}}

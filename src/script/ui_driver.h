@@ -20,7 +20,8 @@ class UiDriver {
   Failure click(std::string_view path, int clicks = 1);
   // Clicks if the widget is in the other state.
   Failure check(std::string_view path, bool on);
-  // Ctrl+click, which also opens the field of a slider or number; then select all, the text, Enter.
+  // Ctrl+click, which also opens the field of a slider or number, or a double click on a table's cell; then select all,
+  // the text, Enter.
   Failure type(std::string_view path, std::string_view text);
   Failure drag_by(std::string_view path, float pixels);
   // Drags along the slider until it shows the value; types the value if no pixel does.

@@ -13,6 +13,9 @@ enum class SectionColumn : std::uint8_t {
   title,
   kind,
   length,
+  height,
+  radius,
+  angle,
   start,
   end,
   top,
@@ -27,7 +30,10 @@ inline constexpr base::NameRow kSectionColumns[] = {
     {"track", "#", "Place in the track's order."},
     {"title", "Section", "Title; without one its kind. A click selects it, Shift adds it, Ctrl adds all between."},
     {"kind", "Kind", "What it was planned as, or shaped by hand."},
-    {"length", "Length", "Length."},
+    {"length", "Length", "Length. Double-click that of a straight to type it."},
+    {"height", "Height", "Height that it is planned with. Double-click to type it."},
+    {"radius", "Radius", "Radius that it is planned with. Double-click to type it."},
+    {"angle", "Angle", "Angle that it is planned with. Double-click to type it."},
     {"start", "Start", "Height where it begins."},
     {"end", "End", "Height where it ends."},
     {"top", "Top", "Largest height."},
@@ -38,5 +44,11 @@ inline constexpr base::NameRow kSectionColumns[] = {
     {"g_side", "Side g", "Largest lateral g of the chosen seat, to either side."},
     {"equipment", "Equipment", "Equipment of its segments."}};
 constexpr std::span<const base::NameRow> rows_of(SectionColumn) { return kSectionColumns; }
+
+// Returns the parameter of an element that the column shows, or "".
+constexpr std::string_view parameter_of(SectionColumn column) {
+  const bool shows = column >= SectionColumn::length && column <= SectionColumn::angle;
+  return shows ? kSectionColumns[static_cast<std::size_t>(column)].name : "";
+}
 
 }  // namespace coaster::world

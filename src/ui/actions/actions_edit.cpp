@@ -91,9 +91,19 @@ bool fits(const Act& act) {
   if (act.ui.session().settings.aids->circuit > 0) return act.ui.find(edit::Want::circuit).circuit->refusal.empty();
   return on<&Aids::show_element>(act) && act.ui.find(edit::Want::element).element->refusal.empty();
 }
-constexpr Condition kPlaceable{fits, "Choose an element first. Its preview must fit the open end."};
+
+// A cell of the table of sections, where no preview waits to be placed.
+bool has_cell(const Act& act) {
+  const edit::Session& session = act.ui.session();
+  const bool preview = on<&Aids::show_element>(act) || session.settings.aids->circuit > 0;
+  const bool shows = is<&world::Look::workspace, world::Workspace::build>(act) && act.ui.drawers.table;
+  return shows && act.ui.drawers.graph.open && !preview && selected_is(act, Kind::section);
+}
+constexpr Condition kPlaceable{[](const Act& act) { return fits(act) || has_cell(act); },
+                               "Choose an element first. Its preview must fit the open end."};
 void place_element(Act& act) {
-  if (act.ui.session().settings.aids->circuit > 0) place_way_home(act.ui);
+  if (has_cell(act)) act.ui.inputs.cell = EditedCell{*selected(act), {}};
+  else if (act.ui.session().settings.aids->circuit > 0) place_way_home(act.ui);
   else act.ui.emit(edit::PlaceElement{act.ui.session().settings.element});
 }
 
@@ -142,7 +152,9 @@ constexpr Action kEditActions[] = {
     {"Append points", "Edit", key(Key::a), 0, "Click on the ground to append knots to an open track.",
      toggle<&Aids::append_mode>, kAlways, on<&Aids::append_mode>},
     {"Place element", "Edit", key(Key::enter), 0,
-     "Place the previewed element at the open end of the track, or the previewed way home.", place_element, kPlaceable},
+     "Place the previewed element at the open end of the track, or the previewed way home. Without a preview: type in "
+     "the selected row of the table of sections.",
+     place_element, kPlaceable},
     {"Complete circuit", "Edit", shift(Key::c), 0, "Show ways from the open end of the track to its first knot.",
      complete_circuit, kCompletable},
     {"Next element", "Edit", key(Key::n), kRepeats, "Choose the next element of the palette and show its preview.",

@@ -50,6 +50,13 @@ struct AskedChange {
   std::string refusal;
 };
 
+// The cell of the table of sections that is typed in.
+struct EditedCell {
+  world::Name section;
+  std::optional<world::SectionColumn> column;  // nothing: the first of its row that can be typed in
+  bool begins = true;                          // it has yet to take the keyboard
+};
+
 // What panels keep between frames.
 struct Inputs {
   std::string file;                                                // the path in Track/File
@@ -58,6 +65,7 @@ struct Inputs {
   std::string waits_for_key, keys_note;  // of the settings: the action whose key is to be pressed, what was changed
   std::array<world::Element, world::elements().size()> elements = world::usual_elements();  // the palette's, by kind
   AskedChange asked;
+  std::optional<EditedCell> cell;
   // Rows of the table of sections as they are shown, by the table's serial and the sorting.
   base::Kept<std::tuple<std::uint64_t, world::SectionColumn, bool>, std::vector<std::size_t>> section_order;
 };

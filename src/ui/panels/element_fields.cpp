@@ -21,12 +21,15 @@ std::optional<double> parameter_field(Ui& ui, const world::ElementParameter& p, 
     const auto to = combo(ui, p.label, choices, static_cast<int>(value), p.help);
     return to ? std::optional<double>(*to) : std::nullopt;
   }
-  const double range = p.high - p.low, step = range > 100 ? 0.1 : range > 20 ? 0.05 : 0.01;
-  const Number now{.value = value, .unit = p.unit.data(), .step = step, .low = p.low, .high = p.high, .largest = 1e300};
-  return number(ui, p.label, now, p.help);
+  return number(ui, p.label, parameter_number(p, value), p.help);
 }
 
 }  // namespace
+
+Number parameter_number(const world::ElementParameter& p, double value) {
+  const double range = p.high - p.low, step = range > 100 ? 0.1 : range > 20 ? 0.05 : 0.01;
+  return {.value = value, .unit = p.unit.data(), .step = step, .low = p.low, .high = p.high, .largest = 1e300};
+}
 
 std::optional<std::string_view> element_fields(Ui& ui, world::Element& element, const ElementRows& rows) {
   const world::ElementRow& row = base::row_of(element.kind);

@@ -16,6 +16,9 @@ struct ElementRows {
   std::function<void(std::string_view name)> below = nullptr;  // null: nothing
 };
 
+// A parameter with its unit and limits, as fields show it.
+Number parameter_number(const world::ElementParameter& parameter, double value);
+
 // Changes a value of `element` as the user does. Returns the name of what was changed.
 std::optional<std::string_view> element_fields(Ui& ui, world::Element& element, const ElementRows& rows = {});
 

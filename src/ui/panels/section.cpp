@@ -10,6 +10,7 @@
 #include "ui/context/rows.h"
 #include "ui/panels/element_fields.h"
 #include "ui/panels/equipment_rows.h"
+#include "ui/panels/section_changes.h"
 #include "ui/tools/selecting.h"
 #include "ui/widgets/theme.h"
 #include "world/sections.h"
@@ -22,58 +23,9 @@ using world::Element;
 using world::Entity;
 using world::Section;
 
-// The selected sections.
-struct Chosen {
-  const world::Document& document;
-  Entity active;
-  std::vector<world::SectionRun> runs;  // in the track's order
-  bool single() const { return runs.size() == 1; }
-  const Section& section() const { return world::section(document, active); }
-  world::Name name() const { return world::name_of(document, active); }
-  world::Name name(const world::SectionRun& run) const { return world::name_of(document, run.section); }
-};
-
-Chosen chosen_sections(const edit::Session& session) {
-  std::vector<Entity> selected = world::selected_sections(session.document, session.settings);
-  std::sort(selected.begin(), selected.end(), [](Entity a, Entity b) { return a.index < b.index; });
-  Chosen chosen{session.document, session.settings.selected, {}};
-  for (const world::SectionRun& run : world::sections_of(session.document))
-    if (std::binary_search(selected.begin(), selected.end(), run.section,
-                           [](Entity a, Entity b) { return a.index < b.index; }))
-      chosen.runs.push_back(run);
-  return chosen;
-}
-
-// Remembers which field asks for a change, for refusal_below().
-void ask_change(Ui& ui, const Chosen& chosen, std::string_view parameter) {
-  ui.inputs.asked = {chosen.name(), std::string(parameter), ui.session().notices.serial, false, {}};
-}
-
-// Takes the answer to the last change that was asked for: the notice that came with it.
-void take_answer(Ui& ui) {
-  AskedChange& asked = ui.inputs.asked;
-  if (std::exchange(asked.answered, true)) return;
-  for (const edit::Notice& notice : ui.session().notices.list)
-    if (notice.serial > asked.after && notice.kind != edit::NoticeKind::info && asked.refusal.empty())
-      asked.refusal = notice.text;
-}
-
 void refusal_below(Ui& ui, const Chosen& chosen, std::string_view parameter) {
-  const AskedChange& asked = ui.inputs.asked;
-  if (asked.refusal.empty() || asked.section != chosen.name() || asked.parameter != parameter) return;
-  paragraph(ui, "Refusal", asked.refusal, palette().warning);
-}
-
-// The first one is planned from the drag's start, so that a drag adds no rounding; the others on what it made.
-void change_sections(Ui& ui, const Chosen& chosen, std::string_view parameter, const Element& to) {
-  ask_change(ui, chosen, parameter);
-  bool first = true;
-  ui.emit_each(chosen.runs, [&](const world::SectionRun& run) {
-    Element one = run.section == chosen.active ? to : world::section(chosen.document, run.section).element;
-    if (run.section != chosen.active && parameter == "side") one.right = to.right;
-    else if (run.section != chosen.active) world::set_value(one, parameter, world::value_of(to, parameter));
-    ui.emit(edit::ChangeSection{{chosen.name(run)}, std::exchange(first, false), one});
-  });
+  const std::string_view refusal = refusal_of(ui, chosen.name(), parameter);
+  if (!refusal.empty()) paragraph(ui, "Refusal", refusal, palette().warning);
 }
 
 void kind_box(Ui& ui, const Chosen& chosen) {
@@ -87,7 +39,7 @@ void kind_box(Ui& ui, const Chosen& chosen) {
   const int now = planned ? static_cast<int>(section.element.kind) : static_cast<int>(kinds.size()) - 1;
   const auto to = combo(ui, "Kind", kinds, now, "Plan the section as another element. What follows moves along.", true);
   if (to && *to != now && *to < static_cast<int>(base::count_of<world::ElementKind>())) {
-    ask_change(ui, chosen, "kind");
+    ask_change(ui, chosen.name(), "kind");
     ui.emit(edit::ChangeSection{{chosen.name()}, false, world::usual_element(static_cast<world::ElementKind>(*to))});
   }
   refusal_below(ui, chosen, "kind");

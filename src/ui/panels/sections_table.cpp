@@ -12,6 +12,8 @@
 
 #include "edit/commands/commands_settings.h"
 #include "ui/panels/equipment_rows.h"
+#include "ui/panels/section_cells.h"
+#include "ui/panels/section_changes.h"
 #include "ui/tools/selecting.h"
 #include "ui/widgets/table.h"
 #include "ui/widgets/theme.h"
@@ -34,18 +36,21 @@ struct ColumnLook {
   float width;
   int rank;
 };
-constexpr std::array<ColumnLook, kSectionColumnCount> kLooks{{{"", 0, 30, 12},
+constexpr std::array<ColumnLook, kSectionColumnCount> kLooks{{{"", 0, 30, 15},
                                                               {"", 0, 104, 0},
-                                                              {"", 0, 90, 6},
+                                                              {"", 0, 90, 9},
                                                               {"m", 1, 62, 1},
-                                                              {"m", 1, 60, 8},
-                                                              {"m", 1, 60, 9},
-                                                              {"m", 1, 60, 7},
+                                                              {"m", 1, 62, 5},
+                                                              {"m", 1, 62, 6},
+                                                              {"deg", 1, 60, 7},
+                                                              {"m", 1, 60, 11},
+                                                              {"m", 1, 60, 12},
+                                                              {"m", 1, 60, 10},
                                                               {"m/s", 1, 60, 2},
-                                                              {"m/s", 1, 64, 5},
+                                                              {"m/s", 1, 64, 8},
                                                               {"g", 2, 60, 3},
-                                                              {"g", 2, 60, 10},
-                                                              {"g", 2, 60, 11},
+                                                              {"g", 2, 60, 13},
+                                                              {"g", 2, 60, 14},
                                                               {"", 0, 80, 4}}};
 const ColumnLook& column_look(SectionColumn column) { return kLooks[static_cast<std::size_t>(column)]; }
 
@@ -70,6 +75,9 @@ TableValue table_value(const Document& document, const SectionFigures& of, std::
       return std::string(section.kind == world::SectionKind::element ? base::row_of(section.element.kind).label
                                                                      : base::row_of(section.kind).label);
     case SectionColumn::length: return of.length;
+    case SectionColumn::height:
+    case SectionColumn::radius:
+    case SectionColumn::angle: return given(planned_value(section, world::parameter_of(column)));
     case SectionColumn::start: return of.start;
     case SectionColumn::end: return of.end;
     case SectionColumn::top: return of.top;
@@ -149,6 +157,15 @@ void point_at_section(Ui& ui, const world::SectionRun& run) {
                 glm::vec3(curve::point(derived.shape_at(middle).key.cubic, 0.5))};
 }
 
+// Brings the row of the cell that is to be typed in into sight.
+void scroll_to_cell(const Ui& ui, const sim::SectionTable& table, std::span<const std::size_t> order, float height) {
+  const auto at = std::find_if(order.begin(), order.end(), [&](std::size_t row) {
+    return cell_is_open(ui, world::name_of(ui.session().document, table.rows[row].run.section));
+  });
+  const auto rows_above = static_cast<float>(at - order.begin());
+  ImGui::SetScrollY(std::max(0.0f, (rows_above + 1) * height - ImGui::GetWindowHeight() / 2));
+}
+
 void table_of_sections(Ui& ui, float height) {
   const sim::SectionTable& table = *ui.find(edit::Want::sections).sections;
   if (table.rows.empty()) return tinted("No sections yet. Place an element from the palette.", palette().dim);
@@ -165,6 +182,9 @@ void table_of_sections(Ui& ui, float height) {
     heads.push_back({row.label, column_look(column).unit, column_look(column).width, row.help, words});
   }
   if (!begin_table(ui, "Table", heads, height, &sorting)) return;
+  take_answer(ui);
+  begin_cell(ui, columns);
+  bool sought = ui.inputs.cell.has_value();  // the cell that is typed in is in none of the rows so far
   const std::vector<std::size_t>& order = sorted_rows(ui, table);
   ImGuiListClipper clipper;
   clipper.Begin(static_cast<int>(order.size()));
@@ -172,16 +192,25 @@ void table_of_sections(Ui& ui, float height) {
     for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i) {
       const std::size_t at = static_cast<std::size_t>(i), row = order[at];
       const SectionFigures& of = table.rows[row];
+      const world::Name section = world::name_of(document, of.run.section);
       std::vector<Cell> cells;
-      for (const SectionColumn column : columns)
+      for (const SectionColumn column : columns) {
         cells.push_back(section_cell(ui, table_value(document, of, row, column), column));
+        if (!refusal_of(ui, section, world::parameter_of(column)).empty()) cells.back().colour = palette().warning;
+        if (cell_is_open(ui, section, column)) cells.back().text.clear();
+      }
       const bool selected = world::is_selected(ui.session().settings, of.run.section);
       // A mark beside the colour of the row.
       if (selected) cells[0].swatch = palette().text;
       const std::string name = world::label_of(document, of.run.section);
-      if (table_row(ui, name, cells, selected, selected ? "on" : "off", "")) select_section_row(ui, table, order, at);
+      const bool typing = cell_is_open(ui, section);
+      if (table_row(ui, name, cells, selected, selected ? "on" : "off", "", !typing))
+        select_section_row(ui, table, order, at);
       if (ImGui::IsItemHovered()) point_at_section(ui, of.run);
+      row_cells(ui, of.run, columns);
+      sought = sought && !typing;
     }
+  if (sought) scroll_to_cell(ui, table, order, clipper.ItemsHeight);
   end_table();
   if (!sorting.clicked) return;
   const SectionColumn by = columns[static_cast<std::size_t>(*sorting.clicked)];

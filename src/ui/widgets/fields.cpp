@@ -11,46 +11,11 @@
 #include "base/text.h"
 #include "base/utf8.h"
 #include "ui/widgets/theme.h"
+#include "ui/widgets/typing.h"
 #include "ui/widgets/widgets.h"
 
 namespace coaster::ui {
 namespace {
-
-enum class Typing { no, open, complete };
-
-// An InputText whose text is in ui.entry while it is typed. With `begin` it takes the keyboard at once, as if clicked.
-// Complete on Enter, or when it loses focus with the text changed; Tab goes on to the panel's next number. Escape
-// discards the text.
-Typing typed(WidgetFrame& ui, const char* key, const std::string& initial, bool begin) {
-  const ImGuiID id = ImGui::GetID(key);
-  Entry& entry = ui.entry;
-  const bool mine = entry.id == id;
-  std::array<char, 1024> shown;
-  if (!mine) shown[initial.copy(shown.data(), shown.size() - 1)] = 0;
-  std::array<char, 1024>& buffer = mine ? entry.text : shown;
-  ImGuiIO& io = ImGui::GetIO();
-  const bool clicked = io.MouseClicked[0];
-  // ImGui gives the keyboard to a field that is clicked; by SetKeyboardFocusHere it is frames late.
-  io.MouseClicked[0] = clicked || begin;
-  const bool enter = ImGui::InputText(key, buffer.data(), buffer.size(),
-                                      ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll);
-  io.MouseClicked[0] = clicked;
-  const bool active = ImGui::IsItemActive();
-  if (!mine) {
-    if (!active) return Typing::no;
-    entry.id = id;
-    entry.text = entry.initial = shown;
-    return Typing::open;
-  }
-  const bool elsewhere = active && !ImGui::IsItemHovered() && (clicked || io.MouseClicked[1] || io.MouseClicked[2]);
-  const bool tab = active && ImGui::IsKeyPressed(ImGuiKey_Tab);
-  if (active && !enter && !elsewhere && !tab) return Typing::open;
-  if (elsewhere || tab) ImGui::ClearActiveID();
-  if (tab && ui.wish) ui.wish->panel = ui.panel;
-  entry.id = 0;
-  const bool escaped = ImGui::IsKeyPressed(ImGuiKey_Escape);
-  return !escaped && entry.text != entry.initial ? Typing::complete : Typing::no;
-}
 
 // Returns the typed number, clamped to +-`largest`. Warns with the reason and returns nothing if it is no number.
 std::optional<double> parse(WidgetFrame& ui, std::string_view label, const Number& n) {
@@ -140,23 +105,6 @@ std::optional<double> drag(WidgetFrame& ui, const Number& n, ImGuiID id) {
   return value;
 }
 
-// Returns whether a wish shows the field to be typed in: it has the keyboard, or gets it with the next frame.
-bool is_wished(WidgetFrame& ui, ImGuiID id, bool enabled) {
-  constexpr int kFrames = 3;
-  if (!ui.wish || !enabled) return false;
-  FieldWish& wish = *ui.wish;
-  if (!wish.panel.empty() && wish.panel == ui.panel) {
-    wish = {"", id, kFrames};
-    ImGuiContext& g = *ImGui::GetCurrentContext();
-    g.NavNextActivateId = id;  // takes effect with the next frame
-    g.NavNextActivateFlags = ImGuiActivateFlags_PreferInput;
-    ImGui::SetScrollHereY(0.5f);
-  }
-  if (wish.id != id) return false;
-  if (ui.entry.id == id || --wish.frames < 0) wish.id = 0;
-  return wish.id == id;
-}
-
 // One field at the cursor, `width` wide.
 std::optional<double> field(WidgetFrame& ui, std::string_view label, const Number& metric, std::string_view name,
                             std::uint32_t name_colour, float width, std::string_view tooltip, bool enabled) {
@@ -189,6 +137,17 @@ std::optional<double> number(WidgetFrame& ui, std::string_view label, const Numb
                              bool enabled) {
   begin_row(label);
   return field(ui, label, n, {}, 0, ImGui::CalcItemWidth(), tooltip, enabled);
+}
+
+TypedNumber cell_number(WidgetFrame& ui, std::string_view label, const Number& n, std::string_view tooltip) {
+  ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(std::floor(2 * ui.scale), 0));
+  TypedNumber typed{field(ui, label, n, {}, 0, ImGui::GetContentRegionAvail().x, tooltip, true)};
+  ImGui::PopStyleVar();
+  ImGui::PushID(label.data(), label.data() + label.size());
+  const ImGuiID id = ImGui::GetID("##type");
+  ImGui::PopID();
+  typed.open = ui.entry.id == id || (ui.wish && ui.wish->id == id);
+  return typed;
 }
 
 std::optional<Changed> numbers(WidgetFrame& ui, std::string_view group, std::span<const std::string_view> names,

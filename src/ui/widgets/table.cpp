@@ -93,13 +93,19 @@ bool begin_table(WidgetFrame& ui, std::string_view label, std::span<const TableC
 }
 
 bool table_row(WidgetFrame& ui, std::string_view label, std::span<const Cell> cells, bool selected, std::string value,
-               std::string_view tooltip) {
+               std::string_view tooltip, bool clickable) {
   ImGui::TableNextRow();
   ImGui::TableSetColumnIndex(0);
   const ImVec2 at = ImGui::GetCursorPos();
-  ImGui::PushStyleColor(ImGuiCol_Header, colour(palette().accent, 0.35f));
-  const bool clicked = ImGui::Selectable(hidden(label).c_str(), selected, ImGuiSelectableFlags_SpanAllColumns);
-  ImGui::PopStyleColor();
+  bool clicked = false;
+  if (clickable) {
+    ImGui::PushStyleColor(ImGuiCol_Header, colour(palette().accent, 0.35f));
+    clicked = ImGui::Selectable(hidden(label).c_str(), selected, ImGuiSelectableFlags_SpanAllColumns);
+    ImGui::PopStyleColor();
+  } else {
+    if (selected) ImGui::TableSetBgColor(ImGuiTableBgTarget_RowBg1, packed(palette().accent, 0.35f));
+    ImGui::Dummy({1, ImGui::GetTextLineHeight()});
+  }
   // The row is found by its first cell: that is inside the clip rectangle of the column.
   const ImVec2 low = ImGui::GetItemRectMin();
   ImGui::SetCursorPos(at);

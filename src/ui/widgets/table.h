@@ -47,9 +47,10 @@ struct Sorting {
 // With `sorting` its headings are buttons.
 bool begin_table(WidgetFrame& ui, std::string_view label, std::span<const TableColumn> columns, float height,
                  Sorting* sorting = nullptr);
-// Adds a row, registered as "Panel/label" (kind "item") with `value`. Returns true if it is clicked.
+// Adds a row, registered as "Panel/label" (kind "item") with `value`. Returns true if it is clicked. While one of its
+// cells is typed in it is not `clickable`.
 bool table_row(WidgetFrame& ui, std::string_view label, std::span<const Cell> cells, bool selected, std::string value,
-               std::string_view tooltip);
+               std::string_view tooltip, bool clickable = true);
 void end_table();
 
 }  // namespace coaster::ui

@@ -19,7 +19,7 @@ std::string_view id_of(std::string_view label);
 struct Widget {
   std::string path;   // of what the labels show
   std::string alias;  // of their ids, where that differs: the path before a label changed
-  std::string kind;   // button, radio, checkbox, slider, number, text, combo, header, menu, item, label
+  std::string kind;   // button, radio, checkbox, slider, number, text, cell, combo, header, menu, item, label
   float x = 0, y = 0, width = 0, height = 0;  // px
   bool visible = true;                        // inside its clip rectangle
   bool enabled = true;

@@ -156,6 +156,13 @@ struct Number {
 // refused with a notice and changes nothing. Returns a new value during a drag (within a gesture) or when typed.
 std::optional<double> number(WidgetFrame& ui, std::string_view label, const Number& number, std::string_view tooltip,
                              bool enabled = true);
+// A number to type at the cursor, as wide as there is room and a line high, without a label. It takes the keyboard when
+// the frame's wish names the panel.
+struct TypedNumber {
+  std::optional<double> value;  // when it is typed
+  bool open = false;            // it has the keyboard, or gets it with one of the next frames
+};
+TypedNumber cell_number(WidgetFrame& ui, std::string_view label, const Number& number, std::string_view tooltip);
 // Number fields in one row, "Group/name", without labels. Returns the changed one.
 struct Changed {
   int index;

@@ -18,11 +18,26 @@ struct SectionsTable : SectionsStage {
   std::vector<std::string> rows() const {
     std::vector<std::pair<float, std::string>> found;
     for (const Widget& widget : host_->widgets())
-      if (widget.path.starts_with("Sections/q")) found.emplace_back(widget.y, widget.path.substr(9));
+      if (widget.path.starts_with("Sections/q") && widget.kind == "item")
+        found.emplace_back(widget.y, widget.path.substr(9));
     std::sort(found.begin(), found.end());
     std::vector<std::string> names;
     for (const auto& [y, name] : found) names.push_back(name);
     return names;
+  }
+  void double_click(const std::string& path) {
+    rest();
+    ASSERT_TRUE(reach(path)) << path;
+    hover(middle(*find(path)));
+    for (int i = 0; i < 2; ++i) press(), release();
+    frames(2);
+  }
+  void type_in_cell(const std::string& text, Key last = Key::enter) {
+    frames(3);
+    EXPECT_TRUE(host_->wants_keyboard());
+    frame({platform::TextInput{text}});
+    key(last);
+    frame();
   }
   std::vector<world::Entity> selected() const { return world::selected_sections(session_.document, session_.settings); }
   float scene_share() const {
@@ -113,6 +128,82 @@ TEST_F(SectionsTable, equipment_goes_to_all_selected_rows) {
   click("Sections/q3", {.shift = true});
   click("Section/Equipment/Brake");
   EXPECT_TRUE(all_equipped(2, "brake") && all_equipped(3, "brake") && all_equipped(4, "-"));
+}
+
+TEST_F(SectionsTable, a_double_click_on_a_parameter_types_it) {
+  double_click("Sections/q2/Height");
+  EXPECT_EQ(session_.settings.selected, section(2));
+  type_in_cell("30");
+  EXPECT_EQ(parameter(2, "height"), 30);
+  EXPECT_EQ(all<edit::ChangeSection>().size(), 1u);
+  EXPECT_EQ(find("Sections/q2/Height")->kind, "cell");
+  EXPECT_EQ(find("Sections/q2/Height")->value, "30.00");
+  EXPECT_EQ(find("Sections/q4/Radius"), nullptr) << "a loop has none";
+  EXPECT_EQ(find("Sections/q2/Length"), nullptr) << "the length of a climb follows from its parameters";
+  double_click("Sections/q1/Length");
+  type_in_cell("2 * 21");
+  EXPECT_EQ(parameter(1, "length"), 42);
+  // Escape discards, and so does the number that is there.
+  double_click("Sections/q2/Height");
+  frame({platform::TextInput{"7"}});
+  key(Key::escape);
+  double_click("Sections/q2/Height");
+  type_in_cell("30");
+  EXPECT_EQ(parameter(2, "height"), 30);
+  EXPECT_EQ(all<edit::ChangeSection>().size(), 2u);
+}
+
+TEST_F(SectionsTable, enter_types_in_the_selected_row_and_tab_goes_on) {
+  click("Sections/q2");
+  frames(2);
+  key(Key::enter);
+  type_in_cell("28", Key::tab);
+  type_in_cell("24");
+  EXPECT_EQ(parameter(2, "height"), 28);
+  EXPECT_EQ(parameter(2, "radius"), 24);
+  EXPECT_EQ(parameter(2, "angle"), 35);
+  // The last cell of the row ends it.
+  key(Key::enter);
+  type_in_cell("29", Key::tab);
+  type_in_cell("25", Key::tab);
+  type_in_cell("40", Key::tab);
+  EXPECT_EQ(parameter(2, "angle"), 40);
+  frames(4);
+  EXPECT_FALSE(host_->wants_keyboard());
+  // All selected rows that have the parameter.
+  click("Sections/q4");
+  click("Sections/q1", {.shift = true});
+  click("Sections/q3", {.shift = true});
+  frames(2);
+  const std::size_t before = all<edit::ChangeSection>().size(), steps = session_.history.undo.size();
+  key(Key::enter);
+  type_in_cell("18");
+  EXPECT_EQ(parameter(3, "height"), 18);
+  EXPECT_EQ(parameter(4, "height"), 18);
+  EXPECT_EQ(parameter(1, "length"), 30);
+  EXPECT_EQ(all<edit::ChangeSection>().size(), before + 2);
+  EXPECT_EQ(session_.history.undo.size(), steps + 1);
+}
+
+TEST_F(SectionsTable, a_refused_number_is_told_in_words) {
+  double_click("Sections/q2/Height");
+  type_in_cell("tall");
+  EXPECT_NE(host_->toast().find("Sections/q2/Height: \"tall\" is not a number"), std::string::npos) << host_->toast();
+  EXPECT_EQ(parameter(2, "height"), 25);
+  double_click("Sections/q2/Height");
+  type_in_cell("5000");
+  frames(2);
+  EXPECT_EQ(parameter(2, "height"), 300);
+  ASSERT_NE(find("Section/Refusal"), nullptr);
+  EXPECT_NE(host_->toast().find("300"), std::string::npos) << host_->toast();
+  // A row without parameters says so.
+  edit::Knots knots;
+  knots.names = {{world::Kind::knot, 1}, {world::Kind::knot, 2}};
+  good(edit::MakeSection{knots});
+  frames(2);
+  key(Key::enter);
+  frames(2);
+  EXPECT_NE(host_->toast().find("no number"), std::string::npos) << host_->toast();
 }
 
 TEST_F(SectionsTable, the_mouse_over_a_row_marks_its_section_in_the_view) {

@@ -1,0 +1,38 @@
+// Changes of the selected sections' parameters, by panel and table, and why the last one was refused.
+#pragma once
+
+#include <string_view>
+#include <vector>
+
+#include "ui/context/ui.h"
+#include "world/sections.h"
+
+namespace coaster::ui {
+
+// The selected sections.
+struct Chosen {
+  const world::Document& document;
+  world::Entity active;
+  std::vector<world::SectionRun> runs;  // in the track's order
+  bool single() const { return runs.size() == 1; }
+  const world::Section& section() const { return world::section(document, active); }
+  world::Name name() const { return world::name_of(document, active); }
+  world::Name name(const world::SectionRun& run) const { return world::name_of(document, run.section); }
+};
+Chosen chosen_sections(const edit::Session& session);
+
+// Returns the parameter of a planned section that has it; nothing for others.
+std::optional<double> planned_value(const world::Section& section, std::string_view parameter);
+
+// Gives those of the selected sections that have the parameter its value in `to`; "side" is left or right.
+void change_sections(Ui& ui, const Chosen& chosen, std::string_view parameter, const world::Element& to);
+
+// Remembers which field asks for a change, for refusal_of().
+void ask_change(Ui& ui, world::Name section, std::string_view parameter);
+// Takes the answer to the last change that was asked for: the notice that came with it. Each frame, before
+// refusal_of().
+void take_answer(Ui& ui);
+// Returns why the last change was refused, if it was one of this parameter of this section; else "".
+std::string_view refusal_of(const Ui& ui, world::Name section, std::string_view parameter);
+
+}  // namespace coaster::ui
