@@ -1,6 +1,7 @@
 // Parses aim.*: the target, the modifiers and the destination of a drag.
 #include <algorithm>
 #include <array>
+#include <tuple>
 #include <utility>
 
 #include <fmt/format.h>
@@ -13,7 +14,8 @@ namespace {
 using view::PickKind;
 using AimVerb = AimAction::Verb;
 constexpr std::string_view kTargets =
-    "@k3, @k3.in, @k3.out, @k3.spin, @s2:0.4, @c1, @q2, gizmo.x .. gizmo.xy, ground X Y Z or world X Y Z";
+    "@k3, @k3.in, @k3.out, @k3.spin, @s2:0.4, @c1, @q2, @q2.turn, @q2.bank, gizmo.x .. gizmo.xy, ground X Y Z or world "
+    "X Y Z";
 
 bool refuse(Words& words, const base::Token& word) {
   return words.fail(word.column, fmt::format("expected {}, found {}", kTargets, base::quoted(word.text)));
@@ -32,14 +34,14 @@ bool parse_entity(Words& words, const base::Token& word, AimPoint& point) {
   const auto name = world::parse_name(text);
   if (!name) return refuse(words, word);
   point.name = *name;
-  constexpr std::pair<std::string_view, PickKind> kMarks[] = {
-      {"", PickKind::knot}, {"in", PickKind::handle_in}, {"out", PickKind::handle_out}, {"spin", PickKind::spin}};
-  if (name->kind == world::Kind::knot && place.empty())
-    for (const auto& [mark, kind] : kMarks)
-      if (handle == mark) return point.kind = kind, true;
-  if (name->kind == world::Kind::cart && place.empty() && handle.empty()) return point.kind = PickKind::cart, true;
-  if (name->kind == world::Kind::section && place.empty() && handle.empty())
-    return point.kind = PickKind::section, true;
+  using world::Kind;
+  constexpr std::tuple<Kind, std::string_view, PickKind> kMarks[] = {
+      {Kind::knot, "", PickKind::knot},          {Kind::knot, "in", PickKind::handle_in},
+      {Kind::knot, "out", PickKind::handle_out}, {Kind::knot, "spin", PickKind::spin},
+      {Kind::section, "", PickKind::section},    {Kind::section, "turn", PickKind::turn},
+      {Kind::section, "bank", PickKind::bank},   {Kind::cart, "", PickKind::cart}};
+  for (const auto& [of, mark, kind] : kMarks)
+    if (of == name->kind && handle == mark && place.empty()) return point.kind = kind, true;
   if (name->kind != world::Kind::segment || !handle.empty()) return refuse(words, word);
   point.kind = PickKind::curve;
   point.t = 0.5;

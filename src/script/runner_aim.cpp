@@ -23,6 +23,8 @@ std::string name_of(const world::Document& document, const view::Pick& pick) {
     case view::PickKind::handle_in: return label + ".in";
     case view::PickKind::handle_out: return label + ".out";
     case view::PickKind::spin: return label + ".spin";
+    case view::PickKind::turn: return label + ".turn";
+    case view::PickKind::bank: return label + ".bank";
     case view::PickKind::curve: return fmt::format("{}:{}", label, base::to_text(static_cast<float>(pick.t)));
     default: return view::is_gizmo(pick.kind) ? "the gizmo" : label;
   }

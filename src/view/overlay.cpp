@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 
+#include "view/angle_handle.h"
 #include "view/gizmo.h"
 #include "view/marks.h"
 #include "view/overlay_element.h"
@@ -138,8 +139,12 @@ Overlay build_overlay(const world::Document& document, const sim::Derived& deriv
   const Selected selected(settings);
   for (const PlacedMark& placed : shown_marks(document, derived, settings, view, hovered, selected, findings.riding))
     overlay.marks.push_back(mark_of(placed, settings, selected, hovered));
-  if (const auto handle = shown_section_handle(document, derived, settings); handle && !findings.riding)
-    add_section_handle(*handle, scale, hovered.kind == PickKind::section, overlay);
+  if (section_handles_show(settings) && !findings.riding) {
+    for (const AngleHandle& ring : angle_handles(document, derived, settings.selected))
+      add_angle_handle(ring, scale, hovered.kind == ring.kind, overlay);
+    if (const auto handle = section_handle(document, derived, settings.selected))
+      add_section_handle(*handle, scale, hovered.kind == PickKind::section, overlay);
+  }
   add_failure(derived, findings.failure, view, scale, overlay);
   return overlay;
 }

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <utility>
 
+#include "view/angle_handle.h"
 #include "view/beam.h"
 #include "view/gizmo.h"
 #include "view/marks.h"
@@ -175,12 +176,18 @@ namespace {
 
 std::optional<Pick> pick_section_handle(const world::Document& document, const sim::Derived& derived,
                                         const world::Settings& settings, const View& view, glm::vec2 pixel) {
-  const auto handle = shown_section_handle(document, derived, settings);
-  const auto at = handle ? Projector(view)(handle->at) : std::nullopt;
-  if (!at) return std::nullopt;
-  const dvec2 off = glm::abs(dvec2(pixel) - *at);
-  if (std::max(off.x, off.y) > kSectionHandleHalf * settings.look->ui_scale) return std::nullopt;
-  return Pick{PickKind::section, handle->section, 0, glm::vec3(handle->at)};
+  if (!section_handles_show(settings)) return std::nullopt;
+  const Projector projector(view);
+  const auto under = [&](dvec3 place) {
+    const auto at = projector(place);
+    const dvec2 off = at ? glm::abs(dvec2(pixel) - *at) : dvec2(1e9);
+    return std::max(off.x, off.y) <= kSectionHandleHalf * settings.look->ui_scale;
+  };
+  const auto handle = section_handle(document, derived, settings.selected);
+  if (handle && under(handle->at)) return Pick{PickKind::section, handle->section, 0, glm::vec3(handle->at)};
+  for (const AngleHandle& ring : angle_handles(document, derived, settings.selected))
+    if (const dvec3 at = ring.at(ring.angle); under(at)) return Pick{ring.kind, ring.section, 0, glm::vec3(at)};
+  return std::nullopt;
 }
 
 }  // namespace
@@ -217,6 +224,11 @@ std::optional<glm::vec3> position_of(const world::Document& document, const sim:
     case PickKind::section: {
       const auto handle = section_handle(document, derived, entity);
       return handle ? std::optional(glm::vec3(handle->at)) : std::nullopt;
+    }
+    case PickKind::turn:
+    case PickKind::bank: {
+      const auto handle = angle_handle(document, derived, entity, kind);
+      return handle ? std::optional(glm::vec3(handle->at(handle->angle))) : std::nullopt;
     }
     default: return std::nullopt;  // nothing, and parts of the gizmo
   }

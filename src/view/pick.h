@@ -17,6 +17,8 @@ enum class PickKind : std::uint8_t {
   handle_out,
   spin,     // the handle of the spin ring (view/spin_ring.h)
   section,  // the handle of the selected section (view/section_handle.h)
+  turn,     // its handles of angles (view/angle_handle.h)
+  bank,
   cart,
   curve,
   axis_x,
@@ -42,12 +44,12 @@ inline constexpr float kSectionHandleHalf = 6.0f;
 inline constexpr float kCurveReach = 8.0f;  // px from the curve
 inline constexpr float kCartReach = 9.0f;   // px from a car's middle: more than a knot's radius
 
-// Returns what is under a pixel. Marks are on top of everything and never hidden. A section's handle wins over the
-// others, handles over knots, knots over
-// the gizmo, the gizmo over cars, cars over the curve; within a kind the mark nearest to the eye wins (ties: the
-// earlier in the track). Cars are picked by their box, oriented as drawn, and near their middle however small they are;
-// the car that the eye sits in is not. Where curves cross on screen the selected one wins near its picked position.
-// Only handles of `selected` (a knot, or the knots of a selected segment) are shown and can be picked.
+// Returns what is under a pixel. Marks are on top of everything and never hidden. A section's handles win over the
+// others, handles over knots, knots over the gizmo, the gizmo over cars, cars over the curve; within a kind the mark
+// nearest to the eye wins (ties: the earlier in the track). Cars are picked by their box, oriented as drawn, and near
+// their middle however small they are; the car that the eye sits in is not. Where curves cross on screen the selected
+// one wins near its picked position. Only handles of `selected` (a knot, or the knots of a selected segment) are shown
+// and can be picked.
 Pick pick(const world::Document& document, const sim::Derived& derived, const world::Motion& motion,
           const world::Settings& settings, const View& view, glm::vec2 pixel);
 
@@ -71,5 +73,7 @@ std::optional<Pick> pick_segment(const sim::Derived& derived, const View& view, 
 // nothing if there is no such entity. The handle of a spin has none without a view.
 std::optional<glm::vec3> position_of(const world::Document& document, const sim::Derived& derived,
                                      const world::Motion& motion, PickKind kind, world::Entity entity, double t);
+
+inline bool is_section_handle(PickKind kind) { return kind >= PickKind::section && kind <= PickKind::bank; }
 
 }  // namespace coaster::view

@@ -43,10 +43,8 @@ std::optional<SectionHandle> section_handle(const world::Document& document, con
   return std::nullopt;
 }
 
-std::optional<SectionHandle> shown_section_handle(const world::Document& document, const sim::Derived& derived,
-                                                  const world::Settings& settings) {
-  if (settings.look->workspace != world::Workspace::build || !settings.also.empty()) return std::nullopt;
-  return section_handle(document, derived, settings.selected);
+bool section_handles_show(const world::Settings& settings) {
+  return settings.look->workspace == world::Workspace::build && settings.also.empty();
 }
 
 std::optional<double> value_under(const SectionHandle& handle, const Ray& ray) {

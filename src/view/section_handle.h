@@ -20,9 +20,8 @@ struct SectionHandle {
 // or its radius at its end. Nothing for others.
 std::optional<SectionHandle> section_handle(const world::Document& document, const sim::Derived& derived,
                                             world::Entity section);
-// The same of the selected section, in the workspace Build; nothing if several are selected.
-std::optional<SectionHandle> shown_section_handle(const world::Document& document, const sim::Derived& derived,
-                                                  const world::Settings& settings);
+// True in the workspace Build with one section selected: its handles show.
+bool section_handles_show(const world::Settings& settings);
 
 // Returns the parameter for which the handle is where the ray meets its line (height, length) or the level plane
 // (radius); nothing where they do not meet. The place of a handle is proportional to its value.

@@ -14,6 +14,7 @@
 #include "ui/tools/places.h"
 #include "ui/tools/section_clicks.h"
 #include "ui/widgets/theme.h"
+#include "view/angle_handle.h"
 #include "view/section_handle.h"
 #include "world/aids.h"
 #include "world/look.h"
@@ -83,15 +84,28 @@ void draw_hints(Ui& ui, const view::Viewport& scene) {
 
 namespace {
 
+// What a handle of a section changes, with its value: "Height 25.00 m".
+std::string named_handle(const Ui& ui) {
+  const edit::Session& session = ui.session();
+  const view::Pick& at = ui.hovered;
+  const auto named = [](std::string_view parameter, std::string_view value) {
+    std::string name(parameter);
+    name[0] = static_cast<char>(name[0] - 'a' + 'A');
+    return fmt::format("{} {}", name, value);
+  };
+  if (const auto handle = view::angle_handle(session.document, session.derived, at.entity, at.kind)) {
+    const std::string angle = measured(ui, handle->angle, 1, "\u00B0");
+    if (handle->whole == 1) return named(handle->parameter, angle);
+    return named(handle->parameter, fmt::format("{} ({})", fixed(handle->angle * handle->whole, 3), angle));
+  }
+  const auto handle = view::section_handle(session.document, session.derived, at.entity);
+  return handle ? named(handle->parameter, measured(ui, handle->value, 2, "m")) : "";
+}
+
 // The title of the section under the mouse, or what its handle changes; empty for none.
 std::string named_section(const Ui& ui) {
   const edit::Session& session = ui.session();
-  if (ui.hovered.kind == view::PickKind::section)
-    if (const auto handle = view::section_handle(session.document, session.derived, ui.hovered.entity)) {
-      std::string name(handle->parameter);
-      name[0] = static_cast<char>(name[0] - 'a' + 'A');
-      return fmt::format("{} {}", name, measured(ui, handle->value, 2, "m"));
-    }
+  if (view::is_section_handle(ui.hovered.kind)) return named_handle(ui);
   const world::Entity section = section_under(session, ui.hovered);
   if (!section.valid() || ImGui::IsAnyMouseDown()) return {};
   return world::title_of(world::section(session.document, section));

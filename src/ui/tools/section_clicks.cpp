@@ -10,6 +10,7 @@
 #include "edit/commands/commands_settings.h"
 #include "ui/tools/selecting.h"
 #include "ui/tools/viewport_tool.h"
+#include "view/angle_handle.h"
 #include "view/section_handle.h"
 #include "world/look.h"
 #include "world/sections.h"
@@ -70,7 +71,7 @@ void ViewportTool::pull_section(Ui& ui, const view::View& view, glm::vec2 mouse)
   const auto handle = view::section_handle(session.document, session.derived, drag_.pick.entity);
   if (!handle) return;
   const auto under = [&](glm::vec2 pixel) { return view::value_under(*handle, view::ray_through(view, pixel)); };
-  if (drag_.grip == 0) {
+  if (!drag_.grip) {
     const auto grabbed = under(drag_.start);
     if (!grabbed || *grabbed == 0) return;
     drag_.grip = handle->value / *grabbed;
@@ -78,12 +79,37 @@ void ViewportTool::pull_section(Ui& ui, const view::View& view, glm::vec2 mouse)
   const auto value = under(mouse);
   if (!value) return;
   const double steps = ImGui::GetIO().KeyCtrl ? 1 : 20;  // in a metre
-  world::Element to = world::section(session.document, handle->section).element;
-  world::set_value(to, handle->parameter, std::round(*value * drag_.grip * steps) / steps);
-  if (world::value_of(to, handle->parameter) == handle->value) return;
+  change_section(ui, handle->parameter, std::round(*value * *drag_.grip * steps) / steps);
+}
+
+void ViewportTool::turn_section(Ui& ui, const view::View& view, glm::vec2 mouse) {
+  const edit::Session& session = ui.session();
+  const auto handle = view::angle_handle(session.document, session.derived, drag_.pick.entity, drag_.pick.kind);
+  if (!handle) return;
+  const auto under = [&](glm::vec2 pixel, double near) {
+    return view::angle_under(*handle, view::ray_through(view, pixel), near);
+  };
+  if (!drag_.grip) {
+    const auto grabbed = under(drag_.start, handle->angle);
+    if (!grabbed) return;
+    drag_.grip = handle->angle - *grabbed;
+  }
+  const auto angle = under(mouse, handle->angle - *drag_.grip);
+  if (!angle) return;
+  const double step = ImGui::GetIO().KeyCtrl ? 5 : 0.5;  // deg
+  change_section(ui, handle->parameter, std::round((*angle + *drag_.grip) / step) * step * handle->whole);
+}
+
+// Of the section whose handle is dragged, planned again from the drag's start.
+void ViewportTool::change_section(Ui& ui, std::string_view parameter, double value) {
+  const edit::Session& session = ui.session();
+  world::Element to = world::section(session.document, drag_.pick.entity).element;
+  const double now = world::value_of(to, parameter);
+  world::set_value(to, parameter, value);
+  if (world::value_of(to, parameter) == now) return;
   if (!drag_.gesture) ui.emit(edit::BeginGesture{});
   drag_.gesture = true;
-  ui.emit(edit::ChangeSection{{world::name_of(session.document, handle->section)}, true, to});
+  ui.emit(edit::ChangeSection{{world::name_of(session.document, drag_.pick.entity)}, true, to});
 }
 
 // A click selects the knot that a section's handle lies over, at the section's end.

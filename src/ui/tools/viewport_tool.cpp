@@ -137,7 +137,7 @@ void ViewportTool::press_left(Ui& ui, const view::Pick& under) {
     ui.emit(edit::AutomaticSpin{target.name});
     return;
   }
-  if (under.kind == PickKind::section) {
+  if (view::is_section_handle(under.kind)) {
     drag_.what = What::section;
     return;
   }
@@ -169,7 +169,10 @@ void ViewportTool::move(Ui& ui, const view::View& view, glm::vec2 mouse) {
       break;
     case What::item: move_item(ui, view, mouse); break;
     case What::spin: turn_spin(ui, view, mouse); break;
-    case What::section: pull_section(ui, view, mouse); break;
+    case What::section:
+      if (drag_.pick.kind == PickKind::section) pull_section(ui, view, mouse);
+      else turn_section(ui, view, mouse);
+      break;
     case What::box: {
       const glm::vec2 low = glm::min(drag_.start, mouse), high = glm::max(drag_.start, mouse);
       ImDrawList& list = *ImGui::GetBackgroundDrawList();
@@ -270,7 +273,7 @@ void ViewportTool::release(Ui& ui, const view::View& view) {
   if (drag_.gesture) ui.emit(edit::EndGesture{});
   if (!drag_.moved && drag_.click_acts) click_ground(ui, view);
   if (!drag_.moved && drag_.what == What::item && drag_.pick.kind == PickKind::knot) click_knot(ui);
-  if (!drag_.moved && drag_.what == What::section) click_handle(ui);
+  if (!drag_.moved && drag_.pick.kind == PickKind::section) click_handle(ui);
   if (drag_.moved && drag_.what == What::box)
     if (auto chosen = boxed(ui.session(), view, drag_.start, drag_.last, drag_.box))
       ui.out.commands.push_back(std::move(*chosen));

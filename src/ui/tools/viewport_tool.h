@@ -40,7 +40,8 @@ class ViewportTool {
     bool grabbed = false;
     glm::vec3 anchor{0}, offset{0};  // m: the item when grabbed, and its distance from the ray's hit
     glm::vec3 sent{0};               // m: the position of the last command
-    double grip = 0;                 // of a section's handle: its value by that under the cursor when grabbed
+    // Of a section's handle when grabbed: its value by that under the cursor, or its angle less that (deg).
+    std::optional<double> grip;
   };
 
   void press(Ui& ui, const view::View& view, const view::Pick& under);
@@ -48,6 +49,8 @@ class ViewportTool {
   void move(Ui& ui, const view::View& view, glm::vec2 mouse);
   void move_item(Ui& ui, const view::View& view, glm::vec2 mouse);
   void pull_section(Ui& ui, const view::View& view, glm::vec2 mouse);
+  void turn_section(Ui& ui, const view::View& view, glm::vec2 mouse);
+  void change_section(Ui& ui, std::string_view parameter, double value);
   void turn_spin(Ui& ui, const view::View& view, glm::vec2 mouse);
   void release(Ui& ui, const view::View& view);
   void turn_wheel(Ui& ui, const view::View& view, float notches);

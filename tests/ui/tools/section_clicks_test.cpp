@@ -1,6 +1,7 @@
 #include "ui/tools/section_clicks.h"
 
 #include "ui/sections_stage.h"
+#include "view/angle_handle.h"
 #include "view/section_handle.h"
 #include "world/selection.h"
 
@@ -135,6 +136,41 @@ TEST_F(SectionClicks, a_drag_of_the_handle_changes_the_height_in_one_step) {
   frames(40);
   click_at(pixel(glm::vec3(place())));
   EXPECT_EQ(session_.settings.selected, session_.document.track.knots[run(2).end()]) << "a click is for the knot below";
+}
+
+TEST_F(SectionClicks, drags_of_the_rings_turn_and_bank_by_degrees) {
+  good(edit::PlaceElement{{world::ElementKind::curve, true, {25, 90, 40, 0, 0}}});
+  good(edit::Select{{{Kind::section, 5}}});
+  frames(2);
+  look_at_all();
+  const auto handle = [&](view::PickKind kind) {
+    return *view::angle_handle(session_.document, session_.derived, section(5), kind);
+  };
+  const struct {
+    view::PickKind kind;
+    const char *parameter, *label;
+    double was, to;
+  } kCases[] = {{view::PickKind::turn, "angle", "Angle 1", 90, 131}, {view::PickKind::bank, "bank", "Bank ", 40, 21}};
+  for (const auto& one : kCases)
+    for (const bool snaps : {false, true}) {
+      const view::AngleHandle of = handle(one.kind);
+      const glm::vec2 at = pixel(glm::vec3(of.at(of.angle))), to = pixel(glm::vec3(of.at(one.to)));
+      const std::size_t undo = session_.history.undo.size();
+      hover(at);
+      ASSERT_EQ(last_.hovered.kind, one.kind);
+      press({.ctrl = snaps});
+      for (int i = 1; i <= 8; ++i) hover(at + (to - at) * (static_cast<float>(i) / 8));
+      frame();
+      EXPECT_NEAR(parameter(5, one.parameter), one.to, snaps ? 2.5 : 0.8);
+      EXPECT_EQ(std::remainder(parameter(5, one.parameter), snaps ? 5 : 0.5), 0);
+      ASSERT_NE(find("View/Section"), nullptr);
+      EXPECT_TRUE(find("View/Section")->value.starts_with(one.label)) << find("View/Section")->value;
+      release();
+      EXPECT_EQ(session_.history.undo.size(), undo + 1);
+      good(edit::Undo{});
+      EXPECT_EQ(parameter(5, one.parameter), one.was);
+      frames(2);
+    }
 }
 
 }  // namespace section_clicks_test
