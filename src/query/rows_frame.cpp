@@ -23,7 +23,7 @@ Answer deviation(const Context& c, View) {
   const sim::Derived& derived = c.session.derived;
   return number(derived.evaluated_by == curve::EvaluatedBy::processor ? derived.deviation : c.stats.deviation);
 }
-Answer chord_error(const Context& c, View) { return number(sim::chord_error(c.session.derived)); }
+Answer chord_error(const Context& c, View) { return number(c.find(edit::Want::chord_error).chord_error); }
 Answer drawn_by(const Context& c, View) {
   constexpr std::array<View, 4> kNames{"processor", "vertex_shader", "geometry_shader", "tessellation_shader"};
   return text(kNames[static_cast<std::size_t>(c.stats.drawn_by)]);

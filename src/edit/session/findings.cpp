@@ -1,6 +1,7 @@
 #include "edit/session/findings.h"
 
 #include "edit/session/session.h"
+#include "sim/shape/deviation.h"
 #include "sim/study/near_misses.h"
 #include "sim/study/seat.h"
 #include "world/lab_view.h"
@@ -142,6 +143,9 @@ const Findings& find(Session& session, Want wanted, const world::Element& elemen
     found.supports = &memory.supports;
   }
   if (has(wanted, Want::deviation)) find_deviation(session);
+  if (has(wanted, Want::chord_error))
+    found.chord_error = memory.chord_error.get({session.derived.last_build, session.derived.steps},
+                                               [&] { return sim::chord_error(session.derived); });
   return found;
 }
 

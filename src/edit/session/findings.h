@@ -41,14 +41,15 @@ enum class Want : std::uint32_t {
   breaks = 128,    // of the Frenet frame
   values = 256,    // that the track is coloured by
   supports = 512,
-  deviation = 1024,          // from the start track of the challenge under way
-  seat = 2048,               // what the riders of the chosen seat feel during that ride
-  riders = 4096,             // the same of all cars
-  folds = 8192,              // of the rails
-  jolts = 16384,             // of that ride, at the joints
-  circuit = 32768,           // ways from the open end to the first knot
-  sections = 65536,          // their lengths, heights, and what the riders of the chosen seat feel on them
-  conflicts_so_far = 131072  // those found up to now; each time the search goes on by a slice
+  deviation = 1024,           // from the start track of the challenge under way
+  seat = 2048,                // what the riders of the chosen seat feel during that ride
+  riders = 4096,              // the same of all cars
+  folds = 8192,               // of the rails
+  jolts = 16384,              // of that ride, at the joints
+  circuit = 32768,            // ways from the open end to the first knot
+  sections = 65536,           // their lengths, heights, and what the riders of the chosen seat feel on them
+  conflicts_so_far = 131072,  // those found up to now; each time the search goes on by a slice
+  chord_error = 262144        // of the polylines
 };
 constexpr Want operator|(Want a, Want b) {
   return static_cast<Want>(static_cast<std::uint32_t>(a) | static_cast<std::uint32_t>(b));
@@ -77,7 +78,8 @@ struct Findings {
   std::span<const sim::FrenetBreak> breaks;
   const sim::TrackValues* values = nullptr;
   const sim::Supports* supports = nullptr;
-  double deviation = 0;  // m; 0 without a challenge
+  double deviation = 0;    // m; 0 without a challenge
+  double chord_error = 0;  // m, largest distance of the curve from the polylines' chords
 
   // What the members above are kept in, each with the key that it was found for.
   struct Memory {
@@ -100,6 +102,7 @@ struct Findings {
     sim::TrackValueMemo values;
     sim::Supports supports, passed;  // shown, and passed by a ride: each counts what it rebuilds
     base::Kept<std::pair<sim::ShapeTrace, sim::ShapeTrace>, double> deviation;  // by the two tracks' traces
+    base::Kept<std::pair<std::uint64_t, int>, double> chord_error;              // by the last build, and steps
   } memory;
 };
 

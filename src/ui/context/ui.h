@@ -59,9 +59,8 @@ struct EditedCell {
 
 // What panels keep between frames.
 struct Inputs {
-  std::string file;                                                // the path in Track/File
-  double radius = 20;                                              // m, the number in Shape/Radius
-  base::Kept<std::tuple<std::uint64_t, int>, double> chord_error;  // m, by the track's build, and steps
+  std::string file;                      // the path in Track/File
+  double radius = 20;                    // m, the number in Shape/Radius
   std::string waits_for_key, keys_note;  // of the settings: the action whose key is to be pressed, what was changed
   std::array<world::Element, world::elements().size()> elements = world::usual_elements();  // the palette's, by kind
   AskedChange asked;

@@ -91,14 +91,11 @@ void chord_error(Ui& ui) {
     ImGui::SetCursorPos({ImGui::GetCursorPosX() - earlier, ImGui::GetCursorPosY() + ImGui::GetStyle().FramePadding.y});
   }
   constexpr std::size_t kMost = 10'000;  // segments, 10 ms after each change
-  const sim::Derived& derived = ui.session().derived;
-  const bool shown = !derived.order.empty() && derived.order.size() <= kMost;
-  const auto measure = [&] { return sim::chord_error(derived); };
+  const std::size_t segments = ui.session().derived.order.size();
   constexpr std::string_view kHelp =
       "Largest distance of the curve from the polyline. More steps make it smaller. Up to 10,000 segments.";
-  if (!shown) return read_out(ui, "Chord error", "--", "mm", kHelp);
-  read_out(ui, "Chord error", 1e3 * ui.inputs.chord_error.get({derived.last_build, derived.steps}, measure), 2, "mm",
-           kHelp);
+  if (segments == 0 || segments > kMost) return read_out(ui, "Chord error", "--", "mm", kHelp);
+  read_out(ui, "Chord error", 1e3 * ui.find(edit::Want::chord_error).chord_error, 2, "mm", kHelp);
 }
 
 }  // namespace
