@@ -87,6 +87,16 @@ struct Change;  // of the session by one command: edit/perform/perform.h
     __VA_ARGS__;                                                                    \
   }
 
+// The fields of commands that equip; the numbers are in m/s, m/s^2, m/s and s.
+template <class Equipment, class Visit>
+void visit_equipment(Equipment& to, Visit&& visit) {
+  visit("as", to.kind);
+  visit("speed?", to.speed);
+  visit("acceleration?", to.acceleration);
+  visit("hysteresis?", to.hysteresis);
+  visit("seconds?", to.seconds);
+}
+
 template <class... C>
 struct CommandList {
   static constexpr std::size_t size = sizeof...(C);

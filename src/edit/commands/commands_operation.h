@@ -11,15 +11,11 @@ namespace coaster::edit {
 
 struct SetEquipment {
   Target segment;
-  world::EquipmentKind to{};
-  float speed = world::Equipment{}.speed, acceleration = world::Equipment{}.acceleration;
-  float hysteresis = world::Equipment{}.hysteresis, seconds = world::Equipment{}.seconds;
+  world::Equipment to;
   COASTER_COMMAND(SetEquipment, "equip",
                   "Put a station, lift, launch, brake or block on a segment (m/s, m/s^2, m/s, s).", Effect::document,
                   "Made {} a {as}");
-  COASTER_FIELDS(visit("", self.segment), visit("as", self.to), visit("speed?", self.speed),
-                 visit("acceleration?", self.acceleration), visit("hysteresis?", self.hysteresis),
-                 visit("seconds?", self.seconds))
+  COASTER_FIELDS(visit("", self.segment); visit_equipment(self.to, visit))
 };
 struct RemoveEquipment {
   Target segment;

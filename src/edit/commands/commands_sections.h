@@ -48,15 +48,11 @@ struct ChangeSection {
 };
 struct EquipSection {
   Target section;
-  world::EquipmentKind to{};
-  float speed = world::Equipment{}.speed, acceleration = world::Equipment{}.acceleration;
-  float hysteresis = world::Equipment{}.hysteresis, seconds = world::Equipment{}.seconds;
+  world::Equipment to;
   COASTER_COMMAND(EquipSection, "section.equip",
                   "Put a station, lift, launch, brake or block on all segments of a section (m/s, m/s^2, m/s, s).",
                   Effect::document, "Made {} a {as}");
-  COASTER_FIELDS(visit("", self.section), visit("as", self.to), visit("speed?", self.speed),
-                 visit("acceleration?", self.acceleration), visit("hysteresis?", self.hysteresis),
-                 visit("seconds?", self.seconds))
+  COASTER_FIELDS(visit("", self.section); visit_equipment(self.to, visit))
 };
 struct UnequipSection {
   Target section;

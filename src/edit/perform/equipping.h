@@ -8,17 +8,15 @@
 namespace coaster::edit {
 
 // Returns it with its numbers within their limits; refused where one is not finite.
-template <class Command>
-base::Result<world::Equipment> equipment_of(const Command& command, Change& change) {
-  for (const float value : {command.speed, command.acceleration, command.hysteresis, command.seconds})
+inline base::Result<world::Equipment> equipment_of(world::Equipment equipment, Change& change) {
+  for (const float value : {equipment.speed, equipment.acceleration, equipment.hysteresis, equipment.seconds})
     if (!std::isfinite(value)) return refused("expected finite numbers");
-  world::Equipment equipment{command.to};
   const auto fastest = static_cast<float>(world::kMaxSpeed);
-  equipment.speed = change.clamp("speed", command.speed, 0.0f, fastest, "m/s");
+  equipment.speed = change.clamp("speed", equipment.speed, 0.0f, fastest, "m/s");
   equipment.acceleration =
-      change.clamp("acceleration", command.acceleration, world::kMinAcceleration, world::kMaxAcceleration, "m/s^2");
-  equipment.hysteresis = change.clamp("hysteresis", command.hysteresis, 0.0f, fastest, "m/s");
-  equipment.seconds = change.clamp("seconds", command.seconds, 0.0f, world::kMaxDwell, "s");
+      change.clamp("acceleration", equipment.acceleration, world::kMinAcceleration, world::kMaxAcceleration, "m/s^2");
+  equipment.hysteresis = change.clamp("hysteresis", equipment.hysteresis, 0.0f, fastest, "m/s");
+  equipment.seconds = change.clamp("seconds", equipment.seconds, 0.0f, world::kMaxDwell, "s");
   return equipment;
 }
 

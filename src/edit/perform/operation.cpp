@@ -24,7 +24,7 @@ bool finite(std::initializer_list<double> values) {
 Status perform(Session& session, Change& change, const SetEquipment& command) {
   const auto segment = require(session, command.segment, world::Kind::segment);
   if (!segment) return segment.status();
-  const base::Result<world::Equipment> equipment = equipment_of(command, change);
+  const base::Result<world::Equipment> equipment = equipment_of(command.to, change);
   if (!equipment) return equipment.status();
   session.document.entities.put(*segment, *equipment);
   return {};

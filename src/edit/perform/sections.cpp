@@ -87,7 +87,7 @@ Status perform(Session& session, Change&, const SetSectionTitle& command) {
 Status perform(Session& session, Change& change, const EquipSection& command) {
   const auto section = require(session, command.section, Kind::section);
   if (!section) return section.status();
-  base::Result<world::Equipment> equipment = equipment_of(command, change);
+  base::Result<world::Equipment> equipment = equipment_of(command.to, change);
   if (!equipment) return equipment.status();
   const SectionRun run = world::run_of(session.document, *section);
   for (std::size_t i = run.first; i < run.end(); ++i)

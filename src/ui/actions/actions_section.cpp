@@ -76,7 +76,7 @@ void each(Act& act) {
 }
 template <EquipmentKind kind>
 void equip(Act& act) {
-  for_each_section(act, [](world::Name name) { return edit::EquipSection{{name}, kind}; });
+  for_each_section(act, [](world::Name name) { return edit::EquipSection{{name}, {kind}}; });
 }
 template <edit::Neighbour to>
 void move(Act& act) {

@@ -51,4 +51,23 @@ std::optional<EquipmentChoice> equipment_buttons(Ui& ui, const Equipped& now, bo
   return chosen;
 }
 
+std::optional<world::Equipment> equipment_rows(Ui& ui, world::Equipment now) {
+  bool changed = false;
+  const auto field = [&](const char* label, float& value, const char* unit, double low, double high,
+                         const char* tooltip) {
+    const auto to = number(ui, label, {.value = value, .unit = unit, .low = low, .high = high}, tooltip);
+    if (to) value = static_cast<float>(*to), changed = true;
+  };
+  field("Speed", now.speed, "m/s", 0, world::kMaxSpeed,
+        "Target speed of a lift, launch or brake, and exit speed of a station.");
+  field("Acceleration", now.acceleration, "m/s\u00B2", world::kMinAcceleration, world::kMaxAcceleration,
+        "Largest acceleration or deceleration.");
+  if (now.kind == world::EquipmentKind::brake || now.kind == world::EquipmentKind::block)
+    field("Hysteresis", now.hysteresis, "m/s", 0, world::kMaxSpeed,
+          "The brake switches on above speed + hysteresis and off below speed - hysteresis.");
+  if (now.kind == world::EquipmentKind::station)
+    field("Wait", now.seconds, "s", 0, world::kMaxDwell, "Time that a train waits in the station.");
+  return changed ? std::optional(now) : std::nullopt;
+}
+
 }  // namespace coaster::ui

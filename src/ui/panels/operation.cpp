@@ -31,10 +31,6 @@ std::vector<world::Entity> chosen_segments(const edit::Session& session) {
   return after.valid() ? std::vector{after} : between;
 }
 
-edit::SetEquipment equipping(world::Name segment, world::EquipmentKind kind, const world::Equipment& e) {
-  return {{segment}, kind, e.speed, e.acceleration, e.hysteresis, e.seconds};
-}
-
 void equipment(Ui& ui) {
   const world::Document& document = ui.session().document;
   const std::vector<world::Entity> segments = chosen_segments(ui.session());
@@ -42,20 +38,19 @@ void equipment(Ui& ui) {
           segments.empty() ? "Select a segment to place a station, lift, launch, brake or block."
                            : "Equipment on the selected segments.");
   const Equipped now = equipped(document, segments);
-  const world::Equipment values = now.equipment ? *now.equipment : world::Equipment{};
-  if (const auto chosen = equipment_buttons(ui, now, !segments.empty()))
-    ui.emit_each(segments, [&](world::Entity e) {
-      const world::Name name = world::name_of(document, e);
-      if (chosen->kind) ui.emit(equipping(name, *chosen->kind, values));
-      else if (document.entities.find<world::Equipment>(e)) ui.emit(edit::RemoveEquipment{{name}});
-    });
+  world::Equipment to = now.equipment ? *now.equipment : world::Equipment{};
+  const auto equip = [&] {
+    ui.emit_each(segments, [&](world::Entity e) { ui.emit(edit::SetEquipment{{world::name_of(document, e)}, to}); });
+  };
+  if (const auto chosen = equipment_buttons(ui, now, !segments.empty())) {
+    if (chosen->kind) to.kind = *chosen->kind, equip();
+    else
+      ui.emit_each(segments, [&](world::Entity e) {
+        if (document.entities.find<world::Equipment>(e)) ui.emit(edit::RemoveEquipment{{world::name_of(document, e)}});
+      });
+  }
   if (!now.equipment) return;
-  equipment_rows(ui, equipping({}, values.kind, values), [&](edit::SetEquipment set) {
-    ui.emit_each(segments, [&](world::Entity e) {
-      set.segment = {world::name_of(document, e)};
-      ui.emit(set);
-    });
-  });
+  if (const auto changed = equipment_rows(ui, *now.equipment)) to = *changed, equip();
 }
 
 void train(Ui& ui) {

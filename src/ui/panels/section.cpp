@@ -72,23 +72,20 @@ void section_equipment(Ui& ui, const Chosen& chosen) {
     for (std::size_t i = run.first; i < run.end(); ++i) segments.push_back(all[i]);
   heading(ui, "Equipment", "Equipment of all of the section.");
   const Equipped now = equipped(chosen.document, segments);
-  const world::Equipment values = now.equipment ? *now.equipment : world::Equipment{};
-  const auto equip = [&](edit::EquipSection set) {
+  world::Equipment to = now.equipment ? *now.equipment : world::Equipment{};
+  const auto equip = [&] {
     ui.emit_each(chosen.runs, [&](const world::SectionRun& run) {
-      set.section = {chosen.name(run)};
-      ui.emit(set);
+      ui.emit(edit::EquipSection{{chosen.name(run)}, to});
     });
   };
-  const auto set_of = [&](world::EquipmentKind kind) {
-    return edit::EquipSection{{}, kind, values.speed, values.acceleration, values.hysteresis, values.seconds};
-  };
-  if (const auto to = equipment_buttons(ui, now, true)) {
-    if (to->kind) equip(set_of(*to->kind));
+  if (const auto button = equipment_buttons(ui, now, true)) {
+    if (button->kind) to.kind = *button->kind, equip();
     else
       ui.emit_each(chosen.runs,
                    [&](const world::SectionRun& run) { ui.emit(edit::UnequipSection{{chosen.name(run)}}); });
   }
-  if (now.equipment) equipment_rows(ui, set_of(now.equipment->kind), equip);
+  if (!now.equipment) return;
+  if (const auto changed = equipment_rows(ui, *now.equipment)) to = *changed, equip();
 }
 
 // Buttons in pairs: what is done with whole sections.
