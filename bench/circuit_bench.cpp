@@ -106,7 +106,7 @@ void change_40_elements(benchmark::State& state) {
   int step = 0, taken = 0;
   for (auto _ : state) {
     taken += builder.apply(
-        fmt::format("section.change @q2 anew on to climb height {} equipment lift", 45 + 0.05 * (++step % 40)));
+        fmt::format("section.change @q2 from_start on to climb height {} equipment lift", 45 + 0.05 * (++step % 40)));
     edit::find(session, edit::Want::ride | edit::Want::overloads | edit::Want::conflicts);
   }
   state.counters["closed"] = closed;

@@ -14,14 +14,16 @@
 namespace coaster::edit {
 namespace {
 
-// "at?" is the keyword "at" of an optional field. A command that takes entities of any kind works only on segments, and
-// help shows a segment.
+// "at?" is the keyword "at" of an optional field, "at?|by" one whose former name was "by". A command that takes
+// entities of any kind works only on segments, and help shows a segment.
 struct Keyword {
-  std::string word;
+  std::string word, former;
   bool optional = false;
-  explicit Keyword(std::string_view text) : word(text), optional(text.ends_with('?')) {
+  explicit Keyword(std::string_view text) : word(text.substr(0, text.find('|'))), optional(word.ends_with('?')) {
+    if (text.find('|') != text.npos) former = text.substr(text.find('|') + 1);
     if (optional) word.pop_back();
   }
+  bool is(std::string_view text) const { return text == word || (!former.empty() && text == former); }
 };
 
 // The operations of a field type, so that the rest is written once for all commands.
@@ -111,8 +113,9 @@ std::string usage(const CommandKind& row) {
 bool read_field(base::Words& words, const Field& field) {
   const Keyword& keyword = field.keyword;
   if (!keyword.word.empty()) {
-    if (keyword.optional && (!words.peek() || words.peek()->text != keyword.word)) return true;
-    const Names one{keyword.word};
+    const bool here = words.peek() && keyword.is(words.peek()->text);
+    if (keyword.optional && !here) return true;
+    const Names one{here ? words.peek()->text : keyword.word};
     if (!words.one_of(fmt::format("\"{}\"", keyword.word), one)) return false;
   }
   return field.type->read(words, field.value);

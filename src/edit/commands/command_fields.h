@@ -80,7 +80,7 @@ struct Change;  // of the session by one command: edit/perform/perform.h
   friend base::Status perform(Session& session, Change& change, const Kind& command)
 
 // fields(self, visit) calls visit(keyword, member) in the order of the text; an empty keyword is positional: "move @k4
-// to 1 2 3" has the fields ("", knot) and ("to", position).
+// to 1 2 3" has the fields ("", knot) and ("to", position). "on?" is optional, "on?|by" was once called "by".
 #define COASTER_FIELDS(...)                                                         \
   template <class Self, class Visit>                                                \
   static void fields([[maybe_unused]] Self& self, [[maybe_unused]] Visit&& visit) { \

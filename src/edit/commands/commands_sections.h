@@ -35,16 +35,16 @@ struct SetSectionTitle {
                   "Titled {} {to}");
   COASTER_FIELDS(visit("", self.section), visit("to", self.to))
 };
-// With `anew on` it starts from the section as it was when the open gesture began.
+// With `from_start on` it starts from the section as it was when the open gesture began.
 struct ChangeSection {
   Target section;
-  bool anew = false;
+  bool from_start = false;
   world::Element to;
   COASTER_COMMAND(ChangeSection, "section.change",
                   "Plan a section again as an element with these parameters; what follows moves with its end. What is "
                   "not named has its usual value.",
                   Effect::document, "Changed {} to {to}");
-  COASTER_FIELDS(visit("", self.section), visit("anew?", self.anew), visit("to", self.to))
+  COASTER_FIELDS(visit("", self.section), visit("from_start?|anew", self.from_start), visit("to", self.to))
 };
 struct EquipSection {
   Target section;

@@ -8,34 +8,35 @@
 
 namespace coaster::edit {
 
-// With `anew on` these start from the knots' state when the open gesture began: if a drag sends several, only the last
-// one counts.
+// With `from_start on` these start from the knots' state when the open gesture began: if a drag sends several, only the
+// last one counts.
 struct Translate {
   Knots knots;
   glm::vec3 by{0};
-  bool anew = false;
+  bool from_start = false;
   COASTER_COMMAND(Translate, "translate",
-                  "Move knots by a distance (m). With anew on, from where they were when the gesture began.",
+                  "Move knots by a distance (m). With from_start on, from where they were when the gesture began.",
                   Effect::document, "Moved {}");
-  COASTER_FIELDS(visit("", self.knots), visit("by", self.by), visit("anew?", self.anew))
+  COASTER_FIELDS(visit("", self.knots), visit("by", self.by), visit("from_start?|anew", self.from_start))
 };
 struct Rotate {
   Knots knots;
   double by = 0;
   glm::vec3 about{0}, axis{0, 1, 0};
-  bool anew = false;
+  bool from_start = false;
   COASTER_COMMAND(Rotate, "rotate", "Turn knots by an angle (degrees, right-handed) about a point and an axis.",
                   Effect::document, "Rotated {} by {by}\u00B0");
   COASTER_FIELDS(visit("", self.knots), visit("by", self.by), visit("about", self.about), visit("axis?", self.axis),
-                 visit("anew?", self.anew))
+                 visit("from_start?|anew", self.from_start))
 };
 struct Scale {
   Knots knots;
   glm::vec3 by{1}, about{0};
-  bool anew = false;
+  bool from_start = false;
   COASTER_COMMAND(Scale, "scale_knots", "Scale knots and their handles along x, y and z about a point.",
                   Effect::document, "Scaled {}");
-  COASTER_FIELDS(visit("", self.knots), visit("by", self.by), visit("about", self.about), visit("anew?", self.anew))
+  COASTER_FIELDS(visit("", self.knots), visit("by", self.by), visit("about", self.about),
+                 visit("from_start?|anew", self.from_start))
 };
 struct Mirror {
   Knots knots;

@@ -213,8 +213,9 @@ Status perform(Session& session, Change& change, const ChangeSection& command) {
   if (!section) return section.status();
   if (const Status good = well_formed(command.to); !good) return good;
   const Document& start = session.history.gesture_start;
-  const bool anew = command.anew && session.history.in_gesture && start.entities.find<world::Section>(*section);
-  const Document& former = anew ? start : session.document;
+  const bool from_start =
+      command.from_start && session.history.in_gesture && start.entities.find<world::Section>(*section);
+  const Document& former = from_start ? start : session.document;
   Document next = former;
   if (const Status planned = replan(session, change, next, *section, command.to); !planned) return planned;
   return adopt(session, change, former, std::move(next));

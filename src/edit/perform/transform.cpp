@@ -30,8 +30,8 @@ struct Map {
 };
 
 // Returns the knot as it was when the gesture began, or as it is.
-const Knot& source(const Session& session, Entity e, bool anew) {
-  if (anew && session.history.in_gesture)
+const Knot& source(const Session& session, Entity e, bool from_start) {
+  if (from_start && session.history.in_gesture)
     if (const Knot* const then = session.history.gesture_start.entities.find<Knot>(e)) return *then;
   return world::knot(session.document, e);
 }
@@ -66,12 +66,12 @@ void turn_back_twists(world::Document& document, const std::vector<Entity>& knot
   }
 }
 
-Status transform(Session& session, Change& change, const Knots& which, const Map& map, bool anew) {
+Status transform(Session& session, Change& change, const Knots& which, const Map& map, bool from_start) {
   auto knots = knots_of(session, which);
   if (!knots) return knots.status();
   bool cut = false;
   for (const Entity e : *knots) {
-    Knot next = source(session, e, anew);
+    Knot next = source(session, e, from_start);
     const dvec3 position =
         map.rigid_shift ? dvec3(next.position) + map.by : map.about + map.linear * (dvec3(next.position) - map.about);
     if (!map.rigid_shift) turn(next, map.linear, cut);
@@ -88,7 +88,7 @@ Status transform(Session& session, Change& change, const Knots& which, const Map
   if (glm::determinant(map.linear) < 0) {
     std::sort(knots->begin(), knots->end());
     turn_back_twists(session.document, *knots,
-                     anew && session.history.in_gesture ? &session.history.gesture_start : nullptr);
+                     from_start && session.history.in_gesture ? &session.history.gesture_start : nullptr);
   }
   return {};
 }
@@ -97,7 +97,7 @@ Status transform(Session& session, Change& change, const Knots& which, const Map
 
 Status perform(Session& session, Change& change, const Translate& command) {
   if (!finite(command.by)) return refused("expected 3 finite numbers");
-  return transform(session, change, command.knots, {.by = dvec3(command.by), .rigid_shift = true}, command.anew);
+  return transform(session, change, command.knots, {.by = dvec3(command.by), .rigid_shift = true}, command.from_start);
 }
 
 Status perform(Session& session, Change& change, const Rotate& command) {
@@ -109,7 +109,8 @@ Status perform(Session& session, Change& change, const Rotate& command) {
   const double angle = base::radians(std::remainder(command.by, 360.0));
   const dmat3 linear(curve::rotate({1, 0, 0}, unit, angle), curve::rotate({0, 1, 0}, unit, angle),
                      curve::rotate({0, 0, 1}, unit, angle));
-  return transform(session, change, command.knots, {.linear = linear, .about = dvec3(command.about)}, command.anew);
+  return transform(session, change, command.knots, {.linear = linear, .about = dvec3(command.about)},
+                   command.from_start);
 }
 
 Status perform(Session& session, Change& change, const Scale& command) {
@@ -120,7 +121,8 @@ Status perform(Session& session, Change& change, const Scale& command) {
       return refused(fmt::format("expected factors of {} or more", base::to_text(kLeastFactor)));
     linear[i][i] = command.by[i];
   }
-  return transform(session, change, command.knots, {.linear = linear, .about = dvec3(command.about)}, command.anew);
+  return transform(session, change, command.knots, {.linear = linear, .about = dvec3(command.about)},
+                   command.from_start);
 }
 
 Status perform(Session& session, Change& change, const Mirror& command) {

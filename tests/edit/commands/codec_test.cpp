@@ -33,7 +33,7 @@ bool equal(const Command& a, const Command& b) {
       std::size_t i = 0;
       C::fields(*one.as<C>(), [&](std::string_view name, const auto& value) {
         const auto& counterpart = *static_cast<const std::decay_t<decltype(value)>*>(values[i++]);
-        if (!name.ends_with('?')) same = same && value == counterpart;
+        if (name.find('?') == name.npos) same = same && value == counterpart;
       });
       return same;
     };
@@ -95,7 +95,11 @@ TEST(codec, commands_read_as_documented) {
   EXPECT_EQ(print(SetLengths{{{world::Kind::knot, 1}}, 4, 6}), "lengths @k1 in 4 out 6");
   Knots two;
   two.names = {{world::Kind::knot, 1}, {world::Kind::knot, 12}};
-  EXPECT_EQ(print(Translate{two, {1, 2, 3}, true}), "translate @k1,@k12 by 1 2 3 anew on");
+  EXPECT_EQ(print(Translate{two, {1, 2, 3}, true}), "translate @k1,@k12 by 1 2 3 from_start on");
+  base::TextError error;
+  const auto former = parsed("translate @k1,@k12 by 1 2 3 anew on", error);
+  ASSERT_TRUE(former.ok()) << error.message;
+  EXPECT_EQ(print(*former), "translate @k1,@k12 by 1 2 3 from_start on") << "by its former name";
   EXPECT_EQ(print(Smooth{Knots::Which::selected, world::SplineSteps::uniform}), "smooth selected by uniform");
   EXPECT_EQ(print(SetSnapping{world::SnapTo::grid, 0.5, 30}), "snapping grid step 0.5 angle 30");
   EXPECT_EQ(print(SetTrain{{{world::Kind::cart, 1}}, 3, 2.5f}), "train @c1 cars 3 spacing 2.5 length 0 mass 0");

@@ -92,7 +92,7 @@ TEST_F(HandShaped, a_drag_frees_once_and_is_one_step) {
   const std::string inside = name_of_knot(loop_.first + 1);
   good("gesture.begin");
   const std::uint64_t serial = session.notices.serial;
-  for (int i = 1; i < 9; ++i) good("translate " + inside + " by 0 0." + std::to_string(i) + " 0 anew on");
+  for (int i = 1; i < 9; ++i) good("translate " + inside + " by 0 0." + std::to_string(i) + " 0 from_start on");
   EXPECT_EQ(session.notices.serial, serial + 1);
   good("gesture.end");
   EXPECT_EQ(kinds(), "straight free curve");

@@ -180,8 +180,8 @@ TEST_F(Replan, a_drag_of_a_parameter_is_one_step_without_drift) {
   const world::Document before = session.document;
   const std::size_t steps = session.history.undo.size();
   good("gesture.begin");
-  for (int i = 0; i < 40; ++i) good("section.change @q5 anew on to curve radius " + std::to_string(20 + i % 7));
-  good("section.change @q5 anew on to curve radius 26 angle 140");
+  for (int i = 0; i < 40; ++i) good("section.change @q5 from_start on to curve radius " + std::to_string(20 + i % 7));
+  good("section.change @q5 from_start on to curve radius 26 angle 140");
   good("gesture.end");
   EXPECT_EQ(session.history.undo.size(), steps + 1);
   const world::Document dragged = session.document;

@@ -186,7 +186,7 @@ TEST_F(TakeUp, a_small_change_is_a_small_change) {
   good("gesture.begin");
   std::vector<dvec3> last;
   for (int i = 0; i <= 40; ++i) {
-    good(fmt::format("section.change @q2 anew on to climb height {} equipment lift", 25 + 0.1 * i));
+    good(fmt::format("section.change @q2 from_start on to climb height {} equipment lift", 25 + 0.1 * i));
     std::vector<dvec3> now;
     for (const double share : {0.1, 0.3, 0.5, 0.7, 0.9}) now.push_back(at(share));
     for (std::size_t k = 0; k < last.size(); ++k) EXPECT_LT(glm::distance(now[k], last[k]), 1.0) << i;

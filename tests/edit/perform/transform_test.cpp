@@ -36,9 +36,9 @@ TEST_F(Transforming, translate_moves_the_named_alone) {
 TEST_F(Transforming, anew_replaces_what_the_gesture_did_before) {
   const std::vector<Knot> before = knots();
   good("gesture.begin");
-  for (int i = 0; i < 50; ++i) good("translate all by " + std::to_string(i) + ".3 0 0 anew on");
-  good("rotate all by 200 about 1 2 3 anew on");
-  good("translate all by 2 0 0 anew on");
+  for (int i = 0; i < 50; ++i) good("translate all by " + std::to_string(i) + ".3 0 0 from_start on");
+  good("rotate all by 200 about 1 2 3 from_start on");
+  good("translate all by 2 0 0 from_start on");
   good("gesture.end");
   const std::vector<Knot> after = knots();
   for (std::size_t i = 0; i < after.size(); ++i)
