@@ -50,6 +50,14 @@ void rules_of(Ui& ui, const std::vector<query::Rule>& rules, std::initializer_li
       rule_row(ui, rule, file.list(rule.list)[rule.index]);
 }
 
+// "Locked: auto bank, section equip."
+std::string locked_words(const std::vector<std::string>& locks) {
+  std::string words = fmt::format("Locked: {}.", fmt::join(locks, ", "));
+  std::replace(words.begin(), words.end(), '_', ' ');
+  std::replace(words.begin(), words.end() - 1, '.', ' ');
+  return words;
+}
+
 // The three medals side by side, those that were earned in their metal.
 void medals(Ui& ui, const edit::ActiveChallenge& challenge, int best) {
   const float size = std::floor(34 * ui.scale), room = ImGui::GetContentRegionAvail().x, third = std::floor(room / 3);
@@ -115,8 +123,7 @@ void challenge_panel(Ui& ui) {
                                                            : "To pass###To pass, ride so that",
           "Goals and limits. Values of the ride come from a simulation of the whole ride.");
   rules_of(ui, *rules, {RuleList::goals, RuleList::limits, RuleList::bronze});
-  if (!challenge.file.locks.empty())
-    paragraph(ui, "Locked", fmt::format("Locked: {}.", fmt::join(challenge.file.locks, ", ")), palette().dim);
+  if (!challenge.file.locks.empty()) paragraph(ui, "Locked", locked_words(challenge.file.locks), palette().dim);
   medals(ui, challenge, std::max(challenge.medal, known_medal(ui, challenge.path)));
   medal_rules(ui, *rules);
   if (!challenge.last.reason.empty()) {
