@@ -100,9 +100,12 @@ void build_column(Ui& ui, Column column, const view::Viewport& area) {
       }
       ImGui::PopID();
     };
-    // In Build a chosen element comes before what else is selected.
-    const bool element_first = ui.session().settings.look->workspace == world::Workspace::build;
-    const auto is_first = [&](const Panel& panel) { return element_first && panel.shows == kElement; };
+    // In Build a chosen element comes before what else is selected, and a challenge before the track.
+    const bool building = ui.session().settings.look->workspace == world::Workspace::build;
+    const auto is_first = [&](const Panel& panel) {
+      const bool challenge = panel.build == challenge_panel && occasions(ui) == kTrack;
+      return building && (panel.shows == kElement || challenge);
+    };
     for (const Panel& panel : panels())
       if (is_first(panel)) build(panel);
     for (const Panel& panel : panels())

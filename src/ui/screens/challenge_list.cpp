@@ -32,6 +32,22 @@ ChallengeEntry entry_of(const std::filesystem::path& path) {
   return entry;
 }
 
+// Returns the first whole sentences of a text that find room in two small lines, else its first words.
+std::string two_lines(const std::string& text, float width) {
+  const auto fits = [&](const std::string& part) {
+    const ImVec2 size = small_font()->CalcTextSizeA(small_pixels(), 1e9f, width, part.c_str());
+    return size.y < 2.5f * small_pixels();
+  };
+  if (fits(text)) return text;
+  std::string sentences, words;
+  for (std::size_t at = text.find(' '); at != std::string::npos; at = text.find(' ', at + 1)) {
+    const std::string part = text.substr(0, at);
+    if (part.ends_with('.') && fits(part)) sentences = part;
+    if (fits(part + "\u2026")) words = part + "\u2026";
+  }
+  return sentences.empty() ? words : sentences;
+}
+
 void draw_row(const Ui& ui, const ChallengeEntry& entry, int medal, ImVec2 low, ImVec2 high, bool current,
               bool hovered) {
   ImDrawList& list = *ImGui::GetWindowDrawList();
@@ -42,10 +58,9 @@ void draw_row(const Ui& ui, const ChallengeEntry& entry, int medal, ImVec2 low, 
   draw_text(list, {left, low.y + pad * 0.75f}, entry.problem.empty() ? palette().text : palette().error, entry.name);
   const float line = ImGui::GetTextLineHeight();
   const float top = std::floor(low.y + pad * 0.75f + line + 2 * ui.scale);
-  const ImVec4 clip(left, low.y, high.x - pad, top + 2 * small_pixels());  // two lines
-  const std::string help = in_units(ui, entry.help());
+  const std::string help = two_lines(in_units(ui, entry.help()), high.x - pad - left);
   list.AddText(small_font(), small_pixels(), {left, top}, packed(palette().dim), help.c_str(), nullptr,
-               high.x - pad - left, &clip);
+               high.x - pad - left);
 }
 
 }  // namespace
