@@ -7,15 +7,8 @@ import pathlib
 import shutil
 import subprocess
 import sys
-import time
 
-SCRIPT = """coaster-script 1
-env size 320x180
-append at 0 5 0
-append at 20 5 0
-shot "$OUT/ready.png"
-frames 1000000
-"""
+from lost_display import expect_saved
 
 
 def start_display(*options):
@@ -77,22 +70,10 @@ def main():
                               capture_output=True, text=True, timeout=120)
         if done.returncode != 0 or (out / "home" / "starting").exists():
             raise SystemExit(f"after a crash: {done.returncode}, {done.stderr!r}")
-
-        (out / "lost.coaster").write_text(SCRIPT)
-        lost = subprocess.Popen([coaster, "--script", out / "lost.coaster", "--out", out / "run", "--config", out / "home"],
-                                env=environment(display), stderr=subprocess.PIPE, text=True)
-        end = time.monotonic() + 60
-        while not (out / "run" / "ready.png").exists() and lost.poll() is None and time.monotonic() < end:
-            time.sleep(0.05)
+        expect_saved(coaster, out, environment(display), server.kill)
     finally:
         server.kill()
         server.wait()
-    _, errors = lost.communicate(timeout=60)
-    expect("lost display", errors, "The display is gone. Unsaved changes are kept for the next start.")
-    if lost.returncode != 4:
-        raise SystemExit(f"lost display: expected exit code 4, found {lost.returncode}: {errors!r}")
-    if not list((out / "home" / "recovery").glob("*.info.json")):
-        raise SystemExit("lost display: nothing can be recovered")
 
 
 main()
