@@ -85,7 +85,8 @@ struct LabCache {
   bool forces_over_time = false;
   std::array<bool, 4> graph_hidden{};  // curves of the force graph
   int red_chosen = -1;
-  std::string advice;
+  std::optional<sim::Advice> advice;  // for the chosen overload
+  bool advised = false;               // it was asked for
 };
 
 }  // namespace coaster::ui

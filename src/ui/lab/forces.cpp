@@ -11,9 +11,11 @@
 
 #include "edit/commands/commands_operation.h"
 #include "edit/commands/commands_ride.h"
+#include "edit/commands/commands_shape.h"
 #include "sim/study/ratings.h"
 #include "ui/lab/cache.h"
 #include "ui/lab/ride_plots.h"
+#include "ui/tools/places.h"
 #include "ui/widgets/table.h"
 #include "world/layers.h"
 
@@ -50,16 +52,34 @@ constexpr TableColumn kRedColumns[] = {
     {"Actual###Is", "g", 1.1f, "Low-pass filtered, where the limit is exceeded most."},
     {"Limit###May", "g", 1.0f, "Limit for this duration by the envelope (command envelope). Not a compliance check."}};
 
-std::string advice_text(const edit::Session& session, const std::optional<sim::Advice>& advice) {
-  if (!advice) return "Moving one nearby knot does not help.";
-  for (int axis = 0; axis < 3; ++axis) {
-    const float part = advice->direction[axis];
-    if (part == 0) continue;
-    const double less = advice->before > 0 ? 100 * (1 - advice->after / advice->before) : 0;
-    return fmt::format("Move {} by {}{} m in {}: {} % less.", world::label_of(session.document, advice->knot),
-                       part > 0 ? "+" : "-", fixed(sim::kAdviceStep, 2), "xyz"[axis], fixed(less, 0));
+// Returns what the move is to a rider: "Raise k7 by 0.25 m", "Move k7 by 0.25 m to the left".
+std::string move_text(const world::Document& document, const sim::Advice& advice) {
+  const std::string label = world::label_of(document, advice.knot), by = fixed(sim::kAdviceStep, 2) + " m";
+  if (advice.direction.y != 0) return fmt::format("{} {} by {}", advice.direction.y > 0 ? "Raise" : "Lower", label, by);
+  const glm::vec3 ahead = world::knot(document, advice.knot).tangent;
+  const float along = glm::dot(advice.direction, ahead),
+              left = glm::dot(advice.direction, glm::cross(glm::vec3(0, 1, 0), ahead));
+  const std::string_view way = std::abs(along) > std::abs(left) ? (along > 0 ? "forwards" : "back")
+                               : left > 0                       ? "to the left"
+                                                                : "to the right";
+  return fmt::format("Move {} by {} {}", label, by, way);
+}
+
+// What moving one knot would do, and buttons that show the knot and move it.
+void advice_rows(Ui& ui) {
+  const std::optional<sim::Advice>& advice = ui.lab.advice;
+  const world::Document& document = ui.session().document;
+  if (!advice || !document.entities.find<world::Knot>(advice->knot))
+    return small_note("Moving one knot nearby does not help. Try a lower speed or a wider bend.");
+  const double less = advice->before > 0 ? 100 * (1 - advice->after / advice->before) : 0;
+  const std::string effect = advice->after > 0 ? fmt::format("shrinks by {} %", fixed(less, 0)) : "disappears";
+  small_note(in_units(ui, fmt::format("{}: this overload {}.", move_text(document, *advice), effect)));
+  if (button(ui, "Show", "Select this knot and point the camera at it.")) show_knot(ui, advice->knot);
+  ImGui::SameLine();
+  if (button(ui, "Apply", "Move the knot. One undo step. Suggest again for the next move.")) {
+    ui.emit(edit::Translate{world::name_of(document, advice->knot), sim::kAdviceStep * advice->direction, false});
+    ui.lab.advised = false;
   }
-  return {};
 }
 
 // `brief`: shows only where a span begins, and the short name of its force.
@@ -69,11 +89,11 @@ void red_table(Ui& ui, std::span<const sim::RedSpan> red, float height, bool bri
     if (button(ui, "Suggest a fix###What helps?",
                "Try moves of the knots near the selected overload and report the one that reduces it most.",
                ui.lab.red_chosen >= 0))
-      ui.lab.advice =
-          advice_text(session, sim::advise(session.document, edit::chosen_cart(session), session.limits.envelope,
-                                           red[static_cast<std::size_t>(ui.lab.red_chosen)]));
-    if (!ui.lab.advice.empty()) small_note(in_units(ui, ui.lab.advice));
-    height -= 2 * ImGui::GetFrameHeightWithSpacing();
+      ui.lab.advised = true,
+      ui.lab.advice = sim::advise(session.document, edit::chosen_cart(session), session.limits.envelope,
+                                  red[static_cast<std::size_t>(ui.lab.red_chosen)]);
+    if (ui.lab.advised) advice_rows(ui);
+    height -= (ui.lab.advised ? 3.0f : 1.0f) * ImGui::GetFrameHeightWithSpacing();
   }
   if (!begin_table(ui, "Red spans", kRedColumns, height)) return;
   for (std::size_t i = 0; i < red.size(); ++i) {
@@ -88,7 +108,7 @@ void red_table(Ui& ui, std::span<const sim::RedSpan> red, float height, bool bri
                    fixed(span.worst, 2), "Click to move the train there."))
       continue;
     ui.lab.red_chosen = static_cast<int>(i);
-    ui.lab.advice.clear();
+    ui.lab.advised = false;
     ui.emit(edit::RideSeek{span.from_distance});
   }
   end_table();

@@ -75,16 +75,20 @@ void show_next_fold(Ui& ui) {
   if (const auto* const next = next_of(ui, ui.find(edit::Want::folds).folds)) look_at(ui, next->at, next->place, 0, 24);
 }
 
+void show_knot(Ui& ui, world::Entity knot) {
+  const world::Document& document = ui.session().document;
+  const auto index = world::index_of(document.track.knots, knot);
+  if (!index) return;
+  look_at(ui, ui.session().derived.starts[*index], world::knot(document, knot).position, 0, 24);
+  ui.emit(edit::Select{{world::name_of(document, knot)}, 0});  // rather than the segment that starts there
+}
+
 void show_worst_jolt(Ui& ui) {
   const std::span<const sim::Jolt> jolts = ui.find(edit::Want::jolts).jolts;
   const auto worst = std::max_element(jolts.begin(), jolts.end(),
                                       [](const sim::Jolt& a, const sim::Jolt& b) { return a.total < b.total; });
   if (worst == jolts.end() || !(worst->total > 0)) return;
-  const world::Document& document = ui.session().document;
-  const auto index = static_cast<std::size_t>(worst - jolts.begin());
-  const world::Entity knot = document.track.knots[index];
-  look_at(ui, ui.session().derived.starts[index], world::knot(document, knot).position, 0, 24);
-  ui.emit(edit::Select{{world::name_of(document, knot)}, 0});  // rather than the segment that starts there
+  show_knot(ui, ui.session().document.track.knots[static_cast<std::size_t>(worst - jolts.begin())]);
 }
 
 }  // namespace coaster::ui

@@ -20,6 +20,8 @@ void show_place(Ui& ui, double distance);
 void show_next_conflict(Ui& ui);
 // The same for folds of the rails.
 void show_next_fold(Ui& ui);
+// Selects the knot and points the orbit camera there.
+void show_knot(Ui& ui, world::Entity knot);
 // Selects the knot with the largest jolt and points the orbit camera there; no-op without a jolt.
 void show_worst_jolt(Ui& ui);
 
