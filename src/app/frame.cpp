@@ -30,7 +30,7 @@ void read_input(Program& program, const platform::Events& events, platform::Size
 ui::Output build_panels(Program& program, const platform::Events& events, platform::Size size) {
   ui::State state{program.session,          program.stats,        program.time.seconds,
                   program.stats.hide_times, &program.picture.rig, program.keeper ? &program.keeper->state : nullptr};
-  state.importing = shown_import(program);
+  if (const LongJob* const job = shown_job(program)) state.job = {&job->progress, job->panel, job->title};
   state.lesson = program.tutorial.card ? &*program.tutorial.card : nullptr;
   state.pictures = &program.pictures.made();
   state.movie = program.filming && program.filming->by_hand ? &program.filming->shown : nullptr;
@@ -50,9 +50,9 @@ void ask_for_tutorial(Program& program) {
 void apply_commands(Program& program, const std::vector<edit::Command>& commands) {
   program.by_hand = true;
   for (const edit::Command& command : commands) {
-    // While a file is read, actions that would lose its track are not started.
-    if (program.import && edit::info(command).effect != edit::Effect::settings) continue;
-    if (!begin_import(program, command)) (void)apply(program, command);  // a rejected command shows a notice
+    // While a thread works for a command, actions that would lose its result are not started.
+    if (program.job && edit::info(command).effect != edit::Effect::settings) continue;
+    if (!begin_job(program, command)) (void)apply(program, command);  // a rejected command shows a notice
   }
   program.by_hand = false;
 }
@@ -66,7 +66,7 @@ void paste_sections(Program& program) {
 
 // All that the panels decided.
 void apply_output(Program& program, const ui::Output& output) {
-  if (output.cancel_import && program.import) program.import->progress.cancelled = true;
+  if (output.cancel_job && program.job) program.job->progress.cancelled = true;
   if (output.lesson_answer != query::LessonAnswer::none) program.tutorial.answer = output.lesson_answer;
   if (output.wants_tutorial) ask_for_tutorial(program);
   program.pictures.update(program.gl, *program.renderer, output.wanted_pictures, program.session.settings.look->style);
@@ -147,7 +147,7 @@ void run_frame(Program& program, const platform::Events& events, int ticks) {
   FrameTimes times{program.surface->clock()};
   const platform::Size size = program.surface->size();
   read_input(program, events, size);
-  finish_import(program);
+  finish_job(program);
   std::optional<ui::Output> output;
   if (size.width > 0 && size.height > 0) output = build_panels(program, events, size);
   if (output) apply_output(program, *output);

@@ -15,7 +15,7 @@ bool is_busy(const Program& program) {
   return session.motion.state == world::RideState::running || session.measuring.measurement.running ||
          program.picture.rig.ticks_left > 0 || program.stats.deviation_pending > 0 || program.pictures.busy() ||
          (session.settings.lab->layers.has(world::Layer::conflicts) && !session.findings.all_conflicts) ||
-         program.import || program.filming || program.tutorial.wanted || program.tutorial.card ||
+         program.job || program.filming || program.tutorial.wanted || program.tutorial.card ||
          (program.keeper && program.keeper->dialog.running());
 }
 

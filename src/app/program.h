@@ -7,8 +7,8 @@
 #include <string>
 
 #include "app/filming.h"
-#include "app/import_job.h"
 #include "app/keeper.h"
+#include "app/long_job.h"
 #include "app/options.h"
 #include "app/sounds.h"
 #include "app/track_pictures.h"
@@ -73,8 +73,8 @@ struct Program {
   std::unique_ptr<Filming> filming;            // a movie in progress; null: none
   Sounds sounds;                               // of a window
   TrackPictures pictures;                      // for the start screen
-  std::unique_ptr<ImportJob> import;           // an import in progress; null: none
-  int import_delay = 0;                        // frames by which a script delays the next import
+  std::unique_ptr<LongJob> job;                // an import or a search in progress; null: none
+  int job_delay = 0;                           // frames by which a script delays the next one
   Tutorial tutorial;
   // Nothing is saved when memory ends after the program has.
   struct MemoryWatch {

@@ -122,7 +122,7 @@ script::Host make_script_host(Program& program) {
   host.apply = [p](const edit::Command& command) { return apply(*p, command); };
   host.frame = [p](const platform::Events& events, int ticks) { return frame(*p, events, ticks); };
   host.advance = [p](int ticks) { film(*p, ticks, [p](int some) { advance(*p, some); }); };
-  host.slow_import = [p](int frames) { p->import_delay = frames; };
+  host.slow_job = [p](int frames) { p->job_delay = frames; };
   host.start_movie = [p](const std::filesystem::path& folder, int fps, bool gif) {
     return start_movie(*p, {folder, fps, gif, p->files.root()});
   };

@@ -9,6 +9,7 @@
 
 #include "base/text.h"
 #include "edit/commands/command_list.h"
+#include "query/goal.h"
 #include "query/rows.h"
 
 namespace coaster::query {
@@ -239,7 +240,7 @@ edit::Verdict judge(edit::Session& session, const edit::RideResult* result) {
   return verdict;
 }
 
-edit::Referee referee() { return {check_rules, judge}; }
+edit::Referee referee() { return {check_rules, judge, measure_goal}; }
 
 std::string_view medal_name(int medal) {
   constexpr std::array<std::string_view, 4> kNames{"", "bronze", "silver", "gold"};

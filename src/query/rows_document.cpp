@@ -57,6 +57,13 @@ Answer hash(const Context& c, View argument) {
 }
 
 // --- fit of an imported track
+Answer open_end_distance(const Context& c, View) {
+  const world::Track& track = c.session.document.track;
+  if (track.closed || track.knots.empty()) return number(0.0);
+  const auto place = [&](world::Entity e) { return glm::dvec3(world::knot(c.session.document, e).position); };
+  return number(glm::distance(place(track.knots.front()), place(track.knots.back())));
+}
+
 template <auto member>
 Answer of_import(const Context& c, View) {
   return value_of(c.session.file.import.value_or(exchange::ImportReport{}).*member);
@@ -102,6 +109,8 @@ constexpr std::array kDocumentRows{
     Query{"exact_length", "", "m", "Length of the track by adaptive Gauss-Legendre.", exact_length},
     Query{"name", "", "", "The track's name.", of_document<&world::Document::name>},
     Query{"start_speed", "", "m/s", "Start speed of trains.", of_document<&world::Document::start_speed>},
+    Query{"open_end.distance", "", "m", "Distance of the last knot from the first one in space; 0 on a closed track.",
+          open_end_distance},
     Query{"datum", "", "m", "Height at which potential energy is zero.", of_document<&world::Document::datum>},
     Query{"longest", "", "", "The longest segment; none without a segment.", longest},
     Query{"conflicts", "", "",

@@ -84,7 +84,7 @@ constexpr std::array kOutput{
     HelpRow{"log QUERY|\"TEXT\" ...", "Prints values and texts to stdout."},
     HelpRow{"fault io.open|read|write|fsync|rename|close fail N", "Makes the Nth such operation from now on fail."},
     HelpRow{"fault import slow N",
-            "Makes the next import by hand take N frames longer, time to see its progress bar or cancel."},
+            "Makes the next import or search by hand take N frames longer, time to see its progress bar or cancel."},
 };
 
 template <class Rows>

@@ -69,10 +69,10 @@ struct Host {
   std::function<base::Status(const std::filesystem::path&)>
       set_home;  // uses that folder for settings and autosaves, as after a start; may be empty
   std::function<base::Status(const std::filesystem::path& folder, int fps, bool gif)>
-      start_movie;                              // records all ticks from now on; may be empty
-  std::function<void(int frames)> slow_import;  // delays the next import by hand; may be empty
-  std::function<base::Status()> stop_movie;     // waits for the movie's file; may be empty
-  std::function<bool()> interrupted;            // true when the system has asked the program to end; may be empty
+      start_movie;                           // records all ticks from now on; may be empty
+  std::function<void(int frames)> slow_job;  // delays the next import or search by hand; may be empty
+  std::function<base::Status()> stop_movie;  // waits for the movie's file; may be empty
+  std::function<bool()> interrupted;         // true when the system has asked the program to end; may be empty
   // Lessons. teach() shows a card, or hides it if null. watch() runs one frame of the player's own events in real time
   // and returns the card's button. Empty: there is no player, and the script runs the lesson's body.
   std::function<void(const query::LessonCard*)> teach;

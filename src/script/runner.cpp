@@ -177,8 +177,8 @@ Failure Runner::perform(const Fault& fault) {
 }
 
 Failure Runner::perform(const SlowImport& slow) {
-  if (!frames_.host().slow_import) return wrong("this run cannot import");
-  frames_.host().slow_import(slow.frames);
+  if (!frames_.host().slow_job) return wrong("this run cannot import");
+  frames_.host().slow_job(slow.frames);
   return {};
 }
 

@@ -1,6 +1,7 @@
 // Random commands of every kind, through the same lists of fields that the codec uses.
 #pragma once
 
+#include <array>
 #include <cmath>
 #include <random>
 #include <type_traits>
@@ -38,6 +39,9 @@ class RandomCommands {
   void fill(edit::Knots& v) {
     const std::uint32_t which = below(6);
     if (which < 2) v = which == 0 ? edit::Knots::Which::all : edit::Knots::Which::selected;
+    else if (which == 2)
+      v.which = edit::Knots::Which::range,
+      v.names = {{world::Kind::knot, 1 + below(9)}, {world::Kind::knot, 1 + below(9)}};
     else
       for (std::uint32_t i = below(4); i > 0; --i) v.names.push_back({world::Kind::knot, 1 + below(9)});
   }
@@ -45,6 +49,11 @@ class RandomCommands {
     if (below(6) == 0) v.which = edit::Knots::Which::all;
     else
       for (std::uint32_t i = below(4); i > 0; --i) v.names.push_back({world::Kind::section, 1 + below(9)});
+  }
+  void fill(edit::KnotsOrSections& v) { fill(static_cast<edit::Knots&>(v)); }
+  void fill(edit::Phrase& v) {
+    constexpr std::array<std::string_view, 5> kPhrases{"height", "place", "roll", "exact_length == 80", "a \"b\" c"};
+    v.text = kPhrases[below(static_cast<std::uint32_t>(kPhrases.size()))];
   }
   void fill(glm::vec3& v) { v = {number(), number(), number()}; }
   void fill(float& v) { v = static_cast<float>(number()); }

@@ -22,6 +22,8 @@ template <class Several>
 std::string words_of_several(const Several& value, std::string_view kind) {
   if (value.which == Knots::Which::all) return fmt::format("all {}", kind);
   if (value.which == Knots::Which::selected) return fmt::format("the selected {}", kind);
+  if (value.which == Knots::Which::range)
+    return fmt::format("{} to {}", world::to_text(value.names.front()), world::to_text(value.names.back()));
   if (value.names.size() != 1) return fmt::format("{} {}", value.names.size(), kind);
   return world::to_text(value.names.front());
 }
@@ -53,6 +55,10 @@ std::string words_of(const HandleTarget& value) {
 }
 std::string words_of(const Knots& value) { return words_of_several(value, "knots"); }
 std::string words_of(const Sections& value) { return words_of_several(value, "sections"); }
+std::string words_of(const KnotsOrSections& value) {
+  const bool sections = !value.names.empty() && value.names.front().kind == world::Kind::section;
+  return words_of_several(value, sections ? "sections" : value.which == Knots::Which::all ? "knots" : "places");
+}
 std::string words_of(glm::vec3 v) { return fmt::format("({:.6g}, {:.6g}, {:.6g})", v.x, v.y, v.z); }
 std::string words_of(const world::Element& value) { return words_of(value.kind); }
 
@@ -63,9 +69,17 @@ template <class Several>
 std::string print_several(const Several& value) {
   if (value.which == Knots::Which::all) return "all";
   if (value.which == Knots::Which::selected) return "selected";
+  const std::string_view between = value.which == Knots::Which::range ? "..@" : ",@";
   std::string text;
-  for (const world::Name& name : value.names) text += (text.empty() ? "@" : ",@") + world::to_text(name);
+  for (const world::Name& name : value.names) {
+    text += text.empty() ? "@" : between;
+    text += world::to_text(name);
+  }
   return text.empty() ? "none" : text;
+}
+
+std::optional<world::Name> read_name(std::string_view word) {
+  return word.starts_with('@') ? world::parse_name(word.substr(1)) : std::nullopt;
 }
 
 template <class Several>
@@ -77,10 +91,15 @@ bool read_several(base::Words& words, std::string_view expected, Several& value)
   if (word->text == "all") return value.which = Knots::Which::all, true;
   if (word->text == "selected") return value.which = Knots::Which::selected, true;
   std::string_view rest = word->text;
+  if (const std::size_t dots = rest.find(".."); dots != std::string_view::npos) {
+    const auto first = read_name(rest.substr(0, dots)), last = read_name(rest.substr(dots + 2));
+    if (!first || !last || first->kind != last->kind) return words.reject(expected);
+    value.which = Knots::Which::range, value.names = {*first, *last};
+    return true;
+  }
   for (;;) {
     const std::size_t comma = std::min(rest.find(','), rest.size());
-    const std::string_view one = rest.substr(0, comma);
-    const auto name = one.starts_with('@') ? world::parse_name(one.substr(1)) : std::nullopt;
+    const auto name = read_name(rest.substr(0, comma));
     if (!name) return words.reject(expected);
     value.names.push_back(*name);
     if (comma == rest.size()) return true;
@@ -93,10 +112,25 @@ bool read_several(base::Words& words, std::string_view expected, Several& value)
 std::string print_value(const Knots& value) { return print_several(value); }
 std::string print_value(const Sections& value) { return print_several(value); }
 bool read_value(base::Words& words, Knots& value) {
-  return read_several(words, "knots such as @k3 or @k1,@k2, or all, or selected", value);
+  return read_several(words, "knots such as @k3, @k1,@k2 or @k3..@k9, or all, or selected", value);
 }
 bool read_value(base::Words& words, Sections& value) {
-  return read_several(words, "sections such as @q3 or @q1,@q2, or all, or selected", value);
+  return read_several(words, "sections such as @q3, @q1,@q2 or @q3..@q9, or all, or selected", value);
+}
+bool read_value(base::Words& words, KnotsOrSections& value) {
+  return read_several(words, "knots or sections such as @k3..@k9 or @q2, or all, or selected", value);
+}
+
+std::string print_value(const Phrase& value) { return value.text; }
+bool read_value(base::Words& words, Phrase& value) {
+  value.text.clear();
+  while (const base::Token* const word = words.peek()) {
+    if (!word->quoted && (word->text == "by" || word->text == "of")) break;
+    words.take("a word");
+    value.text += (value.text.empty() ? "" : " ") + (word->quoted ? base::quoted(word->text) : word->text);
+  }
+  if (!value.text.empty()) return true;
+  return words.take("words") != nullptr && words.reject("words");
 }
 
 bool read_value(base::Words& words, Target& value) {
@@ -104,8 +138,7 @@ bool read_value(base::Words& words, Target& value) {
   const base::Token* const word = words.take(kExpected);
   if (!word) return false;
   if (word->text == "none") return value = {}, true;
-  const auto name =
-      word->text.starts_with('@') ? world::parse_name(std::string_view(word->text).substr(1)) : std::nullopt;
+  const auto name = read_name(word->text);
   if (!name) return words.reject(kExpected);
   value.name = *name;
   return true;

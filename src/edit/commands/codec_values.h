@@ -26,6 +26,7 @@ std::string print_value(const Target& value);  // "@k3", "none"
 std::string print_value(const HandleTarget& value);
 std::string print_value(const Knots& value);  // "@k1,@k2", "all", "selected"
 std::string print_value(const Sections& value);
+std::string print_value(const Phrase& value);
 std::string print_value(glm::vec3 value);
 std::string print_value(bool value);
 std::string print_value(const std::string& value);
@@ -40,6 +41,8 @@ std::string words_of(const Target& value);
 std::string words_of(const HandleTarget& value);
 std::string words_of(const Knots& value);
 std::string words_of(const Sections& value);
+std::string words_of(const KnotsOrSections& value);
+inline std::string words_of(const Phrase& value) { return value.text; }
 std::string words_of(glm::vec3 value);
 std::string words_of(const world::Element& value);
 inline std::string words_of(bool value) { return print_value(value); }
@@ -52,6 +55,8 @@ bool read_value(base::Words& words, Target& value);
 bool read_value(base::Words& words, HandleTarget& value);
 bool read_value(base::Words& words, Knots& value);
 bool read_value(base::Words& words, Sections& value);
+bool read_value(base::Words& words, KnotsOrSections& value);
+bool read_value(base::Words& words, Phrase& value);
 bool read_value(base::Words& words, glm::vec3& value);
 bool read_value(base::Words& words, float& value);
 bool read_value(base::Words& words, double& value);
@@ -64,8 +69,10 @@ bool read_value(base::Words& words,
 inline bool read_value(base::Words&, Flag& value) { return value.set = true; }  // its keyword was read
 
 inline std::string usage_of(const HandleTarget&) { return "@knot.in|@knot.out"; }
-inline std::string usage_of(const Knots&) { return "@knot,...|all|selected"; }
-inline std::string usage_of(const Sections&) { return "@section,...|all|selected"; }
+inline std::string usage_of(const Knots&) { return "@knot,...|@knot..@knot|all|selected"; }
+inline std::string usage_of(const Sections&) { return "@section,...|@section..@section|all|selected"; }
+inline std::string usage_of(const KnotsOrSections&) { return "@knot,...|@knot..@knot|@section,...|all|selected"; }
+inline std::string usage_of(const Phrase&) { return "WORDS"; }
 inline std::string usage_of(glm::vec3) { return "X Y Z"; }
 inline std::string usage_of(bool) { return "on|off"; }
 inline std::string usage_of(const Flag&) { return {}; }

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstddef>
+#include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -21,10 +22,12 @@ struct Target {
   friend bool operator==(const Target&, const Target&) = default;
 };
 
-// Several knots: "@k1,@k2,@k7", "all", or "selected": the selection at the time of the command. Order does not matter.
+// Several knots: "@k1,@k2,@k7"; "@k3..@k9", which also names those between them on the track; "all"; or "selected": the
+// selection at the time of the command. Order does not matter, but that on a closed track "@k9..@k3" leads across the
+// first knot.
 struct Knots {
-  enum class Which : std::uint8_t { named, all, selected } which = Which::named;
-  std::vector<world::Name> names;
+  enum class Which : std::uint8_t { named, range, all, selected } which = Which::named;
+  std::vector<world::Name> names;  // of a range: its first and its last
   Knots() = default;
   Knots(world::Name one) : names{one} {}
   Knots(Which all_or_selected) : which(all_or_selected) {}
@@ -41,6 +44,18 @@ struct Sections {
   Sections(world::Name one) : names{one} {}
   explicit Sections(std::vector<world::Name> several) : names(std::move(several)) {}
   friend bool operator==(const Sections&, const Sections&) = default;
+};
+
+// Knots or sections, not both, written as either. "all" is all knots, "selected" what is selected of them.
+struct KnotsOrSections : Knots {
+  using Knots::Knots;
+  friend bool operator==(const KnotsOrSections&, const KnotsOrSections&) = default;
+};
+
+// Words up to the next "by" or "of", or to the end of the line: "ride.lap_time == 40".
+struct Phrase {
+  std::string text;
+  friend bool operator==(const Phrase&, const Phrase&) = default;
 };
 
 // A word that a line may end with or leave out: "save FILE overwrite".

@@ -15,6 +15,7 @@
 #include "edit/commands/commands_operation.h"
 #include "edit/commands/commands_ride.h"
 #include "edit/commands/commands_sections.h"
+#include "edit/commands/commands_seek.h"
 #include "edit/commands/commands_session.h"
 #include "edit/commands/commands_settings.h"
 #include "edit/commands/commands_shape.h"
@@ -30,7 +31,7 @@ auto set_commands(world::GroupList<Groups...>)
     -> decltype((set_commands<Groups>(std::make_index_sequence<std::tuple_size_v<decltype(Groups::kRows)>>()) + ...));
 
 using Commands = decltype(DocumentCommands() + ShapeCommands() + OperationCommands() + ElementCommands() +
-                          SectionCommands() + SettingsCommands() + LabCommands() + RideCommands() + SessionCommands() +
+                          SectionCommands() + SeekCommands() + SettingsCommands() + LabCommands() + RideCommands() + SessionCommands() +
                           ChallengeCommands() + set_commands(world::SettingGroups()));
 
 inline constexpr auto kCommandInfos = Commands::table([]<class C>() { return &C::kInfo; });

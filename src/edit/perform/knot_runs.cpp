@@ -10,6 +10,19 @@
 namespace coaster::edit {
 namespace {
 
+// Returns the knots from one to another, in the direction of travel; on an open track in either order.
+base::Result<std::vector<world::Entity>> from_to(const Session& session, const std::vector<world::Name>& ends) {
+  const auto first = require(session, {ends.front()}, world::Kind::knot),
+             last = require(session, {ends.back()}, world::Kind::knot);
+  if (!first || !last) return first ? last.status() : first.status();
+  const world::Track& track = session.document.track;
+  std::size_t from = *world::index_of(track.knots, *first), to = *world::index_of(track.knots, *last);
+  if (from > to && !track.closed) std::swap(from, to);
+  std::vector<world::Entity> found{track.knots[from]};
+  while (from != to) found.push_back(track.knots[from = (from + 1) % track.knots.size()]);
+  return found;
+}
+
 // Resolves names to entities, in one pass through the pool for many names.
 base::Result<std::vector<world::Entity>> named(const Session& session, const std::vector<world::Name>& names) {
   std::vector<world::Entity> found;
@@ -38,8 +51,9 @@ base::Result<std::vector<world::Entity>> knots_of(const Session& session, const 
   switch (knots.which) {
     case Knots::Which::all: chosen = document.track.knots; break;
     case Knots::Which::selected: chosen = world::selected_knots(document, session.settings); break;
-    case Knots::Which::named: {
-      auto found = named(session, knots.names);
+    case Knots::Which::named:
+    case Knots::Which::range: {
+      auto found = knots.which == Knots::Which::range ? from_to(session, knots.names) : named(session, knots.names);
       if (!found) return found.status();
       chosen = std::move(*found);
     }
@@ -59,9 +73,12 @@ base::Result<std::vector<world::Entity>> chosen_sections(const Session& session,
     if (!e) return e.status();
     chosen.push_back(*e);
   }
-  for (const world::SectionRun& run : world::sections_of(session.document))
-    if (sections.which == Knots::Which::all || std::find(chosen.begin(), chosen.end(), run.section) != chosen.end())
-      ordered.push_back(run.section);
+  bool inside = false;  // of a range
+  for (const world::SectionRun& run : world::sections_of(session.document)) {
+    const auto named = std::count(chosen.begin(), chosen.end(), run.section);
+    if (named > 0 || inside || sections.which == Knots::Which::all) ordered.push_back(run.section);
+    if (sections.which == Knots::Which::range && named == 1) inside = !inside;
+  }
   if (!ordered.empty()) return ordered;
   return refused(sections.which == Knots::Which::selected ? "no section is selected"
                  : sections.which == Knots::Which::all    ? "the track has no sections"

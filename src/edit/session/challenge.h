@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "base/status.h"
 #include "exchange/challenge_file.h"
 #include "exchange/own/progress_file.h"
 #include "sim/shape/shape_distance.h"
@@ -34,13 +35,23 @@ struct ActiveChallenge {
   sim::ShapeTrace shape;  // of the start track
 };
 
-// Evaluates expressions for the session. Both null: challenges are loaded unchecked and never judged.
+// How far a session is from a goal such as "ride.lap_time == 40 +-0.1".
+struct GoalState {
+  double found = 0, wanted = 0, tolerance = 0;  // in the query's unit; tolerance > 0
+  bool met = false;
+  std::string name, unit;  // "Lap time", "s"
+};
+
+// Evaluates expressions for the session. All null: challenges are loaded unchecked and never judged, and nothing is
+// sought.
 struct Referee {
   // Checks that every expression can be parsed; else Code::bad_file with "PATH: error: goals[1].expect: ...".
   base::Status (*check)(const exchange::ChallengeFile& challenge, const std::string& path) = nullptr;
   // Of the session's challenge, which there is, on the session as it is now, of which findings alone change; `result`:
   // how the ride ended, null for Judged::build.
   Verdict (*judge)(Session& session, const struct RideResult* result) = nullptr;
+  // Code::usage if the goal cannot be read, Code::refused if its query has no value.
+  base::Result<GoalState> (*measure)(Session& session, const std::string& goal) = nullptr;
 };
 
 enum class RideEnd : std::uint8_t { lap, open_end, time, failed };

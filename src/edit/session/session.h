@@ -62,6 +62,18 @@ struct ReadAhead {
   exchange::LoadedTrack track;
 };
 
+// What a search (command seek) found.
+struct Sought {
+  world::Document document;
+  std::string note;  // "ride.lap_time is 40 s, from 43.2 s. ..."
+};
+// What a thread has found in advance, for the next search with that text.
+struct SoughtAhead {
+  std::string command;
+  std::uint64_t edits = 0;  // Session::edits of the track that it searched
+  Sought found;
+};
+
 struct Notices {
   std::vector<Notice> list;  // the newest last, at most 32
   std::uint64_t serial = 0;  // of the newest
@@ -117,6 +129,7 @@ struct Session {
   Game game;
   Measuring measuring;
   Notices notices;
+  std::optional<SoughtAhead> sought;
   std::string copied;  // the sections that were copied last, as the text of a track
 };
 

@@ -28,7 +28,7 @@ struct Output {
   bool quit = false;
   bool wants_paste = false;  // of sections: of the clipboard, or those that were copied here
   PhotoWish photo = PhotoWish::none;
-  bool cancel_import = false;
+  bool cancel_job = false;
   MovieWish movie = MovieWish::none;
   std::optional<exchange::UserSettings> settings;  // to keep instead of the present ones
   std::optional<Recovery> recovery;                // the answer to the first offer

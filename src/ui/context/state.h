@@ -58,14 +58,20 @@ struct MovieState {
   int width = 0, height = 0;  // px, of the pictures; 0: as the window
 };
 
+// A command for which a thread works.
+struct JobState {
+  const base::Progress* progress = nullptr;  // null: none
+  std::string_view panel, title;             // "Import", "Fitting a track to the imported points"
+};
+
 struct State {
   edit::Finder find;  // shows the session, and computes what a panel asks for
   const query::FrameStats& stats;
-  double seconds;                             // since start, for fading notices and the cursor's blink
-  bool scripted;                              // times and fps read "--"
-  const view::CameraRig* rig = nullptr;       // the camera; null: derived from the session
-  const UserState* kept = nullptr;            // null: nothing is kept or offered
-  const base::Progress* importing = nullptr;  // of the file being read
+  double seconds;                        // since start, for fading notices and the cursor's blink
+  bool scripted;                         // times and fps read "--"
+  const view::CameraRig* rig = nullptr;  // the camera; null: derived from the session
+  const UserState* kept = nullptr;       // null: nothing is kept or offered
+  JobState job = {};                     // an import or a search
   const query::LessonCard* lesson = nullptr;
   const std::map<std::string, TrackPicture>* pictures = nullptr;  // by path
   const MovieState* movie = nullptr;                              // null: none is recorded

@@ -58,6 +58,13 @@ struct EditedCell {
 };
 
 // What panels keep between frames.
+// Of the panel Goal.
+struct GoalInputs {
+  int goal = 0, relation = 0, by = 0;  // rows of its lists
+  std::optional<double> value;         // in the query's unit; nothing: the present one
+  bool together = false;
+};
+
 struct Inputs {
   std::string file;                      // the path in Track/File
   double radius = 20;                    // m, the number in Shape/Radius
@@ -65,6 +72,7 @@ struct Inputs {
   std::array<world::Element, world::elements().size()> elements = world::usual_elements();  // the palette's, by kind
   AskedChange asked;
   std::optional<EditedCell> cell;
+  GoalInputs goal;
   // Rows of the table of sections as they are shown, by the table's serial and the sorting.
   base::Kept<std::tuple<std::uint64_t, world::SectionColumn, bool>, std::vector<std::size_t>> section_order;
 };

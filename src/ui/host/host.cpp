@@ -163,7 +163,7 @@ void Host::Parts::lay_out(Ui& ui, const platform::Events& events, int width, int
   draw_hints(ui, layout.scene);
   draw_lesson(ui, layout.scene, guide);
   draw_score_card(ui, layout.scene);
-  draw_import(ui, layout.scene);
+  draw_job(ui, layout.scene);
   draw_movie(ui, layout.scene);
   build_palette(act, palette);
   take_want(ui);

@@ -27,6 +27,7 @@ void operation_panel(Ui& ui);
 void elements_panel(Ui& ui);
 void statistics_panel(Ui& ui);
 void history_panel(Ui& ui);
+void goal_panel(Ui& ui);
 
 std::span<const Panel> panels() {
   static constexpr std::array kPanels{
@@ -36,6 +37,8 @@ std::span<const Panel> panels() {
             true, section_shown},
       Panel{"Shape", Column::left, kSelection | kTrack,
             "Operations on the selected knots or on all knots, and snapping.", shape_panel, false},
+      Panel{"Goal", Column::left, kSelection | kSection,
+            "Let the program change numbers of what is selected until the ride does what you want.", goal_panel, false},
       Panel{"Elements", Column::left, kElement,
             "Straights, curves, helices, hills and inversions to place at the open end of the track.", elements_panel},
       Panel{"Operation", Column::left, kSelection | kTrack, "Equipment, train and losses.", operation_panel},

@@ -29,7 +29,7 @@ void draw_lesson(Ui& ui, const view::Viewport& scene, const LessonGuide& guide);
 // on request the others.
 void draw_score_card(Ui& ui, const view::Viewport& scene);
 // Progress of a file import, with a cancel button. Escape cancels, too.
-void draw_import(Ui& ui, const view::Viewport& scene);
+void draw_job(Ui& ui, const view::Viewport& scene);
 // Progress of the movie being recorded, with a stop button. Not in the movie.
 void draw_movie(Ui& ui, const view::Viewport& scene);
 

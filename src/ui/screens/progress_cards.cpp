@@ -1,4 +1,4 @@
-// Progress of an import and of a movie.
+// Progress of an import, of a search and of a movie.
 #include <imgui.h>
 
 #include <algorithm>
@@ -45,19 +45,19 @@ Card card_in(const view::Viewport& scene, const char* id, std::string_view panel
 
 }  // namespace
 
-void draw_import(Ui& ui, const view::Viewport& scene) {
-  const base::Progress* const progress = ui.state.importing;
-  if (!progress) return;
-  Card card = card_in(scene, "##import", "Import", std::floor(360 * ui.scale), scene.height * 0.4f);
+void draw_job(Ui& ui, const view::Viewport& scene) {
+  const JobState& job = ui.state.job;
+  if (!job.progress) return;
+  Card card = card_in(scene, "##job", job.panel, std::floor(360 * ui.scale), scene.height * 0.4f);
   card.padding = {14, 12};
   card.flags = ImGuiWindowFlags_NoDecoration;
   ImGui::SetNextWindowFocus();
   build_card(ui, card, [&] {
-    ImGui::TextUnformatted("Fitting a track to the imported points");
-    progress_bar(ui, progress->done.load(), 8, palette().accent, "Part of the file that is fitted.");
-    if (button(ui, "Cancel", "Cancel the import. The open track stays as it is. Key Escape.", !progress->cancelled) ||
+    ImGui::TextWrapped("%.*s", static_cast<int>(job.title.size()), job.title.data());
+    progress_bar(ui, job.progress->done.load(), 8, palette().accent, "Part of the work that is done.");
+    if (button(ui, "Cancel", "Cancel. The track stays as it is. Key Escape.", !job.progress->cancelled) ||
         ImGui::IsKeyPressed(ImGuiKey_Escape))
-      ui.out.cancel_import = true;
+      ui.out.cancel_job = true;
   });
 }
 

@@ -101,6 +101,13 @@ TEST(codec, commands_read_as_documented) {
   ASSERT_TRUE(former.ok()) << error.message;
   EXPECT_EQ(print(*former), "translate @k1,@k12 by 1 2 3 from_start on") << "by its former name";
   EXPECT_EQ(print(Smooth{Knots::Which::selected, world::SplineSteps::uniform}), "smooth selected by uniform");
+  Knots range = two;
+  range.which = Knots::Which::range;
+  EXPECT_EQ(print(Smooth{range}), "smooth @k1..@k12 by chord");
+  Seek seek;
+  seek.goal.text = "ride.lap_time == 40 +-0.1", seek.by.text = "height", seek.of.names = {{world::Kind::section, 2}};
+  EXPECT_EQ(print(seek),
+            "seek ride.lap_time == 40 +-0.1 by height of @q2 except none above -1e+05 below 1e+05 together off");
   EXPECT_EQ(print(SetSnapping{world::SnapTo::grid, 0.5, 30}), "snapping grid step 0.5 angle 30");
   EXPECT_EQ(print(SetTrain{{{world::Kind::cart, 1}}, 3, 2.5f}), "train @c1 cars 3 spacing 2.5 length 0 mass 0");
   EXPECT_EQ(print(SetClosed{false}), "closed off");

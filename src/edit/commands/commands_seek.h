@@ -1,0 +1,28 @@
+// The command that finds numbers. See command.h.
+#pragma once
+
+#include "edit/commands/command_fields.h"
+#include "world/document.h"
+
+namespace coaster::edit {
+
+// `by` is height, x, z, place or roll of knots, or a parameter of sections. Limits are of each of these numbers: m, or
+// degrees for roll, or the parameter's unit.
+struct Seek {
+  Phrase goal, by;
+  KnotsOrSections of;
+  Knots except;
+  double above = -world::kMaxCoordinate, below = world::kMaxCoordinate;
+  bool together = false;
+  COASTER_COMMAND(Seek, "seek",
+                  "Change numbers as little as possible until a query has a value: seek ride.lap_time == 40 by height "
+                  "of @k3..@k9. By height, x, z, place or roll of knots, or by a parameter of sections. Knots of "
+                  "except stay; above and below are limits; with together on, all change by the same amount.",
+                  Effect::document, "Changed {by} of {of} for {}");
+  COASTER_FIELDS(visit("", self.goal), visit("by", self.by), visit("of", self.of), visit("except?", self.except),
+                 visit("above?", self.above), visit("below?", self.below), visit("together?", self.together))
+};
+
+using SeekCommands = CommandList<Seek>;
+
+}  // namespace coaster::edit

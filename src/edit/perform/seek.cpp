@@ -1,0 +1,156 @@
+#include "edit/perform/seek.h"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "edit/commands/codec.h"
+#include "edit/perform/seek_numbers.h"
+#include "sim/shape/roll.h"
+#include "world/sections.h"
+#include "world/topology.h"
+
+namespace coaster::edit {
+namespace {
+
+using base::Status;
+using Values = std::vector<double>;
+
+// A copy of a session on which values are tried.
+class Trial {
+ public:
+  Trial(const Session& session, const Seek& command, std::vector<SeekNumber> numbers)
+      : start_(session.document), goal_(command.goal.text), together_(command.together), numbers_(std::move(numbers)) {
+    session_.document = session.document, session_.settings = session.settings, session_.limits = session.limits;
+    session_.derived = session.derived, session_.game.referee = session.game.referee;
+    // As inside a drag: a section that completes the circuit keeps its way instead of looking at all.
+    session_.history.in_gesture = true, session_.history.gesture_start = session.document;
+  }
+
+  const std::vector<SeekNumber>& numbers() const { return numbers_; }
+  base::Result<GoalState> measure() { return session_.game.referee.measure(session_, goal_); }
+  world::Document document() const { return session_.document; }
+
+  // One for each number, or the one amount by which all change.
+  std::vector<base::Unknown> unknowns() const {
+    std::vector<base::Unknown> all;
+    for (const SeekNumber& number : numbers_) all.push_back(number.unknown);
+    if (!together_) return all;
+    base::Unknown amount{0, all.front().step, -HUGE_VAL, HUGE_VAL};
+    for (const base::Unknown& one : all)
+      amount.low = std::max(amount.low, one.low - one.start), amount.high = std::min(amount.high, one.high - one.start);
+    return {amount};
+  }
+  Values values_of(const Values& unknowns) const {
+    if (!together_) return unknowns;
+    Values values;
+    for (const SeekNumber& number : numbers_) values.push_back(number.unknown.start + unknowns.front());
+    return values;
+  }
+
+  // Gives the numbers these values. On failure they have others.
+  Status set(const Values& values) {
+    session_.document = start_;
+    edit::derive(session_);
+    Change change{files_};
+    for (std::size_t i = 0; i < values.size(); ++i)
+      if (values[i] != numbers_[i].unknown.start)
+        if (const Status given = give(session_, change, numbers_[i], values[i]); !given) return given;
+    world::settle_joints(session_.document);
+    edit::derive(session_);
+    if (sim::set_automatic_spins(session_.derived, change.respun, session_.document)) edit::derive(session_);
+    ++session_.edits;
+    return {};
+  }
+
+ private:
+  const world::Document start_;
+  std::string goal_;
+  bool together_;
+  std::vector<SeekNumber> numbers_;
+  Session session_ = make_session({});
+  base::Files files_;
+};
+
+std::string with_unit(double value, const std::string& unit) {
+  return fmt::format("{:.4g}{}{}", value, unit.empty() ? "" : " ", unit);
+}
+
+// Returns why a search has failed.
+std::string failure(const Seek& command, const base::Solution& solution, const GoalState& goal) {
+  switch (solution.end) {
+    case base::SolutionEnd::no_effect: return fmt::format("{} does not depend on the {}", goal.name, command.by.text);
+    case base::SolutionEnd::cancelled: return "cancelled";
+    default:
+      return fmt::format("{} comes no closer to {} than {} by changing the {}", goal.name,
+                         with_unit(goal.wanted, goal.unit), with_unit(solution.value, goal.unit), command.by.text);
+  }
+}
+
+base::Result<Sought> run(Trial& trial, const Seek& command, base::Progress* progress) {
+  const base::Result<GoalState> before = trial.measure();
+  if (!before) return before.status();
+  const auto is_now = [&](double value) {
+    return fmt::format("{} is {}", before->name, with_unit(value, before->unit));
+  };
+  if (before->met) return Sought{trial.document(), is_now(before->found) + " already."};
+
+  base::Equation equation{.unknowns = trial.unknowns(),
+                          .wanted = before->wanted,
+                          .tolerance = before->tolerance,
+                          .trials = 400 + 10 * static_cast<int>(trial.unknowns().size())};
+  equation.value = [&](const Values& unknowns) -> std::optional<double> {
+    if (!trial.set(trial.values_of(unknowns))) return std::nullopt;
+    const base::Result<GoalState> state = trial.measure();
+    return state ? std::optional(state->found) : std::nullopt;
+  };
+  equation.goes_on = [&](double done) {
+    if (progress) progress->done = done;
+    return !progress || !progress->cancelled;
+  };
+  const base::Solution solution = base::solve_by_least_change(equation);
+  if (solution.end != base::SolutionEnd::met) return refused(failure(command, solution, *before));
+  const Values values = trial.values_of(solution.unknowns);
+  if (const Status set = trial.set(values); !set) return set;
+  return Sought{trial.document(),
+                fmt::format("{}, was {}. {}", is_now(solution.value), with_unit(before->found, before->unit),
+                            changed_text(command.by.text, trial.numbers(), values))};
+}
+
+// Returns the sections whose parameters, or whose way home, the search has changed.
+std::vector<world::Entity> planned_again(const world::Document& before, const world::Document& found) {
+  std::vector<world::Entity> planned;
+  for (const world::SectionRun& run : world::sections_of(found))
+    if (const auto* const former = before.entities.find<world::Section>(run.section);
+        former && !(*former == world::section(found, run.section)))
+      planned.push_back(run.section);
+  return planned;
+}
+
+}  // namespace
+
+Search search_for(const Session& session, const Seek& command) {
+  const auto fails = [](Status status) -> Search { return [status](base::Progress*) { return status; }; };
+  if (!session.game.referee.measure) return fails(refused("there is nobody to measure the goal"));
+  base::Result<std::vector<SeekNumber>> numbers = seek_numbers(session, command);
+  if (!numbers) return fails(numbers.status());
+  const auto trial = std::make_shared<Trial>(session, command, std::move(*numbers));
+  return [trial, command](base::Progress* progress) { return run(*trial, command, progress); };
+}
+
+Status perform(Session& session, Change& change, const Seek& command) {
+  if (session.history.in_gesture) return refused("a gesture is open");
+  const std::optional<SoughtAhead> ahead = std::exchange(session.sought, std::nullopt);
+  const bool fits = ahead && ahead->edits == session.edits && ahead->command == print(command);
+  base::Result<Sought> found = fits ? base::Result<Sought>(ahead->found) : search_for(session, command)(nullptr);
+  if (!found) return found.status();
+  change.planned = planned_again(session.document, found->document);
+  session.document = std::move(found->document);
+  change.note = std::move(found->note);
+  return {};
+}
+
+}  // namespace coaster::edit

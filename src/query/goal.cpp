@@ -1,0 +1,103 @@
+#include "query/goal.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "query/challenge.h"
+#include "query/condition.h"
+#include "query/rows.h"
+
+namespace coaster::query {
+namespace {
+
+constexpr std::array kGoals{GoalRow{"ride.lap_time", "Lap time", 2},
+                            GoalRow{"ride.speed_max", "Top speed", 1},
+                            GoalRow{"ride.g_up_max", "Most vertical g", 2},
+                            GoalRow{"ride.g_up_min", "Least vertical g", 2},
+                            GoalRow{"ride.g_side_max", "Most lateral g", 2},
+                            GoalRow{"ride.airtime", "Airtime", 2},
+                            GoalRow{"ride.excitement", "Excitement", 2},
+                            GoalRow{"exact_length", "Length of the track", 1},
+                            GoalRow{"ride.height_max", "Largest height", 1},
+                            GoalRow{"ride.drop_max", "Highest drop", 1},
+                            GoalRow{"open_end.distance", "Open end to start", 1}};
+
+// Returns "Lap time"; for a query that is none of goals() its name and argument.
+std::string name_of(const Query& query, std::string_view argument) {
+  for (const GoalRow& row : kGoals)
+    if (row.query == query.name) return std::string(row.label);
+  return fmt::format("{}{}{}", query.name, argument.empty() ? "" : " ", argument);
+}
+
+base::Status unreadable(std::string_view goal, std::string_view message) {
+  return {base::Code::usage, fmt::format("goal {}: {}", base::quoted(goal), message)};
+}
+
+bool in(std::span<const Query> rows, const Query& query) {
+  return std::any_of(rows.begin(), rows.end(), [&](const Query& row) { return row.name == query.name; });
+}
+
+bool may_be_sought(const Query& query) {
+  return may_judge(query) || in(rider_rows(), query) || in(section_rows(), query);
+}
+
+struct Goal {
+  const Query* query = nullptr;
+  std::string argument;
+  Op op{};
+  double wanted = 0, tolerance = 0;
+};
+
+base::Result<Goal> read_goal(const std::string& text) {
+  std::vector<base::Token> tokens;
+  base::TextError error;
+  Condition condition;
+  if (!base::tokenise(text, tokens, error)) return unreadable(text, error.message);
+  base::Words words(tokens, error);
+  if (!parse_condition(words, condition) || !words.end()) return unreadable(text, error.message);
+  const Query* const query = find_query(condition.query);
+  if (!may_be_sought(*query))
+    return unreadable(text, base::quoted(condition.query) + " does not follow from track and ride");
+  const bool compares = condition.op && *condition.op != Op::not_equal && *condition.op != Op::contains;
+  if (!compares || condition.negated) return unreadable(text, "expected == < <= > or >= and a number");
+  const auto number = condition.values.size() == 1 ? base::parse_double(condition.values.front().text) : std::nullopt;
+  if (!number || !std::isfinite(*number)) return unreadable(text, "expected one number");
+  const double usual = 1e-3 * std::max(std::abs(*number), 1.0);
+  return Goal{query, condition.argument, *condition.op, *number, std::max(condition.tolerance.value_or(usual), 1e-9)};
+}
+
+}  // namespace
+
+std::span<const GoalRow> goals() { return kGoals; }
+
+base::Result<edit::GoalState> measure_goal(edit::Session& session, const std::string& goal) {
+  const base::Result<Goal> read = read_goal(goal);
+  if (!read) return read.status();
+  static const FrameStats kNothingDrawn;
+  const base::Result<Value> value = read->query->evaluate(Context{session, kNothingDrawn, {}, {}}, read->argument);
+  if (!value) return value.status();
+  const double* const number = std::get_if<double>(&*value);
+  const bool lap = read->query->name == "ride.lap_time";
+  if (!number || !std::isfinite(*number) || (lap && !(*number > 0)))
+    return base::Status{base::Code::refused,
+                        lap ? "the train does not complete the lap"
+                            : fmt::format("{} is {}, not a number", read->query->name, to_text(*value))};
+  const bool less = read->op == Op::less || read->op == Op::less_equal;
+  const bool equal = read->op == Op::equal;
+  edit::GoalState state{*number,
+                        read->wanted,
+                        read->tolerance,
+                        false,
+                        name_of(*read->query, read->argument),
+                        std::string(read->query->unit)};
+  state.met = equal  ? std::abs(*number - read->wanted) <= read->tolerance
+              : less ? *number <= read->wanted
+                     : *number >= read->wanted;
+  if (!equal) state.wanted += (less ? -1 : 1) * read->tolerance, state.tolerance *= 0.99;
+  return state;
+}
+
+}  // namespace coaster::query
