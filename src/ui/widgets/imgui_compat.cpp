@@ -3,6 +3,7 @@
 #include <imgui_internal.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace coaster::ui {
 
@@ -78,6 +79,9 @@ void set_up_context() {
   ImGuiIO& io = ImGui::GetIO();
   io.ConfigInputTrickleEventQueue = false;
   io.BackendFlags |= ImGuiBackendFlags_RendererHasTextures;
+#if IMGUI_VERSION_NUM >= 19290
+  io.MouseSingleClickDelay = INFINITY;  // has to be longer than the time of a double click, which the input sets
+#endif
 }
 
 float pixels_of(const ImFont& font) { return font.LegacySize; }
