@@ -11,28 +11,41 @@
 namespace coaster::sim {
 namespace {
 
+using glm::dvec3;
+
 constexpr double kTurnOfSpan = 1.6;  // rad, largest turn of an initial span
 constexpr int kMostRounds = 60, kMostSpans = 2000;
 constexpr std::size_t kMostThinning = 400'000;  // points times knots: beyond it no knots are removed
 constexpr double kFarFromExact = 1e-9;
 
 struct Bounds {
-  double distance, roll, jump;
+  double distance, roll;
+  std::vector<double> jumps;  // 1/m, by knot
 };
 
-// Float rounds a coordinate by half an ulp, which no fit can avoid. An error e of a control point changes a curvature
-// by about 8 e / handle^2.
+// Float rounds a coordinate by half an ulp, which no fit can avoid.
+double half_ulp(dvec3 p) {
+  const dvec3 size = glm::abs(p);
+  return std::max({size.x, size.y, size.z}) * 0x1p-24;
+}
+
+// An error e of a control point changes the curvature at a joint by about 8 e / handle^2, of the shorter handle there.
 Bounds bounds_for(const ElementCurve& curve, std::span<const std::size_t> at) {
-  double largest = 0, shortest = curve.length();
-  for (const std::size_t i : at) {
-    const glm::dvec3 p = glm::abs(curve.points[i].position);
-    largest = std::max({largest, p.x, p.y, p.z});
+  const std::size_t last = at.size() - 1;
+  std::vector<double> rounding, shortest(at.size(), curve.length());
+  for (const std::size_t i : at) rounding.push_back(half_ulp(curve.points[i].position));
+  const double largest = *std::max_element(rounding.begin(), rounding.end());
+  for (std::size_t k = 1; k <= last; ++k) {
+    const double length = curve.points[at[k]].s - curve.points[at[k - 1]].s;
+    for (double* const beside : {&shortest[k - 1], &shortest[k]}) *beside = std::min(*beside, length);
   }
-  for (std::size_t k = 1; k < at.size(); ++k)
-    shortest = std::min(shortest, curve.points[at[k]].s - curve.points[at[k - 1]].s);
-  const double half_ulp = largest * 0x1p-24, handle = std::max(shortest / 3.0, kFarFromExact);
-  return {kElementDistance + 2.0 * half_ulp, base::radians(kElementRoll_deg),
-          kElementJump + 8.0 * half_ulp / (handle * handle)};
+  Bounds bounds{kElementDistance + 2.0 * largest, base::radians(kElementRoll_deg), {}};
+  for (std::size_t k = 0; k <= last; ++k) {
+    const double error = std::max({rounding[k], rounding[k > 0 ? k - 1 : k], rounding[k < last ? k + 1 : k]}),
+                 handle = std::max(shortest[k] / 3.0, kFarFromExact);
+    bounds.jumps.push_back((k == last ? kElementEnd : kElementJump) + 8.0 * error / (handle * handle));
+  }
+  return bounds;
 }
 
 // A choice of knots, and the checks of its spans.
@@ -57,7 +70,7 @@ bool holds(const ElementCurve& curve, Trial& t, std::size_t k) {
   const SpanCheck& check = t.checks[k] =
       check_span(points.subspan(t.at[k], t.at[k + 1] - t.at[k] + 1), t.spans.knots[k], t.spans.knots[k + 1]);
   return check.sound && check.error <= t.bounds.distance && check.roll_error <= t.bounds.roll &&
-         t.spans.jumps[k] <= t.bounds.jump && t.spans.jumps[k + 1] <= t.bounds.jump;
+         t.spans.jumps[k] <= t.bounds.jumps[k] && t.spans.jumps[k + 1] <= t.bounds.jumps[k + 1];
 }
 
 // Checks spans from `first`, cyclically, until one fails.

@@ -12,10 +12,10 @@ namespace coaster::sim {
 
 // Tolerances of a fit, where float coordinates are fine enough (to 2 km from the origin): distance from the ideal
 // curve, angle between the up vectors, and jump of the curvature vector at joints, a fifth of the limit for G2
-// (curve/continuity.h).
+// (curve/continuity.h). At the last knot it is less, so that the next element finds a straight end (kStraightEnd).
 inline constexpr double kElementDistance = 0.01;  // m
 inline constexpr double kElementRoll_deg = 1.0;
-inline constexpr double kElementJump = 2e-4;  // 1/m
+inline constexpr double kElementJump = 2e-4, kElementEnd = 3e-5;  // 1/m
 
 struct ElementFit {
   // From the start of the curve to its end: one more than there are spans. The first has the start's position and
