@@ -16,9 +16,10 @@ namespace {
 using world::kGravity;
 
 constexpr double kStraights[] = {0, 10, 25, 50, 100};  // m before the first turn and after the second
-constexpr double kSideG[] = {0.8, 1.4, 2.2};           // g that a turn adds, before banking
-constexpr double kLeastRadii[] = {18, 12, 8};          // m
+constexpr double kSideG[] = {0.5, 0.8, 1.4, 2.2};      // g that a turn adds, before banking
+constexpr double kLeastRadii[] = {25, 18, 12, 8};      // m
 constexpr double kLeadG = 2.2, kLeadCrestG = 0.9;      // g that a lead's bend adds or takes away
+constexpr double kShortestTurn = 1;                    // s at the open end's speed: shorter ones roll too quickly
 constexpr int kSteps = 48;
 constexpr double kFarthestHome = 3000;  // m, straight from the open end to the first knot
 
@@ -100,11 +101,13 @@ bool consider(CircuitCandidate candidate, double floor, CircuitWay& way, Circuit
   } else if (!felt->within()) {
     ++c.losses.forced, c.losses.least_g = std::min(c.losses.least_g, felt->most);
   } else {
-    candidate.cost = way.turns.length() + kCostOfG * (felt->most + felt->side);
+    candidate.cost = cost_of(way.turns.length(), *felt), candidate.side = felt->side;
     c.list.push_back(candidate);
   }
   return true;
 }
+
+double shortest_turn(const CircuitTask& task) { return std::max(Bend::kShortest, kShortestTurn * task.speed); }
 
 // Returns the ends and levels between which ways are sought, or why there can be none.
 CircuitCandidates prepared(const CircuitTask& task) {
@@ -133,7 +136,7 @@ void consider_all(CircuitCandidates& c) {
   for (std::size_t i = 0; i < c.turns.size(); ++i) {
     way.turns = c.turns[i].rough;
     for (int level = -1; level < static_cast<int>(c.levels.size()); ++level) {
-      const bool room = consider({i, level, false, 0}, floor, way, c) || consider({i, level, true, 0}, floor, way, c);
+      const bool room = consider({i, level, false}, floor, way, c) || consider({i, level, true}, floor, way, c);
       if (!room) ++c.losses.steep;
     }
   }
@@ -198,7 +201,7 @@ CircuitCandidates circuit_candidates(const CircuitTask& task) {
   const double start = task.speed * task.speed, end = c.arrival * c.arrival;
   std::array<double, std::size(kSideG)> radii{};
   for (std::size_t i = 0; i < radii.size(); ++i) radii[i] = radius_for(std::max(start, end), kSideG[i], kLeastRadii[i]);
-  c.turns = turn_choices(c.in.pose, c.out.pose, radii, kStraights);
+  c.turns = turn_choices(c.in.pose, c.out.pose, radii, kStraights, shortest_turn(task));
   consider_all(c);
   sort_by_cost(c);
   return c;
@@ -214,7 +217,7 @@ CircuitCandidates candidates_like(const world::WayHome& former, const CircuitTas
   std::sort(straights.begin(), straights.end());
   straights.erase(std::unique(straights.begin(), straights.end()), straights.end());
   const double radii[] = {former.radius, std::min(kWider * former.radius, world::kWidestTurn)};
-  c.turns = turn_choices(c.in.pose, c.out.pose, radii, straights);
+  c.turns = turn_choices(c.in.pose, c.out.pose, radii, straights, shortest_turn(task));
   std::erase_if(c.turns, [&](const TurnChoice& choice) { return turned_from(former, choice) > kMostTurned; });
   consider_all(c);
   for (CircuitCandidate& candidate : c.list) candidate.cost = unlikeness(former, c, candidate);

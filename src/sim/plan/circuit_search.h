@@ -10,9 +10,15 @@ struct CircuitCandidate {
   std::size_t turns = 0;  // index into `CircuitCandidates::turns`
   int level = -1;         // index into `levels`; below 0: one slope all the way
   bool tight = false;     // with bends of the smaller radii
-  double cost = 0;        // m: its length, and kCostOfG for each g; or how far it is from a former way
+  double cost = 0;        // m: cost_of(), or how far it is from a former way
+  double side = 0;        // g, lateral, about
 };
-inline constexpr double kCostOfG = 25;  // m of length that a rider would go round for 1 g less
+// m of length that a rider would go round for 1 g less: vertical, and lateral, which quick rolls cause.
+inline constexpr double kCostOfG = 25, kCostOfSideG = 100;
+// Returns the cost of a way home, m.
+inline double cost_of(double length, const FeltRange& felt) {
+  return length + kCostOfG * felt.most + kCostOfSideG * felt.side;
+}
 
 // Why candidates were left out.
 struct CircuitLosses {

@@ -35,17 +35,17 @@ struct TurnTable {
       moved[i] = bend.run_and_rise() / kUnit, length[i] = bend.length() / kUnit;
     }
   }
-  dvec2 at(double angle, double radius) const {
+  dvec2 at(double angle, double radius, double shortest) const {
     const double place = angle / kGridStep;
     const auto i = std::min(static_cast<std::size_t>(place), moved.size() - 2);
     const double share = place - static_cast<double>(i);
     const double whole = length[i] + share * (length[i + 1] - length[i]);
-    const double real = radius * whole < Bend::kShortest && whole > 0 ? Bend::kShortest / whole : radius;
+    const double real = radius * whole < shortest && whole > 0 ? shortest / whole : radius;
     return real * (moved[i] + share * (moved[i + 1] - moved[i]));
   }
 };
 
-dvec2 exact_moved(double angle, double radius) { return Bend{0, angle, radius}.run_and_rise(); }
+Bend turn_of(const TurnChoice& c, double from, double to) { return {from, to, c.radius, 0, c.shortest}; }
 
 // What remains after a first turn by `turn`, seen along the heading between the turns.
 struct Rest {
@@ -59,7 +59,7 @@ Rest rest_after(const PlanPose& from, const PlanPose& to, const TurnChoice& c, d
   double second = c.second * (to.heading - heading) / (2.0 * kPi);
   second = (second - std::floor(second) + c.more_second) * 2.0 * kPi;
   const auto shift = [&](double angle, int side, double at) {
-    const dvec2 m = moved(angle, c.radius);
+    const dvec2 m = moved(angle, c);
     return swung({m.x, side * m.y}, at);
   };
   const dvec2 rest = to.place - from.place - c.before * along(from.heading) - c.after * along(to.heading) -
@@ -70,14 +70,16 @@ Rest rest_after(const PlanPose& from, const PlanPose& to, const TurnChoice& c, d
 
 Turns turns_of(const PlanPose& from, const TurnChoice& c, double turn, const Rest& rest) {
   const double heading = from.heading + c.first * turn;
-  return {c.before, std::max(0.0, rest.ahead), c.after, Bend{from.heading, heading, c.radius},
-          Bend{heading, heading + c.second * rest.second, c.radius}};
+  return {c.before, std::max(0.0, rest.ahead), c.after, turn_of(c, from.heading, heading),
+          turn_of(c, heading, heading + c.second * rest.second)};
 }
 
 // Adds the roots of the rest's `aside` over the first turn's angle.
 void add_roots(const PlanPose& from, const PlanPose& to, TurnChoice c, std::vector<TurnChoice>& out) {
   static const TurnTable kTable;
-  const auto moved = [](double angle, double radius) { return kTable.at(angle, radius); };
+  const auto moved = [](double angle, const TurnChoice& choice) {
+    return kTable.at(angle, choice.radius, choice.shortest);
+  };
   const int begin = c.more_first * kGrid;
   Rest last = rest_after(from, to, c, begin * kGridStep, moved);
   const auto take = [&](double low, double high, double turn) {
@@ -95,54 +97,41 @@ void add_roots(const PlanPose& from, const PlanPose& to, TurnChoice c, std::vect
   }
 }
 
-struct TurnPart {
-  double begin, length;
-  const Bend* bend;  // null: straight
-  double heading;
-};
-std::array<TurnPart, 5> turn_parts(const Turns& t) {
-  std::array<TurnPart, 5> parts{{{0, t.before, nullptr, t.first.from},
-                                 {0, t.first.length(), &t.first, 0},
-                                 {0, t.between, nullptr, t.first.to},
-                                 {0, t.second.length(), &t.second, 0},
-                                 {0, t.after, nullptr, t.second.to}}};
-  for (std::size_t i = 1; i < parts.size(); ++i) parts[i].begin = parts[i - 1].begin + parts[i - 1].length;
-  return parts;
-}
-
 }  // namespace
 
 std::vector<double> Turns::breaks() const {
-  std::vector<double> at;
-  for (const TurnPart& part : turn_parts(*this)) {
-    if (part.bend != nullptr && part.length > 0)
-      at.insert(at.end(),
-                {part.begin, part.begin + part.bend->ramp(), part.begin + part.bend->ramp() + part.bend->arc()});
-    at.push_back(part.begin + part.length);
-  }
+  std::vector<double> at{before};
+  const auto add = [&](const Bend& bend, double straight) {
+    const double begin = at.back();
+    if (bend.length() > 0) at.insert(at.end(), {begin, begin + bend.ramp(), begin + bend.ramp() + bend.arc()});
+    at.push_back(begin + bend.length());
+    at.push_back(at.back() + straight);
+  };
+  add(first, between), add(second, after);
   return at;
 }
 
-double Turns::angle(double u) const {
-  for (const TurnPart& part : turn_parts(*this))
-    if (u <= part.begin + part.length) return part.bend != nullptr ? part.bend->angle(u - part.begin) : part.heading;
-  return second.to;
-}
-
-double Turns::bend(double u) const {
-  for (const TurnPart& part : turn_parts(*this))
-    if (u <= part.begin + part.length) return part.bend != nullptr ? part.bend->bend(u - part.begin) : 0.0;
-  return 0;
+Turns::At Turns::at(double u) const {
+  double begin = 0, end = before;
+  if (u <= end) return {first.from, 0};
+  begin = end, end = begin + first.length();
+  if (u <= end) return {first.angle(u - begin), first.bend(u - begin)};
+  begin = end, end = begin + between;
+  if (u <= end) return {first.to, 0};
+  begin = end, end = begin + second.length();
+  if (u <= end) return {second.angle(u - begin), second.bend(u - begin)};
+  return {second.to, 0};
 }
 
 std::vector<TurnChoice> turn_choices(const PlanPose& from, const PlanPose& to, std::span<const double> radii,
-                                     std::span<const double> straights) {
+                                     std::span<const double> straights, double shortest) {
   std::vector<TurnChoice> choices;
   const auto add_sides = [&](TurnChoice c) {
     for (c.first = -1; c.first <= 1; c.first += 2)
       for (c.second = -1; c.second <= 1; c.second += 2) add_roots(from, to, c, choices);
   };
   TurnChoice c;
+  c.shortest = shortest;
   for (const double radius : radii) {
     c.radius = radius;
     for (const double before : straights)
@@ -158,7 +147,8 @@ std::vector<TurnChoice> turn_choices(const PlanPose& from, const PlanPose& to, s
 std::optional<Turns> exact_turns(const PlanPose& from, const PlanPose& to, const TurnChoice& choice) {
   constexpr int kSteps = 60;
   constexpr double kDone = 1e-11;  // m
-  const auto rest = [&](double turn) { return rest_after(from, to, choice, turn, exact_moved); };
+  const auto moved = [](double angle, const TurnChoice& c) { return turn_of(c, 0, angle).run_and_rise(); };
+  const auto rest = [&](double turn) { return rest_after(from, to, choice, turn, moved); };
   // The interpolated root may lie just outside the exact bracket.
   double low = std::max(0.0, choice.low - 0.01), high = choice.high + 0.01;
   if (choice.low == choice.high) low = high = choice.low;

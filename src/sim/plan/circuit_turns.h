@@ -21,8 +21,10 @@ struct Turns {
   double length() const { return before + first.length() + between + second.length() + after; }
   // Ends of the pieces, and of the parts of each turn: m from the start, ascending.
   std::vector<double> breaks() const;
-  double angle(double u) const;  // rad, heading at u in [0, length()]
-  double bend(double u) const;   // 1/m, its derivative
+  struct At {
+    double angle, bend;  // rad, heading; 1/m, its derivative
+  };
+  At at(double u) const;  // u in [0, length()]
 };
 
 // A choice of turns; the first turn's angle lies between `low` and `high`.
@@ -30,15 +32,16 @@ struct TurnChoice {
   int first = 1, second = 1;                 // 1: to the right, -1: to the left
   int more_first = 0, more_second = 0;       // whole turns more
   double radius = 1, before = 0, after = 0;  // m
+  double shortest = Bend::kShortest;         // m, of a turn
   double low = 0, high = 0;                  // rad
   // The turns to about a centimetre, from interpolated displacements.
   Turns rough;
 };
 
 // Returns every way from one pose to the other with one of these radii and lengths of the outer straights, with up to
-// one whole turn more. About 0.1 ms per radius and pair of lengths.
+// one whole turn more. Turns are no shorter than `shortest` m. About 0.1 ms per radius and pair of lengths.
 std::vector<TurnChoice> turn_choices(const PlanPose& from, const PlanPose& to, std::span<const double> radii,
-                                     std::span<const double> straights);
+                                     std::span<const double> straights, double shortest = Bend::kShortest);
 // Returns the turns of a choice, exact to rounding; nothing if the straight between them would be negative.
 std::optional<Turns> exact_turns(const PlanPose& from, const PlanPose& to, const TurnChoice& choice);
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "base/portable_math.h"
 #include "sim/shape/roll.h"
@@ -15,13 +16,8 @@ using glm::dvec3;
 
 constexpr double kLeastWeight = 0.25;  // g: where less presses riders down, banking no longer follows it
 constexpr double kRollRate = 1.0;      // rad/s, of the fading roll
+constexpr double kRollPush = 3.0;      // rad/s^2, its largest change, which throws riders to the side
 constexpr double kShortestFade = 8, kMostFade = 0.45;  // m; of the whole length
-
-struct WayRate {
-  double heading, bend;
-  Heights::At height;
-};
-WayRate rate_at(const CircuitWay& way, double u) { return {way.turns.angle(u), way.turns.bend(u), way.heights.at(u)}; }
 
 // The direction of what is felt across the track. Its part towards upright is rounded off above 0, so that airtime
 // turns nobody over: sqrt(x^2 + c^2) in place of |x|.
@@ -57,18 +53,21 @@ void add_middle(const CircuitWay& way, ElementPath& path) {
   double begin = 0;
   for (const double u : merged(way.turns.breaks(), way.heights.breaks(), end)) {
     path.add(u - begin, [&way, begin](double v) {
-      const WayRate r = rate_at(way, begin + v);
-      const auto [sin, cos] = base::sin_cos(r.heading);
-      return ElementRate{{cos, r.height.slope, -sin}, {-sin * r.bend, r.height.change, -cos * r.bend}, dvec3(0), 0};
+      const Turns::At turn = way.turns.at(begin + v);
+      const Heights::At height = way.heights.at(begin + v);
+      const auto [sin, cos] = base::sin_cos(turn.angle);
+      return ElementRate{{cos, height.slope, -sin}, {-sin * turn.bend, height.change, -cos * turn.bend}, dvec3(0), 0};
     });
     begin = u;
   }
 }
 
-// The roll and the spin of an end fade out over this length.
+// The roll and the spin of an end fade out over this length, as a cubic of the time T: its rate is at most 1.5 roll /
+// T, and its change 6 roll / T^2.
 double fade_length(double roll, double square, double whole) {
-  const double fade = std::max(kShortestFade, 1.5 * std::abs(roll) * std::sqrt(std::max(square, 0.0)) / kRollRate);
-  return std::min(fade, kMostFade * whole);
+  const double turned = std::abs(roll), speed = std::sqrt(std::max(square, 0.0));
+  const double seconds = std::max(1.5 * turned / kRollRate, std::sqrt(6 * turned / kRollPush));
+  return std::min(std::max(kShortestFade, seconds * speed), kMostFade * whole);
 }
 
 void turn_up(ElementPoint& p, double angle, double spin) {
@@ -133,17 +132,22 @@ std::optional<FeltRange> estimate(const CircuitTask& task, const CircuitWay& way
     const double square = square_speed(task, h.height - from, way.in.length + u * std::sqrt(1 + h.slope * h.slope));
     if (square < slowest(task) * slowest(task)) return std::nullopt;
     const double flat = 1.0 + h.slope * h.slope, root = std::sqrt(flat);
-    const double side = square * way.turns.bend(u) / (flat * world::kGravity),
+    const double side = square * way.turns.at(u).bend / (flat * world::kGravity),
                  up = 1.0 / root + square * h.change / (flat * root * world::kGravity);
     felt.most = std::max(felt.most, std::sqrt(side * side + up * up));
     felt.least = std::min(felt.least, up);
   }
-  for (const Bend* bend : {&way.turns.first, &way.turns.second}) {
+  const Turns& turns = way.turns;
+  for (const auto& [bend, begin] :
+       {std::pair{&turns.first, turns.before}, {&turns.second, length - turns.after - turns.second.length()}}) {
     const double ramp = bend->ramp();
     if (!(ramp > 0)) continue;
-    const double square = task.speed * task.speed, side = square / (bend->radius * world::kGravity);
-    felt.side = std::max(felt.side, square * task.riders * kSteepestRollRate * side / std::sqrt(1 + side * side) /
-                                        (ramp * ramp * world::kGravity));
+    for (const double u : {begin, begin + bend->length()}) {
+      const double square = square_speed(task, way.heights.at(u).height - from, way.in.length + u),
+                   side = square / (bend->radius * world::kGravity);
+      felt.side = std::max(felt.side, square * task.riders * kSteepestRollRate * side / std::sqrt(1 + side * side) /
+                                          (ramp * ramp * world::kGravity));
+    }
   }
   return felt;
 }
@@ -158,15 +162,16 @@ std::vector<WayPlace> rough_line(const CircuitTask& task, const CircuitWay& way,
   double s = way.in.length;
   for (int i = 0; i <= steps; ++i) {
     const double u = each * i;
-    const WayRate r = rate_at(way, u);
-    const auto [sin, cos] = base::sin_cos(r.heading);
-    const double flat = 1.0 + r.height.slope * r.height.slope, root = std::sqrt(flat);
-    const dvec3 d1(cos, r.height.slope, sin), d2(-sin * r.bend, r.height.change, cos * r.bend), tangent = d1 / root;
-    const dvec3 curvature = curve::across(d2, tangent) / flat, place(at.x, r.height.height, at.y);
-    const dvec3 up = felt_up(tangent, curvature, std::max(0.0, square_speed(task, r.height.height - from, s)));
+    const Turns::At turn = way.turns.at(u);
+    const Heights::At h = way.heights.at(u);
+    const auto [sin, cos] = base::sin_cos(turn.angle);
+    const double flat = 1.0 + h.slope * h.slope, root = std::sqrt(flat);
+    const dvec3 d1(cos, h.slope, sin), d2(-sin * turn.bend, h.change, cos * turn.bend), tangent = d1 / root;
+    const dvec3 curvature = curve::across(d2, tangent) / flat, place(at.x, h.height, at.y);
+    const dvec3 up = felt_up(tangent, curvature, std::max(0.0, square_speed(task, h.height - from, s)));
     line.push_back({s, place + task.rails * up, up});
     at += integral(each, 1, [&](double v) {
-      const auto [side, ahead] = base::sin_cos(way.turns.angle(u + v));
+      const auto [side, ahead] = base::sin_cos(way.turns.at(u + v).angle);
       return dvec2(ahead, side);
     });
     s += root * each;

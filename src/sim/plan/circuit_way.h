@@ -24,6 +24,9 @@ struct CircuitTask {
 
 // Limits of a way home. What riders feel stays within them; longer than 4 s they are the strictest (docs/ride.md).
 inline constexpr double kMostUp = 4.0, kLeastUp = -0.3, kMostSide = 1.2;  // g
+// g, lateral, which rolling causes: ways home with less are preferred. A joint where the rolling begins jolts about 1.2
+// times as much.
+inline constexpr double kGentleSide = 0.55;
 inline constexpr double kSlowestHome = 2;     // m/s, anywhere on the way; less for a train that comes slower
 inline constexpr double kSteepestHome = 0.7;  // m per metre in plan, between the bends
 inline constexpr double kLowestRails = 1;     // m above the ground, or the lower end's height if that is less
@@ -60,7 +63,7 @@ struct WayPlace {
 std::vector<WayPlace> rough_line(const CircuitTask& task, const CircuitWay& way, double step);
 
 // Returns the ideal curve. Its up is the direction of what is felt, so lateral g is 0 on the curve itself; the roll and
-// spin of both ends fade into it, at about a radian per second. Its last point is `task.home` to the bit.
+// spin of both ends fade into it, by about 1 rad/s and 3 rad/s^2 at most. Its last point is `task.home` to the bit.
 ElementCurve way_curve(const CircuitTask& task, const CircuitWay& way);
 // Returns what riders feel on it.
 FeltRange felt_on(const CircuitTask& task, const ElementCurve& curve);

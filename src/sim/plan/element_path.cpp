@@ -43,10 +43,10 @@ dvec2 integral(double length, int steps, const std::function<dvec2(double)>& f) 
   return sum * step;
 }
 
-Bend::Bend(double from_angle, double to_angle, double least_radius, double length_of_ramp)
+Bend::Bend(double from_angle, double to_angle, double least_radius, double length_of_ramp, double shortest)
     : from(from_angle), to(to_angle), radius(least_radius), ramp_length(length_of_ramp) {
   const double angle = std::abs(to - from);
-  if (angle > 0 && length() < kShortest) radius *= kShortest / length();
+  if (angle > 0 && length() < shortest) radius *= shortest / length();
 }
 double Bend::ramp_angle() const {
   if (ramp_length > 0) return std::min(0.5 * ramp_length / radius, 0.5 * std::abs(to - from));

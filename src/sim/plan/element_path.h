@@ -57,7 +57,8 @@ struct Bend {
   double from = 0, to = 0;                // rad
   double radius = 1;                      // m
   double ramp_length = 0;                 // m, at most radius times angle; 0: a quarter of the angle
-  Bend(double from_angle, double to_angle, double least_radius, double length_of_ramp = 0);
+  // No shorter than `shortest` m.
+  Bend(double from_angle, double to_angle, double least_radius, double length_of_ramp = 0, double shortest = kShortest);
   double ramp_angle() const;
   double ramp() const { return 2.0 * radius * ramp_angle(); }  // m, length of each ramp
   double arc() const;                                          // m, length of the circle

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -18,9 +19,9 @@ namespace {
 using glm::dvec3;
 
 constexpr double kRoughStep = 3, kRoughMargin = 0.3, kMargin = 0.15;  // m: chords differ from those of the track later
-constexpr int kMostFailures = 30;      // of candidates that turn the same way and reach the same level
-constexpr double kLargestJump = 5e-4;  // 1/m, of curvature at a joint; a fit with a very short span may have more
-constexpr double kApart = 8;           // m between the middles of two proposals
+constexpr int kMostFailures = 30;  // of candidates that turn the same way and reach the same level
+constexpr int kMostRough = 120;    // ways that turn out too rough, until all the others count as too rough
+constexpr double kApart = 8;       // m between the middles of two proposals
 
 // Where the ways home that failed for other track came nearest to it.
 struct Obstacles {
@@ -85,6 +86,7 @@ struct SearchTerms {
   const Conflicts& conflicts;
   std::size_t most_found;
   int most_tried;
+  double side = kMostSide;               // g: rougher ways only where there are no others
   std::span<const double> lengths = {};  // of a former way's spans
 };
 
@@ -93,6 +95,8 @@ struct Search {
   const CircuitCandidates& candidates;
   const SearchTerms& terms;
   CircuitProposals found = {};
+  std::vector<CircuitCandidate> rougher = {};
+  int tried = 0, rough_ones = 0;
   Obstacles obstacles = {};
   int forced = 0, buried_ones = 0, unfit = 0;
   double least_g = 1e9;
@@ -107,8 +111,8 @@ struct Search {
     return narrow.empty();
   }
 
-  // Adds the proposal of a candidate, unless it fails or resembles another.
-  void propose(const CircuitCandidate& candidate) {
+  // Adds the proposal of a candidate, unless it fails, resembles another or is too rough.
+  void propose(const CircuitCandidate& candidate, double side) {
     const CircuitTask& task = candidates.task;
     const std::optional<CircuitWay> way = candidates.exact(candidate);
     if (!way) return;
@@ -121,6 +125,10 @@ struct Search {
       ++forced, least_g = std::min(least_g, proposal.felt.most);
       return;
     }
+    if (proposal.felt.side > side) {
+      ++rough_ones, rougher.push_back(candidate);
+      return;
+    }
     if (buried(task, plan.ideal)) {
       ++buried_ones;
       return;
@@ -129,23 +137,32 @@ struct Search {
         terms.conflicts.against(terms.derived, line_of(plan.ideal, task.rails), {true, kMargin});
     if (!narrow.empty()) return obstacles.add(narrow);
     plan.fit = terms.lengths.empty() ? fit_element(plan.ideal) : fit_element(plan.ideal, terms.lengths);
-    if (!plan.fit.within || plan.fit.jump > kLargestJump) ++unfit;
+    if (!plan.fit.within) ++unfit;
     else found.list.push_back(std::move(proposal));
   }
 
-  void run() {
+  void run(std::span<const CircuitCandidate> list, double side) {
     std::map<std::array<int, 5>, int> failures;
-    int tried = 0;
-    for (const CircuitCandidate& candidate : candidates.list) {
+    for (const CircuitCandidate& candidate : list) {
       if (found.list.size() == terms.most_found || tried == terms.most_tried) break;
+      if (candidate.side > side || rough_ones == kMostRough) {
+        rougher.push_back(candidate);
+        continue;
+      }
       const TurnChoice& turns = candidates.turns[candidate.turns];
       int& failed = failures[{turns.first, turns.second, turns.more_first, turns.more_second, candidate.level}];
       if (failed >= kMostFailures) continue;
       ++tried;
       const std::size_t before = found.list.size();
-      if (has_room(candidate)) propose(candidate);
+      if (has_room(candidate)) propose(candidate, side);
       if (found.list.size() == before) ++failed;
     }
+  }
+
+  void run() {
+    run(candidates.list, terms.side);
+    rough_ones = 0;
+    if (found.list.empty()) run(std::exchange(rougher, {}), kMostSide);
   }
 
   std::string why_not() const {
@@ -159,10 +176,10 @@ struct Search {
     if (buried_ones > 0 || losses.buried > 0) return "the ground is in the way: every way home runs below it";
     if (losses.slow > 0) return "the train is too slow: it stops on every way home";
     if (unfit > 0) return "the ends are too sharp or too far from the origin for a fit within 1 cm";
-    return fmt::format(
-        "the slope is too steep: the first knot is {:.1f} m higher than the open end, with no room to "
-        "climb or descend",
-        candidates.task.home.position.y - candidates.task.from.position.y);
+    const double rise = candidates.task.home.position.y - candidates.task.from.position.y;
+    if (std::abs(rise) < 0.05) return "the slope is too steep: there is no room to level out before the first knot";
+    return fmt::format("the slope is too steep: the first knot is {:.1f} m {} than the open end, with no room to {}",
+                       std::abs(rise), rise > 0 ? "higher" : "lower", rise > 0 ? "climb" : "descend");
   }
 };
 
@@ -202,13 +219,15 @@ std::optional<CircuitTask> circuit_task(const world::Document& document, const G
 
 CircuitProposals complete_again(const FormerWay& former, const CircuitTask& task, const Derived& derived,
                                 const Conflicts& conflicts) {
-  return searched(candidates_like(former.way, task), {derived, conflicts, 1, kMostTriedAgain, former.lengths});
+  return searched(candidates_like(former.way, task),
+                  {derived, conflicts, 1, kMostTriedAgain, kMostSide, former.lengths});
 }
 
 CircuitProposals complete_circuit(const CircuitTask& task, const Derived& derived, const Conflicts& conflicts) {
-  CircuitProposals found = searched(circuit_candidates(task), {derived, conflicts, kMostProposals, kMostTried});
+  CircuitProposals found =
+      searched(circuit_candidates(task), {derived, conflicts, kMostProposals, kMostTried, kGentleSide});
   std::stable_sort(found.list.begin(), found.list.end(), [](const CircuitProposal& a, const CircuitProposal& b) {
-    const auto cost = [](const CircuitProposal& p) { return p.plan.length + kCostOfG * (p.felt.most + p.felt.side); };
+    const auto cost = [](const CircuitProposal& p) { return cost_of(p.plan.length, p.felt); };
     return cost(a) < cost(b);
   });
   return found;

@@ -19,7 +19,7 @@ dvec2 followed(const Turns& turns, dvec2 from) {
   const int steps = static_cast<int>(turns.length() / 0.01) + 1;
   const double step = turns.length() / steps;
   for (int i = 0; i < steps; ++i) {
-    const double heading = turns.angle((i + 0.5) * step);
+    const double heading = turns.at((i + 0.5) * step).angle;
     from += step * dvec2(std::cos(heading), std::sin(heading));
   }
   return from;
@@ -33,7 +33,8 @@ TEST(circuit_turns, every_choice_arrives_at_the_place_and_heading_of_the_end) {
   for (int round = 0; round < 12; ++round) {
     const PlanPose from{{uniform(-60, 60), uniform(-60, 60)}, uniform(-4, 4)},
         to{{uniform(-60, 60), uniform(-60, 60)}, uniform(-4, 4)};
-    const std::vector<TurnChoice> choices = turn_choices(from, to, radii, straights);
+    const double shortest = round % 2 == 0 ? Bend::kShortest : 21.4;
+    const std::vector<TurnChoice> choices = turn_choices(from, to, radii, straights, shortest);
     EXPECT_GE(choices.size(), 8u) << "both circles to the same side always have a common tangent";
     for (std::size_t i = 0; i < choices.size(); i += 5) {
       const TurnChoice& choice = choices[i];
@@ -44,10 +45,12 @@ TEST(circuit_turns, every_choice_arrives_at_the_place_and_heading_of_the_end) {
       EXPECT_LT(glm::distance(followed(*turns, from.place), to.place), 2e-4);
       EXPECT_NEAR(std::remainder(turns->second.to - to.heading, 2 * M_PI), 0, 1e-9);
       EXPECT_EQ(turns->first.from, from.heading);
+      for (const Bend* bend : {&turns->first, &turns->second})
+        EXPECT_TRUE(bend->length() == 0 || bend->length() > shortest - 1e-9) << bend->length();
       for (double u = 0; u < turns->length(); u += 0.7) {
-        EXPECT_LE(std::abs(turns->bend(u)), 1 / choice.radius + 1e-9);
-        EXPECT_NEAR((turns->angle(u + 1e-5) - turns->angle(std::max(0.0, u - 1e-5))) / (u > 0 ? 2e-5 : 1e-5),
-                    turns->bend(u), 2e-4);
+        EXPECT_LE(std::abs(turns->at(u).bend), 1 / choice.radius + 1e-9);
+        EXPECT_NEAR((turns->at(u + 1e-5).angle - turns->at(std::max(0.0, u - 1e-5)).angle) / (u > 0 ? 2e-5 : 1e-5),
+                    turns->at(u).bend, 2e-4);
       }
     }
   }
