@@ -54,8 +54,8 @@ base::Result<sim::CircuitTask> task_of(const Session& session, const Document& o
   sim::CircuitTask task = *sim::circuit_task(opened, nullptr);
   const double square = way.speed * way.speed - (way.coasts ? 2 * world::kGravity * risen : 0.0);
   if (square < std::min(1.0, way.speed * way.speed))
-    return refused(
-        fmt::format("the train does not reach the Complete circuit section, which would begin {:.1f} m higher", risen));
+    return refused(fmt::format("the train does not reach the Complete circuit section, which would begin {} m higher",
+                               risen < 0.05 ? fmt::format("{:.1g}", risen) : fmt::format("{:.1f}", risen)));
   task.speed = std::sqrt(square), task.coasts = way.coasts;
   task.losses = session.document.resistance;
   if (const world::Cart* const cart = session.document.entities.find<world::Cart>(chosen_cart(session)))

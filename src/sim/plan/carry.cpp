@@ -16,15 +16,20 @@ using glm::dvec3;
 constexpr double kSame = 1e-5;  // rad
 constexpr double kSteep = 0.1;  // m, of a unit tangent's horizontal part: `up` gives the heading then
 
-// Returns the angle above the horizon, degrees.
-double slope_deg(dvec3 direction) {
-  return base::degrees(
-      base::arc_tangent(direction.y, std::sqrt(direction.x * direction.x + direction.z * direction.z)));
+// Returns the angle above the horizon, rad.
+double steepness(dvec3 direction) {
+  return base::arc_tangent(direction.y, std::sqrt(direction.x * direction.x + direction.z * direction.z));
 }
 
 dvec3 heading(const world::Knot& knot) {
   const bool steep = glm::length(glm::dvec2(knot.tangent.x, knot.tangent.z)) < kSteep;
   return dvec3(steep ? knot.up : knot.tangent);
+}
+
+// With one decimal, or down to the first digit that is not 0.
+std::string degrees_text(double rad) {
+  const double deg = std::abs(base::degrees(rad));
+  return deg < 0.05 ? fmt::format("{:.1g}", deg) : fmt::format("{:.1f}", deg);
 }
 
 base::Status refused(std::string reason) { return {base::Code::refused, std::move(reason)}; }
@@ -52,16 +57,17 @@ Carry carry_between(dvec3 from, dvec3 from_heading, dvec3 to, dvec3 to_heading) 
 base::Result<Carry> carry_between(const world::Knot& from, const world::Knot& to) {
   const Carry carry = carry_between(dvec3(from.position), heading(from), dvec3(to.position), heading(to));
   const dvec3 forward = glm::normalize(dvec3(to.tangent)), carried = carry.direction(dvec3(from.tangent));
-  if (!(curve::angle_between(carried, forward) <= kSame)) {
-    const double steeper = slope_deg(forward) - slope_deg(carried);
-    return refused(fmt::format("the track would end pointing {:.1f} degrees further {} than what follows begins",
-                               std::abs(steeper), steeper > 0 ? "up" : "down"));
+  if (const double off = curve::angle_between(carried, forward); !(off <= kSame)) {
+    const double steeper = steepness(forward) - steepness(carried);
+    const char* const where = std::abs(steeper) < 0.5 * off ? "aside" : steeper > 0 ? "up" : "down";
+    return refused(fmt::format("the track would end pointing {} degrees further {} than what follows begins",
+                               degrees_text(off), where));
   }
   const double roll = curve::signed_angle(curve::perpendicular(forward, carry.direction(dvec3(from.up))),
                                           curve::perpendicular(forward, dvec3(to.up)), forward);
   if (!(std::abs(roll) <= kSame))
-    return refused(fmt::format("the track would end there rolled by {:.1f} degrees against what follows",
-                               std::abs(base::degrees(roll))));
+    return refused(
+        fmt::format("the track would end there rolled by {} degrees against what follows", degrees_text(roll)));
   return carry;
 }
 

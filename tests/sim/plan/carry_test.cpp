@@ -55,6 +55,11 @@ TEST(carry, never_tilts) {
             "the track would end pointing 45.0 degrees further down than what follows begins");
   EXPECT_EQ(reason(knot({9, 9, 9}, {0, 0, 1}, 30)),
             "the track would end there rolled by 30.0 degrees against what follows");
+  EXPECT_EQ(reason(knot({9, 9, 9}, {1, 0.0005f, 0})),
+            "the track would end pointing 0.03 degrees further up than what follows begins")
+      << "never 0.0 degrees";
+  EXPECT_EQ(reason(knot({9, 9, 9}, {1, 0, 0}, 0.02)),
+            "the track would end there rolled by 0.02 degrees against what follows");
 }
 
 }  // namespace carry_test
