@@ -89,6 +89,13 @@ double turn_of(const ElementCurve& curve, std::size_t first, std::size_t last) {
   return turn;
 }
 
+// Returns the first point at least that far along the curve.
+std::size_t point_at(const ElementCurve& curve, double s) {
+  const auto found = std::lower_bound(curve.points.begin(), curve.points.end(), s,
+                                      [](const ElementPoint& point, double wanted) { return point.s < wanted; });
+  return static_cast<std::size_t>(found - curve.points.begin());
+}
+
 // Returns the ends of the pieces and, evenly spaced between them by length, points for the given number of spans of
 // each piece.
 std::vector<std::size_t> places_for(const ElementCurve& curve, std::span<const int> counts) {
@@ -98,10 +105,7 @@ std::vector<std::size_t> places_for(const ElementCurve& curve, std::span<const i
     const double from = curve.points[first].s, length = curve.points[last].s - from;
     for (int i = 1; i < counts[p]; ++i) {
       const double wanted = from + length * i / counts[p];
-      const auto found = std::lower_bound(curve.points.begin() + static_cast<std::ptrdiff_t>(first),
-                                          curve.points.begin() + static_cast<std::ptrdiff_t>(last), wanted,
-                                          [](const ElementPoint& point, double s) { return point.s < s; });
-      const auto place = static_cast<std::size_t>(found - curve.points.begin());
+      const std::size_t place = point_at(curve, wanted);
       if (place > at.back() && place < last) at.push_back(place);
     }
     at.push_back(last);
@@ -181,18 +185,28 @@ void even_out(const ElementCurve& curve, Trial& best) {
   }
 }
 
-// Returns the ends of spans of those lengths; nothing if they have no room.
+// Returns the break within that many metres of a length along the curve, else the point there.
+std::size_t break_near(const ElementCurve& curve, double s, double within) {
+  const auto before = [&](std::size_t at, double wanted) { return curve.points[at].s < wanted; };
+  const auto near = std::lower_bound(curve.breaks.begin(), curve.breaks.end(), s - within, before);
+  if (near == curve.breaks.end() || curve.points[*near].s > s + within) return point_at(curve, s);
+  const auto next = near + 1;
+  const bool closer =
+      next != curve.breaks.end() && std::abs(curve.points[*next].s - s) < std::abs(curve.points[*near].s - s);
+  return closer ? *next : *near;
+}
+
+// Returns the ends of spans of about those lengths, at breaks where these are near; nothing if they have no room.
 std::vector<std::size_t> places_of(const ElementCurve& curve, std::span<const double> lengths) {
+  constexpr double kNear = 2;  // m
   const auto longest = std::max_element(lengths.begin(), lengths.end());
   const double rest = curve.length() - std::accumulate(lengths.begin(), lengths.end(), 0.0);
   std::vector<std::size_t> at{0};
   double s = 0;
   for (auto length = lengths.begin(); length != lengths.end(); ++length) {
     s += *length + (length == longest ? rest : 0.0);
-    const auto found = std::lower_bound(curve.points.begin(), curve.points.end(), s,
-                                        [](const ElementPoint& point, double wanted) { return point.s < wanted; });
     const bool last = length + 1 == lengths.end();
-    const auto place = last ? curve.points.size() - 1 : static_cast<std::size_t>(found - curve.points.begin());
+    const std::size_t place = last ? curve.points.size() - 1 : break_near(curve, s, std::min(kNear, 0.3 * *length));
     if (place <= at.back() || place + (last ? 0 : 1) >= curve.points.size()) return {};
     at.push_back(place);
   }
