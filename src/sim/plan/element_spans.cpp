@@ -143,29 +143,28 @@ curve::Cubic cubic_between(const world::Knot& from, const world::Knot& to) {
 // Follows the ideal curve's points along a span. The frame is carried as the track's (sim/shape/derived.cpp):
 // rotation-minimising, turned to the second knot's up by the spins of both.
 SpanCheck check_span(std::span<const ElementPoint> points, const world::Knot& from, const world::Knot& to) {
-  const curve::Cubic c = cubic_between(from, to);
+  const curve::Cubic cubic = cubic_between(from, to);
+  const curve::CoefficientsD c = curve::coefficients_d(cubic);
   SpanCheck check;
   const double length = points.back().s - points.front().s;
   for (const float handle : {from.out_length, to.in_length})
     check.sound = check.sound && handle > kShortest * length && handle < kLongest * length;
-  curve::Frame frame{curve::unit_tangent(c, 0.0), glm::normalize(dvec3(from.up))};
-  dvec3 place = curve::point(c, 0.0);
+  curve::Frame frame{curve::unit_tangent(cubic, 0.0), glm::normalize(dvec3(from.up))};
+  dvec3 place = c.point(0.0);
   std::vector<double> rolls{0.0};
   double t = 0;
   for (std::size_t i = 1; i < points.size(); ++i) {
     const bool last = i + 1 == points.size();
-    t = last
-            ? 1.0
-            : std::min(1.0, t + (points[i].s - points[i - 1].s) / std::max(1e-9, glm::length(curve::derivative(c, t))));
+    t = last ? 1.0 : std::min(1.0, t + (points[i].s - points[i - 1].s) / std::max(1e-9, glm::length(c.derivative(t))));
     for (int newton = 0; newton < 3 && !last; ++newton) {
-      const dvec3 off = curve::point(c, t) - points[i].position, d = curve::derivative(c, t),
-                  dd = curve::second_derivative(c, t);
+      const dvec3 off = (t == 1.0 ? dvec3(cubic.p3) : c.point(t)) - points[i].position, d = c.derivative(t),
+                  dd = c.second_derivative(t);
       const double slope = glm::dot(d, d) + glm::dot(off, dd);
       if (slope > 0) t = std::clamp(t - glm::dot(off, d) / slope, 0.0, 1.0);
     }
-    const dvec3 here = curve::point(c, t);
+    const dvec3 here = t == 1.0 ? dvec3(cubic.p3) : c.point(t);
     check.error = std::max(check.error, glm::distance(here, points[i].position));
-    frame = curve::transport(frame, place, here, curve::unit_tangent(c, t));
+    frame = curve::transport(frame, place, here, curve::unit_tangent(cubic, t));
     place = here;
     const dvec3 wanted = last ? dvec3(to.up) : points[i].up;
     const double roll = curve::signed_angle(frame.up, curve::perpendicular(frame.forward, wanted), frame.forward);

@@ -18,6 +18,13 @@ double car_place(const Rails& rails, const TrainPlace& train, int car) {
 
 bool inside(const EquipmentSpan& span, double at) { return at >= span.from && at < span.to; }
 
+// Returns whether no car is on a span or within 1 m of it. May miss that for a train across the track's start.
+bool far_from(const EquipmentSpan& span, const Rails& rails, const TrainPlace& train, double front) {
+  constexpr double kNear = 1;  // m
+  const double tail = front - (train.cars - 1) * train.spacing;
+  return tail >= 0 && front <= rails.length && (span.from > front + kNear || span.to < tail - kNear);
+}
+
 // Returns the fraction of a train's cars that is on a span.
 double share_on(const EquipmentSpan& span, const Rails& rails, const TrainPlace& train) {
   int on = 0;
@@ -102,6 +109,7 @@ Drive drive_of(std::span<const EquipmentSpan> spans, const Rails& rails, const T
   bool on_stop = false, on_brake = false;
   const double front = car_place(rails, train, 0);
   for (const EquipmentSpan& span : spans) {
+    if (far_from(span, rails, train, front)) continue;
     const double share = share_on(span, rails, train);
     const EquipmentKind kind = span.equipment.kind;
     const bool stops = kind == EquipmentKind::station || kind == EquipmentKind::block;

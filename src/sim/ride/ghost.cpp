@@ -3,69 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sim/ride/ghost_tables.h"
 #include "sim/ride/train.h"
 
 namespace coaster::sim {
 namespace {
-
-// The train's mean slope as a function of its first car's position, on a uniform grid. Within a cell the slope is the
-// derivative of a cubic Hermite height, so that the ride's gains and losses add up to the heights.
-class Landscape {
- public:
-  Landscape(const RailTables& tables, std::span<const SegmentTable* const> segments, const GhostStart& start)
-      : closed_(tables.closed()), length_(tables.length()) {
-    const auto n = static_cast<std::size_t>(std::max(4.0, std::ceil(length_ / tables.largest_step())));
-    step_ = length_ / static_cast<double>(n), per_metre_ = 1.0 / step_;
-    std::vector<RailPoint> sums(n + 1, RailPoint{0, 0});
-    for (int car = 0; car < start.cars; ++car) add_car(tables, segments, car * start.spacing, sums);
-    const double share = 1.0 / start.cars;
-    cells_.resize(n);
-    for (std::size_t i = 0; i < n; ++i) {
-      const double m0 = share * sums[i].slope, m1 = share * sums[i + 1].slope,
-                   rise = share * (sums[i + 1].height - sums[i].height) * per_metre_;
-      cells_[i] = {m0, 2.0 * (3.0 * rise - 2.0 * m0 - m1), 3.0 * (m0 + m1 - 2.0 * rise)};
-    }
-  }
-
-  // On a closed track `at` may be up to one lap outside.
-  double slope(double at) const {
-    if (closed_ && at >= length_) at -= length_;
-    if (closed_ && at < 0) at += length_;
-    const double place = at * per_metre_;
-    const std::size_t i = place > 0 ? std::min(static_cast<std::size_t>(place), cells_.size() - 1) : 0;
-    const double u = std::clamp(place - static_cast<double>(i), 0.0, 1.0);
-    return cells_[i].a + u * (cells_[i].b + u * cells_[i].c);
-  }
-
- private:
-  struct Cell {
-    double a, b, c;
-  };
-  // Visits the segments in order, as the grid does.
-  void add_car(const RailTables& tables, std::span<const SegmentTable* const> segments, double back,
-               std::vector<RailPoint>& sums) const {
-    std::size_t index = segments.size();
-    const double first = tables.locate(-back, index);
-    double offset = first;  // the position in the segment is step * i + offset
-    double left = tables.start(index + 1) - tables.start(index);
-    for (std::size_t i = 0; i < sums.size(); ++i) {
-      double s = step_ * static_cast<double>(i) + offset;
-      for (std::size_t joints = 0; s > left && (closed_ || index + 1 < segments.size()) && joints < segments.size();
-           ++joints) {
-        offset -= left;
-        index = index + 1 < segments.size() ? index + 1 : 0;
-        left = tables.start(index + 1) - tables.start(index);
-        s = step_ * static_cast<double>(i) + offset;
-      }
-      const RailPoint rail = rail_at(*segments[index], s);
-      sums[i].height += rail.height, sums[i].slope += rail.slope;
-    }
-  }
-
-  bool closed_;
-  double length_, step_ = 0, per_metre_ = 0;
-  std::vector<Cell> cells_;
-};
 
 std::vector<const SegmentTable*> segments_of(const RailTables& tables) {
   std::vector<const SegmentTable*> segments;
@@ -96,10 +38,12 @@ class Simulation {
         resistance_(resistance_of(document, start.mass)),
         start_(start),
         segments_(segments_of(tables)),
-        landscape_(tables, segments_, start),
+        landscape_(tables, segments_, start.cars, start.spacing),
         rails_{tables.length(), tables.closed()},
         control_(start.control),
-        moving_{start.front, start.speed, 0} {
+        moving_{start.front, start.speed, 0},
+        losses_(!(resistance_ == world::Resistance{})) {
+    for (int car = 0; car < start.cars; ++car) cars_.push_back({.back = car * start.spacing});
     settle();
   }
 
@@ -175,8 +119,7 @@ class Simulation {
     };
     TrainState next = runge_kutta(moving_, rates(moving_, gravity_here_), dt,
                                   [&](const TrainState& m) { return rates(m, gravity(m.x)); });
-    const bool losses = !(resistance_ == world::Resistance{});
-    if (losses && sign != 0 && next.speed * sign < 0) {  // friction stops it and does not reverse it
+    if (losses_ && sign != 0 && next.speed * sign < 0) {  // friction stops it and does not reverse it
       const double part = moving_.speed / (moving_.speed - next.speed);
       next = {moving_.x + part * (next.x - moving_.x), 0.0, moving_.work + part * (next.work - moving_.work)};
     }
@@ -200,18 +143,24 @@ class Simulation {
     const double speed = moving_.speed;
     ghost.samples.push_back({moving_.x - start_.front, speed, along, moving_.work});
     if ((ghost.samples.size() - 1) % kForceEvery != 0) return;
-    const auto a = static_cast<float>(along / world::kGravity),
-               v2 = static_cast<float>(speed * speed / world::kGravity);
-    hints_.resize(static_cast<std::size_t>(start_.cars), 0);
-    for (int car = 0; car < start_.cars; ++car) {
-      std::size_t& hint = hints_[static_cast<std::size_t>(car)];
-      const std::size_t before = hint;
-      double at = moving_.x - round_ - car * start_.spacing;
+    const Float4 a = four(static_cast<float>(along / world::kGravity)),
+                 v2 = four(static_cast<float>(speed * speed / world::kGravity));
+    const std::size_t first = ghost.forces.size();
+    ghost.forces.resize(first + cars_.size());
+    for (std::size_t i = 0; i < cars_.size(); ++i) {
+      CarPlace& car = cars_[i];
+      double at = moving_.x - round_ - car.back;
       if (rails_.closed && at < 0) at += rails_.length;
-      const double s = tables_.locate(at, hint);
-      if (hint != before && ghost.samples.size() > 1) add_passages(car, before, hint, at, ghost);
-      const glm::vec3 g = felt_at(*segments_[hint], s, a, v2);
-      ghost.forces.push_back({g.x, g.y, g.z});
+      double s = at - car.from;
+      if (!(at >= car.from && at <= car.to)) {
+        const std::size_t before = car.segment;
+        s = tables_.locate(at, car.segment);
+        car.table = segments_[car.segment];
+        car.from = tables_.start(car.segment), car.to = tables_.start(car.segment + 1);
+        if (car.segment != before && ghost.samples.size() > 1)
+          add_passages(static_cast<int>(i), before, car.segment, at, ghost);
+      }
+      ghost.forces[first + i] = force_at(*car.table, s, a, v2);
     }
   }
 
@@ -248,7 +197,14 @@ class Simulation {
   double round_ = 0, gravity_here_ = 0;  // m, m/s^2
   double furthest_ = 0;
   int still_ = 0;
-  std::vector<std::size_t> hints_;
+  bool losses_;
+  struct CarPlace {
+    double back;                          // m behind the first car
+    std::size_t segment = 0;              // where it was last
+    const SegmentTable* table = nullptr;  // of that segment, with its ends in m from the track's start
+    double from = 1, to = 0;
+  };
+  std::vector<CarPlace> cars_;
 };
 
 }  // namespace
