@@ -109,7 +109,7 @@ TEST(formats, an_import_gets_a_train_and_a_start_speed_that_completes_its_ride) 
   ASSERT_TRUE(ring) << ring.status().message;
   EXPECT_TRUE(world::first_cart(ring->document).valid());
   EXPECT_FALSE(ring->note.empty());
-  const std::filesystem::path high = scratch.path() / "high.csv";
+  const std::filesystem::path high = scratch.path() / "high.nl2elem";
   ASSERT_TRUE(save_track(files, high, test::straight_document({0, 0, 0}, {90, 1160, 0}, 40)).ok());
   const auto loaded = load_track(files, high);
   ASSERT_TRUE(loaded) << loaded.status().message;

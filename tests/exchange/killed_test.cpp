@@ -11,6 +11,7 @@
 #include <set>
 
 #include "base/scratch_folder.h"
+#include "base/tries.h"
 #include "exchange/formats.h"
 #include "exchange/own/autosave.h"
 
@@ -73,7 +74,7 @@ TEST_F(killed, a_thousand_kills_during_save_leave_no_unreadable_file) {
       4 * duration_of([&](int serial) { (void)save_track(files, file, document_of(serial)); }), 2000u, 16000u);
   std::size_t most = 0;
   std::set<std::string> seen;
-  for (int kill = 0; kill < 1000; ++kill) {
+  for (int kill = 0; kill < test::tries(1000); ++kill) {
     killed_after(200 + bits() % longest, [&](int serial) { (void)save_track(files, file, document_of(serial)); });
     const auto track = load_track(files, file);
     ASSERT_TRUE(track) << track.status().message;

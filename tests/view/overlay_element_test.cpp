@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include "base/tries.h"
 #include "sim/random_elements.h"
 #include "sim/solids/track_mesh.h"
 #include "view/camera.h"
@@ -27,7 +28,7 @@ Overlay drawn(const sim::ElementPlan& plan, std::span<const sim::Narrow> narrow 
 
 TEST(overlay_element, rails_lie_half_a_gauge_beside_the_ideal_curve_or_below_it_and_knots_are_marked) {
   test::RandomElements random(51);
-  for (int i = 0; i < 40; ++i) {
+  for (int i = 0; i < test::tries(40); ++i) {
     const world::Element element = random.any();
     const sim::ElementPlan plan = sim::plan_element(element, random.end());
     if (!plan.refusal.empty() || plan.length > 400) continue;

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include "base/tries.h"
 #include "sim/tracks.h"
 #include "view/pick.h"
 
@@ -148,7 +149,7 @@ std::vector<ByHand> places_by_hand(const world::Document& d, const Eye& eye) {
 TEST(pick_curve, of_the_places_within_a_pixel_of_the_nearest_the_front_one_is_found_as_by_hand) {
   Random random(23);
   int found_some = 0, front_ones = 0;
-  for (int trial = 0; trial < 400; ++trial) {
+  for (int trial = 0; trial < test::tries(400); ++trial) {
     const world::Document d = knotted_document(random, 9, trial % 2 == 0);
     const sim::Derived derived = test::derived_of(d);
     const View view = orbit_view({{random(-5, 5), random(5, 20), random(-5, 5)},
@@ -188,15 +189,15 @@ TEST(pick_curve, of_the_places_within_a_pixel_of_the_nearest_the_front_one_is_fo
       EXPECT_NEAR(found->t, meant->t, 2e-5) << trial;  // golden section on a flat minimum knows no better
     }
   }
-  EXPECT_GT(found_some, 250);
-  EXPECT_GT(front_ones, 5);
+  EXPECT_GT(found_some, test::tries(250));
+  EXPECT_GT(front_ones, test::tries(5) - 1);
 }
 
 // The same in orthographic views, where depth is the distance along the line of sight, before and behind the eye.
 TEST(pick_curve, orthographic_views_find_the_front_one_as_by_hand) {
   Random random(29);
   int found_some = 0, front_ones = 0;
-  for (int trial = 0; trial < 240; ++trial) {
+  for (int trial = 0; trial < test::tries(240); ++trial) {
     const world::Document d = knotted_document(random, 9, trial % 2 == 0);
     const sim::Derived derived = test::derived_of(d);
     world::Camera camera{{random(-5, 5), random(5, 20), random(-5, 5)}, 0, 0, static_cast<float>(random(5, 120))};
@@ -238,8 +239,8 @@ TEST(pick_curve, orthographic_views_find_the_front_one_as_by_hand) {
       EXPECT_NEAR(found->t, meant->t, 2e-5) << trial;
     }
   }
-  EXPECT_GT(found_some, 150);
-  EXPECT_GT(front_ones, 3);
+  EXPECT_GT(found_some, test::tries(150));
+  EXPECT_GT(front_ones, test::tries(3) - 1);
 }
 
 // t is as good as double has it: at a place aimed at exactly, from any distance with any lens.

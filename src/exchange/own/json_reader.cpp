@@ -39,8 +39,8 @@ std::string at_byte(std::string_view text, std::size_t offset, std::string_view 
 // Receives the parser's events and builds the tree. Every function returns whether to continue.
 class Builder {
  public:
-  Builder(std::string_view text, std::string_view name, const TakeElement& take)
-      : text_(text), name_(name), take_(take) {}
+  Builder(std::string_view text, std::string_view name, const TakeElement& take, std::size_t most_values)
+      : text_(text), name_(name), take_(take), most_values_(most_values) {}
 
   Json root;
   std::string error;
@@ -112,12 +112,15 @@ class Builder {
     members.emplace_back(std::move(open_.back().key), std::move(value));
     return &members.back().second;
   }
+  bool counts() {
+    return ++values_ <= most_values_ || fail(fmt::format("more than the limit of {} values", most_values_));
+  }
   bool add(Json value) {
-    if (++values_ > kMaxValues) return fail(fmt::format("more than the limit of {} values", kMaxValues));
+    if (!counts()) return false;
     return append(std::move(value)), true;
   }
   bool open(Json value) {
-    if (++values_ > kMaxValues) return fail(fmt::format("more than the limit of {} values", kMaxValues));
+    if (!counts()) return false;
     if (open_.size() == kMaxNesting) return fail(fmt::format("nesting deeper than the limit of {}", kMaxNesting));
     // The pointer stays valid: nothing is appended to the parent before this one closes.
     Json* const node = append(std::move(value));
@@ -155,18 +158,24 @@ class Builder {
   static constexpr std::size_t kUsualMembers = 8;  // a larger object copies its members, as their keys are constant
   std::string_view text_, name_;
   const TakeElement& take_;
+  std::size_t most_values_;
   std::vector<Open> open_;
   std::size_t values_ = 0;
 };
 
 }  // namespace
 
-base::Result<Json> read_json(std::string_view text, std::string_view name, const TakeElement& take) {
+base::Result<Json> read_json(std::string_view text, std::string_view name, const TakeElement& take,
+                             std::size_t most_values) {
   if (text.find_first_not_of(" \t\r\n") == std::string_view::npos)
     return base::Status{base::Code::bad_file,
                         at_byte(text, text.size(), name, "the file is empty; expected a JSON object")};
-  if (Builder plain(text, name, take); scan_json(text, plain)) return std::move(plain.root);
-  Builder builder(text, name, take);
+  {
+    Builder plain(text, name, take, most_values);
+    if (scan_json(text, plain)) return std::move(plain.root);
+    if (!plain.error.empty()) return base::Status{base::Code::bad_file, std::move(plain.error)};
+  }
+  Builder builder(text, name, take, most_values);
   if (!Json::sax_parse(text.begin(), text.end(), &builder))
     return base::Status{base::Code::bad_file, std::move(builder.error)};
   return std::move(builder.root);

@@ -24,8 +24,9 @@ using TakeElement =
 
 // Returns the tree of a whole text. Code::bad_file with "NAME:LINE:COLUMN: error: ..." if the text is not JSON (columns
 // count bytes from 1; for a word, its last byte), "NAME: error: PLACE: ..." for duplicate members, nesting and more
-// than kMaxValues or kMaxMembers. Skips a leading byte-order mark.
-base::Result<Json> read_json(std::string_view text, std::string_view name, const TakeElement& take = {});
+// than `most_values` or kMaxMembers. Skips a leading byte-order mark.
+base::Result<Json> read_json(std::string_view text, std::string_view name, const TakeElement& take = {},
+                             std::size_t most_values = kMaxValues);
 
 // Describes a value for messages: null, true, 1.5, "text", an array of 2, an object.
 std::string describe(const Json& value);

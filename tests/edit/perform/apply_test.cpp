@@ -7,6 +7,7 @@
 #include <rapidcheck/gtest.h>
 
 #include "base/scratch_folder.h"
+#include "base/tries.h"
 #include "edit/commands/commands_document.h"
 #include "edit/commands/commands_operation.h"
 #include "edit/commands/commands_ride.h"
@@ -152,13 +153,13 @@ TEST_F(Applying, loading_a_track_over_the_budget_lowers_the_resolution) {
 }
 
 TEST_F(Applying, undoing_everything_returns_to_the_first_document_and_redoing_to_the_last) {
-  for (std::uint32_t seed = 0; seed < 3; ++seed) {
+  for (int seed = 0; seed < test::tries(3); ++seed) {
     good("new");
     session.document = test::sample_document();
     ASSERT_TRUE(apply(SetDatum{7.75}));
     session.history = {};
     const world::Document first = session.document;
-    test::RandomCommands random(seed);
+    test::RandomCommands random(static_cast<std::uint32_t>(seed));
     int applied = 0;
     for (int i = 0; i < 200; ++i) {
       const Command c = document_command(random);

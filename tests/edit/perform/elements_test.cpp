@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "base/hash.h"
+#include "base/tries.h"
 #include "curve/continuity.h"
 #include "edit/commands/commands_elements.h"
 #include "edit/session_fixture.h"
@@ -55,7 +56,7 @@ TEST_F(PerformElementsTest, one_after_the_other_they_make_a_track_whose_every_jo
 TEST_F(PerformElementsTest, undo_takes_a_whole_element_away_and_redo_brings_it_back) {
   test::RandomElements random(41);
   good("append at 0 5 0"), good("append at 20 8 5"), good("append at 41 6 1");
-  for (int i = 0; i < 60; ++i) {
+  for (int i = 0; i < test::tries(60); ++i) {
     const world::Document before = session.document;
     const std::size_t steps = session.history.undo.size();
     const PlaceElement command{random.any()};

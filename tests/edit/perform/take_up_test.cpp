@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include "base/tries.h"
 #include "curve/continuity.h"
 #include "edit/random_tracks.h"
 #include "sim/shape/rails.h"
@@ -116,11 +117,11 @@ void TakeUp::expect_same_names(const Names& before, const std::string& line) con
 TEST_F(TakeUp, random_changes_are_refused_or_keep_random_circuits_closed) {
   int changes = 0, taken = 0, circuits = 0;
   std::map<std::string, int> reasons;
-  for (std::uint32_t seed = 101; changes < 200; ++seed) {
+  for (std::uint32_t seed = 101; changes < test::tries(200); ++seed) {
     random_track(seed);
     if (!apply("complete 1")) continue;
     ++circuits;
-    for (int i = 0; i < 20 && changes < 200; ++i) {
+    for (int i = 0; i < 20 && changes < test::tries(200); ++i) {
       const std::string line = random_change();
       SCOPED_TRACE(fmt::format("track {}, {}", seed, line));
       const std::uint64_t before = hash();

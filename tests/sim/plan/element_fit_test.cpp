@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "base/tries.h"
 #include "curve/continuity.h"
 #include "sim/plan/element_spans.h"
 #include "sim/random_elements.h"
@@ -26,7 +27,7 @@ double distance_to(const std::vector<world::Knot>& knots, dvec3 place) {
 TEST(element_fit, every_element_at_any_end_keeps_its_tolerances_and_every_joint_is_g2) {
   test::RandomElements random(21);
   int fitted = 0;
-  for (int i = 0; i < 120; ++i) {
+  for (int i = 0; i < test::tries(120); ++i) {
     const world::Element element = random.any();
     const TrackEnd end = random.end();
     const ElementPlan plan = plan_element(element, end);
@@ -57,7 +58,7 @@ TEST(element_fit, every_element_at_any_end_keeps_its_tolerances_and_every_joint_
     for (std::size_t k = 0; k < points.size(); k += 1 + points.size() / 20)
       EXPECT_LE(distance_to(knots, points[k].position), plan.fit.error + 1e-4) << what << " at " << points[k].s;
   }
-  EXPECT_GT(fitted, 100);
+  EXPECT_GT(fitted, test::tries(100));
 }
 
 // A climbing turn of 12 m whose torsion leaves a jump of curvature at the end of a single span.
@@ -88,7 +89,7 @@ TEST(element_fit, a_short_span_excuses_only_the_joints_beside_it) {
 
 TEST(element_fit, the_first_knot_is_the_end_of_the_track_and_the_last_the_end_of_the_element) {
   test::RandomElements random(22);
-  for (int i = 0; i < 60; ++i) {
+  for (int i = 0; i < test::tries(60); ++i) {
     const TrackEnd end = random.end();
     const ElementPlan plan = plan_element(random.any(), end);
     if (!plan.refusal.empty()) continue;

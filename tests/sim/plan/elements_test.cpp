@@ -4,6 +4,7 @@
 
 #include <limits>
 
+#include "base/tries.h"
 #include "sim/random_elements.h"
 #include "world/topology.h"
 
@@ -38,7 +39,7 @@ TEST(elements, what_is_no_number_becomes_the_usual_one_and_nothing_is_ever_nan) 
     EXPECT_EQ(plan_element(broken, TrackEnd{}).element, usual) << world::elements()[kind].name;
   }
   test::RandomElements random(31);
-  for (int i = 0; i < 80; ++i) {
+  for (int i = 0; i < test::tries(80); ++i) {
     const ElementPlan plan = plan_element(random.any(), random.end());
     for (const ElementPoint& p : plan.ideal.points)
       ASSERT_TRUE(std::isfinite(glm::dot(p.position, p.tangent) + glm::dot(p.curvature, p.up)));
