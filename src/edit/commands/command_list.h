@@ -31,8 +31,8 @@ auto set_commands(world::GroupList<Groups...>)
     -> decltype((set_commands<Groups>(std::make_index_sequence<std::tuple_size_v<decltype(Groups::kRows)>>()) + ...));
 
 using Commands = decltype(DocumentCommands() + ShapeCommands() + OperationCommands() + ElementCommands() +
-                          SectionCommands() + SeekCommands() + SettingsCommands() + LabCommands() + RideCommands() + SessionCommands() +
-                          ChallengeCommands() + set_commands(world::SettingGroups()));
+                          SectionCommands() + SeekCommands() + SettingsCommands() + LabCommands() + RideCommands() +
+                          SessionCommands() + ChallengeCommands() + set_commands(world::SettingGroups()));
 
 inline constexpr auto kCommandInfos = Commands::table([]<class C>() { return &C::kInfo; });
 
