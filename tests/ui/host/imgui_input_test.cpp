@@ -15,6 +15,7 @@ using platform::Key;
 struct ImGuiInputTest : testing::Test {
   ImGuiInputTest() {
     ImGui::SetCurrentContext(context);
+    ImGui::GetIO().IniFilename = nullptr;  // it would write one
     set_up_context();
     load_fonts(1);
     frame({});
