@@ -98,10 +98,9 @@ double turn_tangents(Nodes& n) {
 }
 
 // Removes the curvature error at an end that torsion leaves. The tangent there is fixed, so the next knot moves
-// sideways, by at most kMostShift from the ideal curve. A shift changes the far handle by about 1.5 times as much,
+// sideways, by at most `most` m from the ideal curve. A shift changes the far handle by about 1.5 times as much,
 // because the next tangent turns with it.
-void shift_second(Nodes& n, const ElementCurve& curve, std::span<const std::size_t> at, bool last) {
-  constexpr double kMostShift = 0.5 * kElementDistance;
+void shift_second(Nodes& n, const ElementCurve& curve, std::span<const std::size_t> at, bool last, double most) {
   const std::size_t count = n.place.size(), end = last ? count - 1 : 0, next = last ? count - 2 : 1;
   if (count < 4) return;
   const dvec3 far = last ? n.place[next] + n.out[next] * n.tangent[next] : n.place[next] - n.in[next] * n.tangent[next];
@@ -110,7 +109,7 @@ void shift_second(Nodes& n, const ElementCurve& curve, std::span<const std::size
               is = 2.0 / 3.0 * curve::across(far - n.place[end], n.tangent[end]) / (handle * handle);
   const dvec3 ideal = curve.points[at[next]].position;
   dvec3 off = n.place[next] + handle * handle * (wanted - is) - ideal;
-  if (const double size = glm::length(off); size > kMostShift) off *= kMostShift / size;
+  if (const double size = glm::length(off); size > most) off *= most / size;
   n.place[next] = ideal + off;
 }
 
@@ -142,7 +141,8 @@ curve::Cubic cubic_between(const world::Knot& from, const world::Knot& to) {
 
 // Follows the ideal curve's points along a span. The frame is carried as the track's (sim/shape/derived.cpp):
 // rotation-minimising, turned to the second knot's up by the spins of both.
-SpanCheck check_span(std::span<const ElementPoint> points, const world::Knot& from, const world::Knot& to) {
+SpanCheck check_span(std::span<const ElementPoint> points, const world::Knot& from, const world::Knot& to,
+                     std::vector<SpanPlace>* places) {
   const curve::Cubic cubic = cubic_between(from, to);
   const curve::CoefficientsD c = curve::coefficients_d(cubic);
   SpanCheck check;
@@ -153,6 +153,7 @@ SpanCheck check_span(std::span<const ElementPoint> points, const world::Knot& fr
   dvec3 place = c.point(0.0);
   std::vector<double> rolls{0.0};
   double t = 0;
+  if (places != nullptr) *places = {{t, frame}};
   for (std::size_t i = 1; i < points.size(); ++i) {
     const bool last = i + 1 == points.size();
     t = last ? 1.0 : std::min(1.0, t + (points[i].s - points[i - 1].s) / std::max(1e-9, glm::length(c.derivative(t))));
@@ -166,6 +167,7 @@ SpanCheck check_span(std::span<const ElementPoint> points, const world::Knot& fr
     check.error = std::max(check.error, glm::distance(here, points[i].position));
     frame = curve::transport(frame, place, here, curve::unit_tangent(cubic, t));
     place = here;
+    if (places != nullptr) places->push_back({t, frame});
     const dvec3 wanted = last ? dvec3(to.up) : points[i].up;
     const double roll = curve::signed_angle(frame.up, curve::perpendicular(frame.forward, wanted), frame.forward);
     rolls.push_back(rolls.back() + std::remainder(roll - rolls.back(), 2.0 * base::kPi));
@@ -173,7 +175,8 @@ SpanCheck check_span(std::span<const ElementPoint> points, const world::Knot& fr
   const Roll roll{length, rolls.back(), from.spin, to.spin};
   for (std::size_t i = 1; i < points.size(); ++i)
     check.roll_error = std::max(check.roll_error, std::abs(rolls[i] - roll.angle(points[i].s - points[0].s)));
-  check.sound = check.sound && std::abs(rolls.back()) < kMostRoll;
+  check.roll = rolls.back();
+  check.sound = check.sound && std::abs(check.roll) < kMostRoll;
   return check;
 }
 
@@ -203,7 +206,7 @@ HandleLengths handle_lengths(const ElementPoint& from, const ElementPoint& to) {
   return {a, b};
 }
 
-Spans make_spans(const ElementCurve& curve, std::span<const std::size_t> at) {
+Spans make_spans(const ElementCurve& curve, std::span<const std::size_t> at, double most_shift) {
   constexpr int kRounds = 12;
   constexpr double kDone = 1e-11;  // 1/m
   Nodes n;
@@ -217,7 +220,7 @@ Spans make_spans(const ElementCurve& curve, std::span<const std::size_t> at) {
     n.out[k - 1] = lengths.out, n.in[k] = lengths.in;
   }
   for (int round = 0; round < kRounds; ++round) {
-    shift_second(n, curve, at, false), shift_second(n, curve, at, true);
+    shift_second(n, curve, at, false, most_shift), shift_second(n, curve, at, true, most_shift);
     if (turn_tangents(n) < kDone) break;
   }
   Spans spans;

@@ -1,5 +1,5 @@
 // The spans between chosen points of an element's ideal curve, and their errors. For element_fit.cpp; switch_curve.cpp
-// takes the handle lengths.
+// and force_fit.cpp take parts of it.
 #pragma once
 
 #include <span>
@@ -12,6 +12,7 @@ namespace coaster::sim {
 struct SpanCheck {
   double error = 0;       // m
   double roll_error = 0;  // rad
+  double roll = 0;        // rad, of the second knot's `up` against the frame there
   bool sound = true;      // sensible handle lengths and less than half a turn of roll
 };
 
@@ -20,11 +21,20 @@ struct Spans {
   std::vector<double> jumps;  // 1/m, one per knot; at the ends relative to the required curvature
 };
 
-// `at`: ascending indices into curve.points, including the first and the last.
-Spans make_spans(const ElementCurve& curve, std::span<const std::size_t> at);
+// `at`: ascending indices into curve.points, including the first and the last. The second knot and the last but one
+// move sideways by at most `most_shift` m, which removes the errors of curvature at the ends.
+inline constexpr double kMostShift = 0.5 * kElementDistance;
+Spans make_spans(const ElementCurve& curve, std::span<const std::size_t> at, double most_shift = kMostShift);
 
-// Checks the span between two neighbouring knots against the points between them.
-SpanCheck check_span(std::span<const ElementPoint> points, const world::Knot& from, const world::Knot& to);
+// Where a span is next to a point of the curve: its parameter, and its rotation-minimising frame from the first knot.
+struct SpanPlace {
+  double t = 0;
+  curve::Frame frame;
+};
+
+// Checks the span between two neighbouring knots against the points between them. `places` gets one place per point.
+SpanCheck check_span(std::span<const ElementPoint> points, const world::Knot& from, const world::Knot& to,
+                     std::vector<SpanPlace>* places = nullptr);
 
 // The handle lengths of one span, see element_fit.h; a third of the length if curvature does not determine them.
 struct HandleLengths {

@@ -1,0 +1,268 @@
+#include "sim/plan/force_fit.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+
+#include "base/portable_math.h"
+#include "curve/frames.h"
+#include "sim/plan/element_spans.h"
+#include "sim/ride/ride_rules.h"
+#include "sim/shape/roll.h"
+#include "world/topology.h"
+
+namespace coaster::sim {
+namespace {
+
+using glm::dvec3;
+
+constexpr double kNoSpan = 1e9;  // g: the span does not follow the path
+
+struct SpanError {
+  SpanCheck check;
+  FeltError felt;
+  double at_ends = 0;  // g, the part of it at the two knots
+};
+
+// What riders d metres above a cubic feel at t, upwards and to the left: sim/shape/rail_tables.h.
+glm::dvec2 felt_at(const curve::CoefficientsD& c, double t, const curve::Frame& frame, double spin, double spin_slope,
+                   const ForcePoint& point, double d) {
+  const dvec3 left = frame.left(), first = c.derivative(t), second = c.second_derivative(t);
+  const double square = glm::dot(first, first), to_left = glm::dot(second, left) / square,
+               to_up = glm::dot(second, frame.up) / square, v2 = point.square / world::kGravity;
+  return {v2 * (to_up - d * (to_up * to_up + spin * spin)) + frame.up.y,
+          v2 * (to_left - d * (to_left * to_up + spin_slope)) - point.along / world::kGravity * d * spin + left.y};
+}
+
+SpanError error_of(const ForceTask& task, const ForcePath& path, std::size_t first, std::size_t last,
+                   const world::Knot& from, const world::Knot& to) {
+  const std::span<const ElementPoint> points = std::span(path.curve.points).subspan(first, last - first + 1);
+  std::vector<SpanPlace> places;
+  SpanError error{check_span(points, from, to, &places), {}, 0};
+  if (!error.check.sound || error.check.error > kElementDistance) return {error.check, {kNoSpan, first}, kNoSpan};
+  const curve::CoefficientsD c =
+      curve::coefficients_d({from.position, world::out_handle(from), world::in_handle(to), to.position});
+  const Roll roll{points.back().s - points.front().s, error.check.roll, from.spin, to.spin};
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const double s = points[i].s - points.front().s;
+    curve::Frame frame = places[i].frame;
+    frame.up = curve::rotate(frame.up, frame.forward, roll.angle(s));
+    const ForcePoint& asked = path.points[first + i];
+    const glm::dvec2 felt = felt_at(c, places[i].t, frame, roll.spin(s), roll.slope(s), asked, task.riders);
+    const double off = std::max(std::abs(felt.x - asked.up), std::abs(felt.y - asked.side));
+    if (!(off <= error.felt.error)) error.felt = {off, first + i};
+    if (i == 0 || i + 1 == points.size()) error.at_ends = std::max(error.at_ends, off);
+  }
+  return error;
+}
+
+// Returns the fewest points that a span from there may cover: in a shorter one, the rounding of its control points to
+// float is felt. An error e of a control point changes a curvature by about 72 e / length^2.
+std::size_t fewest_points(const ForceTask& task, const ForcePath& path, std::size_t from) {
+  constexpr double kStep = 0.25;  // m
+  const dvec3 place = glm::abs(path.curve.points[from].position);
+  const double half_ulp = std::max({place.x, place.y, place.z}) * 0x1p-24,
+               square = 72 * half_ulp * path.points[from].square / (world::kGravity * task.program.tolerance);
+  return std::max<std::size_t>(2, static_cast<std::size_t>(std::sqrt(square) / kStep));
+}
+
+// Finds how far single spans reach.
+class Reach {
+ public:
+  // `at_ends`: the share of the tolerance that a span may miss at its knots. Joints take up what neighbouring spans
+  // miss there, so that they may not miss all of it.
+  Reach(const ForceTask& task, const ForcePath& path, double at_ends) : task_(task), path_(path), at_ends_(at_ends) {}
+
+  // Returns the ends of spans that each reach as far as they can, from the first point on or from the last one back.
+  std::vector<std::size_t> ends(bool back) {
+    const std::size_t last = path_.points.size() - 1;
+    std::vector<std::size_t> at{0};
+    for (std::size_t length = kFirst; at.back() < last;) {
+      length = reach(at.back(), last - at.back(), length, back);
+      at.push_back(at.back() + length);
+    }
+    if (!back) return at;
+    for (std::size_t& place : at) place = last - place;
+    std::reverse(at.begin(), at.end());
+    return at;
+  }
+
+ private:
+  static constexpr std::size_t kFirst = 16;
+
+  bool holds(std::size_t from, std::size_t length, bool back) const {
+    const std::size_t last = path_.points.size() - 1;
+    const std::array<std::size_t, 2> at =
+        back ? std::array{last - from - length, last - from} : std::array{from, from + length};
+    const Spans span = make_spans(path_.curve, at, 0);
+    const SpanError error = error_of(task_, path_, at[0], at[1], span.knots[0], span.knots[1]);
+    constexpr double kReserve = 0.93, kDistance = 0.6;  // of the tolerances: turning tangents moves the spans a little
+    const double tolerance = task_.program.tolerance;
+    return error.felt.error <= kReserve * tolerance && error.at_ends <= at_ends_ * tolerance &&
+           error.check.error <= kDistance * kElementDistance &&
+           error.check.roll_error <= base::radians(kElementRoll_deg);
+  }
+
+  // Returns the most points, at most `room`, that one span covers, or the fewest that it may; looks at `guess` first.
+  std::size_t reach(std::size_t from, std::size_t room, std::size_t guess, bool back) const {
+    const std::size_t least = fewest_points(task_, path_, back ? path_.points.size() - 1 - from : from);
+    if (room <= least) return room;
+    std::size_t good = least, bad = room + 1, next = std::clamp(guess, least + 1, room);
+    while (good + 1 < bad) {
+      if (holds(from, next, back)) {
+        good = next;
+        next = bad > room ? std::min(room, good + 1 + good / 3) : good + (bad - good) / 2;
+      } else {
+        bad = next;
+        next = good > least ? good + (bad - good) / 2 : std::max(least + 1, bad - 1 - bad / 4);
+      }
+      if (good == room) return room;
+    }
+    return good;
+  }
+
+  const ForceTask& task_;
+  const ForcePath& path_;
+  double at_ends_;
+};
+
+struct Attempt {
+  std::vector<std::size_t> at;
+  Spans spans;
+  std::vector<SpanError> errors;
+  std::vector<std::size_t> failing;
+};
+
+// Returns how far the second knot may move sideways, m, for the curvature at the start: so little that it is felt as a
+// quarter of the tolerance on the spans beside it.
+double shift_at(const ForceTask& task, const ForcePath& path, const std::vector<std::size_t>& at) {
+  if (at.size() < 3) return 0;
+  const auto& points = path.curve.points;
+  const auto length = [&](std::size_t k) { return points[at[k + 1]].s - points[at[k]].s; };
+  const double least = std::min({length(0), length(1), length(at.size() - 3), length(at.size() - 2)}),
+               square = std::max(path.points.front().square, path.points.back().square);
+  return std::min(kMostShift, 0.25 * task.program.tolerance * world::kGravity / square * least * least / 6);
+}
+
+Attempt attempt(const ForceTask& task, const ForcePath& path, std::vector<std::size_t> at) {
+  Attempt now{std::move(at), {}, {}, {}};
+  now.spans = make_spans(path.curve, now.at, shift_at(task, path, now.at));
+  for (std::size_t k = 0; k + 1 < now.at.size(); ++k) {
+    const world::Knot &from = now.spans.knots[k], &to = now.spans.knots[k + 1];
+    now.errors.push_back(error_of(task, path, now.at[k], now.at[k + 1], from, to));
+    const SpanError& error = now.errors.back();
+    if (!(error.felt.error <= task.program.tolerance) || (k == 0 && now.spans.jumps[0] > kElementJump) ||
+        error.check.roll_error > base::radians(kElementRoll_deg))
+      now.failing.push_back(k);
+  }
+  return now;
+}
+
+// Returns the span that a failing one is to be mended by: itself, or a longer one beside the joint where it fails.
+std::size_t longer(const Attempt& attempt, std::size_t k) {
+  const auto length = [&](std::size_t i) { return attempt.at[i + 1] - attempt.at[i]; };
+  const std::size_t worst = attempt.errors[k].felt.at;
+  if (worst == attempt.at[k] && k > 0 && length(k - 1) > length(k)) return k - 1;
+  if (worst == attempt.at[k + 1] && k + 1 < attempt.errors.size() && length(k + 1) > length(k)) return k + 1;
+  return k;
+}
+
+// Halves spans until none fails or none can be halved.
+Attempt mended(const ForceTask& task, const ForcePath& path, Attempt now) {
+  constexpr int kRounds = 8;
+  for (int round = 0; round < kRounds && !now.failing.empty(); ++round) {
+    std::vector<std::size_t> at = now.at;
+    for (const std::size_t k : now.failing)
+      if (const std::size_t first = now.at[longer(now, k)], last = now.at[longer(now, k) + 1];
+          last - first >= 2 * fewest_points(task, path, first))
+        at.push_back((first + last) / 2);
+    std::sort(at.begin(), at.end());
+    at.erase(std::unique(at.begin(), at.end()), at.end());
+    if (at.size() == now.at.size()) break;
+    now = attempt(task, path, std::move(at));
+  }
+  return now;
+}
+
+// Returns the ends of `count` spans of about equal difficulty: what is missed grows with the square of the length.
+std::vector<std::size_t> evened(const ForceTask& task, const Attempt& now, std::size_t count) {
+  constexpr double kLeast = 0.1, kMost = 2.5;
+  std::vector<double> sums{0.0};
+  for (const SpanError& error : now.errors)
+    sums.push_back(sums.back() + std::clamp(std::sqrt(error.felt.error / task.program.tolerance), kLeast, kMost));
+  std::vector<std::size_t> at{0};
+  for (std::size_t i = 1, k = 1; i < count; ++i) {
+    const double wanted = sums.back() * static_cast<double>(i) / static_cast<double>(count);
+    while (k + 1 < sums.size() && sums[k] < wanted) ++k;
+    const double share = (wanted - sums[k - 1]) / (sums[k] - sums[k - 1]),
+                 many = static_cast<double>(now.at[k] - now.at[k - 1]);
+    const std::size_t place = now.at[k - 1] + static_cast<std::size_t>(share * many + 0.5);
+    if (place > at.back() && place < now.at.back()) at.push_back(place);
+  }
+  at.push_back(now.at.back());
+  return at;
+}
+
+// Tries one span fewer, evened out over several rounds, until that fails.
+void even_out(const ForceTask& task, const ForcePath& path, Attempt& best) {
+  constexpr int kRounds = 5;
+  for (bool better = true; better && best.errors.size() > 1;) {
+    better = false;
+    Attempt now = best;
+    for (int round = 0; round < kRounds && !better; ++round) {
+      now = attempt(task, path, evened(task, now, best.errors.size() - 1));
+      better = now.failing.empty();
+    }
+    if (better) best = std::move(now);
+  }
+}
+
+// Returns spans that reach as far as they can, from the start, from the end, or in the middle between both.
+Attempt best_places(const ForceTask& task, const ForcePath& path) {
+  constexpr std::size_t kShort = 600;  // points: longer paths are tried once and not evened out
+  const bool quick = path.points.size() > kShort;
+  std::optional<Attempt> best;
+  for (const double at_ends : {0.95, 0.7, 0.5}) {
+    if (quick && at_ends > 0.5) continue;
+    Reach reach(task, path, at_ends);
+    const std::vector<std::size_t> first = reach.ends(false), second = reach.ends(true);
+    std::vector<std::vector<std::size_t>> places{second, first};
+    if (first.size() == second.size())
+      for (std::size_t k = 0; k < first.size(); ++k) places[0][k] = (first[k] + second[k]) / 2;
+    for (const std::vector<std::size_t>& at : places) {
+      Attempt now = attempt(task, path, at);
+      if (!best || now.failing.size() < best->failing.size()) best = std::move(now);
+      if (best->failing.empty()) break;
+    }
+    if (best->failing.empty()) break;
+  }
+  Attempt done = mended(task, path, std::move(*best));
+  if (done.failing.empty() && !quick) even_out(task, path, done);
+  return done;
+}
+
+}  // namespace
+
+FeltError felt_error(const ForceTask& task, const ForcePath& path, std::size_t first, std::size_t last,
+                     const world::Knot& from, const world::Knot& to) {
+  return error_of(task, path, first, last, from, to).felt;
+}
+
+ForceFit fit_force(const ForceTask& task, const ForcePath& path) {
+  Attempt now = best_places(task, path);
+  ForceFit fit;
+  fit.within = now.failing.empty();
+  for (const SpanError& error : now.errors) {
+    fit.spans.error = std::max(fit.spans.error, error.check.error);
+    fit.spans.roll_error = std::max(fit.spans.roll_error, error.check.roll_error);
+    if (error.felt.error > fit.felt_error)
+      fit.felt_error = error.felt.error, fit.felt_at = path.curve.points[error.felt.at].s;
+  }
+  for (const double jump : now.spans.jumps) fit.spans.jump = std::max(fit.spans.jump, jump);
+  fit.spans.knots = std::move(now.spans.knots);
+  fit.spans.within = fit.within;
+  return fit;
+}
+
+}  // namespace coaster::sim

@@ -1,0 +1,173 @@
+#include "sim/plan/force_law.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/portable_math.h"
+#include "curve/frames.h"
+#include "sim/ride/ride_rules.h"
+
+namespace coaster::sim {
+namespace {
+
+using glm::dvec3;
+using world::ForceChannel, world::ForceOver;
+
+using Piece = std::array<glm::dvec2, 4>;
+
+double value_of(const Piece& p, int axis, double u) {
+  const double rest = 1 - u;
+  return rest * rest * (rest * p[0][axis] + 3 * u * p[1][axis]) + u * u * (3 * rest * p[2][axis] + u * p[3][axis]);
+}
+// A third of the derivative by u.
+double rate_of(const Piece& p, int axis, double u) {
+  const double rest = 1 - u;
+  return rest * rest * (p[1][axis] - p[0][axis]) + 2 * rest * u * (p[2][axis] - p[1][axis]) +
+         u * u * (p[3][axis] - p[2][axis]);
+}
+
+// Returns the parameter where the piece's x, which ascends, has that value: Newton within a bracket.
+double parameter_at(const Piece& p, double x) {
+  const double gap = p[3].x - p[0].x;
+  double low = 0, high = 1, u = std::clamp((x - p[0].x) / gap, 0.0, 1.0);
+  for (int i = 0; i < 60; ++i) {
+    const double off = value_of(p, 0, u) - x, rate = 3 * rate_of(p, 0, u);
+    if (std::abs(off) <= 1e-13 * gap) break;
+    (off > 0 ? high : low) = u;
+    const double next = rate > 0 ? u - off / rate : low;
+    u = next > low && next < high ? next : 0.5 * (low + high);
+  }
+  return u;
+}
+
+ForceState moved(const ForceState& s, const ForceState& rate, double by) {
+  return {s.position + by * rate.position, s.tangent + by * rate.tangent, s.up + by * rate.up,
+          s.square + by * rate.square,     s.length + by * rate.length,   s.time + by * rate.time};
+}
+
+}  // namespace
+
+ForceCurve::ForceCurve(const world::ForceProgram& program, ForceChannel channel)
+    : before_(base::row_of(channel).usual), after_(before_) {
+  const std::vector<world::ForceKey> keys = world::shaping_keys(program, channel);
+  if (!keys.empty()) before_ = keys.front().value, after_ = keys.back().value;
+  for (std::size_t i = 1; i < keys.size(); ++i) pieces_.push_back(world::curve_between(keys[i - 1], keys[i]));
+}
+
+ForceCurve::Value ForceCurve::at(double x) const {
+  const auto piece =
+      std::upper_bound(pieces_.begin(), pieces_.end(), x, [](double place, const Piece& p) { return place < p[3].x; });
+  if (piece == pieces_.end()) return {after_, 0};
+  if (x < (*piece)[0].x) return {before_, 0};
+  const double u = parameter_at(*piece, x);
+  return {value_of(*piece, 1, u), rate_of(*piece, 1, u) / rate_of(*piece, 0, u)};
+}
+
+ForceLaw::ForceLaw(const ForceTask& task)
+    : task_(task),
+      curves_{ForceCurve(task.program, ForceChannel::vertical), ForceCurve(task.program, ForceChannel::lateral),
+              ForceCurve(task.program, ForceChannel::roll)} {
+  set_ramp();
+}
+
+ForceState ForceLaw::start() const {
+  const double speed = task_.program.speed;
+  return {task_.end.position, task_.end.forward, task_.end.up, speed * speed, 0, 0};
+}
+
+std::vector<double> ForceLaw::breaks() const {
+  const double length = task_.program.length;
+  std::vector<double> places{length};
+  if (ramp_ > 0 && ramp_ < length) places.push_back(ramp_);
+  for (const auto& keys : task_.program.channels)
+    for (const world::ForceKey& key : keys)
+      if (key.at > 0 && key.at < length) places.push_back(key.at);
+  std::sort(places.begin(), places.end());
+  places.erase(std::unique(places.begin(), places.end()), places.end());
+  return places;
+}
+
+double ForceLaw::metres_per_unit(const ForceState& s) const {
+  return task_.program.over == ForceOver::distance ? 1.0 : std::sqrt(std::max(s.square, 1e-6));
+}
+
+ForceCurve::Value ForceLaw::asked(ForceChannel channel, double x) const {
+  const auto c = static_cast<std::size_t>(channel);
+  ForceCurve::Value value = curves_[c].at(x);
+  if (x < ramp_) {
+    const double share = x / ramp_;
+    value.value += missing_[c] * (1 - smooth_step(share));
+    value.slope -= missing_[c] * 6 * share * (1 - share) / ramp_;
+  }
+  return value;
+}
+
+// Inverts felt g = (s'' h' + s'^2 h'')/g + up (sim/shape/rail_tables.h) for the curvature towards up and left.
+ForceRates ForceLaw::rates(double x, const ForceState& s) const {
+  const auto up = asked(ForceChannel::vertical, x), side = asked(ForceChannel::lateral, x),
+             roll = asked(ForceChannel::roll, x);
+  const double g = world::kGravity, d = task_.riders, square = std::max(s.square, 1e-6);
+  const dvec3 left = glm::cross(s.up, s.tangent);
+  ForceRates r;
+  r.up = up.value, r.side = side.value, r.roll = roll.value;
+  r.along = -g * s.tangent.y - (g * task_.losses.rolling + task_.losses.drag * square);
+  r.spin = base::radians(roll.value), r.spin_slope = base::radians(roll.slope);
+  if (task_.program.over == ForceOver::time) {
+    const double speed = std::sqrt(square);
+    r.spin /= speed;
+    r.spin_slope = (r.spin_slope / speed - r.spin * r.along / speed) / speed;
+  }
+  const double wanted = (up.value - s.up.y) * g / square + d * r.spin * r.spin, root = 1 - 4 * d * wanted;
+  r.folded = !(root > 0);
+  const double to_up = 2 * wanted / (1 + std::sqrt(std::max(root, 0.0)));
+  const double to_left =
+      ((side.value - left.y) * g / square + d * (r.along * r.spin / square + r.spin_slope)) / (1 - d * to_up);
+  r.curvature = to_up * s.up + to_left * left;
+  return r;
+}
+
+ForceState ForceLaw::step(double x, const ForceState& s, double by) const {
+  const auto slope = [&](double at, const ForceState& here) {
+    const ForceRates r = rates(at, here);
+    const double metres = metres_per_unit(here);
+    const dvec3 left = glm::cross(here.up, here.tangent);
+    return ForceState{metres * here.tangent,
+                      metres * r.curvature,
+                      metres * (-glm::dot(r.curvature, here.up) * here.tangent - r.spin * left),
+                      metres * 2 * r.along,
+                      metres,
+                      metres / std::sqrt(std::max(here.square, 1e-6))};
+  };
+  const ForceState k1 = slope(x, s), k2 = slope(x + by / 2, moved(s, k1, by / 2)),
+                   k3 = slope(x + by / 2, moved(s, k2, by / 2)), k4 = slope(x + by, moved(s, k3, by));
+  ForceState next = moved(moved(moved(moved(s, k1, by / 6), k2, by / 3), k3, by / 3), k4, by / 6);
+  next.tangent = glm::normalize(next.tangent);
+  next.up = curve::perpendicular(next.tangent, next.up);
+  return next;
+}
+
+// The ramp takes a tenth of a second for each g and for each 40 degrees per second, at least kShortest.
+void ForceLaw::set_ramp() {
+  constexpr double kShortest = 0.15, kPerG = 0.12, kPerDegree = 0.0025;  // s
+  constexpr double kSame = 1e-9;
+  const bool by_time = task_.program.over == ForceOver::time;
+  const TrackEnd& end = task_.end;
+  const ForceState s = start();
+  const double g = world::kGravity, d = task_.riders, square = std::max(s.square, 1e-6), speed = std::sqrt(square);
+  const dvec3 left = glm::cross(s.up, s.tangent);
+  const double to_up = glm::dot(end.curvature, s.up), to_left = glm::dot(end.curvature, left);
+  const double along = rates(0, s).along, spin = end.spin;
+  const double slope = base::radians(curves_[2].at(0).slope);
+  const double spin_slope = by_time ? (slope / speed - spin * along / speed) / speed : slope;
+  const double felt_up = square / g * (to_up - d * (to_up * to_up + spin * spin)) + s.up.y,
+               felt_side = square / g * (to_left - d * (to_left * to_up + spin_slope)) - along / g * d * spin + left.y,
+               roll = base::degrees(spin) * (by_time ? speed : 1.0);
+  missing_ = {felt_up - curves_[0].at(0).value, felt_side - curves_[1].at(0).value, roll - curves_[2].at(0).value};
+  const double per_second = by_time ? 1.0 : speed;
+  const double most = std::max(std::abs(missing_[0]), std::abs(missing_[1])), turn = std::abs(missing_[2]) * per_second;
+  if (std::max(most, turn) <= kSame) return;
+  const double seconds = std::max({kShortest, kPerG * most, kPerDegree * turn});
+  ramp_ = std::min(seconds * (by_time ? 1.0 : speed), task_.program.length);
+}
+
+}  // namespace coaster::sim

@@ -1,0 +1,77 @@
+// What a force section's program asks of the track at a place: its curvature and roll, from what riders shall feel
+// there. For force_path.h, which integrates it. Formulas: docs/forces.md.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "sim/plan/element_shapes.h"
+#include "world/force.h"
+
+namespace coaster::sim {
+
+// One channel of a program as a function of the place.
+class ForceCurve {
+ public:
+  struct Value {
+    double value = 0, slope = 0;  // g, deg/m or deg/s; the same per metre or second
+  };
+  ForceCurve(const world::ForceProgram& program, world::ForceChannel channel);
+  // Returns the value at x m or s; error below 1e-10 of the largest value. The same bits everywhere.
+  Value at(double x) const;
+
+ private:
+  double before_, after_;  // the values beside the pieces
+  std::vector<std::array<glm::dvec2, 4>> pieces_;
+};
+
+// Where and how a force section begins, and the train that it is planned for: one car.
+struct ForceTask {
+  TrackEnd end;
+  world::ForceProgram program;   // within its limits (world::broken)
+  world::Resistance losses;      // of that train
+  double rails = 0, riders = 0;  // m above the curve
+  friend bool operator==(const ForceTask&, const ForceTask&) = default;
+};
+
+// A train on the path, by metres or seconds since the section's start.
+struct ForceState {
+  glm::dvec3 position{0}, tangent{1, 0, 0}, up{0, 1, 0};  // m, unit, unit
+  double square = 0;                                      // m^2/s^2, the speed squared
+  double length = 0, time = 0;                            // m, s since the start
+};
+
+struct ForceRates {
+  glm::dvec3 curvature{0};  // 1/m
+  double spin = 0;          // rad/m
+  double spin_slope = 0;    // rad/m^2
+  double along = 0;         // m/s^2 along the track
+  double up = 1, side = 0;  // g asked for, with the ramp
+  double roll = 0;          // deg/m or deg/s asked for, with the ramp
+  bool folded = false;      // no curvature makes riders at their height feel that
+};
+
+class ForceLaw {
+ public:
+  explicit ForceLaw(const ForceTask& task);
+  ForceState start() const;
+  // m or s: how long the start takes to reach what the keys say; 0 where it fits them.
+  double ramp() const { return ramp_; }
+  // Where the asked curves change their formula: ascending, the section's end last.
+  std::vector<double> breaks() const;
+  double metres_per_unit(const ForceState& state) const;
+  ForceRates rates(double x, const ForceState& state) const;
+  // Takes a step of classical Runge-Kutta, order 4; the frame stays orthonormal.
+  ForceState step(double x, const ForceState& state, double by) const;
+
+ private:
+  ForceCurve::Value asked(world::ForceChannel channel, double x) const;
+  void set_ramp();
+
+  const ForceTask& task_;
+  std::array<ForceCurve, 3> curves_;
+  double ramp_ = 0;
+  std::array<double, 3> missing_{};  // by channel: what is felt at the track's end less what the keys say there
+};
+
+}  // namespace coaster::sim

@@ -1,0 +1,98 @@
+#include "sim/plan/force_path.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "base/text.h"
+
+namespace coaster::sim {
+namespace {
+
+using glm::dvec3;
+
+constexpr double kForceStep = 0.25;    // m
+constexpr double kLongestPath = 5000;  // m: a section over time goes no farther
+
+class Integration {
+ public:
+  explicit Integration(const ForceTask& task) : task_(task), law_(task), above_(rails_height_of(law_.start()) >= 0) {}
+
+  ForcePath run() {
+    ForcePath path;
+    path.ramp = law_.ramp();
+    ForceState state = law_.start();
+    add(path, state, 0);
+    const std::vector<double> breaks = law_.breaks();
+    double x = 0;
+    for (const double until : breaks) {
+      while (x < until) {
+        const double rest = until - x, wish = kForceStep / law_.metres_per_unit(state);
+        const double step = rest <= wish ? rest : rest < 2 * wish ? rest / 2 : wish;
+        const ForceState next = law_.step(x, state, step);
+        if (const std::string why = stop(path, x + step, next); !why.empty()) {
+          path.stopped = why;
+          return closed(std::move(path));
+        }
+        state = next, x = step == rest ? until : x + step;
+        add(path, state, x);
+      }
+    }
+    return closed(std::move(path));
+  }
+
+ private:
+  double rails_height_of(const ForceState& s) const { return s.position.y + task_.rails * s.up.y; }
+
+  void add(ForcePath& path, const ForceState& s, double x) const {
+    const ForceRates r = law_.rates(x, s);
+    path.curve.points.push_back({s.length, s.position, s.tangent, r.curvature, s.up, r.spin});
+    path.points.push_back({x, s.time, s.square, r.along, r.up, r.side, r.roll});
+  }
+
+  static ForcePath closed(ForcePath path) {
+    path.curve.breaks = {0, path.curve.points.size() - 1};
+    return path;
+  }
+
+  // Returns why the path cannot go on to there; empty if it can.
+  std::string stop(const ForcePath& path, double x, const ForceState& s) const {
+    if (!(s.square >= world::kSlowestForce * world::kSlowestForce))
+      return fmt::format("the train falls below {} m/s", world::kSlowestForce);
+    const ForceRates r = law_.rates(x, s);
+    if (r.folded || !(glm::length(r.curvature) * kTightestForce <= 1))
+      return fmt::format("the turn would be tighter than a radius of {} m", kTightestForce);
+    if (!(std::abs(r.spin) <= world::kMaxSpin)) return "the roll would be faster than the limit";
+    for (int axis = 0; axis < 3; ++axis)
+      if (!(std::abs(s.position[axis]) <= world::kMaxCoordinate))
+        return fmt::format("the track would leave the world, {} m from its middle",
+                           base::to_text(double{world::kMaxCoordinate}));
+    if (above_ && rails_height_of(s) < 0) return "the track would run into the ground";
+    if (s.length > kLongestPath) return fmt::format("a section is at most {} m long", kLongestPath);
+    return own_rails(path, s);
+  }
+
+  std::string own_rails(const ForcePath& path, const ForceState& s) const {
+    constexpr double kApart = 8;              // m along the track, within which it cannot meet itself
+    constexpr double kMost = 2 * kForceStep;  // m from a point to the next along the rails
+    const std::vector<ElementPoint>& points = path.curve.points;
+    const dvec3 here = s.position + task_.rails * s.up;
+    for (std::size_t i = 0; i < points.size() && points[i].s < s.length - kApart;) {
+      const double off = glm::distance(points[i].position + task_.rails * points[i].up, here);
+      if (off < kOwnRails) return "the track would run through itself";
+      i += 1 + static_cast<std::size_t>((off - kOwnRails) / kMost);
+    }
+    return {};
+  }
+
+  const ForceTask& task_;
+  ForceLaw law_;
+  bool above_;
+};
+
+}  // namespace
+
+ForcePath force_path(const ForceTask& task) { return Integration(task).run(); }
+
+}  // namespace coaster::sim

@@ -1,0 +1,133 @@
+#include "sim/plan/force_plan.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "curve/continuity.h"
+#include "curve/frames.h"
+#include "sim/plan/elements.h"
+#include "sim/ride/train.h"
+
+namespace coaster::sim {
+namespace {
+
+using world::ForceOver;
+
+constexpr double kShortestPlan = 1;  // m
+
+}  // namespace
+
+std::size_t ForcePlan::point_at(double at) const {
+  const auto above = std::upper_bound(path.points.begin(), path.points.end(), at,
+                                      [](double place, const ForcePoint& point) { return place < point.at; });
+  return above == path.points.begin() ? 0 : static_cast<std::size_t>(above - path.points.begin()) - 1;
+}
+
+ForcePlan plan_force(const ForceTask& task) {
+  ForcePlan plan;
+  plan.task = task;
+  if (const auto wrong = world::broken(task.program)) {
+    plan.refusal = *wrong;
+    return plan;
+  }
+  if (task.program.speed < world::kSlowestForce) {
+    plan.refusal = fmt::format("the train is at {:.1f} m/s there, and a force section needs {} m/s", task.program.speed,
+                               world::kSlowestForce);
+    return plan;
+  }
+  plan.path = force_path(task);
+  plan.length = plan.path.curve.length();
+  plan.end_speed = std::sqrt(plan.path.points.back().square);
+  if (plan.length < kShortestPlan) plan.refusal = plan.path.stopped + " at once";
+  else plan.fit = fit_force(task, plan.path);
+  return plan;
+}
+
+TrackEnd start_of(const world::Document& document, const world::SectionRun& run) {
+  TrackEnd start = end_at(document, run.first);
+  const std::vector<world::Entity>& segments = document.track.segments;
+  const world::Entity before = segments[(run.first + segments.size() - 1) % segments.size()];
+  const bool completed =
+      document.track.closed &&
+      world::section(document, world::segment(document, before).section).kind == world::SectionKind::complete;
+  if (completed)
+    start.curvature =
+        curve::across(curve::curvature_vector(world::cubic_of(document, segments[run.first]), 0.0), start.forward);
+  return start;
+}
+
+ForceTask force_task(const world::Document& document, const TrackEnd& end, const world::ForceProgram& program) {
+  ForceTask task{end, program, document.resistance, world::rails_height(document), world::riders_height(document)};
+  if (const world::Cart* const cart = document.entities.find<world::Cart>(world::first_cart(document)))
+    task.losses = resistance_of(document, cart->mass);
+  return task;
+}
+
+world::ForceProgram over_other_axis(const ForcePlan& plan) {
+  const world::ForceProgram& from = plan.task.program;
+  world::ForceProgram to = from;
+  const bool by_time = from.over == ForceOver::distance;
+  to.over = by_time ? ForceOver::time : ForceOver::distance;
+  const ForcePoint& last = plan.path.points.back();
+  const auto speed = [&](double at) {
+    return between_points(plan, at, [&](std::size_t i) { return std::sqrt(plan.path.points[i].square); });
+  };
+  const auto place = [&](double at) {
+    const double here = between_points(
+        plan, at, [&](std::size_t i) { return by_time ? plan.path.points[i].time : plan.path.curve.points[i].s; });
+    const double beyond = std::max(at - last.at, 0.0);  // at the last speed
+    return here + (by_time ? beyond / speed(at) : beyond * speed(at));
+  };
+  const double longest = world::longest_of(to.over);
+  to.length = std::clamp(place(from.length), world::shortest_of(to.over), longest);
+  for (std::size_t c = 0; c < to.channels.size(); ++c)
+    for (world::ForceKey& key : to.channels[c]) {
+      const double v = speed(key.at), unit = by_time ? 1 / v : v;  // of the new axis per unit of the old one
+      if (static_cast<world::ForceChannel>(c) == world::ForceChannel::roll) key.value /= unit, key.slope /= unit;
+      key.at = std::min(place(key.at), longest);
+      key.slope = std::clamp(key.slope / unit, -world::kMostForceSlope, world::kMostForceSlope);
+      key.before = std::min(key.before * unit, longest), key.after = std::min(key.after * unit, longest);
+    }
+  return to;
+}
+
+std::string stop_text(const ForcePlan& plan) {
+  if (plan.path.stopped.empty()) return {};
+  return fmt::format("the section ends at {:.1f} m: {} there", plan.length, plan.path.stopped);
+}
+
+// The energy gives the speed within a tick: the time of the last sample need not be that of the end of the track.
+std::optional<Passing> passing(const Ghost& ride, double distance) {
+  const double way = within_lap(distance - ride.start.front, ride.track_length, ride.closed);
+  if (!ride.closed && distance < ride.start.front) return std::nullopt;
+  const auto after = std::find_if(ride.samples.begin(), ride.samples.end(),
+                                  [&](const GhostSample& sample) { return sample.travelled >= way; });
+  if (after == ride.samples.end()) return std::nullopt;
+  if (after == ride.samples.begin()) return Passing{after->speed, after->acceleration};
+  const GhostSample &from = *(after - 1), &to = *after;
+  const double gone = way - from.travelled, gap = to.travelled - from.travelled;
+  const double share = gap > 0 ? gone / gap : 0.0,
+               along = from.acceleration + share * (to.acceleration - from.acceleration);
+  const double square = from.speed * from.speed + gone * (from.acceleration + along);
+  return Passing{std::sqrt(std::max(square, 0.0)), along};
+}
+
+bool ForceMemo::has(const ForceTask& task) const {
+  return std::any_of(plans_.begin(), plans_.end(), [&](const ForcePlan& plan) { return plan.task == task; });
+}
+
+const ForcePlan& ForceMemo::plan(const ForceTask& task) {
+  const auto found = std::find_if(plans_.begin(), plans_.end(), [&](const ForcePlan& p) { return p.task == task; });
+  if (found != plans_.end()) {
+    std::rotate(found, found + 1, plans_.end());
+    return plans_.back();
+  }
+  if (plans_.size() == kMost) plans_.erase(plans_.begin());
+  plans_.push_back(plan_force(task));
+  plans_.back().serial = ++serial_;
+  return plans_.back();
+}
+
+}  // namespace coaster::sim

@@ -1,0 +1,77 @@
+// A force section as planned: its path, the spans that follow it, and what is asked for and felt along it.
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "sim/plan/force_fit.h"
+#include "sim/ride/ghost.h"
+#include "world/sections.h"
+
+namespace coaster::sim {
+
+struct ForcePlan {
+  ForceTask task;
+  std::string refusal;       // why there is no track at all; empty if there is some
+  ForcePath path;            // path.stopped says why it is shorter than the program
+  ForceFit fit;              // fit.spans.knots.front() is the track's end, with its new outgoing handle
+  double length = 0;         // m
+  double end_speed = 0;      // m/s
+  std::uint64_t serial = 0;  // a new number for each plan that a ForceMemo makes
+  std::size_t spans() const { return fit.spans.knots.empty() ? 0 : fit.spans.knots.size() - 1; }
+  // Returns the index of the last point that is at most `at` m or s from the start.
+  std::size_t point_at(double at) const;
+};
+
+// Returns a value of the plan's points, by index, at a place `at` m or s from the start: linear between them, as at the
+// ends beyond them, 0 without a path.
+template <class Value>
+double between_points(const ForcePlan& plan, double at, Value value) {
+  const std::vector<ForcePoint>& points = plan.path.points;
+  if (points.empty()) return 0;
+  const std::size_t i = plan.point_at(at), next = std::min(i + 1, points.size() - 1);
+  const double gap = points[next].at - points[i].at;
+  return value(i) + (gap > 0 ? std::clamp((at - points[i].at) / gap, 0.0, 1.0) : 0.0) * (value(next) - value(i));
+}
+
+// Plans a force section. Takes about 40 us per metre.
+ForcePlan plan_force(const ForceTask& task);
+
+// Returns where a section begins: the track's end as it would be without it and what follows. One that completes the
+// circuit before it follows its curvature, not the other way.
+TrackEnd start_of(const world::Document& document, const world::SectionRun& run);
+
+// Returns the task of a section with that program at an end of the document's track, for its first train.
+ForceTask force_task(const world::Document& document, const TrackEnd& end, const world::ForceProgram& program);
+
+// Returns the program with its keys, length and handles over the other axis: they stay at the same places of the plan.
+world::ForceProgram over_other_axis(const ForcePlan& plan);
+
+// Returns "the section ends at 41.2 m: the train falls below 3 m/s there"; empty if it reaches its end.
+std::string stop_text(const ForcePlan& plan);
+
+// What a train does where its first car passes a place.
+struct Passing {
+  double speed = 0, along = 0;  // m/s, m/s^2 along the track
+};
+// Returns it for the first time that the ride gets there; nothing if it does not.
+std::optional<Passing> passing(const Ghost& ride, double distance);
+
+// Keeps the plans of the last tasks.
+class ForceMemo {
+ public:
+  // Good until the next call.
+  const ForcePlan& plan(const ForceTask& task);
+  // True if the task's plan is kept.
+  bool has(const ForceTask& task) const;
+
+ private:
+  static constexpr std::size_t kMost = 32;
+  std::vector<ForcePlan> plans_;  // the newest last
+  std::uint64_t serial_ = 0;
+};
+
+}  // namespace coaster::sim

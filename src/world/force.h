@@ -1,0 +1,88 @@
+// A force section as plain data: what riders shall feel along it, by keys. sim/plan/force_plan.h makes track of it.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include <glm/glm.hpp>
+
+#include "base/names.h"
+#include "world/fields.h"
+
+namespace coaster::world {
+
+enum class ForceOver : std::uint8_t { distance, time };
+inline constexpr base::NameRow kForceOvers[] = {
+    {"distance", "Distance", "Keys are metres from the section's start. Roll is in degrees per metre."},
+    {"time", "Time", "Keys are seconds from the section's start. Roll is in degrees per second."}};
+constexpr std::span<const base::NameRow> rows_of(ForceOver) { return kForceOvers; }
+
+enum class ForceChannel : std::uint8_t { vertical, lateral, roll };
+struct ForceChannelRow {
+  std::string_view name, label, unit, help;
+  double usual;  // the value without keys
+  double limit;  // of a key's value, to both sides
+};
+inline constexpr ForceChannelRow kForceChannels[] = {
+    {"vertical", "Vertical", "g", "Felt g along the rider's spine: 1 at rest, 0 floating, negative lifts.", 1, 10},
+    {"lateral", "Lateral", "g", "Felt g to the rider's left.", 0, 10},
+    {"roll", "Roll", "deg", "Roll per metre or per second, positive to the rider's right.", 0, 360}};
+constexpr std::span<const ForceChannelRow> rows_of(ForceChannel) { return kForceChannels; }
+
+inline constexpr std::size_t kMostForceKeys = 200;                     // of a channel
+inline constexpr double kLongestForce_m = 1000, kShortestForce_m = 3;  // of a section over distance
+inline constexpr double kLongestForce_s = 60, kShortestForce_s = 0.2;  // of a section over time
+inline constexpr double kKeyGap_m = 1, kKeyGap_s = 0.05;               // least distance between keys of a channel
+inline constexpr double kLeastTolerance = 0.02, kMostTolerance = 0.5;  // g
+inline constexpr double kSlowestForce = 3;                             // m/s; slower, forces shape nothing
+inline constexpr double kMostForceSlope = 1000;                        // of a key, per metre or second
+
+// A point of a channel's curve. Its handles are on one line, so that the curve is smooth.
+struct ForceKey {
+  double at = 0;                 // m or s from the section's start
+  double value = 0;              // g, or degrees per metre or second
+  double slope = 0;              // of the curve there, per metre or second
+  double before = 0, after = 0;  // m or s to the handles; 0: a third of the way to the neighbouring key
+  friend bool operator==(const ForceKey&, const ForceKey&) = default;
+};
+
+struct ForceProgram {
+  ForceOver over = ForceOver::distance;
+  double length = 40;       // m or s
+  double tolerance = 0.05;  // g, of what is felt against what the keys say
+  double speed = 10;        // m/s of the train at the section's start, for which it was planned
+  // Ascending, kKeyGap apart. Before the first key and after the last one the value stays.
+  std::array<std::vector<ForceKey>, base::count_of<ForceChannel>()> channels = {};
+
+  std::vector<ForceKey>& keys(ForceChannel channel) { return channels[static_cast<std::size_t>(channel)]; }
+  const std::vector<ForceKey>& keys(ForceChannel channel) const { return channels[static_cast<std::size_t>(channel)]; }
+  // Not the keys: files and hashes have them as lists.
+  static constexpr void fields(auto visit) {
+    visit(Field{"over"}, &ForceProgram::over);
+    visit(Field{"length", kShortestForce_s, kLongestForce_m}, &ForceProgram::length);
+    visit(Field{"tolerance", kLeastTolerance, kMostTolerance}, &ForceProgram::tolerance);
+    visit(Field{"speed", 0, 1000}, &ForceProgram::speed);
+  }
+  friend bool operator==(const ForceProgram&, const ForceProgram&) = default;
+};
+
+inline double longest_of(ForceOver over) { return over == ForceOver::distance ? kLongestForce_m : kLongestForce_s; }
+inline double shortest_of(ForceOver over) { return over == ForceOver::distance ? kShortestForce_m : kShortestForce_s; }
+inline double key_gap_of(ForceOver over) { return over == ForceOver::distance ? kKeyGap_m : kKeyGap_s; }
+// "m" or "s"; of a channel's value: "g", "deg/m" or "deg/s".
+std::string_view unit_of(ForceOver over);
+std::string_view unit_of(ForceOver over, ForceChannel channel);
+
+// Returns nothing for a program within all limits, else what is wrong: "vertical has two keys within 1 m at 40 m".
+std::optional<std::string> broken(const ForceProgram& program);
+
+// Returns the keys as they shape the curve: the first and the last are level where the curve stays level beside them.
+std::vector<ForceKey> shaping_keys(const ForceProgram& program, ForceChannel channel);
+// Returns the control points (m or s, value) of the cubic Bezier between two keys. Handles that are too long for the
+// gap are shortened along their line, so that the curve is a function of the place.
+std::array<glm::dvec2, 4> curve_between(const ForceKey& from, const ForceKey& to);
+
+}  // namespace coaster::world

@@ -1,0 +1,173 @@
+#include "sim/plan/force_fit.h"
+
+#include <gtest/gtest.h>
+
+#include "curve/continuity.h"
+#include "sim/force_oracle.h"
+#include "sim/plan/element_spans.h"
+#include "sim/plan/force_plan.h"
+#include "sim/shape/rail_tables.h"
+#include "world/topology.h"
+
+namespace coaster::sim {
+namespace force_fit_test {
+
+using glm::dvec3;
+using world::ForceChannel;
+
+world::Document track_of(const ForcePlan& plan, double heartline) {
+  world::Document document;
+  document.heartline = heartline, document.resistance = plan.task.losses;
+  for (const world::Knot& knot : plan.fit.spans.knots) world::append_knot(document, knot);
+  return document;
+}
+
+// Rides along the spans in steps of 1 cm, with the energy of the train, and calls visit(metres, felt g) at each.
+template <class Visit>
+void ride_finely(const ForcePlan& plan, const Derived& derived, Visit visit) {
+  constexpr double kStep = 0.01;
+  double square = plan.task.program.speed * plan.task.program.speed, done = 0;
+  for (std::size_t i = 0; i < derived.order.size(); ++i) {
+    const SegmentShape& shape = derived.shape_at(i);
+    const int steps = static_cast<int>(shape.arc.length() / kStep) + 1;
+    for (int k = 0; k <= steps; ++k) {
+      const double ds = shape.arc.length() / steps, s = k * ds, t = shape.arc.parameter(s);
+      const curve::Frame frame = frame_at(shape, s, t);
+      const double along = -9.81 * frame.forward.y - 9.81 * plan.task.losses.rolling - plan.task.losses.drag * square;
+      const glm::vec3 felt = felt_entry(shape, s, t, frame, plan.task.riders)
+                                 .felt(static_cast<float>(along / 9.81), static_cast<float>(square / 9.81));
+      visit(done + s, felt, square);
+      if (k < steps) square += 2 * along * ds;
+    }
+    done += shape.arc.length();
+  }
+}
+
+struct Worst {
+  double felt = 0, at = 0, distance = 0;
+};
+
+// The largest difference between what is felt in a fine ride and what the oracle's reading of the keys asks for there.
+Worst worst_of(const ForcePlan& plan) {
+  const world::Document document = track_of(plan, plan.task.riders);
+  const Derived derived = shapes_of(document);
+  const test::ForceOracle oracle(plan.task);
+  const bool by_time = plan.task.program.over == world::ForceOver::time;
+  Worst worst;
+  double time = 0, before = 0;
+  ride_finely(plan, derived, [&](double s, glm::vec3 felt, double square) {
+    time += (s - before) / std::sqrt(square), before = s;
+    const double at = by_time ? time : s;
+    const double up = double(oracle.asked(ForceChannel::vertical, at)),
+                 side = double(oracle.asked(ForceChannel::lateral, at));
+    const double off = std::max(std::abs(felt.z - up), std::abs(felt.y - side));
+    if (off > worst.felt) worst.felt = off, worst.at = s;
+  });
+  for (const ElementPoint& p : plan.path.curve.points) {
+    double nearest = 1e9;
+    for (std::size_t i = 0; i < derived.order.size(); ++i) {
+      const curve::Cubic& cubic = derived.shape_at(i).key.cubic;
+      if (glm::distance(dvec3(cubic.p0), p.position) > derived.shape_at(i).arc.length() + 1) continue;
+      nearest = std::min(nearest, curve::nearest_point(cubic, p.position).distance);
+    }
+    worst.distance = std::max(worst.distance, nearest);
+  }
+  return worst;
+}
+
+TEST(force_fit, twenty_programs_are_felt_as_asked_for_on_spans_within_a_centimetre) {
+  test::RandomForces random(7);
+  std::size_t spans = 0;
+  double metres = 0;
+  for (int i = 0; i < 20; ++i) {
+    const ForcePlan plan = plan_force(random.next(i < 3 ? 300 : 60));
+    ASSERT_EQ(plan.refusal, "") << i;
+    EXPECT_TRUE(plan.fit.within) << i << ": " << plan.fit.felt_error << " g at " << plan.fit.felt_at << " m";
+    const Worst worst = worst_of(plan);
+    EXPECT_LT(worst.felt, 0.05 + 0.01) << i << " at " << worst.at << " m of " << plan.length;
+    EXPECT_LT(worst.distance, 0.01) << i;
+    for (std::size_t k = 1; k + 1 < plan.fit.spans.knots.size(); ++k) {
+      const auto cubic = [&](std::size_t at) {
+        const world::Knot &a = plan.fit.spans.knots[at], &b = plan.fit.spans.knots[at + 1];
+        return curve::Cubic{a.position, world::out_handle(a), world::in_handle(b), b.position};
+      };
+      EXPECT_EQ(curve::joint(cubic(k - 1), cubic(k)).geometric, curve::Geometric::g2) << i << " knot " << k;
+    }
+    spans += plan.spans(), metres += plan.length;
+  }
+  RecordProperty("metres_per_span", std::to_string(metres / static_cast<double>(spans)));
+}
+
+TEST(force_fit, a_wider_tolerance_takes_fewer_spans) {
+  test::RandomForces random(9);
+  ForceTask task = random.next(150);
+  std::size_t before = 1'000'000;
+  for (const double tolerance : {0.02, 0.05, 0.15, 0.5}) {
+    task.program.tolerance = tolerance;
+    const ForcePlan plan = plan_force(task);
+    EXPECT_LE(worst_of(plan).felt, tolerance + 0.01);
+    EXPECT_LT(plan.spans(), before) << tolerance;
+    before = plan.spans();
+  }
+}
+
+TEST(force_fit, a_steady_turn_takes_few_spans) {
+  ForceTask task;
+  task.end.position = {0, 40, 0}, task.end.up = {0, 0, 1};
+  const double radius = 20.0 * 20 / (2.5 * 9.81);
+  task.end.curvature = {0, 0, 1 / radius};
+  task.program.speed = 20, task.program.length = 40;
+  task.program.keys(ForceChannel::vertical) = {{0, 2.5}};
+  task.program.keys(ForceChannel::lateral) = {{0, glm::cross(task.end.up, task.end.forward).y}};
+  const ForcePlan plan = plan_force(task);
+  EXPECT_TRUE(plan.fit.within);
+  EXPECT_LE(plan.spans(), 2u) << "of 1.2 rad each";
+}
+
+bool holds(const ForceTask& task, const ForcePath& path, const std::vector<std::size_t>& at) {
+  for (const double shift : {0.0, kMostShift}) {
+    const Spans spans = make_spans(path.curve, at, shift);
+    bool good = spans.jumps.front() <= kElementJump;
+    for (std::size_t k = 0; good && k + 1 < at.size(); ++k)
+      good =
+          felt_error(task, path, at[k], at[k + 1], spans.knots[k], spans.knots[k + 1]).error <= task.program.tolerance;
+    if (good) return true;
+  }
+  return false;
+}
+
+// Tries all places on a grid of a metre for so many more knots; returns whether one choice holds.
+bool search(const ForceTask& task, const ForcePath& path, std::vector<std::size_t>& at, std::size_t more) {
+  const std::size_t last = path.points.size() - 1;
+  if (more == 0) {
+    std::vector<std::size_t> all = at;
+    all.push_back(last);
+    return holds(task, path, all);
+  }
+  for (std::size_t place = at.back() + 4; place + 4 * more <= last; place += 4) {
+    at.push_back(place);
+    if (search(task, path, at, more - 1)) return true;
+    at.pop_back();
+  }
+  return false;
+}
+
+TEST(force_fit, takes_at_most_a_third_more_spans_than_a_search_of_all_places_finds) {
+  test::RandomForces random(11);
+  std::size_t own = 0, least = 0;
+  for (int i = 0; i < 10; ++i) {
+    const ForceTask task = random.next(14);
+    const ForcePlan plan = plan_force(task);
+    ASSERT_TRUE(plan.fit.within);
+    std::size_t found = 1;
+    for (; found < plan.spans(); ++found) {
+      std::vector<std::size_t> at{0};
+      if (search(task, plan.path, at, found - 1)) break;
+    }
+    own += plan.spans(), least += found;
+  }
+  EXPECT_LE(static_cast<double>(own), 1.3 * static_cast<double>(least)) << own << " against " << least;
+}
+
+}  // namespace force_fit_test
+}  // namespace coaster::sim

@@ -1,0 +1,169 @@
+// Also tests force_law.h, which it integrates.
+#include "sim/plan/force_path.h"
+
+#include <gtest/gtest.h>
+
+#include "curve/frames.h"
+#include "sim/force_oracle.h"
+
+namespace coaster::sim {
+namespace force_path_test {
+
+using glm::dvec3;
+using world::ForceChannel;
+using world::ForceOver;
+
+ForceTask level(double speed, double length, ForceOver over = ForceOver::distance) {
+  ForceTask task;
+  task.end.position = {0, 100, 0};
+  task.program.speed = speed, task.program.length = length, task.program.over = over;
+  return task;
+}
+
+dvec3 of(const test::Vector& v) { return {double(v[0]), double(v[1]), double(v[2])}; }
+
+// The start of a program that asks for what is felt there needs no ramp, so that the oracle needs none.
+TEST(force_path, twenty_programs_end_where_the_oracle_does) {
+  test::RandomForces random(7);
+  for (int i = 0; i < 20; ++i) {
+    const ForceTask task = random.next(i < 3 ? 300 : 60);
+    const ForcePath path = force_path(task);
+    ASSERT_EQ(path.stopped, "") << i;
+    ASSERT_LT(path.ramp, 1e-9) << i;
+    test::ForceOracle oracle(task);
+    double farthest = 0;
+    for (std::size_t k = 0; k < path.points.size(); k += 1 + path.points.size() / 4) {
+      oracle.go_to(path.points[k].at);
+      farthest = std::max(farthest, glm::distance(of(oracle.position), path.curve.points[k].position));
+    }
+    oracle.go_to(path.points.back().at);
+    farthest = std::max(farthest, glm::distance(of(oracle.position), path.curve.points.back().position));
+    EXPECT_LT(farthest, 0.005) << i << ": 5 cm are asked for";
+    EXPECT_LT(glm::distance(of(oracle.up), path.curve.points.back().up), 1e-4) << i;
+    EXPECT_NEAR(double(oracle.square), path.points.back().square, 0.01) << i;
+    EXPECT_NEAR(double(oracle.time), path.points.back().time, 1e-4) << i;
+  }
+}
+
+TEST(force_path, nothing_felt_is_the_path_of_a_thrown_body) {
+  ForceTask task = level(20, 1.5, ForceOver::time);
+  task.end.forward = glm::normalize(dvec3(1, 0.6, 0)), task.end.up = glm::normalize(dvec3(-0.6, 1, 0));
+  // The track's end bends as the body's path, so that there is no ramp.
+  const double bend = 9.81 * task.end.up.y / (20 * 20);
+  task.end.curvature = -bend * task.end.up;
+  task.program.keys(ForceChannel::vertical) = {{0, 0}};
+  const ForcePath path = force_path(task);
+  ASSERT_EQ(path.stopped, "");
+  for (std::size_t k = 0; k < path.points.size(); ++k) {
+    const double t = path.points[k].time;
+    const dvec3 thrown = task.end.position + 20 * t * task.end.forward - dvec3(0, 9.81 / 2 * t * t, 0);
+    EXPECT_LT(glm::distance(path.curve.points[k].position, thrown), 1e-6) << t;
+  }
+}
+
+// Level and rolled by 90 degrees, gravity pulls across the seat: with as much lateral g as holds against it, and
+// vertical g alone bending the track, it is a circle at constant speed.
+TEST(force_path, constant_g_across_gravity_is_a_circle) {
+  ForceTask task = level(20, 150);
+  const double g = 2.5, radius = 20.0 * 20 / (g * 9.81);
+  task.end.up = {0, 0, 1};  // towards its left is down: lateral g to the left is -1 against gravity
+  task.end.curvature = dvec3(0, 0, 1 / radius);
+  task.program.keys(ForceChannel::vertical) = {{0, g}};
+  task.program.keys(ForceChannel::lateral) = {{0, glm::cross(task.end.up, task.end.forward).y}};
+  const ForcePath path = force_path(task);
+  const dvec3 centre = task.end.position + radius * task.end.up;
+  ASSERT_NE(path.stopped, "") << "after a turn it meets itself";
+  EXPECT_NEAR(path.curve.length(), 2 * M_PI * radius, 2) << "up to its own rails";
+  for (const ElementPoint& p : path.curve.points) {
+    EXPECT_NEAR(glm::distance(p.position, centre), radius, 1e-5) << p.s;
+    EXPECT_NEAR(p.position.y, 100, 1e-7) << p.s;
+  }
+}
+
+// Riders in the curve itself roll about their hearts: the curve stays straight, whatever the roll is, when they are
+// asked to feel gravity alone.
+TEST(force_path, a_heartline_roll_stays_straight) {
+  ForceTask task = level(15, 60);
+  task.riders = 0, task.rails = -1.1;
+  const ForcePath straight = force_path(task);
+  ASSERT_EQ(straight.stopped, "");
+  EXPECT_LT(glm::distance(straight.curve.points.back().position, dvec3(60, 100, 0)), 1e-9);
+  // Rolled by 6 degrees a metre, gravity turns against the seat: cosine up, sine to the side.
+  task.program.length = 30;
+  task.program.keys(ForceChannel::roll) = {{0, 6}};
+  task.end.spin = 6 * M_PI / 180;
+  auto &up = task.program.keys(ForceChannel::vertical), &side = task.program.keys(ForceChannel::lateral);
+  for (int i = 0; i <= 30; ++i) {
+    const double angle = 6 * M_PI / 180 * i, rate = 6 * M_PI / 180;
+    up.push_back({double(i), std::cos(angle), -rate * std::sin(angle)});
+    side.push_back({double(i), std::sin(angle), rate * std::cos(angle)});
+  }
+  const ForcePath rolled = force_path(task);
+  ASSERT_EQ(rolled.stopped, "");
+  const ElementPoint& end = rolled.curve.points.back();
+  EXPECT_LT(glm::distance(end.position, dvec3(30, 100, 0)), 0.01);
+  EXPECT_NEAR(end.up.y, std::cos(M_PI), 1e-6) << "half a turn";
+}
+
+TEST(force_path, the_start_continues_the_curvature_and_the_spin_of_the_track) {
+  for (const ForceOver over : {ForceOver::distance, ForceOver::time}) {
+    ForceTask task = level(18, over == ForceOver::time ? 3 : 50, over);
+    task.riders = 1.1;
+    task.end.curvature = {0, 0.02, -0.015}, task.end.spin = 0.04;
+    task.program.keys(ForceChannel::vertical) = {{0, 1.5}};
+    const ForcePath path = force_path(task);
+    const ElementPoint& first = path.curve.points.front();
+    EXPECT_LT(glm::distance(first.curvature, task.end.curvature), 1e-12);
+    EXPECT_NEAR(first.spin, task.end.spin, 1e-12);
+    EXPECT_GT(path.ramp, 0);
+    // What is asked for is reached behind the ramp, and without a jump before.
+    for (std::size_t k = 1; k < path.points.size(); ++k) {
+      EXPECT_LT(std::abs(path.points[k].up - path.points[k - 1].up), 0.2) << k;
+      if (path.points[k].at >= path.ramp) {
+        EXPECT_NEAR(path.points[k].up, 1.5, 1e-9) << k;
+      }
+    }
+  }
+}
+
+TEST(force_path, stops_with_the_reason) {
+  ForceTask task = level(8, 200);
+  task.end.forward = glm::normalize(dvec3(1, 1, 0)), task.end.up = glm::normalize(dvec3(-1, 1, 0));
+  task.program.keys(ForceChannel::vertical) = {{0, std::sqrt(0.5)}};
+  EXPECT_EQ(force_path(task).stopped, "the train falls below 3 m/s");
+  task = level(20, 400);
+  task.program.keys(ForceChannel::vertical) = {{0, 0}};
+  EXPECT_EQ(force_path(task).stopped, "the track would run into the ground");
+  task = level(20, 400);
+  task.end.position = {world::kMaxCoordinate - 50.0, 50, 0};
+  EXPECT_EQ(force_path(task).stopped.substr(0, 32), "the track would leave the world,");
+  task = level(24, 400);
+  task.program.keys(ForceChannel::vertical) = {{0, 1}, {20, 4.5}};
+  EXPECT_EQ(force_path(task).stopped, "the track would run through itself") << "a loop in one plane";
+  task = level(5, 100);
+  task.program.keys(ForceChannel::vertical) = {{0, 1}, {10, 9}};
+  EXPECT_EQ(force_path(task).stopped, "the turn would be tighter than a radius of 2 m");
+  for (const ElementPoint& p : force_path(task).curve.points) EXPECT_LE(glm::length(p.curvature), 0.5);
+}
+
+TEST(force_curve, follows_the_bezier_of_its_keys) {
+  world::ForceProgram program;
+  program.keys(ForceChannel::vertical) = {{5, 1, 0.4, 2, 3}, {15, 3, -0.2, 6, 0}, {30, 2, 0, 0, 0}};
+  program.length = 30;
+  const ForceCurve curve(program, ForceChannel::vertical);
+  EXPECT_EQ(curve.at(0).value, 1);
+  EXPECT_EQ(curve.at(40).value, 2);
+  const auto piece =
+      world::curve_between(program.keys(ForceChannel::vertical)[1], program.keys(ForceChannel::vertical)[2]);
+  for (double u = 0.05; u < 1; u += 0.1) {
+    const auto mix = [&](auto a, auto b) { return a + u * (b - a); };
+    const auto a = mix(piece[0], piece[1]), b = mix(piece[1], piece[2]), c = mix(piece[2], piece[3]);
+    const glm::dvec2 place = mix(mix(a, b), mix(b, c));
+    EXPECT_NEAR(curve.at(place.x).value, place.y, 1e-10);
+    const double h = 1e-5;
+    EXPECT_NEAR(curve.at(place.x).slope, (curve.at(place.x + h).value - curve.at(place.x - h).value) / (2 * h), 1e-6);
+  }
+}
+
+}  // namespace force_path_test
+}  // namespace coaster::sim
