@@ -21,6 +21,7 @@ std::span<const Query> setting_rows();
 std::span<const Query> joint_rows();
 std::span<const Query> lab_rows();
 std::span<const Query> element_rows();
+std::span<const Query> force_rows();
 std::span<const Query> game_rows();
 std::span<const Query> draw_rows();
 std::span<const Query> frame_rows();

@@ -11,6 +11,7 @@
 #include "world/entity.h"
 #include "world/equipment_kind.h"
 #include "world/fields.h"
+#include "world/force.h"
 #include "world/registry.h"
 #include "world/way_home.h"
 
@@ -87,11 +88,12 @@ struct Segment {
 };
 
 // What a section was planned as. A free one was shaped by hand.
-enum class SectionKind : std::uint8_t { free, element, complete };
+enum class SectionKind : std::uint8_t { free, element, complete, force };
 inline constexpr base::NameRow kSectionKinds[] = {
     {"free", "Hand-shaped", "Shaped knot by knot."},
     {"element", "Element", "Planned as an element of the palette."},
-    {"complete", "Complete circuit", "Planned as a way home, and again when track before it moves."}};
+    {"complete", "Complete circuit", "Planned as a way home, and again when track before it moves."},
+    {"force", "Force section", "Planned from what riders shall feel, and again when the train's speed changes."}};
 constexpr std::span<const base::NameRow> rows_of(SectionKind) { return kSectionKinds; }
 
 // A run of neighbouring segments that is one part of the ride to its builder. While it is not free, its knots are as
@@ -99,8 +101,9 @@ constexpr std::span<const base::NameRow> rows_of(SectionKind) { return kSectionK
 struct Section {
   std::string title;  // UTF-8, at most kMaxNameBytes; empty: it is shown by its kind
   SectionKind kind = SectionKind::free;
-  Element element = {};  // with its parameters, if it was planned as one; else as here
-  WayHome way = {};      // if it completes a circuit; else as here
+  Element element = {};     // with its parameters, if it was planned as one; else as here
+  WayHome way = {};         // if it completes a circuit; else as here
+  ForceProgram force = {};  // if it is a force section; else as here
   // Not what it was planned as: files and hashes have the names of kind and parameters.
   static constexpr void fields(auto visit) { visit(Field{"title"}, &Section::title); }
   friend bool operator==(const Section&, const Section&) = default;

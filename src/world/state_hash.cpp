@@ -56,6 +56,15 @@ bool undivided(const Document& document, const std::vector<SectionRun>& runs) {
   return runs.size() == 1 && (!section || *section == Section{}) && !document.entities.find<Extra>(e);
 }
 
+void add_force(base::Hasher& hasher, const Document& document, const ForceProgram& force) {
+  add_component(hasher, document, force);
+  for (const std::vector<ForceKey>& keys : force.channels) {
+    hasher.add(keys.size());
+    for (const ForceKey& key : keys)
+      for (const double value : {key.at, key.value, key.slope, key.before, key.after}) hasher.add(value);
+  }
+}
+
 void add_sections(base::Hasher& hasher, const Document& document) {
   const std::vector<SectionRun> runs = sections_of(document);
   if (undivided(document, runs)) return;
@@ -71,6 +80,7 @@ void add_sections(base::Hasher& hasher, const Document& document) {
       for (std::size_t i = 0; i < base::row_of(s.element.kind).parameters.size(); ++i) hasher.add(s.element.values[i]);
     }
     if (s.kind == SectionKind::complete) add_component(hasher, document, s.way);
+    if (s.kind == SectionKind::force) add_force(hasher, document, s.force);
     add_extra(hasher, document, run.section);
   }
 }

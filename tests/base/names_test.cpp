@@ -60,7 +60,7 @@ TEST(names, every_enumerator_has_its_row_and_a_name_of_its_own) {
   expect_rows_up_to(world::Kind::section);
   expect_rows_up_to(world::JointKind::automatic);
   expect_rows_up_to(world::SpinKind::set);
-  expect_rows_up_to(world::SectionKind::complete);
+  expect_rows_up_to(world::SectionKind::force);
   expect_rows_up_to(world::EquipmentKind::block);
   expect_rows_up_to(world::FrameMethod::world_up);
   expect_rows_up_to(world::CameraMode::fly);

@@ -11,6 +11,7 @@
 #include "edit/commands/commands_challenge.h"
 #include "edit/commands/commands_document.h"
 #include "edit/commands/commands_elements.h"
+#include "edit/commands/commands_force.h"
 #include "edit/commands/commands_lab.h"
 #include "edit/commands/commands_operation.h"
 #include "edit/commands/commands_ride.h"
@@ -30,9 +31,10 @@ template <class... Groups>
 auto set_commands(world::GroupList<Groups...>)
     -> decltype((set_commands<Groups>(std::make_index_sequence<std::tuple_size_v<decltype(Groups::kRows)>>()) + ...));
 
-using Commands = decltype(DocumentCommands() + ShapeCommands() + OperationCommands() + ElementCommands() +
-                          SectionCommands() + SeekCommands() + SettingsCommands() + LabCommands() + RideCommands() +
-                          SessionCommands() + ChallengeCommands() + set_commands(world::SettingGroups()));
+using Commands =
+    decltype(DocumentCommands() + ShapeCommands() + OperationCommands() + ElementCommands() + SectionCommands() +
+             ForceCommands() + SeekCommands() + SettingsCommands() + LabCommands() + RideCommands() +
+             SessionCommands() + ChallengeCommands() + set_commands(world::SettingGroups()));
 
 inline constexpr auto kCommandInfos = Commands::table([]<class C>() { return &C::kInfo; });
 

@@ -11,6 +11,7 @@
 #include "base/portable_math.h"
 #include "edit/commands/codec.h"
 #include "edit/commands/command_list.h"
+#include "edit/perform/force_replan.h"
 #include "edit/perform/hand_shaped.h"
 #include "edit/perform/motion_follow.h"
 #include "edit/perform/perform.h"
@@ -75,6 +76,7 @@ Status document_command(Session& session, const C& command, Change& change) {
   // The derived data are still those of the previous document.
   const sim::SegmentShape* const split = session.derived.segments.find(change.motion.first);
   follow_document(session, change, split ? split->roll : sim::Roll{});
+  if (follow_speeds(session, change)) follow_document(session, Change{change.files}, {});
   const auto text = [&] { return StepText{print(command), done(command)}; };
   if (history.in_gesture) history.gesture_text = text();
   else if (!(*before == session.document)) record(history, text(), std::move(*before), session.document);

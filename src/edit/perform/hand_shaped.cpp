@@ -119,7 +119,7 @@ void free_hand_shaped(const std::vector<PlannedSection>& before, Session& sessio
     if (was == before.end() || !(was->value == section) || comparison.keeps_its_plan(was->run, run)) continue;
     if (std::find(change.planned.begin(), change.planned.end(), run.section) != change.planned.end()) continue;
     freed.push_back(world::title_of(section));
-    section.kind = world::SectionKind::free, section.element = {}, section.way = {};
+    section = {section.title};
   }
   if (freed.empty()) return;
   if (!change.note.empty()) change.note += ' ';

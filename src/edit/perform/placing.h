@@ -3,6 +3,7 @@
 
 #include "edit/perform/perform.h"
 #include "sim/plan/elements.h"
+#include "sim/plan/force_plan.h"
 
 namespace coaster::edit {
 
@@ -13,6 +14,10 @@ void open_out(world::Document& document, const world::Knot& start);
 world::Entity place(world::Document& document, const sim::ElementPlan& plan);
 // Puts the plan's equipment, if it has any, on its segments, from that index of the track.
 void equip(world::Document& document, const sim::ElementPlan& plan, std::size_t first);
+// The same of a force section.
+world::Entity place_force(world::Document& document, const sim::ForcePlan& plan);
+// Plans a program at the open end for the speed there and adds it.
+base::Status add_force(Session& session, Change& change, world::ForceProgram program);
 // Adds a train at the start of a track without one, so that there is something to watch.
 void add_first_train(world::Document& document);
 

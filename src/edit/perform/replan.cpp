@@ -8,11 +8,11 @@
 
 #include "base/text.h"
 #include "curve/arc_length.h"
-#include "curve/continuity.h"
-#include "curve/frames.h"
 #include "edit/commands/commands_sections.h"
+#include "edit/perform/force_replan.h"
 #include "edit/perform/placing.h"
 #include "edit/perform/take_up.h"
+#include "sim/plan/force_plan.h"
 #include "world/sections.h"
 #include "world/topology.h"
 
@@ -112,27 +112,6 @@ void equip_again(Document& document, const sim::ElementPlan& plan, const Section
   equip(document, plan, run.first);
 }
 
-// Returns where a section begins. One that completes the circuit before it follows its curvature, not the other way.
-sim::TrackEnd start_of(const Document& document, const SectionRun& run) {
-  sim::TrackEnd start = sim::end_at(document, run.first);
-  const std::vector<Entity>& segments = document.track.segments;
-  const Entity before = segments[(run.first + segments.size() - 1) % segments.size()];
-  const bool completed =
-      document.track.closed &&
-      world::section(document, world::segment(document, before).section).kind == world::SectionKind::complete;
-  if (completed)
-    start.curvature =
-        curve::across(curve::curvature_vector(world::cubic_of(document, segments[run.first]), 0.0), start.forward);
-  return start;
-}
-
-Status placeable(const Session& session, const world::Track& track, const sim::ElementPlan& plan,
-                 const SectionRun& run) {
-  if (!plan.refusal.empty()) return refused(plan.refusal);
-  return room_for(session, track.knots.size() + plan.spans() - run.count,
-                  track.segments.size() + plan.spans() - run.count);
-}
-
 }  // namespace
 
 Status adopt(Session& session, Change& change, const Document& former, Document&& next) {
@@ -182,26 +161,38 @@ void reshape(Document& document, Entity section, const sim::ElementFit& fit, Sec
   put_back(starts, run, document);
 }
 
-Status replan(const Session& session, Change& change, Document& document, Entity section, const world::Element& as) {
-  const SectionRun run = world::run_of(document, section);
-  const sim::ElementPlan plan = sim::plan_element(as, start_of(document, run));
-  if (const Status good = placeable(session, document.track, plan, run); !good) return good;
-  const std::size_t end = run.end();
-  const bool follows = document.track.closed || end < document.track.segments.size();
+Status room_for_spans(const Session& session, const Document& document, const SectionRun& run, std::size_t spans) {
+  return room_for(session, document.track.knots.size() + spans - run.count,
+                  document.track.segments.size() + spans - run.count);
+}
+
+Status put_in_place(Document& document, const SectionRun& run, const sim::ElementFit& fit) {
+  const bool follows = document.track.closed || run.end() < document.track.segments.size();
   sim::Carry carry;
   if (follows) {
-    const Knot& last = world::knot(document, document.track.knots[end % document.track.knots.size()]);
-    base::Result<sim::Carry> found = sim::carry_between(last, plan.fit.knots.back());
+    const base::Result<sim::Carry> found = sim::carry_between(nth_knot(document, run.end()), fit.knots.back());
     if (!found) return found.status();
     carry = *found;
   }
   const bool moves = follows && !stays(carry);
   if (moves)
-    if (const Status carried = carry_after(document, end, carry); !carried) return carried;
-  reshape(document, section, plan.fit, moves ? SectionEnd::moves : follows ? SectionEnd::stays : SectionEnd::open);
+    if (const Status carried = carry_after(document, run.end(), carry); !carried) return carried;
+  reshape(document, run.section, fit, moves ? SectionEnd::moves : follows ? SectionEnd::stays : SectionEnd::open);
+  return {};
+}
+
+Status replan(Session& session, Change& change, Document& document, Entity section, const world::Element& as,
+              Following following) {
+  const SectionRun run = world::run_of(document, section);
+  const sim::ElementPlan plan = sim::plan_element(as, sim::start_of(document, run));
+  if (!plan.refusal.empty()) return refused(plan.refusal);
+  if (const Status room = room_for_spans(session, document, run, plan.spans()); !room) return room;
+  const Status put = following == Following::moves ? put_in_place(document, run, plan.fit)
+                                                   : put_and_follow(session, change, document, run, plan.fit);
+  if (!put) return put;
   equip_again(document, plan, world::run_of(document, section));
   world::Section& value = document.entities.get<world::Section>(section);
-  value.kind = world::SectionKind::element, value.element = world::limited(plan.element), value.way = {};
+  value = {value.title, world::SectionKind::element, world::limited(plan.element)};
   change.clamped.insert(change.clamped.end(), plan.lines.begin(), plan.lines.end());
   if (plan.lowest < 0)
     change.clamped.push_back(fmt::format("The section goes {:.1f} m below the ground.", -plan.lowest));

@@ -4,6 +4,7 @@
 #include "edit/perform/perform.h"
 #include "sim/plan/carry.h"
 #include "sim/plan/elements.h"
+#include "world/sections.h"
 
 namespace coaster::edit {
 
@@ -16,8 +17,15 @@ inline const world::Knot& nth_knot(const world::Document& document, std::size_t 
 // Plans a section of `document` as an element from where it begins and shapes its knots so. The knot that follows moves
 // to its new end, and everything behind it with carry_after(). Knots and segments keep their names where their number
 // stays. Changes nothing on failure, or else `document` is unusable. Adds what was clamped to `change`.
-base::Status replan(const Session& session, Change& change, world::Document& document, world::Entity section,
-                    const world::Element& as);
+enum class Following : std::uint8_t { moves, planned };  // planned: as behind a force section (force_replan.h)
+base::Status replan(Session& session, Change& change, world::Document& document, world::Entity section,
+                    const world::Element& as, Following following = Following::moves);
+
+// Refused if there is no room for a section of that many spans.
+base::Status room_for_spans(const Session& session, const world::Document& document, const world::SectionRun& run,
+                            std::size_t spans);
+// Gives a section the shape of a fit and carries what follows along. Refused where that does not fit its new end.
+base::Status put_in_place(world::Document& document, const world::SectionRun& run, const sim::ElementFit& fit);
 
 // Makes `next`, which was made from `former`, the session's document. On a closed track the section that completes the
 // circuit takes up what moved before it (take_up.h). Refused where it cannot, and where track would leave the world.

@@ -67,6 +67,10 @@ Status paste(Change& change, const Document& from, const SectionRun& run, Docume
     if (!plan.refusal.empty()) return refused(plan.refusal);
     document.entities.get<world::Section>(place(document, plan)).title = value.title;
     change.clamped.insert(change.clamped.end(), plan.lines.begin(), plan.lines.end());
+  } else if (const auto end = sim::open_end(document); end && value.kind == world::SectionKind::force) {
+    const sim::ForcePlan plan = sim::plan_force(sim::force_task(document, *end, value.force));
+    if (!plan.refusal.empty()) return refused(plan.refusal);
+    document.entities.get<world::Section>(place_force(document, plan)).title = value.title;
   } else if (const Status appended = append_run(from, run, document); !appended) {
     return appended;
   }

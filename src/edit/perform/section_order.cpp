@@ -5,6 +5,7 @@
 
 #include "base/portable_math.h"
 #include "edit/commands/commands_sections.h"
+#include "edit/perform/force_replan.h"
 #include "edit/perform/replan.h"
 #include "world/sections.h"
 #include "world/topology.h"
@@ -36,6 +37,13 @@ world::Element mirrored(world::Element element) {
   if (row.sided) element.right = !element.right;
   world::set_value(element, "roll", 0.0 - world::found_value(element, "roll").value_or(0));
   return element;
+}
+
+// Returns the program with left and right swapped.
+world::ForceProgram mirrored(world::ForceProgram program) {
+  for (const auto channel : {world::ForceChannel::lateral, world::ForceChannel::roll})
+    for (world::ForceKey& key : program.keys(channel)) key.value = 0.0 - key.value, key.slope = 0.0 - key.slope;
+  return program;
 }
 
 // Mirrors a hand-shaped section across the vertical plane of its first knot's direction, and carries what follows.
@@ -118,10 +126,12 @@ Status perform(Session& session, Change& change, const MirrorSection& command) {
   const auto section = require(session, command.section, world::Kind::section);
   if (!section) return section.status();
   Document next = session.document;
-  const world::Section& value = world::section(next, *section);
+  world::Section& value = next.entities.get<world::Section>(*section);
+  if (value.kind == world::SectionKind::force) value.force = mirrored(value.force);
   const Status done = value.kind == world::SectionKind::element
                           ? replan(session, change, next, *section, mirrored(value.element))
-                          : mirror_knots(next, world::run_of(next, *section));
+                      : value.kind == world::SectionKind::force ? replan_force(session, change, next, *section)
+                                                                : mirror_knots(next, world::run_of(next, *section));
   if (!done) return done;
   return adopt(session, change, session.document, std::move(next));
 }

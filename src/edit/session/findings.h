@@ -10,6 +10,7 @@
 
 #include "base/kept.h"
 #include "sim/plan/elements.h"
+#include "sim/plan/force_plan.h"
 #include "sim/ride/ghost.h"
 #include "sim/shape/folds.h"
 #include "sim/shape/frame_methods.h"
@@ -98,6 +99,7 @@ struct Findings {
     // By Session::edits, the last build, the ride's serial and the first and the last car.
     base::Kept<std::tuple<std::uint64_t, std::uint64_t, std::uint64_t, int, int>, sim::SectionTable> sections;
     sim::OpenedTrack opened;  // for the section that completes a circuit, planned again
+    sim::ForceMemo forces;
     sim::FrenetBreaks breaks;
     sim::TrackValueMemo values;
     sim::Supports supports, passed;  // shown, and passed by a ride: each counts what it rebuilds
@@ -112,12 +114,17 @@ const Findings& find(Session& session, Want wanted);
 // The same, where Want::element and Want::room are about another element than the chosen one.
 const Findings& find(Session& session, Want wanted, const world::Element& element);
 
+// Returns the plan of a force section as it is in the document; null for other sections. Good until the next plan of
+// one.
+const sim::ForcePlan* force_plan(Session& session, world::Entity section);
+
 // A session to read and to ask for findings, and to do nothing else to: what panels and queries are given.
 class Finder {
  public:
   Finder(Session& session) : session_(&session) {}
   const Session& session() const { return *session_; }
   const Findings& operator()(Want wanted) const { return find(*session_, wanted); }
+  const sim::ForcePlan* force(world::Entity section) const { return force_plan(*session_, section); }
 
  private:
   Session* session_;

@@ -11,13 +11,16 @@
 namespace coaster::exchange {
 namespace {
 
+constexpr world::SectionKind kOwnKinds[] = {world::SectionKind::free, world::SectionKind::complete,
+                                            world::SectionKind::force};
 constexpr std::string_view kSides[] = {"left", "right"};
 
 // Returns the words of "kind".
 std::vector<std::string> kinds() {
   std::vector<std::string> names = base::names_of<world::ElementKind>();
   names.insert(names.begin(), std::string(base::name_of(world::SectionKind::free)));
-  names.emplace_back(base::name_of(world::SectionKind::complete));
+  for (const world::SectionKind own : kOwnKinds)
+    if (own != world::SectionKind::free) names.emplace_back(base::name_of(own));
   return names;
 }
 
@@ -58,7 +61,7 @@ bool read_parameters(Fields& fields, world::Element& element) {
 bool read_kind(Fields& fields, world::Section& section) {
   std::string kind;
   if (!fields.text("kind", kind)) return false;
-  for (const world::SectionKind own : {world::SectionKind::free, world::SectionKind::complete})
+  for (const world::SectionKind own : kOwnKinds)
     if (kind == base::name_of(own)) return section.kind = own, true;
   const auto element = base::value_named<world::ElementKind>(kind);
   if (!element) return fields.reject("kind", base::alternatives(kinds(), "\""));

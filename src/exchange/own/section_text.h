@@ -1,4 +1,4 @@
-// The members of a section in a track file, but for those of a way home. Private to this room.
+// The members of a section in a track file, but for those of a way home and of forces. Private to this room.
 #pragma once
 
 #include <cstddef>

@@ -7,6 +7,7 @@
 
 #include "base/text.h"
 #include "base/utf8.h"
+#include "exchange/own/force_text.h"
 #include "exchange/own/json_fields.h"
 #include "exchange/own/section_text.h"
 #include "exchange/own/track_file.h"
@@ -106,6 +107,9 @@ bool read_section(TrackParse& parse, const Json& value, std::size_t index, std::
   if (!create(parse, fields, Kind::section, e)) return false;
   if (!read_section_members(fields, segments.size() - first, section, count)) return false;
   if (section.kind == world::SectionKind::complete && !read_component(parse, fields, section.way)) return false;
+  if (section.kind == world::SectionKind::force &&
+      !(read_component(parse, fields, section.force) && read_force_keys(fields, section.force)))
+    return false;
   for (; count > 0; --count) parse.document.entities.get<world::Segment>(segments[first++]).section = e;
   parse.document.entities.put(e, std::move(section));
   keep_unknown(parse, fields, e);

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "base/text.h"
+#include "exchange/own/force_text.h"
 #include "exchange/own/json_reader.h"
 #include "exchange/own/section_text.h"
 #include "exchange/own/track_file.h"
@@ -95,7 +96,10 @@ std::string cart_line(const Document& document, Entity e) {
 std::string section_line(const Document& document, const world::SectionRun& run) {
   const world::Section& section = world::section(document, run.section);
   return fmt::format("{{\"id\": {}, {}{}{}", id(document, run.section), section_members(section, run.count),
-                     section.kind == world::SectionKind::complete ? members(document, section.way) : "",
+                     section.kind == world::SectionKind::complete ? members(document, section.way)
+                     : section.kind == world::SectionKind::force
+                         ? members(document, section.force) + force_keys(section.force)
+                         : "",
                      extra_members(document, run.section));
 }
 

@@ -1,0 +1,91 @@
+// The commands of force sections. See command.h.
+#pragma once
+
+#include "edit/commands/command_fields.h"
+#include "world/force.h"
+
+namespace coaster::edit {
+
+struct AddForce {
+  world::ForceOver over{};
+  double length = 40, tolerance = 0.05;
+  COASTER_COMMAND(AddForce, "force.add",
+                  "Add a force section at the open end of the track: length in m or s, tolerance in g.",
+                  Effect::document, "Added a force section");
+  COASTER_FIELDS(visit("over?", self.over), visit("length?", self.length), visit("tolerance?", self.tolerance))
+};
+// Here and below, with `from_start on` the section's keys are those that it had when the open gesture began.
+struct SetForceKey {
+  Target section;
+  bool from_start = false;
+  world::ForceChannel channel{};
+  double value = 0, at = 0;
+  COASTER_COMMAND(SetForceKey, "force",
+                  "Set what riders shall feel at a place of a force section (g, or degrees per metre or second), e.g. "
+                  "force @q3 vertical key 2.5 at 40.",
+                  Effect::document, "Set {channel} of {} at {at}");
+  COASTER_FIELDS(visit("", self.section), visit("from_start?", self.from_start), visit("", self.channel),
+                 visit("key", self.value), visit("at", self.at))
+};
+struct MoveForceKey {
+  Target section;
+  bool from_start = false;
+  world::ForceChannel channel{};
+  double at = 0, to = 0, value = 0;
+  COASTER_COMMAND(MoveForceKey, "force.move", "Move a key of a force section to another place and value.",
+                  Effect::document, "Moved a key of {}");
+  COASTER_FIELDS(visit("", self.section), visit("from_start?", self.from_start), visit("", self.channel),
+                 visit("at", self.at), visit("to", self.to), visit("key", self.value))
+};
+struct RemoveForceKey {
+  Target section;
+  bool from_start = false;
+  world::ForceChannel channel{};
+  double at = 0;
+  COASTER_COMMAND(RemoveForceKey, "force.remove", "Remove a key of a force section.", Effect::document,
+                  "Removed a key of {}");
+  COASTER_FIELDS(visit("", self.section), visit("from_start?", self.from_start), visit("", self.channel),
+                 visit("at", self.at))
+};
+struct ShapeForceKey {
+  Target section;
+  bool from_start = false;
+  world::ForceChannel channel{};
+  double at = 0, slope = 0, before = 0, after = 0;
+  COASTER_COMMAND(ShapeForceKey, "force.handle",
+                  "Set the slope of a channel's curve at a key, and how far its handles reach (m or s; 0: a third of "
+                  "the way to the next key).",
+                  Effect::document, "Shaped a key of {}");
+  COASTER_FIELDS(visit("", self.section), visit("from_start?", self.from_start), visit("", self.channel),
+                 visit("at", self.at), visit("slope", self.slope), visit("before?", self.before),
+                 visit("after?", self.after))
+};
+struct SetForceLength {
+  Target section;
+  bool from_start = false;
+  double to = 0;
+  COASTER_COMMAND(SetForceLength, "force.length", "Set the length of a force section, m or s.", Effect::document,
+                  "Set the length of {} to {to}");
+  COASTER_FIELDS(visit("", self.section), visit("from_start?", self.from_start), visit("to", self.to))
+};
+struct SetForceTolerance {
+  Target section;
+  double to = 0;
+  COASTER_COMMAND(SetForceTolerance, "force.tolerance",
+                  "Set how far what riders feel on a force section may be from its keys, g: 0.02 to 0.5.",
+                  Effect::document, "Set the tolerance of {} to {to} g");
+  COASTER_FIELDS(visit("", self.section), visit("to", self.to))
+};
+struct SetForceOver {
+  Target section;
+  world::ForceOver to{};
+  COASTER_COMMAND(SetForceOver, "force.over",
+                  "Let the keys of a force section count in metres or in seconds; they stay at their places.",
+                  Effect::document, "Set the keys of {} over {to}");
+  COASTER_FIELDS(visit("", self.section), visit("to", self.to))
+};
+
+using ForceCommands = CommandList<AddForce, SetForceKey, MoveForceKey, RemoveForceKey, ShapeForceKey, SetForceLength,
+                                  SetForceTolerance, SetForceOver>;
+
+}  // namespace coaster::edit

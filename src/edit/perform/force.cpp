@@ -1,0 +1,180 @@
+// Commands of force sections.
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "edit/commands/commands_force.h"
+#include "edit/perform/force_replan.h"
+#include "edit/perform/placing.h"
+#include "edit/perform/replan.h"
+#include "world/sections.h"
+#include "world/topology.h"
+
+namespace coaster::edit {
+namespace {
+
+using base::Status;
+using world::Document;
+using world::Entity;
+using world::ForceKey;
+using world::ForceProgram;
+
+base::Result<Entity> force_section(const Session& session, Target target) {
+  const auto section = require(session, target, world::Kind::section);
+  if (!section) return section.status();
+  if (world::section(session.document, *section).kind == world::SectionKind::force) return *section;
+  return refused(fmt::format("@{} is no force section", world::label_of(session.document, *section)));
+}
+
+// Changes a section's program by `edit`, which returns why it cannot, and plans it again.
+template <class Edit>
+Status with_program(Session& session, Change& change, Target target, bool from_start, Edit edit) {
+  const auto section = force_section(session, target);
+  if (!section) return section.status();
+  const Document& start = session.history.gesture_start;
+  const bool restarts = from_start && session.history.in_gesture && start.entities.find<world::Section>(*section);
+  const Document& former = restarts ? start : session.document;
+  Document next = former;
+  ForceProgram& program = next.entities.get<world::Section>(*section).force;
+  if (const Status edited = edit(program); !edited) return edited;
+  if (const auto wrong = world::broken(program)) return refused(*wrong);
+  if (next == former) return restarts ? adopt(session, change, former, std::move(next)) : Status{};
+  if (const Status planned = replan_force(session, change, next, *section); !planned) return planned;
+  return adopt(session, change, former, std::move(next));
+}
+
+// Returns the key at a place; null, if there is none.
+ForceKey* key_at(ForceProgram& program, world::ForceChannel channel, double at) {
+  constexpr double kSame = 1e-6;
+  std::vector<ForceKey>& keys = program.keys(channel);
+  const auto found = std::find_if(keys.begin(), keys.end(), [&](const ForceKey& key) {
+    return std::abs(key.at - at) <= kSame * (1 + std::abs(at));
+  });
+  return found == keys.end() ? nullptr : &*found;
+}
+
+Status no_key(const ForceProgram& program, world::ForceChannel channel, double at) {
+  return refused(fmt::format("{} has no key at {:.6g} {}", base::name_of(channel), at, world::unit_of(program.over)));
+}
+
+void put_key(ForceProgram& program, world::ForceChannel channel, const ForceKey& key) {
+  std::vector<ForceKey>& keys = program.keys(channel);
+  keys.insert(std::upper_bound(keys.begin(), keys.end(), key.at,
+                               [](double at, const ForceKey& other) { return at < other.at; }),
+              key);
+}
+
+void report(const sim::ForcePlan& plan, bool assumed, Change& change) {
+  if (const std::string stopped = sim::stop_text(plan); !stopped.empty()) change.clamped.push_back(stopped + ".");
+  if (assumed)
+    change.clamped.push_back(
+        fmt::format("No train reaches the open end: planned for {} m/s.", base::to_text(plan.task.program.speed)));
+  if (!plan.fit.within)
+    change.clamped.push_back(fmt::format("Riders feel up to {:.2f} g more or less than the keys say, at {:.1f} m.",
+                                         plan.fit.felt_error, plan.fit.felt_at));
+  if (change.clamped.empty())
+    change.note = fmt::format("Placed a force section: {:.1f} m, {} spans, within {:.2f} g.", plan.length, plan.spans(),
+                              plan.fit.felt_error);
+}
+
+}  // namespace
+
+Status add_force(Session& session, Change& change, ForceProgram program) {
+  Document& document = session.document;
+  const std::optional<sim::TrackEnd> end = sim::open_end(document);
+  if (!end) return refused("the track is closed: open it first");
+  const std::optional<double> speed = speed_at(session, session.derived.length);
+  program.speed = speed.value_or(sim::kAssumedSpeed);
+  const sim::ForcePlan& plan = session.findings.memory.forces.plan(sim::force_task(document, *end, program));
+  if (!plan.refusal.empty()) return refused(plan.refusal);
+  const std::size_t knots = std::max<std::size_t>(document.track.knots.size(), 1) + plan.spans();
+  if (const Status room = room_for(session, knots, knots - 1); !room) return room;
+  const bool first = document.track.segments.empty();
+  change.select = place_force(document, plan);
+  if (first) add_first_train(document);
+  report(plan, !speed, change);
+  return {};
+}
+
+Entity place_force(Document& document, const sim::ForcePlan& plan) {
+  const std::vector<world::Knot>& knots = plan.fit.spans.knots;
+  open_out(document, knots.front());
+  for (std::size_t k = 1; k < knots.size(); ++k) world::append_knot(document, knots[k]);
+  return world::make_section(document, document.track.segments.size() - plan.spans(), plan.spans(),
+                             {{}, world::SectionKind::force, {}, {}, plan.task.program});
+}
+
+Status perform(Session& session, Change& change, const AddForce& command) {
+  ForceProgram program;
+  program.over = command.over, program.length = command.length, program.tolerance = command.tolerance;
+  return add_force(session, change, std::move(program));
+}
+
+Status perform(Session& session, Change& change, const SetForceKey& command) {
+  return with_program(session, change, command.section, command.from_start, [&](ForceProgram& program) -> Status {
+    if (ForceKey* const key = key_at(program, command.channel, command.at)) key->value = command.value;
+    else put_key(program, command.channel, {command.at, command.value});
+    return {};
+  });
+}
+
+Status perform(Session& session, Change& change, const MoveForceKey& command) {
+  return with_program(session, change, command.section, command.from_start, [&](ForceProgram& program) -> Status {
+    const ForceKey* const key = key_at(program, command.channel, command.at);
+    if (key == nullptr) return no_key(program, command.channel, command.at);
+    ForceKey moved = *key;
+    std::vector<ForceKey>& keys = program.keys(command.channel);
+    keys.erase(keys.begin() + (key - keys.data()));
+    moved.at = command.to, moved.value = command.value;
+    put_key(program, command.channel, moved);
+    return {};
+  });
+}
+
+Status perform(Session& session, Change& change, const RemoveForceKey& command) {
+  return with_program(session, change, command.section, command.from_start, [&](ForceProgram& program) -> Status {
+    const ForceKey* const key = key_at(program, command.channel, command.at);
+    if (key == nullptr) return no_key(program, command.channel, command.at);
+    std::vector<ForceKey>& keys = program.keys(command.channel);
+    keys.erase(keys.begin() + (key - keys.data()));
+    return {};
+  });
+}
+
+Status perform(Session& session, Change& change, const ShapeForceKey& command) {
+  return with_program(session, change, command.section, command.from_start, [&](ForceProgram& program) -> Status {
+    ForceKey* const key = key_at(program, command.channel, command.at);
+    if (key == nullptr) return no_key(program, command.channel, command.at);
+    key->slope = command.slope, key->before = command.before, key->after = command.after;
+    return {};
+  });
+}
+
+Status perform(Session& session, Change& change, const SetForceLength& command) {
+  return with_program(session, change, command.section, command.from_start, [&](ForceProgram& program) -> Status {
+    program.length = command.to;
+    return {};
+  });
+}
+
+Status perform(Session& session, Change& change, const SetForceTolerance& command) {
+  return with_program(session, change, command.section, false, [&](ForceProgram& program) -> Status {
+    program.tolerance = command.to;
+    return {};
+  });
+}
+
+Status perform(Session& session, Change& change, const SetForceOver& command) {
+  return with_program(session, change, command.section, false, [&](ForceProgram& program) -> Status {
+    if (program.over == command.to) return {};
+    const world::SectionRun run = world::run_of(session.document, world::find(session.document, command.section.name));
+    const sim::ForcePlan& plan = session.findings.memory.forces.plan(
+        sim::force_task(session.document, sim::start_of(session.document, run), program));
+    if (!plan.refusal.empty()) return refused(plan.refusal);
+    program = sim::over_other_axis(plan);
+    return {};
+  });
+}
+
+}  // namespace coaster::edit

@@ -1,0 +1,134 @@
+#include "edit/perform/force_replan.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "curve/continuity.h"
+#include "curve/frames.h"
+#include "edit/perform/replan.h"
+#include "world/topology.h"
+
+namespace coaster::edit {
+namespace {
+
+using base::Status;
+using glm::dvec3;
+using world::Document;
+using world::Entity;
+using world::Knot;
+using world::SectionKind;
+using world::SectionRun;
+
+// What track that follows a section has in common with its end, besides the knot's frame.
+struct BendAndSpin {
+  dvec3 curvature;  // 1/m
+  double spin;      // rad/m
+};
+BendAndSpin bend_and_spin(const Document& document, const SectionRun& run) {
+  const Knot& knot = nth_knot(document, run.end());
+  const curve::Cubic cubic = world::cubic_of(document, document.track.segments[run.end() - 1]);
+  return {curve::across(curve::curvature_vector(cubic, 1.0), glm::normalize(dvec3(knot.tangent))), knot.spin};
+}
+
+bool alike(const BendAndSpin& a, const BendAndSpin& b, const sim::Carry& carry) {
+  constexpr double kBend = 5e-5, kSpin = 1e-4;  // 1/m, rad/m
+  return glm::distance(carry.direction(a.curvature), b.curvature) <= kBend && std::abs(a.spin - b.spin) <= kSpin;
+}
+
+// Returns the section that begins where a run ends; none at the end of an open track.
+Entity section_after(const Document& document, const SectionRun& run) {
+  const std::vector<Entity>& segments = document.track.segments;
+  if (!document.track.closed && run.end() == segments.size()) return world::kNone;
+  return world::segment(document, segments[run.end() % segments.size()]).section;
+}
+
+// Gives the section the fit's shape and its last knot the fit's spin; what follows is where it was.
+void put_end(Document& document, const SectionRun& run, const sim::ElementFit& fit) {
+  reshape(document, run.section, fit, SectionEnd::moves);
+  const std::size_t end = world::run_of(document, run.section).end();
+  const auto& knots = document.track.knots;
+  document.entities.get<Knot>(knots[end % knots.size()]).spin = fit.knots.back().spin;
+}
+
+}  // namespace
+
+Status put_and_follow(Session& session, Change& change, Document& document, const SectionRun& run,
+                      const sim::ElementFit& fit) {
+  const Entity next = section_after(document, run);
+  const auto home = world::completing(document, run.end());
+  if (home && home->first == run.end()) return put_end(document, run, fit), Status{};
+  const SectionKind kind = next.valid() ? world::section(document, next).kind : SectionKind::free;
+  if (kind != SectionKind::element && kind != SectionKind::force) return put_in_place(document, run, fit);
+  const BendAndSpin before = bend_and_spin(document, run);
+  const base::Result<sim::Carry> carry = sim::carry_between(nth_knot(document, run.end()), fit.knots.back());
+  Document moved = document;
+  put_end(document, run, fit);
+  if (carry && alike(before, bend_and_spin(document, world::run_of(document, run.section)), *carry)) {
+    document = std::move(moved);
+    return put_in_place(document, run, fit);
+  }
+  change.planned.push_back(next);
+  return kind == SectionKind::element
+             ? replan(session, change, document, next, world::section(document, next).element, Following::planned)
+             : replan_force(session, change, document, next);
+}
+
+Status replan_force(Session& session, Change& change, Document& document, Entity section) {
+  const SectionRun run = world::run_of(document, section);
+  const sim::ForceTask task =
+      sim::force_task(document, sim::start_of(document, run), world::section(document, section).force);
+  const sim::ForcePlan& plan = session.findings.memory.forces.plan(task);
+  if (!plan.refusal.empty()) return refused(plan.refusal);
+  if (const Status room = room_for_spans(session, document, run, plan.spans()); !room) return room;
+  if (const std::string stopped = sim::stop_text(plan); !stopped.empty()) change.clamped.push_back(stopped + ".");
+  const sim::ElementFit fit = plan.fit.spans;  // the memory may move while what follows is planned
+  return put_and_follow(session, change, document, run, fit);
+}
+
+std::optional<double> speed_at(Session& session, double distance) {
+  const Document& document = session.document;
+  if (document.track.segments.empty()) return document.start_speed;
+  const sim::Ghost* const ride =
+      session.findings.memory.rides.ride(document, session.derived, world::first_cart(document));
+  if (ride == nullptr) return std::nullopt;
+  const auto found = sim::passing(*ride, distance);
+  return found ? std::optional(found->speed) : std::nullopt;
+}
+
+bool follow_speeds(Session& session, Change& change) {
+  constexpr double kSame = 0.002;  // m/s
+  std::vector<Entity> sections;
+  const auto& all = session.document.entities.pool<world::Section>();
+  if (std::none_of(all.items().begin(), all.items().end(),
+                   [](const world::Section& s) { return s.kind == SectionKind::force; }))
+    return false;
+  for (const SectionRun& run : world::sections_of(session.document)) sections.push_back(run.section);
+  bool changed = false;
+  for (const Entity section : sections) {
+    const world::Section& value = world::section(session.document, section);
+    if (value.kind != SectionKind::force) continue;
+    const SectionRun run = world::run_of(session.document, section);
+    world::ForceProgram program = value.force;
+    const std::optional<double> speed = speed_at(session, session.derived.starts[run.first]);
+    if (speed && !(std::abs(*speed - program.speed) <= kSame)) program.speed = *speed;
+    const sim::ForceTask task = sim::force_task(session.document, sim::start_of(session.document, run), program);
+    if (session.findings.memory.forces.has(task)) continue;
+    Document next = session.document;
+    next.entities.get<world::Section>(section).force = program;
+    Status status = replan_force(session, change, next, section);
+    const bool differs = !(next == session.document);
+    if (status && differs) status = adopt(session, change, session.document, std::move(next));
+    if (!status) {
+      change.clamped.push_back(fmt::format("{} keeps its shape: {}.", world::title_of(value), status.message));
+    } else if (differs) {
+      changed = true;
+      world::settle_joints(session.document);
+      derive(session);
+    }
+  }
+  return changed;
+}
+
+}  // namespace coaster::edit

@@ -1,0 +1,134 @@
+// Queries of force sections: what was asked for, and what the first train's riders feel in its ride over the present
+// track.
+#include <array>
+#include <cmath>
+
+#include "base/portable_math.h"
+#include "query/rows.h"
+#include "world/sections.h"
+
+namespace coaster::query {
+namespace {
+
+// Returns the value of `function` for the plan of the force section that the argument names.
+template <class Function>
+Answer of_plan(const Context& c, View argument, Function function) {
+  const auto section = entity_of(c, argument, world::Kind::section);
+  if (!section) return section.status();
+  const sim::ForcePlan* const plan = c.find.force(*section);
+  if (plan != nullptr) return function(*plan);
+  return base::Status{base::Code::usage, fmt::format("{} is no force section", base::quoted(argument))};
+}
+
+// A place of a channel: "@q3.vertical/40".
+struct ForcePlace {
+  View section;
+  world::ForceChannel channel{};
+  double at = 0;
+};
+base::Result<ForcePlace> force_place(View word) {
+  const std::size_t dot = std::min(word.find('.'), word.size()), slash = std::min(word.find('/', dot), word.size());
+  const auto channel = enumerator<world::ForceChannel>(word.substr(std::min(dot + 1, word.size()), slash - dot - 1));
+  const auto at = base::parse_double(word.substr(std::min(slash + 1, word.size())));
+  if (dot < word.size() && slash < word.size() && channel && at) return ForcePlace{word.substr(0, dot), *channel, *at};
+  return base::Status{base::Code::usage, fmt::format("expected @SECTION.CHANNEL/PLACE with the channel {}, found {}",
+                                                     base::alternatives_of<world::ForceChannel>(), base::quoted(word))};
+}
+
+// Returns a value of the plan's points at a place: linear between them.
+double asked_at(const sim::ForcePlan& plan, const ForcePlace& spot) {
+  const auto value = [&](std::size_t i) {
+    const sim::ForcePoint& point = plan.path.points[i];
+    return spot.channel == world::ForceChannel::vertical  ? point.up
+           : spot.channel == world::ForceChannel::lateral ? point.side
+                                                          : point.roll;
+  };
+  return sim::between_points(plan, spot.at, value);
+}
+
+double met_at(const Context& c, const sim::ForcePlan& plan, const ForcePlace& spot, double start) {
+  const edit::Findings& found = c.find(edit::Want::ride);
+  const auto length = [&](std::size_t i) { return plan.path.curve.points[i].s; };
+  const double place = start + sim::between_points(plan, spot.at, length);
+  const auto passing = found.ride != nullptr ? sim::passing(*found.ride, place) : std::nullopt;
+  if (!passing) return 0;
+  std::size_t index = 0;
+  const double s = found.tables->locate(place, index), g = world::kGravity;
+  if (spot.channel == world::ForceChannel::roll) {
+    const double spin = base::degrees(c.session.derived.shape_at(index).roll.spin(s));
+    return plan.task.program.over == world::ForceOver::distance ? spin : spin * passing->speed;
+  }
+  const glm::vec3 felt = sim::felt_at(found.tables->segment(index), s, static_cast<float>(passing->along / g),
+                                      static_cast<float>(passing->speed * passing->speed / g));
+  return double{spot.channel == world::ForceChannel::vertical ? felt.z : felt.y};
+}
+
+Answer force_asked(const Context& c, View word) {
+  const auto spot = force_place(word);
+  if (!spot) return spot.status();
+  return of_plan(c, spot->section, [&](const sim::ForcePlan& plan) { return number(asked_at(plan, *spot)); });
+}
+Answer force_met(const Context& c, View word) {
+  const auto spot = force_place(word);
+  if (!spot) return spot.status();
+  return of_plan(c, spot->section, [&](const sim::ForcePlan& plan) {
+    const auto section = entity_of(c, spot->section, world::Kind::section);
+    const world::SectionRun run = world::run_of(c.session.document, *section);
+    return number(met_at(c, plan, *spot, c.session.derived.starts[run.first]));
+  });
+}
+Answer force_keys(const Context& c, View word) {
+  const std::size_t dot = std::min(word.find('.'), word.size());
+  const auto channel = enumerator<world::ForceChannel>(word.substr(std::min(dot + 1, word.size())));
+  if (!channel) return channel.status();
+  return of_plan(c, word.substr(0, dot),
+                 [&](const sim::ForcePlan& plan) { return number(plan.task.program.keys(*channel).size()); });
+}
+template <auto... path>
+Answer of_program(const Context& c, View word) {
+  return of_plan(c, word, [](const sim::ForcePlan& plan) { return value_of(member_at(plan.task.program, path...)); });
+}
+template <auto... path>
+Answer of_force(const Context& c, View word) {
+  return of_plan(c, word, [](const sim::ForcePlan& plan) { return value_of(member_at(plan, path...)); });
+}
+Answer force_stopped(const Context& c, View word) {
+  return of_plan(c, word, [](const sim::ForcePlan& plan) {
+    const std::string text_of = sim::stop_text(plan);
+    return text(text_of.empty() ? "none" : View(text_of));
+  });
+}
+
+constexpr std::array kForceRows{
+    Query{"force.asked", "@section.CHANNEL/PLACE", "",
+          "What a force section asks for at a place (m or s from its start), such as @q3.vertical/40: vertical or "
+          "lateral g, or roll in degrees per metre or second, with the ramp at its start.",
+          force_asked},
+    Query{"force.met", "@section.CHANNEL/PLACE", "",
+          "What the riders of the first car feel there; 0 where the ride does not get.", force_met},
+    Query{"force.keys", "@section.CHANNEL", "", "Number of keys of a channel.", force_keys},
+    Query{"force.over", "@section", "", "What the keys count in: distance or time.",
+          of_program<&world::ForceProgram::over>},
+    Query{"force.length", "@section", "", "The length that a force section asks for, m or s.",
+          of_program<&world::ForceProgram::length>},
+    Query{"force.tolerance", "@section", "g", "How far what riders feel may be from the keys.",
+          of_program<&world::ForceProgram::tolerance>},
+    Query{"force.speed", "@section", "m/s", "The speed at its start that a force section was planned for.",
+          of_program<&world::ForceProgram::speed>},
+    Query{"force.error", "@section", "g",
+          "Largest difference between what riders feel on its spans and what was asked for, vertical or lateral.",
+          of_force<&sim::ForcePlan::fit, &sim::ForceFit::felt_error>},
+    Query{"force.shape_error", "@section", "m", "Largest distance of its spans from the path with those forces.",
+          of_force<&sim::ForcePlan::fit, &sim::ForceFit::spans, &sim::ElementFit::error>},
+    Query{"force.ramp", "@section", "",
+          "Length of the ramp at its start from what is felt there to what the keys say, m or s.",
+          of_force<&sim::ForcePlan::path, &sim::ForcePath::ramp>},
+    Query{"force.stopped", "@section", "", "Why a force section is shorter than it asks for; none if it is not.",
+          force_stopped},
+};
+
+}  // namespace
+
+std::span<const Query> force_rows() { return kForceRows; }
+
+}  // namespace coaster::query

@@ -1,0 +1,265 @@
+// Force sections in a session: their commands (force.cpp), and planning them again.
+#include "edit/perform/force_replan.h"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include "curve/continuity.h"
+#include "edit/commands/commands_force.h"
+#include "edit/session_fixture.h"
+#include "world/sections.h"
+
+namespace coaster::edit {
+namespace force_replan_test {
+
+using world::ForceChannel;
+
+class Forces : public test::SessionTest {
+ protected:
+  Forces() : SessionTest(world::Document{}) {}
+
+  // A drop from 35 m, so that the train comes with some 24 m/s, and a force section of 60 m.
+  void drop_and_force() {
+    for (const char* const line : {"start_speed 5", "element climb height 32 equipment lift speed 5",
+                                   "element straight length 8", "element dive height 28", "force.add length 60"})
+      good(line);
+    section = world::label_of(session.document, last());
+  }
+  world::Entity last() const {
+    return world::segment(session.document, session.document.track.segments.back()).section;
+  }
+  const world::Section& value() { return world::section(session.document, entity(section.c_str())); }
+  const world::ForceProgram& program() { return value().force; }
+  const sim::ForcePlan& plan() { return *force_plan(session, entity(section.c_str())); }
+  void key(const std::string& words) { good("force @" + section + " " + words); }
+  // Largest difference between what the plan asks for and what the first train's riders feel in the simulated ride.
+  double missed() {
+    const sim::Ghost& ride = *find(session, Want::ride).ride;
+    const sim::RailTables& tables = *session.findings.tables;
+    const sim::ForcePlan& planned = plan();
+    const double start = session.derived.starts[world::run_of(session.document, entity(section.c_str())).first];
+    double most = 0;
+    std::size_t index = 0;
+    for (std::size_t i = 0; i + 1 < planned.path.points.size(); ++i) {
+      const double place = start + planned.path.curve.points[i].s;
+      const auto passing = sim::passing(ride, place);
+      if (!passing) return 1e9;
+      const double s = tables.locate(place, index);
+      const glm::vec3 felt =
+          sim::felt_at(tables.segment(index), s, static_cast<float>(passing->along / world::kGravity),
+                       static_cast<float>(passing->speed * passing->speed / world::kGravity));
+      most = std::max(
+          {most, std::abs(felt.z - planned.path.points[i].up), std::abs(felt.y - planned.path.points[i].side)});
+    }
+    return most;
+  }
+  void expect_g2() {
+    for (std::size_t i = 1; i < session.derived.order.size(); ++i) {
+      const curve::Joint joint =
+          curve::joint(session.derived.shape_at(i - 1).key.cubic, session.derived.shape_at(i).key.cubic);
+      EXPECT_EQ(joint.geometric, curve::Geometric::g2) << "knot " << i << " jumps by " << joint.curvature_jump;
+    }
+  }
+
+  std::string section;
+};
+
+TEST_F(Forces, keys_shape_the_track_and_the_simulated_ride_feels_them) {
+  drop_and_force();
+  EXPECT_GT(program().speed, 20);
+  key("vertical key 1 at 0"), key("vertical key 3 at 20"), key("vertical key 0.2 at 45"), key("lateral key 0.4 at 30");
+  key("lateral key 0 at 5"), key("roll key 2 at 30"), key("roll key 0 at 10"), key("roll key 0 at 50");
+  EXPECT_EQ(program().keys(ForceChannel::vertical).size(), 3u);
+  EXPECT_TRUE(plan().fit.within);
+  EXPECT_LT(missed(), 0.06);
+  expect_g2();
+  good("force.handle @" + section + " vertical at 20 slope 0.05 before 6 after 3");
+  EXPECT_LT(missed(), 0.06) << plan().fit.felt_error << " at " << plan().fit.felt_at << " of " << plan().length;
+  good("force.move @" + section + " vertical at 20 to 23 key 2.5");
+  EXPECT_EQ(program().keys(ForceChannel::vertical)[1], (world::ForceKey{23, 2.5, 0.05, 6, 3}));
+  good("force.remove @" + section + " vertical at 45");
+  good("force.length @" + section + " to 70");
+  EXPECT_NEAR(plan().length, 70, 1e-6);
+  good("force.tolerance @" + section + " to 0.3");
+  const std::size_t spans = world::run_of(session.document, entity(section.c_str())).count;
+  good("force.tolerance @" + section + " to 0.03");
+  EXPECT_GT(world::run_of(session.document, entity(section.c_str())).count, spans);
+  EXPECT_LT(missed(), 0.04);
+  expect_g2();
+}
+
+TEST_F(Forces, each_command_is_one_step_of_undo_and_no_change_is_none) {
+  drop_and_force();
+  const world::Document placed = session.document;
+  key("vertical key 2 at 25");
+  const world::Document with_key = session.document;
+  const std::size_t steps = session.history.undo.size();
+  key("vertical key 2 at 25");
+  good("force.length @" + section + " to 60");
+  good("section.title @" + section + " to \"\"");
+  EXPECT_EQ(session.history.undo.size(), steps) << "nothing changed";
+  good("undo");
+  EXPECT_TRUE(session.document == placed);
+  good("redo");
+  EXPECT_TRUE(session.document == with_key);
+  good("section.title @" + section + " to \"Hop\"");
+  EXPECT_EQ(value().kind, world::SectionKind::force);
+}
+
+TEST_F(Forces, a_drag_changes_the_keys_that_it_began_with) {
+  drop_and_force();
+  key("vertical key 2 at 25");
+  const world::Document before = session.document;
+  good("gesture.begin");
+  for (const char* const to : {"26 key 2.2", "28 key 2.6", "30 key 3"})
+    good("force.move @" + section + " from_start on vertical at 25 to " + to);
+  good("gesture.end");
+  EXPECT_EQ(program().keys(ForceChannel::vertical).size(), 1u);
+  EXPECT_EQ(program().keys(ForceChannel::vertical)[0].at, 30);
+  good("undo");
+  EXPECT_TRUE(session.document == before);
+}
+
+TEST_F(Forces, a_change_of_speed_plans_it_again) {
+  drop_and_force();
+  key("vertical key 1 at 0"), key("vertical key 3 at 20"), key("vertical key 1 at 45");
+  const double slow = program().speed;
+  for (const char* const change :
+       {"section.equip @q1 as lift speed 8", "losses rolling 0.03 drag 0.0001", "section.change @q1 to climb height 36 equipment lift speed 6",
+        "section.equip @q3 as launch speed 30 acceleration 12"}) {
+    const world::Document before = session.document;
+    const double speed = program().speed;
+    const std::size_t steps = session.history.undo.size();
+    good(change);
+    EXPECT_NE(program().speed, speed) << change;
+    EXPECT_EQ(value().kind, world::SectionKind::force) << change;
+    EXPECT_LT(missed(), 0.06) << change;
+    expect_g2();
+    EXPECT_EQ(session.history.undo.size(), steps + 1) << change;
+    good("undo");
+    EXPECT_TRUE(session.document == before) << change;
+    good("redo");
+  }
+  EXPECT_GT(program().speed, slow);
+  // A loaded track is planned again to the bit: nothing changes.
+  const auto loaded = exchange::parse_track(exchange::print_track(session.document), "text");
+  ASSERT_TRUE(loaded) << loaded.status().message;
+  const std::uint64_t hash_before = world::hash(session.document);
+  start_on(loaded->document);
+  session.findings.memory.forces = {};
+  good("section.title @" + section + " to \"Same\"");
+  good("section.title @" + section + " to \"\"");
+  EXPECT_EQ(world::hash(session.document), hash_before);
+}
+
+TEST_F(Forces, planned_sections_behind_follow_an_end_that_turns) {
+  drop_and_force();
+  key("vertical key 1.6 at 30");
+  good("element curve left radius 40 angle 60");
+  good("element straight length 20");
+  const float height = knot(session.document.last_number[0]).position.y;
+  key("vertical key 1.9 at 30");
+  expect_g2();
+  EXPECT_NE(knot(session.document.last_number[0]).position.y, height);
+  for (const world::SectionRun& run : world::sections_of(session.document))
+    EXPECT_NE(world::section(session.document, run.section).kind, world::SectionKind::free);
+}
+
+TEST_F(Forces, hand_shaped_track_behind_is_kept_or_the_change_is_refused) {
+  drop_and_force();
+  good("element straight length 20");
+  const std::uint32_t end = session.document.last_number[0];
+  good(fmt::format("move @k{} to {} {} {}", end, knot(end).position.x + 2, knot(end).position.y + 1,
+                   knot(end).position.z));
+  ASSERT_EQ(world::section(session.document, last()).kind, world::SectionKind::free);
+  refused("force @" + section + " vertical key 2 at 30", "degrees further up than what follows begins");
+}
+
+TEST_F(Forces, bad_values_are_refused_with_a_clear_word) {
+  drop_and_force();
+  const auto on = [&](const std::string& name, const std::string& rest) { return name + " @" + section + " " + rest; };
+  refused(on("force", "vertical key 20 at 10"), "has the value 20 g, expected -10 to 10");
+  refused(on("force", "vertical key 2 at 2000"), "expected 0 to 1000");
+  SetForceKey nan{Target{*world::parse_name(section)}, false, ForceChannel::lateral, std::nan(""), 10};
+  refused(Command{nan}, "has the value nan g");
+  std::swap(nan.value, nan.at);
+  refused(Command{nan}, "is at nan m");
+  key("vertical key 2 at 10");
+  refused(on("force", "vertical key 3 at 10.5"), "two keys within 1 m at 10.5 m");
+  refused(on("force.move", "vertical at 11 to 12 key 1"), "has no key at 11 m");
+  refused(on("force.remove", "lateral at 10"), "has no key at 10 m");
+  refused(on("force.length", "to 0"), "the length is 0 m, expected 3 to 1000");
+  refused(on("force.length", "to 10000"), "the length is 10000 m");
+  refused(on("force.tolerance", "to 0.001"), "the tolerance is 0.001 g");
+  refused("force @q1 vertical key 1 at 1", "@q1 is no force section");
+  refused("force @q99 vertical key 1 at 1", "there is no section @q99");
+  refused("force.add over time length 500", "the length is 500 s");
+}
+
+TEST_F(Forces, track_is_planned_up_to_the_place_where_it_must_stop) {
+  drop_and_force();
+  key("vertical key -1 at 20");
+  EXPECT_LT(plan().length, 59);
+  EXPECT_NE(session.notices.list.back().text.find("m: the track would run into the ground there"), std::string::npos)
+      << session.notices.list.back().text;
+  EXPECT_EQ(program().length, 60) << "nothing is lost";
+  key("vertical key 1.2 at 20");
+  EXPECT_NEAR(plan().length, 60, 1e-6);
+  start_on(world::Document{});
+  refused("force.add", "the train is at 1.0 m/s there, and a force section needs 3 m/s");
+}
+
+TEST_F(Forces, keys_keep_their_places_over_the_other_axis) {
+  drop_and_force();
+  key("vertical key 1 at 0"), key("vertical key 2 at 20"), key("vertical key 0.8 at 45"), key("roll key 1.5 at 25");
+  key("roll key 0 at 8"), key("roll key 0 at 50");
+  const glm::dvec3 end = plan().path.curve.points.back().position;
+  good("force.over @" + section + " to time");
+  EXPECT_EQ(program().over, world::ForceOver::time);
+  EXPECT_LT(glm::distance(plan().path.curve.points.back().position, end), 1.0);
+  good("force.over @" + section + " to distance");
+  EXPECT_NEAR(program().keys(ForceChannel::vertical)[1].at, 20, 0.2);
+}
+
+TEST_F(Forces, copies_mirrors_and_files_keep_their_keys) {
+  drop_and_force();
+  key("vertical key 1.2 at 20"), key("lateral key 0.5 at 30"), key("roll key 1 at 30"), key("roll key 0 at 50");
+  key("vertical key 1 at 0"), key("vertical key 1 at 40");
+  const world::ForceProgram before = program();
+  good("section.mirror @" + section);
+  EXPECT_EQ(program().keys(ForceChannel::lateral)[0].value, -0.5);
+  EXPECT_LT(missed(), 0.06);
+  good("section.mirror @" + section);
+  EXPECT_EQ(program(), before);
+  good("section.copy @" + section);
+  good("section.paste");
+  section = world::label_of(session.document, last());
+  EXPECT_EQ(value().kind, world::SectionKind::force);
+  EXPECT_EQ(program().channels, before.channels);
+  EXPECT_NE(program().speed, before.speed) << "of the train there";
+  EXPECT_LT(missed(), 0.06);
+  const auto loaded = exchange::parse_track(exchange::print_track(session.document), "text");
+  ASSERT_TRUE(loaded) << loaded.status().message;
+  EXPECT_EQ(world::hash(loaded->document), hash());
+  EXPECT_EQ(exchange::print_track(loaded->document), exchange::print_track(session.document));
+}
+
+TEST_F(Forces, a_circuit_with_one_stays_closed_when_its_speed_changes) {
+  for (const char* const line :
+       {"start_speed 5", "element straight length 30", "element climb height 30 equipment lift speed 5",
+        "element dive height 20", "force.add length 40"})
+    good(line);
+  section = world::label_of(session.document, last());
+  key("vertical key 1 at 0"), key("vertical key 1.8 at 15"), key("vertical key 0.9 at 32");
+  good("complete 1");
+  ASSERT_TRUE(session.document.track.closed);
+  const double speed = program().speed;
+  good("section.equip @q2 as lift speed 8");
+  EXPECT_NE(program().speed, speed);
+  EXPECT_TRUE(session.document.track.closed);
+  expect_g2();
+  EXPECT_LT(missed(), 0.06);
+}
+
+}  // namespace force_replan_test
+}  // namespace coaster::edit
