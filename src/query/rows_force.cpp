@@ -10,14 +10,13 @@
 namespace coaster::query {
 namespace {
 
-// Returns the value of `function` for the plan of the force section that the argument names.
+// Returns the value of `function` for the plan of the force section that the argument names; "none" for others.
 template <class Function>
 Answer of_plan(const Context& c, View argument, Function function) {
   const auto section = entity_of(c, argument, world::Kind::section);
   if (!section) return section.status();
   const sim::ForcePlan* const plan = c.find.force(*section);
-  if (plan != nullptr) return function(*plan);
-  return base::Status{base::Code::usage, fmt::format("{} is no force section", base::quoted(argument))};
+  return plan != nullptr ? function(*plan) : Answer(text("none"));
 }
 
 // A place of a channel: "@q3.vertical/40".

@@ -42,6 +42,8 @@ std::string_view sample_argument(const Query& query) {
   if (query.argument == "@cart") return "@c1";
   if (query.argument == "@section") return "@q1";
   if (query.argument == "@section.PARAMETER") return "@q1.height";
+  if (query.argument == "@section.CHANNEL") return "@q1.vertical";
+  if (query.argument == "@section.CHANNEL/PLACE") return "@q1.vertical/4";
   if (query.argument == kOfMeasurements) return "horner/64";
   if (query.argument == "DISTANCE[/SEAT]") return "7.5/back";
   // "document|motion": one of the words.

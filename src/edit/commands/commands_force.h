@@ -23,7 +23,7 @@ struct SetForceKey {
   COASTER_COMMAND(SetForceKey, "force",
                   "Set what riders shall feel at a place of a force section (g, or degrees per metre or second), e.g. "
                   "force @q3 vertical key 2.5 at 40.",
-                  Effect::document, "Set {channel} of {} at {at}");
+                  Effect::document, "Set a key of {} at {at}");
   COASTER_FIELDS(visit("", self.section), visit("from_start?", self.from_start), visit("", self.channel),
                  visit("key", self.value), visit("at", self.at))
 };
@@ -81,7 +81,7 @@ struct SetForceOver {
   world::ForceOver to{};
   COASTER_COMMAND(SetForceOver, "force.over",
                   "Let the keys of a force section count in metres or in seconds; they stay at their places.",
-                  Effect::document, "Set the keys of {} over {to}");
+                  Effect::document, "Counted the keys of {} over {to}");
   COASTER_FIELDS(visit("", self.section), visit("to", self.to))
 };
 
