@@ -31,9 +31,10 @@ class ForceRows : public test::SessionTest {
 };
 
 TEST_F(ForceRows, tell_what_is_asked_for_and_what_is_felt) {
+  good("force.length @q4 to 54");
   EXPECT_EQ(ask("section.kind", "@q4"), "force");
   EXPECT_EQ(ask("force.over", "@q4"), "distance");
-  EXPECT_EQ(ask("force.length", "@q4"), "60");
+  EXPECT_EQ(ask("force.length", "@q4"), "54");
   EXPECT_EQ(ask("force.tolerance", "@q4"), "0.05");
   EXPECT_EQ(ask("force.keys", "@q4.vertical"), "3");
   EXPECT_EQ(ask("force.stopped", "@q4"), "none");
