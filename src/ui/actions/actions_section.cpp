@@ -1,6 +1,7 @@
 // Actions of sections, in the menu Edit or, where they have no menu, in the command palette.
 #include <algorithm>
 
+#include "edit/commands/commands_force.h"
 #include "edit/commands/commands_sections.h"
 #include "edit/commands/commands_settings.h"
 #include "ui/actions/actions_parts.h"
@@ -100,9 +101,17 @@ void edit_values(Act& act) {
                                                               : "Inspector";
 }
 
+constexpr Condition kOpenTrack{[](const Act& act) {
+                                 const world::Track& track = act.ui.session().document.track;
+                                 return !track.closed && !track.segments.empty();
+                               },
+                               "Only an open track with a segment can be continued."};
+
 constexpr Action kSectionActions[] = {
     {"Edit values", "Edit", key(Key::p), 0,
      "Type the first value of the chosen element or the selection. Tab: the next.", edit_values, kHasValues},
+    {"Add force section", "Edit", kNoKey, 0, "Add a section at the open end whose forces you draw in the force graph.",
+     emit<edit::AddForce>, kOpenTrack},
     {"Select section", "Edit", ctrl_shift(Key::a), 0, "Select the section of the track under the cursor.",
      select_section, kInSection},
     {"Next section", "Edit", key(Key::page_down), kRepeats, "Select the next section of the track.", step<true, false>,

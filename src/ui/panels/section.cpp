@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "edit/commands/commands_force.h"
 #include "edit/commands/commands_sections.h"
 #include "ui/context/rows.h"
 #include "ui/panels/element_fields.h"
@@ -63,6 +64,27 @@ void section_parameters(Ui& ui, const Chosen& chosen) {
   const ElementRows rows{.shown = [&](std::string_view name) { return is_shared(chosen, name); },
                          .below = [&](std::string_view name) { refusal_below(ui, chosen, name); }};
   if (const auto changed = element_fields(ui, element, rows)) change_sections(ui, chosen, *changed, element);
+}
+
+// Its keys are in the force graph.
+void force_parameters(Ui& ui, const Chosen& chosen) {
+  const world::ForceProgram& program = chosen.section().force;
+  const Number length{.value = program.length,
+                      .unit = world::unit_of(program.over).data(),
+                      .low = world::shortest_of(program.over),
+                      .high = world::longest_of(program.over)};
+  if (const auto to = number(ui, "Asked length", length, "Length that the keys count in."))
+    ui.emit(edit::SetForceLength{{chosen.name()}, true, *to});
+  const Number tolerance{.value = program.tolerance,
+                         .unit = "g",
+                         .step = 0.002,
+                         .low = world::kLeastTolerance,
+                         .high = world::kMostTolerance};
+  if (const auto to =
+          number(ui, "Tolerance", tolerance, "How far what riders feel may be from the keys. Less needs more knots."))
+    ui.emit(edit::SetForceTolerance{{chosen.name()}, *to});
+  if (const auto to = combo_of(ui, "Keys over", program.over, "What the keys count in. They stay at their places."))
+    ui.emit(edit::SetForceOver{{chosen.name()}, *to});
 }
 
 void section_equipment(Ui& ui, const Chosen& chosen) {
@@ -165,6 +187,7 @@ void section_panel(Ui& ui) {
              "A change applies to all of them. The values are those of the one selected last.");
   }
   section_parameters(ui, chosen);
+  if (chosen.single() && chosen.section().kind == world::SectionKind::force) force_parameters(ui, chosen);
   section_equipment(ui, chosen);
   section_buttons(ui, chosen);
   if (chosen.single()) section_figures_rows(ui, chosen);
