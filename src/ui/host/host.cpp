@@ -19,6 +19,7 @@
 #include "ui/host/imgui_input.h"
 #include "ui/host/imgui_renderer.h"
 #include "ui/lab/cache.h"
+#include "ui/lab/force_keys.h"
 #include "ui/screens/dialogs.h"
 #include "ui/screens/overlays.h"
 #include "ui/screens/start_screen.h"
@@ -152,7 +153,8 @@ void Host::Parts::lay_out(Ui& ui, const platform::Events& events, int width, int
   const bool typing = text_has_keyboard(), asking = dialogs.open() || start.open();
   take_files(ui, events);
   Act act{ui, tool, layout.scene, hovered, palette};
-  if (!typing && !asking) tool.transform().active() ? run_transform_keys(act, events) : run_keys(act, events);
+  if (!typing && !asking)
+    tool.transform().active() ? run_transform_keys(act, events) : run_keys(act, without_force_keys(ui, events));
   take_want(ui);
   fly_keys.fly(ui, events, typing || asking || dialogs.open());
   gamepad.work(act, events, asking || dialogs.open());

@@ -13,6 +13,7 @@
 #include "sim/study/rounding.h"
 #include "ui/lab/page_parts.h"
 #include "ui/lab/ride_plots.h"
+#include "world/force.h"
 
 namespace coaster::ui {
 
@@ -58,6 +59,19 @@ struct TrackLengths {
   std::size_t next = 0;
 };
 
+// Which key of a force section is edited in the force graph, and how the mouse holds it.
+struct ForceKeys {
+  world::Name section;  // the choices are about this one
+  world::ForceChannel channel = world::ForceChannel::vertical;
+  std::optional<std::size_t> key;  // chosen
+  std::optional<double> inserted;  // place of a key that is chosen as soon as it is there
+  int side = 0;                    // held: the key, below 0 its handle before it, above 0 the one after it
+  bool gesture = false;
+  world::ForceKey from;                             // when it was taken
+  std::array<double, 4> axes{};                     // m, m, and the values at both ends, while it is held
+  std::vector<double> place, asked, actual, knobs;  // what the plot shows
+};
+
 struct LabCache {
   int degree = 3;  // of the basis shown
   base::Kept<int, BasisStudy> basis;
@@ -84,6 +98,7 @@ struct LabCache {
   std::array<sim::RideValue, 2> force_plots{sim::RideValue::vertical, sim::RideValue::speed};
   bool forces_over_time = false;
   std::array<bool, 4> graph_hidden{};  // curves of the force graph
+  ForceKeys keys;
   int red_chosen = -1;
   std::optional<sim::Advice> advice;  // for the chosen overload
   bool advised = false;               // it was asked for

@@ -11,6 +11,7 @@
 
 #include "edit/commands/commands_settings.h"
 #include "ui/lab/cache.h"
+#include "ui/lab/force_keys.h"
 #include "ui/lab/ride_plots.h"
 #include "ui/widgets/theme.h"
 #include "world/look.h"
@@ -83,6 +84,7 @@ void build_force_graph(Ui& ui, const view::Viewport& area) {
   const float bar = std::min(ImGui::GetFrameHeight(), area.height);
   const bool open = area.height > bar + 1;
   const auto plots = RidePlots::make(ui, false);
+  const world::Entity edited = open ? edited_forces(ui) : world::kNone;
   ui.panel = "Forces";
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0, 0));
   ImGui::PushStyleColor(ImGuiCol_WindowBg, colour(palette().raised));
@@ -94,7 +96,8 @@ void build_force_graph(Ui& ui, const view::Viewport& area) {
     ImGui::SameLine(0, 0);
     fold_button(ui, "Sections", "The table of sections.", "Table of sections", bar, true);
     ImGui::SameLine(0, std::floor(16 * ui.scale));
-    for (std::size_t i = 0; i < kValues.size(); ++i)
+    if (edited.valid()) force_channels(ui, bar);
+    for (std::size_t i = 0; !edited.valid() && i < kValues.size(); ++i)
       legend_item(ui, kValues[i], plots ? plots->shown(ui, kValues[i]) : "--", ui.lab.graph_hidden[i], bar);
   }
   ImGui::End();
@@ -103,7 +106,8 @@ void build_force_graph(Ui& ui, const view::Viewport& area) {
   if (open && !ui.drawers.table) {
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(std::floor(6 * ui.scale), 0));
     if (begin_area("##curves", {area.x, area.y + bar}, {area.width, area.height - bar})) {
-      if (plots) curves(ui, *plots);
+      if (edited.valid()) force_plot(ui, edited, plots);
+      else if (plots) curves(ui, *plots);
       else small_note("No ride: it needs a track and a cart. Add a cart in the Track panel.");
     }
     ImGui::End();

@@ -159,6 +159,11 @@ void RidePlots::add_overloads(RideValue value, std::vector<Series>& series) cons
     series.push_back({"over the limit", axis(), study_->beyond[v], kBadColour, SeriesKind::line, 3.0f});
 }
 
+void RidePlots::add_curves(RideValue value, std::string label, std::vector<Series>& series) const {
+  series.push_back(curve(value, std::move(label)));
+  add_overloads(value, series);
+}
+
 void RidePlots::show(Ui& ui, std::string_view label, Plot& picture, std::string_view tooltip) const {
   std::optional<double> pointed;
   picture.cursor = train_;

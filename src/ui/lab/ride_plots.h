@@ -33,6 +33,10 @@ class RidePlots {
   // one at the right.
   void plot_all(Ui& ui, std::span<const sim::RideValue> left, std::span<const sim::RideValue> right,
                 std::string_view label) const;
+  // Adds the curve of a value over the axis, and its stretches beyond the limits.
+  void add_curves(sim::RideValue value, std::string label, std::vector<Series>& series) const;
+  // Draws a picture over the axis with the cursor, and hands on what the mouse does there.
+  void show(Ui& ui, std::string_view label, Plot& picture, std::string_view tooltip) const;
   // The value where the mouse points, else at the train; "--" where neither is.
   std::string shown(const Ui& ui, sim::RideValue value) const;
   // The colour of a value's curve.
@@ -47,8 +51,6 @@ class RidePlots {
   std::string shown_at(const Ui& ui, sim::RideValue value, double x) const;
   Series curve(sim::RideValue value, std::string label) const;
   void add_overloads(sim::RideValue value, std::vector<Series>& series) const;
-  // Draws `picture` with the cursor, and hands on what the mouse does there.
-  void show(Ui& ui, std::string_view label, Plot& picture, std::string_view tooltip) const;
 
   const sim::Ghost* ride_ = nullptr;
   const SeatStudy* study_ = nullptr;

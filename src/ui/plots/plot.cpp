@@ -179,6 +179,7 @@ std::optional<PlotDrag> plot(WidgetFrame& ui, std::string_view label, const Plot
   ImGui::SetCursorScreenPos(area.low);
   ImGui::InvisibleButton("##area", {area.high.x - area.low.x, area.high.y - area.low.y});
   const bool held = ImGui::IsItemActive(), hovered = ImGui::IsItemHovered();
+  const AreaState state{ImGui::GetID("##area"), hovered, held, ImGui::IsItemActivated(), ImGui::IsItemDeactivated()};
   ImGui::PopID();
   ImGui::SetCursorScreenPos(low);
   ImGui::Dummy(size);  // the plot as a whole is what the next item stands beside or below
@@ -191,6 +192,8 @@ std::optional<PlotDrag> plot(WidgetFrame& ui, std::string_view label, const Plot
   if (any && p.mark) draw_mark(list, area, *p.mark);
   if (any && hovered && p.pointed != nullptr) *p.pointed = snapped(area, mouse.x);
   if (any && (hovered || held) && p.pointed == nullptr) draw_readout(list, area, p, mouse);
+  const bool moves_cursor = p.touch == nullptr || touch_knobs(area, p, state);
+  draw_knobs(ui, list, area, p, label);
   list.PopClipRect();
 
   const std::string value = !p.value.empty() ? p.value
@@ -200,11 +203,9 @@ std::optional<PlotDrag> plot(WidgetFrame& ui, std::string_view label, const Plot
   note(ui, label, "plot", any ? "" : tooltip, true, value, area.low, area.high);
   note(ui, fmt::format("{}/axes", label), "label", tooltip, true, axis_title(p.y, area.y_unit), low,
        {high.x, area.low.y});
-  if (!held || !any) return std::nullopt;
-  const double up = (area.high.y - mouse.y) / (area.high.y - area.low.y);
-  const PlotDrag wanted{
-      p.cursor ? snapped(area, mouse.x) : value_at(area.x, (mouse.x - area.low.x) / (area.high.x - area.low.x)),
-      value_at(area.y, up)};
+  if (!held || !any || !moves_cursor) return std::nullopt;
+  PlotDrag wanted = place_under(area, mouse);
+  if (p.cursor) wanted.x = snapped(area, mouse.x);
   const bool moves = p.cursor ? wanted.x != *p.cursor : p.drags_point;
   return moves ? std::optional(wanted) : std::nullopt;
 }

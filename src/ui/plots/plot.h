@@ -40,11 +40,35 @@ struct Spot {
   std::string label;
 };
 
+// A point that the mouse can take hold of.
+struct Knob {
+  double x = 0, y = 0;
+  std::uint32_t colour = 0xFF8A1F;
+  bool chosen = false;  // drawn larger, with a rim
+  bool small = false;   // a handle beside another one
+  std::string value;    // of its widget, "Panel/plot/Knob 1"; empty: none
+};
+
 struct PlotAxis {
   // Drawn as "title (unit)", or the one that is there, in the user's unit; all values are metric.
   std::string title = {}, unit = {};
   AxisScale scale = AxisScale::linear;
   std::optional<double> low = {}, high = {};  // else from the data
+};
+
+// Where the mouse holds a plot, in the units of its axes.
+struct PlotDrag {
+  double x = 0, y = 0;
+};
+
+// What the mouse does with a plot's knobs.
+struct KnobTouch {
+  std::optional<std::size_t> over, held;  // the knob under the mouse, and the one that it holds
+  bool pressed = false;                   // `held` was taken in this frame
+  bool moved = false;                     // and has moved since by more than a click does
+  bool released = false;                  // `held` was let go in this frame
+  bool twice = false;                     // double click, at `at`
+  PlotDrag at = {};                       // the place under the mouse
 };
 
 struct Plot {
@@ -57,17 +81,14 @@ struct Plot {
   std::optional<double> cursor = {};         // a vertical line here; dragging returns a new one
   std::optional<double> mark = {};           // a thin vertical line here
   std::optional<double>* pointed = nullptr;  // receives the x under the mouse, if any; then no read-out is drawn
+  std::span<const Knob> knobs = {};          // over all else
+  KnobTouch* touch = nullptr;                // not null: a cursor is dragged by its line alone
   bool square = false;                       // one metre is as long on both axes: for shapes
   bool drags_point = false;            // without a cursor: returns the place under the mouse while it holds the plot
   std::string_view empty = "no data";  // shown when nothing can be drawn
   std::string value = {};              // of the widget; "" for the cursor's x
   float width = 0, height = 0;         // px; 0: what room is left
   float labels = 0;                    // px, least width of the y axis' labels, so that plots in a column line up
-};
-
-// Where the mouse holds a plot, in the units of its axes.
-struct PlotDrag {
-  double x = 0, y = 0;
 };
 
 // Draws at ImGui's cursor and registers "Panel/label" of kind "plot" over the area of the data, so that a click in its

@@ -28,6 +28,15 @@ void draw_grid(ImDrawList& list, const PlotArea& area, const Plot& plot, ImVec2 
 void draw_series(ImDrawList& list, const PlotArea& area, const Series& series);
 void draw_levels_and_spots(ImDrawList& list, const PlotArea& area, const Plot& plot);
 void draw_legend(ImDrawList& list, const PlotArea& area, const Plot& plot, ImVec2 outer_low);
+// Draws the knobs and registers those with a value; the plot's last item is its area.
+void draw_knobs(WidgetFrame& ui, ImDrawList& list, const PlotArea& area, const Plot& plot, std::string_view label);
+// Fills plot.touch. Returns whether the mouse holds the cursor.
+struct AreaState {
+  unsigned id = 0;
+  bool hovered = false, held = false, activated = false, deactivated = false;
+};
+bool touch_knobs(const PlotArea& area, const Plot& plot, const AreaState& state);
+PlotDrag place_under(const PlotArea& area, ImVec2 pixel);
 void draw_readout(ImDrawList& list, const PlotArea& area, const Plot& plot, ImVec2 mouse);
 
 }  // namespace coaster::ui

@@ -1,0 +1,285 @@
+#include "ui/lab/force_keys.h"
+
+#include <imgui.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "base/portable_math.h"
+#include "edit/commands/commands_force.h"
+#include "edit/commands/commands_session.h"
+#include "ui/lab/cache.h"
+#include "ui/lab/force_axes.h"
+#include "ui/widgets/theme.h"
+#include "world/look.h"
+#include "world/sections.h"
+
+namespace coaster::ui {
+namespace {
+
+using world::Entity;
+using world::ForceChannel;
+using world::ForceKey;
+using world::ForceOver;
+using world::ForceProgram;
+
+const ForceProgram& program_of(const Ui& ui, Entity section) {
+  return world::section(ui.session().document, section).force;
+}
+
+// The state of the graph; that of another section begins anew.
+ForceKeys& state_of(Ui& ui, Entity section) {
+  ForceKeys& state = ui.lab.keys;
+  const world::Name name = world::name_of(ui.session().document, section);
+  if (state.section != name) state = {.section = name, .channel = state.channel};
+  const std::vector<ForceKey>& keys = program_of(ui, section).keys(state.channel);
+  if (state.key && *state.key >= keys.size()) state.key.reset();
+  for (std::size_t i = 0; state.inserted && i < keys.size(); ++i)
+    if (keys[i].at == *state.inserted) state.key = i, state.inserted.reset();
+  if (state.gesture && !ui.session().history.in_gesture) state.gesture = false;  // undone meanwhile
+  return state;
+}
+
+// A step of a key's place and of its value.
+struct Steps {
+  double at, value;
+};
+Steps steps_of(const ForceProgram& program, ForceChannel channel) {
+  const bool metres = program.over == ForceOver::distance;
+  return {metres ? 1.0 : 0.1, channel != ForceChannel::roll ? 0.1 : metres ? 1.0 : 5.0};
+}
+double to_step(double value, double step) {
+  const double per_one = std::round(1 / step);
+  return per_one >= 1 ? std::round(value * per_one) / per_one : std::round(value / step) * step;
+}
+
+// Returns the place within the section and between the neighbouring keys.
+double between_neighbours(const ForceProgram& program, ForceChannel channel, std::size_t key, double at) {
+  const std::vector<ForceKey>& keys = program.keys(channel);
+  const double gap = world::key_gap_of(program.over);
+  const double low = key > 0 ? keys[key - 1].at + gap : 0.0;
+  const double high = key + 1 < keys.size() ? keys[key + 1].at - gap : program.length;
+  return low <= high ? std::clamp(at, low, high) : keys[key].at;
+}
+
+void move_key(Ui& ui, ForceKeys& state, const ForceProgram& program, double from, double to, double value,
+              bool from_start) {
+  const double limit = world::rows_of(state.channel)[static_cast<std::size_t>(state.channel)].limit;
+  to = between_neighbours(program, state.channel, *state.key, to), value = std::clamp(value, -limit, limit);
+  const ForceKey& now = program.keys(state.channel)[*state.key];
+  if (now.at == to && now.value == value) return;
+  ui.emit(edit::MoveForceKey{{state.section}, from_start, state.channel, from, to, value});
+}
+
+void insert_key(Ui& ui, ForceKeys& state, const ForceProgram& program, double at, double value) {
+  const std::vector<ForceKey>& keys = program.keys(state.channel);
+  const double gap = world::key_gap_of(program.over);
+  const auto near = [&](const ForceKey& key) { return std::abs(key.at - at) < gap; };
+  if (at < 0 || at > program.length) return;
+  if (std::any_of(keys.begin(), keys.end(), near))
+    return ui.warn(fmt::format("Keys are at least {} {} apart.", gap, world::unit_of(program.over)));
+  state.inserted = at;
+  ui.emit(edit::SetForceKey{{state.section}, false, state.channel, value, at});
+}
+
+void begin_gesture(Ui& ui, ForceKeys& state) {
+  if (!std::exchange(state.gesture, true)) ui.emit(edit::BeginGesture{});
+}
+
+void drag_key(Ui& ui, ForceKeys& state, const ForceAxes& axes, PlotDrag to) {
+  const ForceProgram& program = axes.program();
+  const bool snaps = !ImGui::GetIO().KeyCtrl;
+  const Steps steps = steps_of(program, state.channel);
+  const double at = axes.at_of(to.x);
+  begin_gesture(ui, state);
+  if (state.side == 0)
+    return move_key(ui, state, program, state.from.at, snaps ? to_step(at, steps.at) : at,
+                    snaps ? to_step(to.y, steps.value) : to.y, true);
+  const ForceKey& from = state.from;
+  const double reach = std::max(state.side * (at - from.at), 0.1 * world::key_gap_of(program.over));
+  const double value = snaps ? to_step(to.y, steps.value) : to.y;
+  ForceKey next = program.keys(state.channel)[*state.key];
+  (state.side < 0 ? next.before : next.after) = reach;
+  next.slope = std::clamp((value - from.value) / (state.side * reach), -world::kMostForceSlope, world::kMostForceSlope);
+  if (next != program.keys(state.channel)[*state.key])
+    ui.emit(edit::ShapeForceKey{{state.section}, true, state.channel, from.at, next.slope, next.before, next.after});
+}
+
+// The knobs: all keys, then the handles of the chosen one.
+struct Knobs {
+  std::vector<Knob> list;
+  std::vector<int> sides;                    // of those behind the keys
+  std::vector<std::array<double, 4>> lines;  // x, x, y, y of a handle's line
+};
+Knobs knobs_of(const ForceAxes& axes, const ForceKeys& state) {
+  const ForceProgram& program = axes.program();
+  const std::vector<ForceKey>& keys = program.keys(state.channel);
+  const std::string unit(world::unit_of(program.over)), of(world::unit_of(program.over, state.channel));
+  Knobs knobs;
+  for (std::size_t i = 0; i < keys.size(); ++i)
+    knobs.list.push_back({.x = axes.x_of(keys[i].at),
+                          .y = keys[i].value,
+                          .colour = kForceColour,
+                          .chosen = state.key == i,
+                          .value = fmt::format("{:.6g} {} at {:.6g} {}", keys[i].value, of, keys[i].at, unit)});
+  if (!state.key) return knobs;
+  const ForceKey& key = keys[*state.key];
+  for (const int side : {-1, 1}) {
+    const double reach = axes.reach(state.channel, *state.key, side);
+    if (reach <= 0) continue;
+    const double x = axes.x_of(key.at + side * reach), y = key.value + side * reach * key.slope;
+    knobs.list.push_back(
+        {.x = x, .y = y, .colour = kForceColour, .small = true, .value = side < 0 ? "before" : "after"});
+    knobs.sides.push_back(side);
+    knobs.lines.push_back({axes.x_of(key.at), x, key.value, y});
+  }
+  return knobs;
+}
+
+void take_knob(ForceKeys& state, const ForceProgram& program, const Knobs& knobs, std::size_t held) {
+  const std::vector<ForceKey>& keys = program.keys(state.channel);
+  state.side = held < keys.size() ? 0 : knobs.sides[held - keys.size()];
+  if (state.side == 0) state.key = held;
+  state.from = keys[*state.key];
+}
+
+// What the mouse did.
+void follow_mouse(Ui& ui, ForceKeys& state, const ForceAxes& axes, const Knobs& knobs, const KnobTouch& touch) {
+  const ForceProgram& program = axes.program();
+  if (touch.held && touch.pressed) take_knob(state, program, knobs, *touch.held);
+  if (touch.held && touch.moved && state.key) drag_key(ui, state, axes, touch.at);
+  if (touch.released && std::exchange(state.gesture, false)) ui.emit(edit::EndGesture{});
+  if (!touch.twice || touch.over) return;
+  const Steps steps = steps_of(program, state.channel);
+  insert_key(ui, state, program, to_step(axes.at_of(touch.at.x), steps.at), to_step(touch.at.y, steps.value));
+}
+
+}  // namespace
+
+Entity edited_forces(const Ui& ui) {
+  const edit::Session& session = ui.session();
+  const world::Look& look = *session.settings.look;
+  const auto* const section = session.document.entities.find<world::Section>(session.settings.selected);
+  const bool shows = look.workspace == world::Workspace::build && look.show_panels && ui.drawers.graph.open &&
+                     !ui.drawers.table && session.settings.also.empty();
+  return shows && section && section->kind == world::SectionKind::force ? session.settings.selected : world::kNone;
+}
+
+void force_channels(Ui& ui, float bar) {
+  ForceKeys& state = state_of(ui, edited_forces(ui));
+  for (const world::ForceChannelRow& row : world::kForceChannels) {
+    const auto channel = static_cast<ForceChannel>(&row - world::kForceChannels);
+    const bool on = channel == state.channel;
+    const ImVec2 low = ImGui::GetCursorScreenPos();
+    const ImVec2 high(low.x + text_size(row.label).x + std::floor(12 * ui.scale), low.y + bar);
+    if (ImGui::InvisibleButton(hidden(row.label).c_str(), {high.x - low.x, bar}))
+      state.channel = channel, state.key.reset();
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    if (on || ImGui::IsItemHovered()) list.AddRectFilled(low, high, packed(palette().field, on ? 1.0f : 0.7f));
+    if (on) list.AddRectFilled({low.x, high.y - std::floor(2 * ui.scale)}, high, packed(ink(kForceColour)));
+    draw_text(list, {low.x + std::floor(6 * ui.scale), std::floor(low.y + (bar - text_size(row.label).y) * 0.5f)},
+              on ? palette().text : palette().dim, row.label);
+    note(ui, fmt::format("Keys/{}", row.label), "radio", fmt::format("{} Shows and edits these keys.", row.help), true,
+         on ? "on" : "off", low, high);
+    ImGui::SameLine(0, 0);
+  }
+}
+
+void force_plot(Ui& ui, Entity section, const std::optional<RidePlots>& ride) {
+  ForceKeys& state = state_of(ui, section);
+  const sim::ForcePlan* const plan = ui.state.find.force(section);
+  if (plan == nullptr || plan->path.points.empty()) return small_note("The section has no track.");
+  const double start = ui.session().derived.starts[world::run_of(ui.session().document, section).first];
+  const ForceAxes axes(*plan, state.channel, start);
+  fill_curves(ui.session().derived, axes, state);
+  std::vector<Series> series;
+  const std::string_view label = world::kForceChannels[static_cast<std::size_t>(state.channel)].label;
+  if (state.channel == ForceChannel::roll) series.push_back({"actual", state.place, state.actual, kActualColour});
+  else if (ride)
+    ride->add_curves(state.channel == ForceChannel::vertical ? sim::RideValue::vertical : sim::RideValue::lateral,
+                     "actual", series);
+  if (!series.empty()) series.front().width = 4;  // seen on both sides of what is asked for
+  series.push_back({"asked", state.place, state.asked, kForceColour, SeriesKind::line, 1.6f});
+  const Knobs knobs = knobs_of(axes, state);
+  for (const std::array<double, 4>& line : knobs.lines)
+    series.push_back({"", {&line[0], 2}, {&line[2], 2}, kForceColour, SeriesKind::line, 1.0f});
+  const std::array<double, 4> ends = state.gesture ? state.axes : shown_ends(axes, ride, state);
+  std::vector<Level> levels = limits_of(ui.session().limits.envelope, state.channel);
+  std::erase_if(levels, [&](const Level& level) { return level.y < ends[2] || level.y > ends[3]; });
+  KnobTouch touch;
+  Plot picture{
+      .x = {.unit = "m", .low = ends[0], .high = ends[1]},
+      .y = {.unit = std::string(world::unit_of(axes.program().over, state.channel)), .low = ends[2], .high = ends[3]},
+      .series = series,
+      .levels = levels,
+      .knobs = knobs.list,
+      .touch = &touch,
+      .value = fmt::format("{} {}", label, state.key ? fmt::format("key {}", *state.key + 1) : "no key"),
+      .labels = small_size("-0.0").x};
+  constexpr std::string_view kHelp =
+      "What riders shall feel on the selected force section, over what they feel. Drag a key or a handle; Ctrl does "
+      "not "
+      "snap. Double-click to insert a key, Delete removes it. Tab chooses keys, arrows move them.";
+  if (ride) ride->show(ui, "Plot", picture, kHelp);
+  else (void)plot(ui, "Plot", picture, kHelp);
+  state.axes = ends;
+  follow_mouse(ui, state, axes, knobs, touch);
+}
+
+namespace {
+
+// Returns whether the press did something to the chosen key.
+bool work_key(Ui& ui, ForceKeys& state, const ForceProgram& program, const platform::KeyPress& press) {
+  using platform::Key;
+  const std::vector<ForceKey>& keys = program.keys(state.channel);
+  const ForceKey key = keys[*state.key];
+  Steps steps = steps_of(program, state.channel);
+  if (press.modifiers.ctrl) steps = {steps.at / 10, steps.value / 10};
+  const auto move = [&](double along, double up) {
+    move_key(ui, state, program, key.at, to_step(key.at + along * steps.at, steps.at),
+             to_step(key.value + up * steps.value, steps.value), false);
+    return true;
+  };
+  switch (press.key) {
+    case Key::left: return move(-1, 0);
+    case Key::right: return move(1, 0);
+    case Key::up: return move(0, 1);
+    case Key::down: return move(0, -1);
+    case Key::escape: return state.key.reset(), true;
+    case Key::del: ui.emit(edit::RemoveForceKey{{state.section}, false, state.channel, key.at}); return true;
+    case Key::insert: {
+      const double next = *state.key + 1 < keys.size() ? keys[*state.key + 1].at : program.length;
+      insert_key(ui, state, program, to_step((key.at + next) / 2, steps.at), key.value);
+      return true;
+    }
+    default: return false;
+  }
+}
+
+}  // namespace
+
+platform::Events without_force_keys(Ui& ui, const platform::Events& events) {
+  const Entity section = edited_forces(ui);
+  if (!section.valid()) return events;
+  ForceKeys& state = state_of(ui, section);
+  const ForceProgram& program = program_of(ui, section);
+  const std::size_t count = program.keys(state.channel).size();
+  platform::Events others;
+  for (const platform::Event& event : events) {
+    const auto* const press = std::get_if<platform::KeyPress>(&event);
+    if (press == nullptr || !press->down || state.gesture) {
+      others.push_back(event);
+    } else if (press->key == platform::Key::tab && count > 0 && !press->modifiers.ctrl) {
+      const std::size_t now = state.key.value_or(press->modifiers.shift ? 0 : count - 1);
+      state.key = (now + (press->modifiers.shift ? count - 1 : 1)) % count;
+    } else if (!state.key || !work_key(ui, state, program, *press)) {
+      others.push_back(event);
+    }
+  }
+  return others;
+}
+
+}  // namespace coaster::ui
