@@ -1,4 +1,4 @@
-// Goals of searches: a query of track and ride that shall have a number as its value.
+// Goals of searches: a query of track and ride, and the number that it should be.
 #pragma once
 
 #include <span>

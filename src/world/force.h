@@ -1,4 +1,4 @@
-// A force section as plain data: what riders shall feel along it, by keys. sim/plan/force_plan.h makes track of it.
+// A force section as plain data: what riders should feel along it, by keys. sim/plan/force_plan.h makes track of it.
 #pragma once
 
 #include <array>

@@ -21,7 +21,7 @@ struct SetForceKey {
   world::ForceChannel channel{};
   double value = 0, at = 0;
   COASTER_COMMAND(SetForceKey, "force",
-                  "Set what riders shall feel at a place of a force section (g, or degrees per metre or second), e.g. "
+                  "Set what riders should feel at a place of a force section (g, or degrees per metre or second), e.g. "
                   "force @q3 vertical key 2.5 at 40.",
                   Effect::document, "Set a key of {} at {at}");
   COASTER_FIELDS(visit("", self.section), visit("from_start?", self.from_start), visit("", self.channel),

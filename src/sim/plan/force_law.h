@@ -1,4 +1,4 @@
-// What a force section's program asks of the track at a place: its curvature and roll, from what riders shall feel
+// What a force section's program asks of the track at a place: its curvature and roll, from what riders should feel
 // there. For force_path.h, which integrates it. Formulas: docs/forces.md.
 #pragma once
 

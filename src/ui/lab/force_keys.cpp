@@ -220,7 +220,7 @@ void force_plot(Ui& ui, Entity section, const std::optional<RidePlots>& ride) {
       .value = fmt::format("{} {}", label, state.key ? fmt::format("key {}", *state.key + 1) : "no key"),
       .labels = small_size("-0.0").x};
   constexpr std::string_view kHelp =
-      "What riders shall feel on the selected force section, over what they feel. Drag a key or a handle; Ctrl does "
+      "What riders should feel on the selected force section, over what they feel. Drag a key or a handle; Ctrl does "
       "not "
       "snap. Double-click to insert a key, Delete removes it. Tab chooses keys, arrows move them.";
   if (ride) ride->show(ui, "Plot", picture, kHelp);

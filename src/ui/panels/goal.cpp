@@ -67,12 +67,12 @@ void choose_goal(Ui& ui) {
   const auto labels = choices(query::goals(), [](const query::GoalRow& row) {
     return Choice{std::string(row.label), std::string(query::find_query(row.query)->text)};
   });
-  if (const auto to = combo(ui, "Make", labels, in.goal, "What shall get a value.", true))
+  if (const auto to = combo(ui, "Make", labels, in.goal, "The value to reach, such as the lap time.", true))
     in.goal = *to, in.value.reset();
   const query::GoalRow& row = query::goals()[static_cast<std::size_t>(in.goal)];
   read_query(ui, "Now", row.query, query::find_query(row.query)->text, {.decimals = row.decimals});
   const auto relations = choices(kRelations, [](const RelationRow& r) { return Choice{std::string(r.label), ""}; });
-  if (const auto to = combo(ui, "Relation", relations, in.relation, "How the value shall compare with the number."))
+  if (const auto to = combo(ui, "Relation", relations, in.relation, "How the value compares with the number."))
     in.relation = *to;
   if (!in.value) in.value = number_of(ui, row.query).value_or(0);
   const std::string unit(query::find_query(row.query)->unit);
