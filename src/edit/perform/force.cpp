@@ -66,7 +66,8 @@ void put_key(ForceProgram& program, world::ForceChannel channel, const ForceKey&
 }
 
 void report(const sim::ForcePlan& plan, bool assumed, Change& change) {
-  if (const std::string stopped = sim::stop_text(plan); !stopped.empty()) change.clamped.push_back(base::sentence(stopped));
+  if (const std::string stopped = sim::stop_text(plan); !stopped.empty())
+    change.clamped.push_back(base::sentence(stopped));
   if (assumed)
     change.clamped.push_back(
         fmt::format("No train reaches the open end: planned for {} m/s.", base::to_text(plan.task.program.speed)));

@@ -82,7 +82,8 @@ Status replan_force(Session& session, Change& change, Document& document, Entity
   const sim::ForcePlan& plan = session.findings.memory.forces.plan(task);
   if (!plan.refusal.empty()) return refused(plan.refusal);
   if (const Status room = room_for_spans(session, document, run, plan.spans()); !room) return room;
-  if (const std::string stopped = sim::stop_text(plan); !stopped.empty()) change.clamped.push_back(base::sentence(stopped));
+  if (const std::string stopped = sim::stop_text(plan); !stopped.empty())
+    change.clamped.push_back(base::sentence(stopped));
   const sim::ElementFit fit = plan.fit.spans;  // the memory may move while what follows is planned
   return put_and_follow(session, change, document, run, fit);
 }
