@@ -93,7 +93,7 @@ inline constexpr base::NameRow kSectionKinds[] = {
     {"free", "Hand-shaped", "Shaped knot by knot."},
     {"element", "Element", "Planned as an element of the palette."},
     {"complete", "Complete circuit", "Planned as a way home, and again when track before it moves."},
-    {"force", "Force section", "Planned from what riders should feel, and again when the train's speed changes."}};
+    {"force", "Forces", "Planned from what riders should feel, and again when the train's speed changes."}};
 constexpr std::span<const base::NameRow> rows_of(SectionKind) { return kSectionKinds; }
 
 // A run of neighbouring segments that is one part of the ride to its builder. While it is not free, its knots are as

@@ -75,8 +75,8 @@ void report(const sim::ForcePlan& plan, bool assumed, Change& change) {
     change.clamped.push_back(fmt::format("Riders feel up to {:.2f} g more or less than the keys say, at {:.1f} m.",
                                          plan.fit.felt_error, plan.fit.felt_at));
   if (change.clamped.empty())
-    change.note = fmt::format("Placed a force section: {:.1f} m, {} spans, within {:.2f} g.", plan.length, plan.spans(),
-                              plan.fit.felt_error);
+    change.note = fmt::format("Placed a force section: {:.1f} m, {} {}, felt g within {:.2f} g.", plan.length,
+                              plan.spans(), plan.spans() == 1 ? "span" : "spans", plan.fit.felt_error);
 }
 
 }  // namespace
