@@ -31,8 +31,8 @@ inline constexpr double kTightestForce = 2;  // m, radius
 // Nearer to its own earlier rails, a path runs through itself.
 inline constexpr double kOwnRails = 1;  // m
 
-// Integrates by Runge-Kutta 4 in steps of at most 0.25 m, anew at each key: position, direction, up, speed, length and
-// time. Positions are within a millimetre after 300 m. The same bits everywhere. Takes about a microsecond a step.
+// Integrates by Runge-Kutta 4 in steps of at most 0.25 m that end at each key: position, direction, up, speed, length
+// and time. Positions are within a millimetre after 300 m. The same bits everywhere. Takes about a microsecond a step.
 ForcePath force_path(const ForceTask& task);
 
 }  // namespace coaster::sim

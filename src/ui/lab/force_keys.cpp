@@ -30,7 +30,7 @@ const ForceProgram& program_of(const Ui& ui, Entity section) {
   return world::section(ui.session().document, section).force;
 }
 
-// The state of the graph; that of another section begins anew.
+// The state of the graph; another section starts with a fresh one.
 ForceKeys& state_of(Ui& ui, Entity section) {
   ForceKeys& state = ui.lab.keys;
   const world::Name name = world::name_of(ui.session().document, section);
