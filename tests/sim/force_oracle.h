@@ -1,6 +1,6 @@
 // Force programs at random, and the track that they ask for by another way than the program's: in long double, with the
 // frame turned as a whole by rotations (Rodrigues) about axes taken in the middle of steps a hundred times finer, and
-// everything that is asked for found by bisection and iteration instead of closed forms.
+// everything that is asked for found by regula falsi and iteration instead of closed forms.
 #pragma once
 
 #include <algorithm>
@@ -76,12 +76,21 @@ class ForceOracle {
       return mix(mix(mix(p, q), mix(q, r)), mix(mix(q, r), mix(r, s)));
     };
     const Long after = a.after > 0 ? Long{a.after} : third, before = b.before > 0 ? Long{b.before} : third;
-    Long low = 0, high = 1;
-    for (int i = 0; i < 52; ++i) {
-      const Long u = (low + high) / 2;
-      (bezier(a.at, a.at + after, b.at - before, b.at, u) < x ? low : high) = u;
+    // Regula falsi that halves the value of an end that stays (Illinois), until neither end moves by more than
+    // rounding.
+    const auto miss = [&](Long u) { return bezier(a.at, a.at + after, b.at - before, b.at, u) - x; };
+    Long low = 0, high = 1, at_low = a.at - x, at_high = b.at - x, u = 0;
+    for (int i = 0, stays = 0; i < 100 && high - low > 1e-18L; ++i) {
+      u = high - at_high * (high - low) / (at_high - at_low);
+      const Long at = miss(u);
+      if (std::abs(at) < 1e-17L * (1 + std::abs(x))) break;
+      if (at < 0) {
+        low = u, at_low = at, at_high *= stays < 0 ? 0.5L : 1.0L, stays = -1;
+      } else {
+        high = u, at_high = at, at_low *= stays > 0 ? 0.5L : 1.0L, stays = 1;
+      }
     }
-    return bezier(a.value, a.value + after * a.slope, b.value - before * b.slope, b.value, low);
+    return bezier(a.value, a.value + after * a.slope, b.value - before * b.slope, b.value, u);
   }
 
   // From felt g of riders d above the curve, with the rates of turn about left and up found by iteration.
@@ -100,9 +109,11 @@ class ForceOracle {
     // The heart's acceleration: that of the curve, centripetal and tangential parts of a body that turns with pitch and
     // yaw p, y (rad/s) and rolls with omega; d above the curve along up.
     Long pitch = 0, yaw = 0;
-    for (int i = 0; i < 40; ++i) {
-      pitch = (up_wanted + d * (pitch * pitch + omega * omega)) / speed;
-      yaw = (left_wanted + d * alpha + d * pitch * yaw) / speed;
+    Long moved = 1;
+    for (int i = 0; i < 60 && moved > 1e-17L; ++i) {
+      const Long pitched = (up_wanted + d * (pitch * pitch + omega * omega)) / speed;
+      const Long yawed = (left_wanted + d * alpha + d * pitch * yaw) / speed;
+      moved = std::abs(pitched - pitch) + std::abs(yawed - yaw), pitch = pitched, yaw = yawed;
     }
     const Long per = by_time ? 1 : 1 / speed;  // s per unit of the axis
     Rates r;
