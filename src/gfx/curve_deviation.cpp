@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 
 namespace coaster::gfx {
 
@@ -30,20 +31,28 @@ CurveDeviation::Result CurveDeviation::update(GpuCurves& curves, curve::Evaluate
   return result;
 }
 
+// Fills records_; those that the driver did not write keep a slot of -1.
+bool CurveDeviation::read(GpuCurves& curves, const CurveSlots& slots) {
+  records_.assign(GpuCurves::captured_count(stage_, slots), {glm::vec3(0), 0, -1});
+  const auto bytes = GLsizeiptr(records_.size() * sizeof(GpuCurves::Captured));
+  gl_->BindBufferBase(GL_TRANSFORM_FEEDBACK_BUFFER, 0, buffer_.id());
+  gl_->BufferData(GL_TRANSFORM_FEEDBACK_BUFFER, bytes, records_.data(), GL_DYNAMIC_READ);
+  bool done = curves.capture(stage_, slots);
+  if (done) {
+    const void* const written = gl_->MapBufferRange(GL_TRANSFORM_FEEDBACK_BUFFER, 0, bytes, GL_MAP_READ_BIT);
+    done = written != nullptr;
+    if (done) {
+      std::memcpy(records_.data(), written, std::size_t(bytes));
+      done = gl_->UnmapBuffer(GL_TRANSFORM_FEEDBACK_BUFFER) == GL_TRUE;
+    }
+  }
+  gl_->BindBufferBase(GL_TRANSFORM_FEEDBACK_BUFFER, 0, 0);
+  return done;
+}
+
 bool CurveDeviation::measure(GpuCurves& curves, const CurveSlots& slots, const sim::Derived& derived,
                              std::span<const TrackCache::Placed> placed) {
-  if (gl_->GetBufferSubData == nullptr) return false;
-  records_.resize(GpuCurves::captured_count(stage_, slots));
-  const std::size_t bytes = records_.size() * sizeof(GpuCurves::Captured);
-  gl_->BindBufferBase(GL_TRANSFORM_FEEDBACK_BUFFER, 0, buffer_.id());
-  if (bytes > capacity_) {
-    gl_->BufferData(GL_TRANSFORM_FEEDBACK_BUFFER, GLsizeiptr(bytes), nullptr, GL_DYNAMIC_READ);
-    capacity_ = bytes;
-  }
-  const bool captured = curves.capture(stage_, slots);
-  if (captured) gl_->GetBufferSubData(GL_TRANSFORM_FEEDBACK_BUFFER, 0, GLsizeiptr(bytes), records_.data());
-  gl_->BindBufferBase(GL_TRANSFORM_FEEDBACK_BUFFER, 0, 0);
-  if (!captured) return false;
+  if (!read(curves, slots)) return false;
   std::vector<double> worst(std::size_t(slots.count), 0.0);  // squared
   std::vector<int> seen(std::size_t(slots.count), 0);
   for (const GpuCurves::Captured& record : records_) {

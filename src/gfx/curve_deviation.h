@@ -27,12 +27,12 @@ class CurveDeviation {
     TrackCache::Placed placed;
     double metres = 0;
   };
+  bool read(GpuCurves& curves, const CurveSlots& slots);
   bool measure(GpuCurves& curves, const CurveSlots& slots, const sim::Derived& derived,
                std::span<const TrackCache::Placed> placed);
 
   const Gl* gl_;
   Object buffer_;
-  std::size_t capacity_ = 0;  // bytes
   curve::EvaluatedBy stage_{};
   int steps_ = 0;
   bool able_ = true;

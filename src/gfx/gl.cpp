@@ -8,8 +8,6 @@
 namespace coaster::gfx {
 namespace {
 
-constexpr int kNeededMajor = 3, kNeededMinor = 3;
-
 std::string text_of(const Gl& gl, GLenum name) {
   const GLubyte* text = gl.GetString(name);
   return text == nullptr ? std::string("unknown") : std::string(reinterpret_cast<const char*>(text));
@@ -28,6 +26,8 @@ bool shaders_at_least_330(std::string_view version) {
 
 }  // namespace
 
+std::string version_text(const Gl& gl) { return fmt::format("OpenGL {}{}.{}", gl.es ? "ES " : "", gl.major, gl.minor); }
+
 base::Result<Gl> load_gl(const std::function<void*(const char*)>& proc) {
   Gl gl;
   const char* missing = nullptr;
@@ -37,25 +37,26 @@ base::Result<Gl> load_gl(const std::function<void*(const char*)>& proc) {
   if (gl.name == nullptr && missing == nullptr) missing = "gl" #name;
   COASTER_GL_FUNCTIONS(X)
 #undef X
-#define X(type, name) gl.name = reinterpret_cast<PFNGL##type##PROC>(proc("gl" #name));
-  COASTER_GL_OPTIONAL_FUNCTIONS(X)
-#undef X
   if (gl.GetString == nullptr || gl.GetIntegerv == nullptr)
     return base::Status{base::Code::graphics, "OpenGL: no current context"};
+  gl.version = text_of(gl, GL_VERSION);
+  gl.es = gl.version.starts_with("OpenGL ES ");
   gl.GetIntegerv(GL_MAJOR_VERSION, &gl.major);
   gl.GetIntegerv(GL_MINOR_VERSION, &gl.minor);
-  if (!gl.at_least(kNeededMajor, kNeededMinor))
-    return base::Status{base::Code::graphics, fmt::format("OpenGL {}.{} is needed, the driver has {}", kNeededMajor,
-                                                          kNeededMinor, text_of(gl, GL_VERSION))};
-  if (const std::string shaders = text_of(gl, GL_SHADING_LANGUAGE_VERSION); !shaders_at_least_330(shaders))
-    return base::Status{base::Code::graphics, fmt::format("GLSL 3.30 is needed, the driver has {} (OpenGL {})", shaders,
-                                                          text_of(gl, GL_VERSION))};
-  if (missing != nullptr)
+  if (!gl.at_least(3, gl.es ? 0 : 3))
     return base::Status{base::Code::graphics,
-                        fmt::format("OpenGL: the driver lacks {} ({})", missing, text_of(gl, GL_VERSION))};
+                        fmt::format("OpenGL 3.3 or OpenGL ES 3.0 is needed, the driver has {}", gl.version)};
+  if (const std::string shaders = text_of(gl, GL_SHADING_LANGUAGE_VERSION); !gl.es && !shaders_at_least_330(shaders))
+    return base::Status{base::Code::graphics,
+                        fmt::format("GLSL 3.30 is needed, the driver has {} (OpenGL {})", shaders, gl.version)};
+  if (missing != nullptr)
+    return base::Status{base::Code::graphics, fmt::format("OpenGL: the driver lacks {} ({})", missing, gl.version)};
+#define X(type, name) \
+  if (!gl.es) gl.name = reinterpret_cast<PFNGL##type##PROC>(proc("gl" #name));
+  COASTER_GL_OPTIONAL_FUNCTIONS(X)
+#undef X
   gl.GetIntegerv(GL_MAX_SAMPLES, &gl.max_samples);
   gl.renderer = text_of(gl, GL_RENDERER);
-  gl.version = text_of(gl, GL_VERSION);
   return gl;
 }
 

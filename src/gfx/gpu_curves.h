@@ -38,8 +38,8 @@ class GpuCurves {
   GpuCurves sibling() const { return GpuCurves(*gl_, programs_); }
 
   // Returns why a stage cannot be used here; empty if it can. The base path needs nothing beyond WebGL 2: the vertex
-  // stage always works, the tessellation stage from OpenGL 4.0 on. A compiler's messages are available after the first
-  // use.
+  // stage always works, the geometry stage in OpenGL, the tessellation stage from OpenGL 4.0 on. A compiler's messages
+  // are available after the first use.
   std::string refusal(curve::EvaluatedBy stage) const;
   // Returns the stage itself, or the vertex stage as its substitute, which draws the same picture.
   curve::EvaluatedBy usable(curve::EvaluatedBy wanted);
@@ -57,7 +57,8 @@ class GpuCurves {
   // write the joints between these twice.
   static std::size_t captured_count(curve::EvaluatedBy stage, const CurveSlots& slots);
   // Runs the stage without a picture and writes to the buffer bound at binding 0 for transform feedback. Returns false
-  // if the driver cannot, or wrote another number of records. No slot may be empty.
+  // if the driver cannot. No slot may be empty. How many records were written is for the reader to see: a query of
+  // that number has its answer only in a later frame of a browser.
   bool capture(curve::EvaluatedBy stage, const CurveSlots& slots);
 
  private:

@@ -4,9 +4,7 @@
 namespace coaster::gfx {
 
 GpuTimer::GpuTimer(const Gl& gl) : gl_(&gl) {
-  if (!gl.GenQueries || !gl.DeleteQueries || !gl.BeginQuery || !gl.EndQuery || !gl.GetQueryObjectuiv ||
-      !gl.GetQueryObjectui64v)
-    return;
+  if (!gl.has_timers()) return;
   for (Object& query : ring_) query = generate<&Gl::GenQueries, &Gl::DeleteQueries>(gl);
 }
 

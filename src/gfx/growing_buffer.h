@@ -1,18 +1,20 @@
-// A vertex or index buffer on the GPU that grows and keeps its contents.
+// A vertex or index buffer on the GPU that grows and keeps its contents. Buffers of whole numbers are index buffers.
 #pragma once
 
 #include <algorithm>
 #include <span>
+#include <type_traits>
 
 #include "gfx/objects.h"
 
 namespace coaster::gfx {
 
-// Binds only the targets of copies, so no vertex array is disturbed.
+// Binds only the targets of copies, so no vertex array is disturbed; making and growing index buffers leaves none
+// bound.
 template <class T>
 class GrowingBuffer {
  public:
-  explicit GrowingBuffer(const Gl& gl) : gl_(&gl), object_(make_buffer(gl)) {}
+  explicit GrowingBuffer(const Gl& gl) : gl_(&gl), object_(made()) {}
 
   // Reserves at least `count` items. Returns true if the GL name changed, so that vertex arrays must be set up again:
   // the old items were copied on the GPU into a buffer of at least twice the size.
@@ -21,7 +23,7 @@ class GrowingBuffer {
     if (bytes <= capacity_) return false;
     constexpr std::size_t kSmallest = 64 * 1024;
     const std::size_t capacity = std::max({bytes, 2 * capacity_, kSmallest});
-    Object grown = make_buffer(*gl_);
+    Object grown = made();
     gl_->BindBuffer(GL_COPY_WRITE_BUFFER, grown.id());
     gl_->BufferData(GL_COPY_WRITE_BUFFER, GLsizeiptr(capacity), nullptr, GL_DYNAMIC_DRAW);
     if (capacity_ > 0) {
@@ -47,6 +49,16 @@ class GrowingBuffer {
   GLuint id() const { return object_.id(); }
 
  private:
+  // WebGL takes as index buffers only those that were bound as such first.
+  Object made() const {
+    Object buffer = make_buffer(*gl_);
+    if (std::is_integral_v<T>) {
+      gl_->BindVertexArray(0);
+      gl_->BindBuffer(GL_ELEMENT_ARRAY_BUFFER, buffer.id());
+      gl_->BindBuffer(GL_ELEMENT_ARRAY_BUFFER, 0);
+    }
+    return buffer;
+  }
   const Gl* gl_;
   Object object_;
   std::size_t capacity_ = 0;  // bytes

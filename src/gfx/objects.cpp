@@ -9,8 +9,6 @@
 namespace coaster::gfx {
 namespace {
 
-constexpr std::string_view kHeader = "#version 330 core\n", kTessellationHeader = "#version 400 core\n";
-
 std::string log_of(const Gl& gl, GLuint id, bool program) {
   GLint length = 0;
   (program ? gl.GetProgramiv : gl.GetShaderiv)(id, GL_INFO_LOG_LENGTH, &length);
@@ -75,13 +73,20 @@ base::Result<Target> make_target(const Gl& gl, int width, int height, int sample
   return target;
 }
 
+std::string_view shader_header(bool es, bool tessellation) {
+  if (es)
+    return "#version 300 es\nprecision highp float;\nprecision highp int;\nprecision highp sampler2D;\n"
+           "precision highp sampler2DShadow;\n";
+  return tessellation ? "#version 400 core\n" : "#version 330 core\n";
+}
+
 base::Result<Program> make_program(const Gl& gl, const ProgramSources& sources) {
   const Stage stages[] = {{GL_VERTEX_SHADER, "vert", sources.vertex},
                           {GL_TESS_CONTROL_SHADER, "tesc", sources.tessellation_control},
                           {GL_TESS_EVALUATION_SHADER, "tese", sources.tessellation_evaluation},
                           {GL_GEOMETRY_SHADER, "geom", sources.geometry},
                           {GL_FRAGMENT_SHADER, "frag", sources.fragment}};
-  const std::string_view header = sources.tessellation_evaluation.empty() ? kHeader : kTessellationHeader;
+  const std::string_view header = shader_header(gl.es, !sources.tessellation_evaluation.empty());
   Program program{Object(gl, gl.CreateProgram(), [](const Gl& g, GLuint id) { g.DeleteProgram(id); }), &gl};
   const GLuint id = program.object.id();
   std::vector<Object> shaders;

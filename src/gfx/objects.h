@@ -85,8 +85,11 @@ struct ProgramSources {
   std::span<const char* const> captured;
 };
 
-// Compiles and links. Prepends a version line to each stage (4.00 with tessellation, else 3.30), then `common` (shared
-// functions). On failure Code::graphics with `name` and the compiler's log; line numbers count within each part.
+// Returns the version line of every shader, in OpenGL ES with precisions: the sources need no other difference.
+std::string_view shader_header(bool es, bool tessellation);
+
+// Compiles and links. Prepends shader_header() to each stage, then `common` (shared functions). On failure
+// Code::graphics with `name` and the compiler's log; line numbers count within each part.
 base::Result<Program> make_program(const Gl& gl, const ProgramSources& sources);
 
 // Turns blending by alpha on or off; the result stays opaque over an opaque picture.

@@ -210,7 +210,7 @@ TEST_F(Driver, without_tessellation_the_vertex_shader_draws_and_the_reason_is_to
   gl_.PatchParameteri = nullptr;
   renderer_ = fresh();
   EXPECT_EQ(renderer_->refusal(EvaluatedBy::vertex_shader), "");
-  EXPECT_EQ(renderer_->refusal(EvaluatedBy::geometry_shader), "");
+  EXPECT_EQ(renderer_->refusal(EvaluatedBy::geometry_shader).empty(), !gl_.es);
   EXPECT_NE(renderer_->refusal(EvaluatedBy::tessellation_shader).find("need OpenGL 4.0"), std::string::npos);
   Track track(test::ring_document(9, 17.3f));
   track.settings.evaluation->evaluator = row_of(EvaluatedBy::vertex_shader);
@@ -222,9 +222,9 @@ TEST_F(Driver, without_tessellation_the_vertex_shader_draws_and_the_reason_is_to
   EXPECT_TRUE(picture(track).rgba == by_vertices.rgba);
 }
 
-TEST_F(Driver, without_feedback_or_timers_nothing_is_measured) {
-  gl_.BeginTransformFeedback = nullptr;
-  gl_.GenQueries = nullptr;
+TEST_F(Driver, without_read_back_or_timers_nothing_is_measured) {
+  gl_.MapBufferRange = [](GLenum, GLintptr, GLsizeiptr, GLbitfield) -> void* { return nullptr; };
+  gl_.GetQueryObjectui64v = nullptr;
   renderer_ = fresh();
   Track track(test::ring_document(9, 17.3f));
   track.settings.evaluation->evaluator = row_of(EvaluatedBy::vertex_shader);
@@ -234,7 +234,28 @@ TEST_F(Driver, without_feedback_or_timers_nothing_is_measured) {
   EXPECT_EQ(stats.gpu_ms, 0);
 }
 
+TEST_F(Driver, records_that_were_not_written_are_not_measured) {
+  gl_.BeginTransformFeedback = [](GLenum) {};  // so nothing is captured
+  gl_.EndTransformFeedback = [] {};
+  renderer_ = fresh();
+  Track track(test::ring_document(9, 17.3f));
+  track.settings.evaluation->evaluator = row_of(EvaluatedBy::vertex_shader);
+  track.derive();
+  EXPECT_EQ(draw(track).deviation_pending, 9);
+}
+
+TEST_F(Driver, opengl_es_refuses_the_stages_that_it_lacks) {
+  gl_.es = true, gl_.major = 3, gl_.minor = 0;
+  const GpuCurves curves(gl_);
+  EXPECT_EQ(curves.refusal(EvaluatedBy::vertex_shader), "");
+  EXPECT_EQ(curves.refusal(EvaluatedBy::geometry_shader),
+            "geometry shaders need OpenGL 3.3, the driver has OpenGL ES 3.0");
+  EXPECT_EQ(curves.refusal(EvaluatedBy::tessellation_shader),
+            "tessellation shaders need OpenGL 4.0, the driver has OpenGL ES 3.0");
+}
+
 TEST_F(Driver, times_the_polyline_some_frames_later) {
+  if (!gl_.has_timers()) GTEST_SKIP() << "needs OpenGL";
   Track track(test::ring_document(9, 17.3f));
   DrawStats stats = draw(track);
   for (int frame = 0; frame < 100 && stats.gpu_ms == 0; ++frame) stats = draw(track);

@@ -1,6 +1,7 @@
 #include "gfx/growing_buffer.h"
 
 #include <cstddef>
+#include <map>
 #include <numeric>
 #include <vector>
 
@@ -24,15 +25,51 @@ TEST_F(GrowingBuffers, what_they_hold_survives_growth) {
   const float tail = -7.25f;
   buffer.write(100 * numbers.size() - 1, std::span(&tail, 1));
 
-  const auto read = reinterpret_cast<PFNGLGETBUFFERSUBDATAPROC>(surface_->gl_proc("glGetBufferSubData"));
-  ASSERT_NE(read, nullptr);
-  std::vector<float> back(numbers.size());
-  float last = 0;
   gl_.BindBuffer(GL_COPY_READ_BUFFER, buffer.id());
-  read(GL_COPY_READ_BUFFER, 0, GLsizeiptr(bytes), back.data());
-  read(GL_COPY_READ_BUFFER, GLintptr(100 * bytes - sizeof last), sizeof last, &last);
-  EXPECT_EQ(back, numbers);
-  EXPECT_EQ(last, tail);
+  const auto* const held =
+      static_cast<const float*>(gl_.MapBufferRange(GL_COPY_READ_BUFFER, 0, GLsizeiptr(100 * bytes), GL_MAP_READ_BIT));
+  ASSERT_NE(held, nullptr);
+  EXPECT_EQ(std::vector<float>(held, held + numbers.size()), numbers);
+  EXPECT_EQ(held[100 * numbers.size() - 1], tail);
+  EXPECT_EQ(gl_.UnmapBuffer(GL_COPY_READ_BUFFER), GLboolean(GL_TRUE));
+}
+
+// The rule of WebGL: a buffer is for indices if it was bound as such first, and for nothing else then but copies.
+TEST_F(GrowingBuffers, index_buffers_are_bound_as_such_first) {
+  static PFNGLBINDBUFFERPROC bind;
+  static std::map<GLuint, GLenum> first_bound;
+  static std::vector<std::string> wrong;
+  bind = gl_.BindBuffer;
+  first_bound.clear(), wrong.clear();
+  gl_.BindBuffer = [](GLenum target, GLuint id) {
+    if (id != 0) {
+      const GLenum first = first_bound.try_emplace(id, target).first->second;
+      const bool copies = target == GL_COPY_READ_BUFFER || target == GL_COPY_WRITE_BUFFER;
+      if ((target == GL_ELEMENT_ARRAY_BUFFER) != (first == GL_ELEMENT_ARRAY_BUFFER) && !copies)
+        wrong.push_back(std::to_string(id) + " is bound to " + std::to_string(target) + " after " +
+                        std::to_string(first));
+    }
+    bind(target, id);
+  };
+  {
+    const auto renderer = fresh();
+    test::Track track(test::ring_document(8, 17.3f));
+    carts_ = {sim::Pose{}};
+    draw(*renderer, track);
+    for (int i = 0; i < 3; ++i) {
+      test::split_at(track.document, track.document.track.segments[std::size_t(i)], 0.37);
+      track.derive();
+      draw(*renderer, track);
+    }
+    GrowingBuffer<std::uint32_t> indices(gl_);
+    const std::vector<std::uint32_t> corners(40'000, 1);
+    indices.reserve(10), indices.fill(corners);
+    gl_.BindBuffer(GL_ELEMENT_ARRAY_BUFFER, indices.id());
+  }
+  EXPECT_GE(std::ranges::count_if(first_bound, [](const auto& row) { return row.second == GL_ELEMENT_ARRAY_BUFFER; }),
+            6);
+  EXPECT_EQ(wrong, std::vector<std::string>{});
+  gl_.BindBuffer = bind;
 }
 
 TEST_F(GrowingBuffers, segments_that_are_copied_to_a_larger_one_are_no_uploads) {

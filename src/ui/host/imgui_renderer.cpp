@@ -31,6 +31,14 @@ void main() { result = v_colour * texture(image, v_place); }
 
 const void* offset(std::size_t bytes) { return reinterpret_cast<const void*>(bytes); }
 
+// Sets the attributes so that index 0 is vertex `first` of the bound buffer: OpenGL ES 3.0 has no base vertex.
+void vertices_from(const gfx::Gl& gl, std::size_t first) {
+  const std::size_t at = first * sizeof(ImDrawVert);
+  gl.VertexAttribPointer(0, 2, GL_FLOAT, GL_FALSE, sizeof(ImDrawVert), offset(at + offsetof(ImDrawVert, pos)));
+  gl.VertexAttribPointer(1, 2, GL_FLOAT, GL_FALSE, sizeof(ImDrawVert), offset(at + offsetof(ImDrawVert, uv)));
+  gl.VertexAttribPointer(2, 4, GL_UNSIGNED_BYTE, GL_TRUE, sizeof(ImDrawVert), offset(at + offsetof(ImDrawVert, col)));
+}
+
 }  // namespace
 
 base::Result<ImGuiRenderer> ImGuiRenderer::make(const gfx::Gl& gl) {
@@ -49,9 +57,6 @@ ImGuiRenderer::ImGuiRenderer(const gfx::Gl& gl, gfx::Program program)
   gl.BindBuffer(GL_ARRAY_BUFFER, vertices_.id());
   gl.BindBuffer(GL_ELEMENT_ARRAY_BUFFER, indices_.id());
   for (GLuint i = 0; i < 3; ++i) gl.EnableVertexAttribArray(i);
-  gl.VertexAttribPointer(0, 2, GL_FLOAT, GL_FALSE, sizeof(ImDrawVert), offset(offsetof(ImDrawVert, pos)));
-  gl.VertexAttribPointer(1, 2, GL_FLOAT, GL_FALSE, sizeof(ImDrawVert), offset(offsetof(ImDrawVert, uv)));
-  gl.VertexAttribPointer(2, 4, GL_UNSIGNED_BYTE, GL_TRUE, sizeof(ImDrawVert), offset(offsetof(ImDrawVert, col)));
   gl.BindVertexArray(0);
 }
 
@@ -102,6 +107,8 @@ void ImGuiRenderer::draw_list(const ImDrawList& list, ImVec2 origin, int width, 
                   list.VtxBuffer.Data, GL_STREAM_DRAW);
   gl_->BufferData(GL_ELEMENT_ARRAY_BUFFER, list.IdxBuffer.Size * static_cast<GLsizeiptr>(sizeof(ImDrawIdx)),
                   list.IdxBuffer.Data, GL_STREAM_DRAW);
+  unsigned first = 0;
+  vertices_from(*gl_, first);
   for (const ImDrawCmd& command : list.CmdBuffer) {
     if (command.UserCallback != nullptr) continue;  // we queue none
     const int left = std::max(0, static_cast<int>(command.ClipRect.x - origin.x));
@@ -113,9 +120,10 @@ void ImGuiRenderer::draw_list(const ImDrawList& list, ImVec2 origin, int width, 
     const std::uintptr_t id = texture_of(command);
     const auto own = textures_.find(id);
     gl_->BindTexture(GL_TEXTURE_2D, own != textures_.end() ? own->second.id() : static_cast<GLuint>(id));
-    gl_->DrawElementsBaseVertex(GL_TRIANGLES, static_cast<GLsizei>(command.ElemCount),
-                                sizeof(ImDrawIdx) == 2 ? GL_UNSIGNED_SHORT : GL_UNSIGNED_INT,
-                                offset(command.IdxOffset * sizeof(ImDrawIdx)), static_cast<GLint>(command.VtxOffset));
+    if (command.VtxOffset != first) vertices_from(*gl_, first = command.VtxOffset);
+    gl_->DrawElements(GL_TRIANGLES, static_cast<GLsizei>(command.ElemCount),
+                      sizeof(ImDrawIdx) == 2 ? GL_UNSIGNED_SHORT : GL_UNSIGNED_INT,
+                      offset(command.IdxOffset * sizeof(ImDrawIdx)));
   }
 }
 
