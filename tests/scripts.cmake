@@ -12,6 +12,10 @@ foreach(script ${scripts})
     coaster_script_test(${name}.egl ${CMAKE_COMMAND} -E env ${second_headless} $<TARGET_FILE:coaster> --headless --script ${script}
                         --out ${CMAKE_CURRENT_BINARY_DIR}/out/${name}_egl)
   endif()
+  if(golden_pictures AND browser_headless)
+    coaster_script_test(${name}.gles ${CMAKE_COMMAND} -E env ${browser_headless} $<TARGET_FILE:coaster> --headless --script ${script}
+                        --out ${CMAKE_CURRENT_BINARY_DIR}/out/${name}_gles)
+  endif()
 endforeach()
 
 # It counts the pictures in its folder, so it begins with an empty one.

@@ -134,8 +134,8 @@ base::Result<std::unique_ptr<Program>> make_program(const Options& options, plat
     return started;
   platform::Surface* const screen = program->surface.get();
   if (options.headless)
-    base::print_error(
-        fmt::format("Drawing with {}: {}, OpenGL {}", screen->library(), program->gl.renderer, program->gl.version));
+    base::print_error(fmt::format("Drawing with {}: {}, {}{}", screen->library(), program->gl.renderer,
+                                  program->gl.es ? "" : "OpenGL ", program->gl.version));
   for (const curve::EvaluatedBy stage : {curve::EvaluatedBy::vertex_shader, curve::EvaluatedBy::geometry_shader,
                                          curve::EvaluatedBy::tessellation_shader})
     program->stats.stage_refusals[static_cast<std::size_t>(stage)] = program->renderer->refusal(stage);

@@ -60,17 +60,24 @@ struct Made {
   EGLSurface buffer = EGL_NO_SURFACE;
 };
 
-// Without a context if the driver has no such version.
-Made create_core(const Egl& egl, EGLDisplay display, int minor) {
-  const EGLint wanted[] = {EGL_SURFACE_TYPE, EGL_PBUFFER_BIT, EGL_RENDERABLE_TYPE, EGL_OPENGL_BIT, EGL_NONE};
-  const EGLint version[] = {
-      EGL_CONTEXT_MAJOR_VERSION,           3,       EGL_CONTEXT_MINOR_VERSION, minor, EGL_CONTEXT_OPENGL_PROFILE_MASK,
-      EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT, EGL_NONE};
+// Without a context if the driver has no such version: OpenGL 3.`minor` core, or with `es` OpenGL ES 3.`minor`.
+Made create(const Egl& egl, EGLDisplay display, bool es, int minor) {
+  const EGLint wanted[] = {EGL_SURFACE_TYPE, EGL_PBUFFER_BIT, EGL_RENDERABLE_TYPE,
+                           es ? EGL_OPENGL_ES3_BIT : EGL_OPENGL_BIT, EGL_NONE};
+  const EGLint version[] = {EGL_CONTEXT_MAJOR_VERSION,
+                            3,
+                            EGL_CONTEXT_MINOR_VERSION,
+                            minor,
+                            es ? EGL_NONE : EGL_CONTEXT_OPENGL_PROFILE_MASK,
+                            EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT,
+                            EGL_NONE};
   const EGLint size[] = {EGL_WIDTH, 16, EGL_HEIGHT, 16, EGL_NONE};
   EGLConfig config = nullptr;
   EGLint count = 0;
   Made made{.display = display};
-  if (!egl.bind(EGL_OPENGL_API) || !egl.choose(display, wanted, &config, 1, &count) || count < 1) return made;
+  if (!egl.bind(es ? EGL_OPENGL_ES_API : EGL_OPENGL_API) || !egl.choose(display, wanted, &config, 1, &count) ||
+      count < 1)
+    return made;
   made.context = egl.create(display, config, EGL_NO_CONTEXT, version);
   if (made.context != EGL_NO_CONTEXT) made.buffer = egl.create_buffer(display, config, size);
   return made;
@@ -90,7 +97,7 @@ void destroy(const Egl& egl, const Made& made) {
 std::string version_at_hand(const Egl& egl, EGLDisplay display) {
   constexpr unsigned kVersion = 0x1f02;  // GL_VERSION
   for (const int minor : {2, 1, 0}) {
-    const Made made = create_core(egl, display, minor);
+    const Made made = create(egl, display, false, minor);
     if (made.context == EGL_NO_CONTEXT) continue;
     const auto get_string = reinterpret_cast<const unsigned char* (*)(unsigned)>(egl.proc("glGetString"));
     const unsigned char* const text = get_string && bind(egl, made) ? get_string(kVersion) : nullptr;
@@ -103,14 +110,16 @@ std::string version_at_hand(const Egl& egl, EGLDisplay display) {
 
 }  // namespace
 
-base::Result<OffscreenContext> make_egl_context() {
+base::Result<OffscreenContext> make_egl_context(bool es) {
   const auto loaded = load_egl();
   if (!loaded) return loaded.status();
   const Egl egl = *loaded;
   const EGLDisplay display = open_display(egl);
   if (display == EGL_NO_DISPLAY)
     return base::Status{base::Code::graphics, "EGL has no display of Mesa's surfaceless platform"};
-  const Made made = create_core(egl, display, 3);
+  const Made made = create(egl, display, es, es ? 0 : 3);
+  if (made.context == EGL_NO_CONTEXT && es)
+    return base::Status{base::Code::graphics, fmt::format("EGL has no OpenGL ES 3.0 (error {:#x})", egl.error())};
   if (made.context == EGL_NO_CONTEXT)
     return base::Status{base::Code::graphics, "OpenGL 3.3 is needed, EGL has " + version_at_hand(egl, display)};
   if (!bind(egl, made)) {

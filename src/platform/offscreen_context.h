@@ -1,4 +1,4 @@
-// OpenGL 3.3 core contexts without a window, each of a library that is loaded at run time. So the build needs neither,
+// OpenGL contexts without a window, each of a library that is loaded at run time. So the build needs neither,
 // and a window needs no software renderer installed.
 #pragma once
 
@@ -16,10 +16,11 @@ struct OffscreenContext {
   std::function<void()> destroy;
 };
 
-// By Mesa's OSMesa: software alone. Mesa has dropped it since 25.1.
+// By Mesa's OSMesa, OpenGL 3.3 core: software alone. Mesa has dropped it since 25.1.
 base::Result<OffscreenContext> make_osmesa_context();
 // By EGL on Mesa's surfaceless platform: the graphics card if there is one, else software.
-base::Result<OffscreenContext> make_egl_context();
+// OpenGL 3.3 core, or with `es` OpenGL ES 3.0, which is what a browser offers.
+base::Result<OffscreenContext> make_egl_context(bool es);
 
 // Loads the first library found, nullptr if none is. It stays loaded, because its threads and atexit handlers need
 // their code.

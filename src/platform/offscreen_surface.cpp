@@ -53,8 +53,11 @@ class OffscreenSurface final : public Surface {
 struct Library {
   std::string_view choice, name;
   base::Result<OffscreenContext> (*make)();
+  bool by_name_alone = false;
 };
-constexpr Library kLibraries[] = {{"osmesa", "OSMesa", make_osmesa_context}, {"egl", "EGL", make_egl_context}};
+constexpr Library kLibraries[] = {{"osmesa", "OSMesa", make_osmesa_context},
+                                  {"egl", "EGL", [] { return make_egl_context(false); }},
+                                  {"gles", "EGL", [] { return make_egl_context(true); }, true}};
 
 }  // namespace
 
@@ -63,7 +66,7 @@ base::Result<std::unique_ptr<Surface>> make_offscreen(const SurfaceOptions& opti
   const std::string wanted = options.headless.empty() && named ? named : options.headless;
   std::string reasons;
   for (const Library& library : kLibraries) {
-    if (!wanted.empty() && library.choice != wanted) continue;
+    if (wanted.empty() ? library.by_name_alone : library.choice != wanted) continue;
     auto context = library.make();
     if (context)
       return std::unique_ptr<Surface>(
@@ -71,7 +74,8 @@ base::Result<std::unique_ptr<Surface>> make_offscreen(const SurfaceOptions& opti
     reasons += fmt::format("{}{}", reasons.empty() ? "" : "; ", context.status().message);
   }
   if (reasons.empty())
-    return base::Status{base::Code::usage, fmt::format("COASTER_HEADLESS: expected osmesa or egl, found {}", wanted)};
+    return base::Status{base::Code::usage,
+                        fmt::format("COASTER_HEADLESS: expected osmesa, egl or gles, found {}", wanted)};
   return base::Status{
       base::Code::graphics,
       fmt::format("No OpenGL without a display: {}. Install EGL (libegl1 and libgl1-mesa-dri on Debian)", reasons)};

@@ -52,7 +52,7 @@ struct SurfaceOptions {
   // Called once when the window's display is gone: the X server or the Wayland compositor has ended. It must end the
   // program without using the surface. Empty: Xlib ends it.
   std::function<void()> lost{};
-  std::string headless{};  // library of an off-screen context, "osmesa" or "egl"; "": $COASTER_HEADLESS
+  std::string headless{};  // of an off-screen context: "osmesa", "egl" or "gles"; "": $COASTER_HEADLESS
 };
 
 // Opens a window with an OpenGL 3.3 core context. Code::graphics if there is no display (the message suggests
@@ -63,8 +63,8 @@ base::Result<std::unique_ptr<Surface>> make_window(const SurfaceOptions& options
 std::string window_library();
 
 // Creates an off-screen OpenGL core context by the library that the options name, else $COASTER_HEADLESS, else OSMesa
-// or, where that is missing, EGL. Code::graphics if none has one: the message names the packages to install.
-// Code::usage for another name.
+// or, where that is missing, EGL. "gles" is OpenGL ES 3.0 by EGL: what a browser draws with. Code::graphics if none has
+// one: the message names the packages to install. Code::usage for another name.
 base::Result<std::unique_ptr<Surface>> make_offscreen(const SurfaceOptions& options);
 
 }  // namespace coaster::platform

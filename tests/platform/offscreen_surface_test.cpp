@@ -23,7 +23,7 @@ struct OffscreenSurfaceTest : testing::TestWithParam<const char*> {
     return made.ok() ? std::move(*made) : nullptr;
   }
 };
-INSTANTIATE_TEST_SUITE_P(, OffscreenSurfaceTest, testing::Values("osmesa", "egl"),
+INSTANTIATE_TEST_SUITE_P(, OffscreenSurfaceTest, testing::Values("osmesa", "egl", "gles"),
                          [](const auto& library) { return std::string(library.param); });
 
 TEST_P(OffscreenSurfaceTest, each_poll_is_one_tick_of_a_sixtieth) {
@@ -93,10 +93,10 @@ TEST_P(OffscreenSurfaceTest, a_second_context_outlives_the_first) {
   EXPECT_EQ(second->size(), (Size{32, 32}));
 }
 
-TEST_P(OffscreenSurfaceTest, its_context_is_current_and_core_3_3_at_least) {
+TEST_P(OffscreenSurfaceTest, its_context_is_current_and_has_the_needed_version) {
   const auto surface = surface_of({16, 16});
   ASSERT_TRUE(surface);
-  EXPECT_EQ(surface->library(), GetParam() == std::string("egl") ? "EGL" : "OSMesa");
+  EXPECT_EQ(surface->library(), GetParam() == std::string("osmesa") ? "OSMesa" : "EGL");
   const auto get = reinterpret_cast<void (*)(unsigned, int*)>(surface->gl_proc("glGetIntegerv"));
   ASSERT_NE(get, nullptr);
   constexpr unsigned kMajor = 0x821b, kMinor = 0x821c, kProfile = 0x9126;  // GL_MAJOR_VERSION, ...
@@ -104,6 +104,13 @@ TEST_P(OffscreenSurfaceTest, its_context_is_current_and_core_3_3_at_least) {
   get(kMajor, &major);
   get(kMinor, &minor);
   get(kProfile, &profile);
+  if (GetParam() == std::string("gles")) {
+    const auto text = reinterpret_cast<const char* (*)(unsigned)>(surface->gl_proc("glGetString"));
+    ASSERT_NE(text, nullptr);
+    EXPECT_TRUE(std::string(text(0x1f02)).starts_with("OpenGL ES 3.")) << text(0x1f02);  // GL_VERSION
+    EXPECT_GE(10 * major + minor, 30);
+    return;
+  }
   EXPECT_GE(10 * major + minor, 33);
   EXPECT_EQ(profile, 1) << "GL_CONTEXT_CORE_PROFILE_BIT";
 }
@@ -117,7 +124,7 @@ TEST(offscreen_surface, an_unknown_library_is_an_error_of_usage) {
   const auto made = make_offscreen({.headless = "vulkan"});
   ASSERT_FALSE(made.ok());
   EXPECT_EQ(made.status().code, base::Code::usage);
-  EXPECT_NE(made.status().message.find("expected osmesa or egl, found vulkan"), std::string::npos);
+  EXPECT_NE(made.status().message.find("expected osmesa, egl or gles, found vulkan"), std::string::npos);
 }
 
 }  // namespace offscreen_surface_test
