@@ -20,7 +20,7 @@ struct Keyword {
   std::string word, former;
   bool optional = false;
   explicit Keyword(std::string_view text) : word(text.substr(0, text.find('|'))), optional(word.ends_with('?')) {
-    if (text.find('|') != text.npos) former = text.substr(text.find('|') + 1);
+    if (const std::size_t bar = text.find('|'); bar != std::string_view::npos) former = text.substr(bar + 1);
     if (optional) word.pop_back();
   }
   bool is(std::string_view text) const { return text == word || (!former.empty() && text == former); }

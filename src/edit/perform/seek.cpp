@@ -133,8 +133,8 @@ std::vector<world::Entity> planned_again(const world::Document& before, const wo
 }  // namespace
 
 Search search_for(const Session& session, const Seek& command) {
-  const auto fails = [](Status status) -> Search { return [status](base::Progress*) { return status; }; };
-  if (!session.game.referee.measure) return fails(refused("there is nobody to measure the goal"));
+  const auto fails = [](const Status& status) -> Search { return [status](base::Progress*) { return status; }; };
+  if (!session.game.referee.measure) return fails(refused("this program cannot measure goals"));
   base::Result<std::vector<SeekNumber>> numbers = seek_numbers(session, command);
   if (!numbers) return fails(numbers.status());
   const auto trial = std::make_shared<Trial>(session, command, std::move(*numbers));

@@ -205,7 +205,7 @@ void force_plot(Ui& ui, Entity section, const std::optional<RidePlots>& ride) {
   series.push_back({"asked", state.place, state.asked, kForceColour, SeriesKind::line, 1.6f});
   const Knobs knobs = knobs_of(axes, state);
   for (const std::array<double, 4>& line : knobs.lines)
-    series.push_back({"", {&line[0], 2}, {&line[2], 2}, kForceColour, SeriesKind::line, 1.0f});
+    series.push_back({"", {line.data(), 2}, {line.data() + 2, 2}, kForceColour, SeriesKind::line, 1.0f});
   const std::array<double, 4> ends = state.gesture ? state.axes : shown_ends(axes, ride, state);
   std::vector<Level> levels = limits_of(ui.session().limits.envelope, state.channel);
   std::erase_if(levels, [&](const Level& level) { return level.y < ends[2] || level.y > ends[3]; });
@@ -270,12 +270,11 @@ platform::Events without_force_keys(Ui& ui, const platform::Events& events) {
   platform::Events others;
   for (const platform::Event& event : events) {
     const auto* const press = std::get_if<platform::KeyPress>(&event);
-    if (press == nullptr || !press->down || state.gesture) {
-      others.push_back(event);
-    } else if (press->key == platform::Key::tab && count > 0 && !press->modifiers.ctrl) {
+    const bool ours = press != nullptr && press->down && !state.gesture;
+    if (ours && press->key == platform::Key::tab && count > 0 && !press->modifiers.ctrl) {
       const std::size_t now = state.key.value_or(press->modifiers.shift ? 0 : count - 1);
       state.key = (now + (press->modifiers.shift ? count - 1 : 1)) % count;
-    } else if (!state.key || !work_key(ui, state, program, *press)) {
+    } else if (!ours || !state.key || !work_key(ui, state, program, *press)) {
       others.push_back(event);
     }
   }

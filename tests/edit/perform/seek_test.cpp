@@ -65,7 +65,7 @@ TEST_F(Searches, change_several_numbers_alike_or_by_themselves) {
 
 TEST_F(Searches, need_somebody_who_measures) {
   session.game.referee = {};
-  refused(command("seek 20 by height of @k3"), "nobody to measure");
+  refused(command("seek 20 by height of @k3"), "cannot measure goals");
 }
 
 }  // namespace perform_seek_test
