@@ -11,6 +11,7 @@
 #include "base/text.h"
 #include "base/words.h"
 #include "exchange/export/track_shapes.h"
+#include "exchange/fvd/fvd.h"
 #include "exchange/nolimits/nl2_csv.h"
 #include "exchange/nolimits/nl2elem.h"
 #include "exchange/nolimits/nltrack.h"
@@ -35,6 +36,7 @@ constexpr std::array kFormats{
            parse_nl2_csv},
     Format{".nl2elem", "NoLimits 2 element", parse_nl2elem, print_nl2elem, false, false, check_nl2elem,
            kMaxNl2ElemBytes, nullptr, true},
+    Format{".fvd", "openFVD project", parse_fvd, nullptr, true, false},
     Format{".gltf", "glTF 2.0", nullptr, print_gltf, false, false},
     Format{".obj", "Wavefront OBJ", nullptr, print_obj, false, false},
     Format{".svg", "drawing", nullptr, print_svg, false, false, nullptr, base::kMaxFileBytes, nullptr, true},
@@ -53,6 +55,7 @@ void equip(LoadedTrack& loaded) {
   world::Document& document = loaded.document;
   if (document.track.segments.empty()) return;
   if (!world::first_cart(document).valid()) world::add_cart(document, document.track.segments[0], 0);
+  if (loaded.knows_speed) return;
   if (const auto speed = sim::completing_speed(document)) {
     document.start_speed = *speed;
     loaded.note = fmt::format("The train completes the ride with a start speed of {} m/s.", base::to_text(*speed));

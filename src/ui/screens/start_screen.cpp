@@ -57,8 +57,8 @@ void StartScreen::build_choices(Ui& ui, float width) {
              !last.empty() && std::filesystem::exists(last, ignored), width))
     ui.want = {Want::Kind::load, last.string()};
   choice("New track", "Start an empty track. Click on the ground to place knots.", "New", Want::Kind::fresh);
-  choice("Open or import", "Open a coaster track, or import one of NoLimits (.csv, .nltrack, .nl2elem).", "Open",
-         Want::Kind::browse);
+  choice("Open or import", "Open a track, or import one of NoLimits or openFVD (.csv, .nltrack, .nl2elem, .fvd).",
+         "Open", Want::Kind::browse);
   choice("Tutorial", "Build and ride your first coaster, step by step.", "", Want::Kind::tutorial);
   choice("Challenges", "Tracks to improve, each with a goal and three medals.", "Challenges", Want::Kind::challenges);
   if (button(ui, "Back to the track###Build on", "Close this page. Key Escape.", true, width)) open_ = false;

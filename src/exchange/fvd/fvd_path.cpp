@@ -1,0 +1,249 @@
+#include "exchange/fvd/fvd_path.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+#include <fmt/format.h>
+
+#include "base/portable_math.h"
+#include "curve/frames.h"
+#include "world/motion.h"
+
+namespace coaster::exchange {
+namespace {
+
+using glm::dvec3;
+
+constexpr double kStep = 0.05, kPointStep = 0.25, kShortestLead = 1;  // m
+constexpr double kSlowest = 1;                                        // m/s
+constexpr dvec3 kUp{0, 1, 0};
+
+struct Train {
+  dvec3 position, forward, up;
+  double square;         // m^2/s^2, the speed squared
+  double s = 0, at = 0;  // m; m, s or degrees of the section's functions
+};
+
+struct Rates {
+  dvec3 forward{0};      // unit
+  dvec3 curvature{0};    // 1/m
+  double twist = 0;      // rad/m to the right
+  double per_metre = 1;  // of `at`
+};
+
+class Walk {
+ public:
+  Walk(const FvdTrack& track, FvdSection& section, const FvdStart& start);
+  FvdPath run();
+
+ private:
+  Rates rates(const Train& train) const;
+  double turn_at(const Train& train) const;
+  void enter_lead_out(const Train& train);
+  void enter_piece(const Train& train);
+  Train moved(const Train& train, const Rates& rates, double by) const;
+  void record(const Train& train);
+  double rest(const Train& train, const Rates& now) const;
+
+  const FvdTrack& track_;
+  FvdSection& section_;
+  const curve::Frame start_;
+  Train train_;
+  double length_ = 0;  // of `at`
+  FvdLevelling levelling_;
+  std::size_t piece_ = ~std::size_t{0};  // of the roll; none at first
+  std::optional<double> out_from_;       // m where a turn's lead-out begins
+  double lead_in_ = 0, lead_out_ = 0;    // m
+  std::vector<double> corners_;          // of `at`
+  FvdPath path_;
+};
+
+// Degrees of heading to the left per metre.
+double yaw_of(dvec3 forward, dvec3 curvature) {
+  const double level = forward.x * forward.x + forward.z * forward.z;
+  return level > 1e-6 ? base::degrees(glm::dot(curvature, glm::cross(kUp, forward)) / level) : 0.0;
+}
+
+Walk::Walk(const FvdTrack& track, FvdSection& section, const FvdStart& start)
+    : track_(track),
+      section_(section),
+      start_{start.forward, start.up},
+      train_{start.position, start.forward, start.up, start.speed * start.speed} {
+  if (!section.free_speed) train_.square = section.speed * section.speed;
+  const bool forced = section.kind == FvdKind::forced || section.kind == FvdKind::geometric;
+  const std::array<const FvdFunction*, 3> all{&section.roll, &section.vertical, &section.lateral};
+  length_ = shared_length(std::span(all).first(forced ? 3 : 1));
+  for (FvdFunction* const function : {&section.roll, &section.vertical, &section.lateral}) {
+    if (function->empty()) continue;
+    join_pieces(*function, function->front().start, length_);
+    for (const FvdPiece& piece : *function) corners_.push_back(piece.from);
+  }
+  std::ranges::sort(corners_);
+  const double radius = std::max(section.radius, 1e-3), degree = 1.997 * radius * base::kPi / 180;
+  lead_in_ = std::max(degree * section.lead_in, kShortestLead);
+  lead_out_ = std::max(degree * section.lead_out, kShortestLead);
+}
+
+// The curvature of a turn: it rises and falls as a smooth step of the length.
+double Walk::turn_at(const Train& train) const {
+  double share = std::min(train.s / lead_in_, 1.0);
+  if (out_from_) share = std::min(share, std::clamp(1 - (train.s - *out_from_) / lead_out_, 0.0, 1.0));
+  return sim::smooth_step(share) / section_.radius;
+}
+
+Rates Walk::rates(const Train& train) const {
+  const double speed = std::sqrt(train.square);
+  Rates r;
+  r.forward = train.forward;
+  if (section_.kind == FvdKind::curved) r.per_metre = std::max(base::degrees(turn_at(train)), 1e-9);
+  else if (section_.kind != FvdKind::straight && !section_.by_distance) r.per_metre = 1 / speed;
+  const dvec3 left = glm::cross(train.up, train.forward);
+  switch (section_.kind) {
+    case FvdKind::curved: {
+      // The plane of the turn stays where it is while the train rolls.
+      const base::SinCos to = base::sin_cos(base::radians(section_.direction));
+      const dvec3 axis = to.sin * start_.up - to.cos * start_.left();
+      r.curvature = turn_at(train) * glm::cross(axis, train.forward);
+      break;
+    }
+    case FvdKind::forced: {
+      const dvec3 felt = value_of(piece_at(section_.vertical, train.at), train.at) * train.up +
+                         value_of(piece_at(section_.lateral, train.at), train.at) * left - kUp;
+      r.curvature = world::kGravity / train.square * (felt - glm::dot(felt, train.forward) * train.forward);
+      break;
+    }
+    case FvdKind::geometric: {
+      const double pitch = value_of(piece_at(section_.vertical, train.at), train.at) * r.per_metre,
+                   yaw = value_of(piece_at(section_.lateral, train.at), train.at) * r.per_metre;
+      const dvec3 right = glm::cross(train.forward, kUp);
+      const double level = glm::length(right);
+      if (level > 1e-6) r.curvature = base::radians(pitch) / level * glm::cross(right, train.forward);
+      r.curvature += base::radians(yaw) * glm::cross(kUp, train.forward);
+      break;
+    }
+    default: break;
+  }
+  const FvdPiece& piece = piece_at(section_.roll, train.at);
+  double roll = value_of(piece, train.at, levelling_);  // degrees to the left
+  roll *= section_.kind == FvdKind::straight || section_.kind == FvdKind::curved ? 1 / speed : r.per_metre;
+  if (section_.upright || piece.shape == FvdShape::to_zero)
+    roll -= train.forward.y * yaw_of(train.forward, r.curvature);
+  r.twist = -base::radians(roll);
+  return r;
+}
+
+// Each piece that levels the roll begins from the roll that there is.
+void Walk::enter_piece(const Train& train) {
+  constexpr double kBefore = 1e-3;
+  std::size_t now = 0;
+  while (now + 1 < section_.roll.size() && section_.roll[now].to < train.at + 1e-9) ++now;
+  if (now == piece_) return;
+  const bool first = piece_ > now;
+  piece_ = now;
+  FvdPiece& piece = section_.roll[now];
+  if (piece.shape != FvdShape::to_zero) return;
+  const FvdPiece& before = section_.roll[first ? now : now - 1];
+  const double rate = first ? 0 : value_of(before, before.to) - value_of(before, before.to - kBefore);
+  levelling_ = {base::degrees(base::arc_tangent(glm::cross(train.forward, train.up).y, train.up.y)), rate / kBefore};
+  const Rates r = rates(train);
+  if (!section_.upright) piece.start += train.forward.y * yaw_of(train.forward, r.curvature) / r.per_metre;
+}
+
+void Walk::enter_lead_out(const Train& train) {
+  if (section_.kind == FvdKind::curved && !out_from_ && train.at >= length_ - std::max(section_.lead_out, 0.0)) {
+    out_from_ = train.s;
+    lead_out_ = std::max(1.997 * section_.radius * base::radians(length_ - train.at), kShortestLead);
+  }
+}
+
+// `rates` are those in the middle of the step: a turn about a fixed axis.
+Train Walk::moved(const Train& train, const Rates& rates, double by) const {
+  Train next = train;
+  const dvec3 turn = glm::cross(rates.forward, rates.curvature) + rates.twist * rates.forward;
+  if (const double size = glm::length(turn); size > 0) {
+    next.forward = glm::normalize(curve::rotate(train.forward, turn / size, size * by));
+    next.up = curve::perpendicular(next.forward, curve::rotate(train.up, turn / size, size * by));
+  }
+  const double arc = by * by * glm::dot(rates.curvature, rates.curvature);
+  next.position += by * (1 - arc / 24) * rates.forward;  // the chord
+  if (section_.free_speed)
+    next.square -= 2 * (world::kGravity * (next.position.y - train.position.y + track_.friction * by) +
+                        track_.resistance * train.square * by);
+  next.s += by, next.at += rates.per_metre * by;
+  return next;
+}
+
+void Walk::record(const Train& train) {
+  const Rates r = rates(train);
+  path_.curve.points.push_back({train.s, train.position, train.forward, r.curvature, train.up, r.twist});
+  path_.at.push_back(train.at);
+  path_.twist.push_back(base::degrees(r.twist) / r.per_metre);
+}
+
+// Returns the metres to the section's end.
+double Walk::rest(const Train& train, const Rates& now) const {
+  if (section_.kind == FvdKind::curved)
+    return out_from_ ? *out_from_ + lead_out_ - train.s : std::numeric_limits<double>::infinity();
+  return (length_ - train.at) / now.per_metre;
+}
+
+FvdPath Walk::run() {
+  enter_piece(train_);
+  enter_lead_out(train_);
+  record(train_);
+  path_.curve.breaks = {0};
+  double recorded = 0;
+  std::size_t corner = 0;
+  while (path_.stopped.empty()) {
+    const Rates now = rates(train_);
+    const double left = rest(train_, now);
+    if (left < 1e-6) break;
+    double by = std::min({kStep, 0.005 * std::sqrt(train_.square), left});
+    while (corner < corners_.size() && corners_[corner] <= train_.at + 1e-9) ++corner;
+    const bool at_corner = corner < corners_.size() && (corners_[corner] - train_.at) / now.per_metre <= by;
+    if (at_corner) by = std::max((corners_[corner] - train_.at) / now.per_metre, 1e-9);
+    train_ = moved(train_, rates(moved(train_, now, by / 2)), by);
+    if (train_.square < kSlowest * kSlowest) path_.stopped = fmt::format("the train falls below {} m/s", kSlowest);
+    else if (!(train_.s < kLongestFvd)) path_.stopped = fmt::format("it is longer than {} m", kLongestFvd);
+    else if (!(glm::length(train_.position) < world::kMaxCoordinate)) path_.stopped = "it leaves the world";
+    if (!path_.stopped.empty()) break;
+    enter_lead_out(train_);
+    enter_piece(train_);
+    if (at_corner || train_.s - recorded >= kPointStep - 1e-9 || rest(train_, rates(train_)) < 1e-6) {
+      record(train_), recorded = train_.s;
+      if (at_corner) path_.curve.breaks.push_back(path_.curve.points.size() - 1);
+    }
+  }
+  if (train_.s > recorded + 1e-6 && path_.stopped.empty()) record(train_);
+  if (path_.curve.breaks.back() + 1 != path_.curve.points.size())
+    path_.curve.breaks.push_back(path_.curve.points.size() - 1);
+  path_.speed = std::sqrt(train_.square);
+  return std::move(path_);
+}
+
+}  // namespace
+
+FvdPath fvd_path(const FvdTrack& track, FvdSection& section, const FvdStart& start) {
+  FvdPath nothing;
+  nothing.speed = start.speed;
+  const auto stops = [&](std::string why) {
+    nothing.stopped = std::move(why);
+    return nothing;
+  };
+  if (section.kind == FvdKind::bezier) return stops("Bezier sections are not read");
+  for (const FvdFunction* const function : {&section.roll, &section.vertical, &section.lateral})
+    if (std::ranges::any_of(*function, [](const FvdPiece& piece) { return piece.shape == FvdShape::free_form; }))
+      return stops("openFVD does not store the points of a free-form piece");
+  if (!section.free_speed && !(section.speed >= kSlowest))
+    return stops(fmt::format("it keeps a speed of {} m/s", section.speed));
+  if (section.free_speed && !(start.speed >= kSlowest))
+    return stops(fmt::format("the train falls below {} m/s", kSlowest));
+  if (section.kind == FvdKind::curved && !(section.radius >= kSlowest))
+    return stops(fmt::format("its radius is {} m", section.radius));
+  return Walk(track, section, start).run();
+}
+
+}  // namespace coaster::exchange
