@@ -25,7 +25,7 @@ Answer value(const Context& c, View argument) {
     if (p.name == argument) return p.names.empty() ? number(e.values[i]) : text(world::choice_of(p, e.values[i]).name);
     names.emplace_back(row.parameters[i].name);
   }
-  for (const world::ElementRow& other : world::elements())
+  for (const world::ElementRow& other : world::rows_of(e.kind))
     for (const world::ElementParameter& p : other.parameters)
       if (p.name == argument) return text("none");
   return base::Status{base::Code::usage, fmt::format("a {} has no {}{}", row.name, base::quoted(argument),
@@ -65,7 +65,8 @@ constexpr std::array kElementRows{
     Query{"element", "", "", "The palette's element, such as loop.", element},
     Query{"element.side", "", "", "left or right; none for an element without a side.", side},
     Query{"element.value",
-          "length|roll|radius|angle|bank|speed|ramp|turns|height|top|shift|hops|brakes|station|equipment|acceleration",
+          "length|roll|radius|angle|bank|speed|ramp|turns|height|top|shift|hops|brakes|station|equipment|acceleration|"
+          "seconds|g|pull|ends|slope",
           "",
           "A parameter of the palette's element, such as radius, within its limits; none if it has no such parameter.",
           value},

@@ -15,8 +15,8 @@ Element usual_element(ElementKind kind) {
   return element;
 }
 
-std::array<Element, elements().size()> usual_elements() {
-  std::array<Element, elements().size()> all;
+std::array<Element, base::count_of<ElementKind>()> usual_elements() {
+  std::array<Element, base::count_of<ElementKind>()> all;
   for (std::size_t i = 0; i < all.size(); ++i) all[i] = usual_element(static_cast<ElementKind>(i));
   return all;
 }

@@ -1,6 +1,6 @@
-// The elements of the palette as plain data, with their parameters, units, defaults and limits. To add one: an
-// enumerator and a row here, its shape in sim/plan/element_shapes_*.cpp and in the table there, its icon in
-// ui/widgets/icons.cpp.
+// The elements of the palette as plain data. To add one: an enumerator and a row here, its parameters in
+// element_rows.h, its shape in sim/plan/element_shapes_*.cpp and in the table there, its icon in
+// ui/widgets/icons.cpp; for one of forces its keys in sim/plan/force_elements.cpp instead.
 #pragma once
 
 #include <array>
@@ -11,11 +11,11 @@
 #include <string_view>
 
 #include "base/names.h"
-#include "world/equipment_kind.h"
+#include "world/element_rows.h"
 
 namespace coaster::world {
 
-// Rows of elements(), in its order.
+// Rows of elements(), in its order, then of force_elements().
 enum class ElementKind : std::uint8_t {
   straight,
   curve,
@@ -32,18 +32,17 @@ enum class ElementKind : std::uint8_t {
   immelmann,
   dive_loop,
   cobra_roll,
-  brake_run
+  brake_run,
+  force_hill,
+  force_valley,
+  force_turn,
+  force_roll,
+  force_heartline,
+  force_loop,
+  force_brakes
 };
-
-struct ElementParameter {
-  std::string_view name;   // in scripts and recordings: "radius"
-  std::string_view label;  // in the panel
-  std::string_view unit;   // "" where there is none
-  double usual;            // default value
-  double low, high;        // values beyond are clamped with a notice
-  std::string_view help;
-  std::span<const base::NameRow> names = {};  // not empty: a choice, the value is the number of its row
-};
+// True for an element that is placed as a force section: what riders feel shapes it, and its keys are edited then.
+constexpr bool is_of_forces(ElementKind kind) { return kind >= ElementKind::force_hill; }
 
 inline constexpr std::size_t kMaxElementParameters = 5;
 
@@ -54,129 +53,6 @@ struct ElementRow {
   bool sided;  // has a left and a right form
   std::span<const ElementParameter> parameters;
 };
-
-namespace element_rows {
-inline constexpr std::string_view kSpeedHelp =
-    "Banks for this speed: riders feel no lateral g at the tightest place. 0: use Bank.";
-// None, then the kinds of equipment.
-inline constexpr auto kEquipmentChoices = [] {
-  std::array<base::NameRow, 1 + std::size(kEquipmentKinds)> rows{{{"none", "None", "Plain track."}}};
-  for (std::size_t i = 1; i < rows.size(); ++i) rows[i] = kEquipmentKinds[i - 1];
-  return rows;
-}();
-inline constexpr ElementParameter kEquipment{
-    "equipment",      "Equipment", "", 0, 0, kEquipmentChoices.size() - 1, "Equipment of the whole element.",
-    kEquipmentChoices};
-inline constexpr ElementParameter kEquipmentSpeed{
-    "speed", "Speed", "m/s", 4, 0, 150, "Speed of the equipment: of the chain, after the launch or brake."};
-inline constexpr ElementParameter kStraight[] = {
-    {"length", "Length", "m", 30, 2, 2000, "Length of the straight."},
-    {"roll", "Roll", "deg", 0, -1440, 1440,
-     "Roll along it, positive to the rider's right. 0 levels out, 360 is an inline twist."},
-    kEquipment,
-    kEquipmentSpeed,
-    {"acceleration", "Acceleration", "m/s²", 3, 0.1, 60, "Acceleration of a launch, deceleration of a brake."},
-};
-inline constexpr ElementParameter kCurve[] = {
-    {"radius", "Radius", "m", 25, 3, 1000, "Radius of the circle between the two ramps of curvature."},
-    {"angle", "Angle", "deg", 90, 1, 1080, "Change of direction."},
-    {"bank", "Bank", "deg", 40, -30, 110,
-     "Roll towards the inside at the tightest place. Ignored when a speed is set."},
-    {"speed", "For speed", "m/s", 0, 0, 150, kSpeedHelp},
-    {"ramp", "Ramps", "m", 0, 0, 200,
-     "Length of the roll-in and of the roll-out: the ramps over which curvature and bank rise and fall. 0: a quarter "
-     "of "
-     "the angle each, at most 30 degrees."},
-};
-inline constexpr ElementParameter kHelix[] = {
-    {"radius", "Radius", "m", 16, 3, 1000, "Radius in plan, between the two ramps of curvature."},
-    {"turns", "Turns", "", 2, 0.25, 12, "Number of turns of 360 degrees."},
-    {"height", "Height", "m", -10, -200, 200, "Rise from start to end. Below 0 it descends."},
-    {"bank", "Bank", "deg", 50, -30, 110, "Roll towards the inside. Ignored when a speed is set."},
-    {"speed", "For speed", "m/s", 0, 0, 150, kSpeedHelp},
-};
-inline constexpr ElementParameter kClimb[] = {
-    {"height", "Height", "m", 25, 0.5, 300, "Rise from start to end."},
-    {"angle", "Angle", "deg", 35, 2, 90, "Steepest slope."},
-    {"radius", "Radius", "m", 20, 3, 500, "Smallest radius of its bends."},
-    kEquipment,
-    kEquipmentSpeed,
-};
-inline constexpr ElementParameter kDive[] = {
-    {"height", "Height", "m", 20, 0.5, 300, "Drop from start to end."},
-    {"angle", "Angle", "deg", 55, 2, 90, "Steepest slope."},
-    {"radius", "Radius", "m", 22, 3, 500, "Smallest radius of its bends."},
-};
-inline constexpr ElementParameter kCamelback[] = {
-    {"height", "Height", "m", 14, 1, 150, "Height of the crest above the foot."},
-    {"speed", "At speed", "m/s", 22, 5, 100,
-     "Speed at the foot at which riders are weightless over the whole crest, a parabola."},
-    {"radius", "Radius", "m", 25, 3, 500, "Smallest radius of the bends at its feet."},
-};
-inline constexpr ElementParameter kLoop[] = {
-    {"height", "Height", "m", 16, 3, 100, "Height of the top above the foot."},
-    {"top", "Top", "deg", 90, 0, 240,
-     "Angle of the circle at the top. The rest are clothoids that widen towards the foot."},
-    {"shift", "Shift", "m", 3.5, 2.5, 30, "Sideways distance between entry and exit, so that the loop clears itself."},
-};
-inline constexpr ElementParameter kCorkscrew[] = {
-    {"height", "Height", "m", 9, 3, 60, "Height of the top above the foot."},
-    {"angle", "Axis", "deg", 45, 10, 70, "Angle between the entry and the axis of the helix."},
-    {"top", "Top", "deg", 150, 0, 240, "Angle of the turn that is a true helix. It widens before and after."},
-};
-inline constexpr ElementParameter kSBend[] = {
-    {"radius", "Radius", "m", 25, 3, 1000, "Radius of both circles."},
-    {"angle", "Angle", "deg", 45, 1, 170, "Change of direction of each of the two turns."},
-    {"bank", "Bank", "deg", 40, -30, 110, "Roll towards the inside of each turn. Ignored when a speed is set."},
-    {"speed", "For speed", "m/s", 0, 0, 150, kSpeedHelp},
-};
-inline constexpr ElementParameter kOverbankedTurn[] = {
-    {"radius", "Radius", "m", 20, 8, 1000, "Radius in plan, between the two ramps of curvature."},
-    {"angle", "Angle", "deg", 180, 90, 360, "Change of direction."},
-    {"height", "Height", "m", 14, 0, 150, "Height of the top above both ends."},
-    {"bank", "Bank", "deg", 110, 0, 160, "Roll towards the inside at the top. Ignored when a speed is set."},
-    {"speed", "At speed", "m/s", 0, 0, 60,
-     "Speed at the start for which it banks: riders feel no lateral g anywhere. 0: use Bank."},
-};
-inline constexpr std::string_view kFloatSpeedHelp =
-    "Speed at the start at which riders are weightless over every crest, a parabola.";
-inline constexpr ElementParameter kBunnyHops[] = {
-    {"hops", "Hops", "", 3, 1, 12, "Number of hills."},
-    {"height", "Height", "m", 4, 1, 30, "Height of the crests above the start."},
-    {"speed", "At speed", "m/s", 16, 7, 70, kFloatSpeedHelp},
-    {"radius", "Radius", "m", 14, 3, 200, "Smallest radius of the feet and of the valleys."},
-};
-inline constexpr ElementParameter kZeroGRoll[] = {
-    {"height", "Height", "m", 20, 4, 150, "Height of the crest above the foot."},
-    {"speed", "At speed", "m/s", 28, 10, 100,
-     "Speed at the foot at which riders are weightless while they are rolled over the crest, a parabola."},
-    {"radius", "Radius", "m", 25, 3, 500, "Smallest radius of the bends at its feet."},
-};
-inline constexpr std::string_view kRollSlopeHelp =
-    "Slope of the parabola at both ends of the half roll. Larger: a longer roll.";
-inline constexpr ElementParameter kImmelmann[] = {
-    {"height", "Height", "m", 16, 4, 80, "Rise from start to end."},
-    {"speed", "At speed", "m/s", 26, 7, 100, "Speed at the start at which riders are weightless during the half roll."},
-    {"angle", "Slope", "deg", 32, 15, 60, kRollSlopeHelp},
-    {"radius", "Radius", "m", 18, 5, 100, "Smallest radius of the bend that levels out after the roll."},
-};
-inline constexpr ElementParameter kDiveLoop[] = {
-    {"height", "Height", "m", 16, 4, 80, "Drop from start to end."},
-    {"speed", "At speed", "m/s", 19, 7, 100, "Speed at the start at which riders are weightless during the half roll."},
-    {"angle", "Slope", "deg", 32, 15, 60, kRollSlopeHelp},
-    {"radius", "Radius", "m", 18, 5, 100, "Smallest radius of the bend that climbs to the roll."},
-};
-inline constexpr ElementParameter kCobraRoll[] = {
-    {"height", "Height", "m", 18, 5, 60, "Height of the two tops above the foot."},
-    {"top", "Top", "deg", 90, 0, 180, "Angle of the circle at each top. Clothoids widen it before and after."},
-};
-inline constexpr ElementParameter kBrakeRun[] = {
-    {"brakes", "Brakes", "m", 45, 5, 500, "Length of the brakes."},
-    {"station", "Station", "m", 30, 5, 500, "Length of the station after them, at least the train's."},
-    {"speed", "Speed", "m/s", 4, 0.5, 50, "Speed after the brakes."},
-    {"acceleration", "Deceleration", "m/s²", 6, 0.1, 60, "Deceleration of the brakes."},
-};
-}  // namespace element_rows
 
 inline constexpr ElementRow kElements[] = {
     {"straight", "Straight", "A straight. It can roll.", false, element_rows::kStraight},
@@ -217,9 +93,27 @@ inline constexpr ElementRow kElements[] = {
      true, element_rows::kCobraRoll},
     {"brake_run", "Brake run", "Level brakes, then a station: the end of a ride. A sloping end is levelled first.",
      false, element_rows::kBrakeRun},
+    {"force_hill", "Float hill", "A hill over which riders float for some seconds, between bends of constant g.", false,
+     element_rows::kForceHill},
+    {"force_valley", "Valley", "A bend of constant g up or down to a slope: a valley, a pull-up or a crest.", false,
+     element_rows::kForceValley},
+    {"force_turn", "Turn", "A level turn at constant g, banked so that riders feel no lateral g.", true,
+     element_rows::kForceTurn},
+    {"force_roll", "Float roll", "A hill over which riders float while they are rolled by 360 degrees.", true,
+     element_rows::kForceRoll},
+    {"force_heartline", "Heartline roll", "A roll by 360 degrees about the riders' straight path.", true,
+     element_rows::kForceHeartline},
+    {"force_loop", "Force loop", "A loop at constant g: a teardrop, tighter towards the top. It ends level.", true,
+     element_rows::kForceLoop},
+    {"force_brakes", "Brakes", "Straight brakes, as long as the train needs to slow down.", false,
+     element_rows::kForceBrakes},
 };
-constexpr std::span<const ElementRow> elements() { return kElements; }
-constexpr std::span<const ElementRow> rows_of(ElementKind) { return elements(); }
+constexpr std::span<const ElementRow> rows_of(ElementKind) { return kElements; }
+// Those with a shape of their own; and those that are placed as force sections (sim/plan/force_elements.h).
+constexpr std::span<const ElementRow> elements() {
+  return rows_of(ElementKind{}).first(static_cast<std::size_t>(ElementKind::force_hill));
+}
+constexpr std::span<const ElementRow> force_elements() { return rows_of(ElementKind{}).subspan(elements().size()); }
 
 // One element with its parameters: the first `values` are those of its row, in the row's order; the others are 0.
 struct Element {
@@ -231,7 +125,7 @@ struct Element {
 
 // Returns an element with the row's default values, to the left; and all of them, by kind.
 Element usual_element(ElementKind kind);
-std::array<Element, elements().size()> usual_elements();
+std::array<Element, base::count_of<ElementKind>()> usual_elements();
 
 // True for a row of the table, a side that it has, values within its limits, and 0 beyond its parameters.
 bool within_limits(const Element& element);

@@ -96,7 +96,8 @@ bool within_limits(const WayHome& way) {
 bool sound(const Section& section) {
   if (section.title.size() > kMaxNameBytes || !base::is_printable_utf8(section.title)) return false;
   if (!base::has_row(section.kind)) return false;
-  return (section.kind == SectionKind::element ? within_limits(section.element) : section.element == Element{}) &&
+  return (section.kind == SectionKind::element ? within_limits(section.element) && !is_of_forces(section.element.kind)
+                                               : section.element == Element{}) &&
          (section.kind == SectionKind::complete ? within_limits(section.way) : section.way == WayHome{}) &&
          (section.kind == SectionKind::force ? !broken(section.force) : section.force == ForceProgram{});
 }

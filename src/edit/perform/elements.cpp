@@ -22,10 +22,10 @@ void report(const sim::ElementPlan& plan, double missing, Change& change) {
   if (missing > 0)
     change.clamped.push_back(
         fmt::format("The element is {:.1f} m too close to other track for a train to pass.", missing));
-  if (!plan.fit.within)
+  if (!plan.forces && !plan.fit.within)
     change.clamped.push_back(fmt::format("The fit error is {} m because the element is far from the origin.",
                                          base::to_text(static_cast<float>(plan.fit.error))));
-  if (!change.clamped.empty()) return;  // the warning should be the newest notice
+  if (plan.forces || !change.clamped.empty()) return;  // the warning should be the newest notice
   std::string name(base::row_of(plan.element.kind).name);
   std::replace(name.begin(), name.end(), '_', ' ');
   change.note = fmt::format("Placed {}: {:.1f} m, fit error {:.1f} mm.", name, plan.length, plan.fit.error * 1000);
@@ -48,6 +48,10 @@ world::Entity place(world::Document& document, const sim::ElementPlan& plan) {
   for (std::size_t k = 1; k < plan.fit.knots.size(); ++k) world::append_knot(document, plan.fit.knots[k]);
   const std::size_t first = document.track.segments.size() - plan.spans();
   equip(document, plan, first);
+  if (plan.forces)
+    return world::make_section(
+        document, first, plan.spans(),
+        {std::string(base::row_of(plan.element.kind).label), world::SectionKind::force, {}, {}, *plan.forces});
   return world::make_section(document, first, plan.spans(),
                              {{}, world::SectionKind::element, world::limited(plan.element)});
 }
@@ -75,9 +79,10 @@ Status perform(Session& session, Change& change, const PlaceElement& command) {
       !room)
     return room;
   const double missing = sim::worst(find(session, Want::room, command.what).room);
-  place(document, plan);
-  change.select = document.track.knots.back();
+  const world::Entity section = place(document, plan);
+  change.select = plan.forces ? section : document.track.knots.back();
   if (document.track.segments.size() == plan.spans()) add_first_train(document);
+  if (plan.forces) report_forces(*force_plan(session, section), change);
   report(plan, missing, change);
   return {};
 }

@@ -65,12 +65,11 @@ void put_key(ForceProgram& program, world::ForceChannel channel, const ForceKey&
               key);
 }
 
-void report(const sim::ForcePlan& plan, bool assumed, Change& change) {
+}  // namespace
+
+void report_forces(const sim::ForcePlan& plan, Change& change) {
   if (const std::string stopped = sim::stop_text(plan); !stopped.empty())
     change.clamped.push_back(base::sentence(stopped));
-  if (assumed)
-    change.clamped.push_back(
-        fmt::format("No train reaches the open end: planned for {} m/s.", base::to_text(plan.task.program.speed)));
   if (!plan.fit.within)
     change.clamped.push_back(fmt::format("Riders feel up to {:.2f} g more or less than the keys say, at {:.1f} m.",
                                          plan.fit.felt_error, plan.fit.felt_at));
@@ -78,8 +77,6 @@ void report(const sim::ForcePlan& plan, bool assumed, Change& change) {
     change.note = fmt::format("Placed a force section: {:.1f} m, {} {}, felt g within {:.2f} g.", plan.length,
                               plan.spans(), plan.spans() == 1 ? "span" : "spans", plan.fit.felt_error);
 }
-
-}  // namespace
 
 Status add_force(Session& session, Change& change, ForceProgram program) {
   Document& document = session.document;
@@ -94,7 +91,8 @@ Status add_force(Session& session, Change& change, ForceProgram program) {
   const bool first = document.track.segments.empty();
   change.select = place_force(document, plan);
   if (first) add_first_train(document);
-  report(plan, !speed, change);
+  if (!speed) change.clamped.push_back(sim::assumed_text());
+  report_forces(plan, change);
   return {};
 }
 

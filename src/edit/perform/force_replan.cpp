@@ -88,16 +88,6 @@ Status replan_force(Session& session, Change& change, Document& document, Entity
   return put_and_follow(session, change, document, run, fit);
 }
 
-std::optional<double> speed_at(Session& session, double distance) {
-  const Document& document = session.document;
-  if (document.track.segments.empty()) return document.start_speed;
-  const sim::Ghost* const ride =
-      session.findings.memory.rides.ride(document, session.derived, world::first_cart(document));
-  if (ride == nullptr) return std::nullopt;
-  const auto found = sim::passing(*ride, distance);
-  return found ? std::optional(found->speed) : std::nullopt;
-}
-
 bool follow_speeds(Session& session, Change& change) {
   constexpr double kSame = 0.002;  // m/s
   std::vector<Entity> sections;

@@ -21,8 +21,4 @@ base::Status put_and_follow(Session& session, Change& change, world::Document& d
 // derived data that are the document's; returns whether it changed the document, and then they are no longer.
 bool follow_speeds(Session& session, Change& change);
 
-// Returns the speed of the first train where its first car comes to a place of the session's track, m/s; nothing where
-// it does not.
-std::optional<double> speed_at(Session& session, double distance);
-
 }  // namespace coaster::edit

@@ -16,6 +16,8 @@ world::Entity place(world::Document& document, const sim::ElementPlan& plan);
 void equip(world::Document& document, const sim::ElementPlan& plan, std::size_t first);
 // The same of a force section.
 world::Entity place_force(world::Document& document, const sim::ForcePlan& plan);
+// Says what was placed, or else its warnings.
+void report_forces(const sim::ForcePlan& plan, Change& change);
 // Plans a program at the open end for the speed there and adds it.
 base::Status add_force(Session& session, Change& change, world::ForceProgram program);
 // Adds a train at the start of a track without one, so that there is something to watch.

@@ -129,7 +129,11 @@ const Findings& find(Session& session, Want wanted, const world::Element& elemen
     found.conflicts = memory.conflicts.update(session.derived, sim::Conflicts::kSlice);
   found.all_conflicts = memory.conflicts.is_complete();
   if (has(wanted, Want::folds)) found.folds = memory.folds.update(session.derived);
-  if (has(wanted, Want::element | Want::room)) found.element = &memory.elements.plan(element, session.document);
+  if (has(wanted, Want::element | Want::room)) {
+    const bool of_forces = world::is_of_forces(element.kind);
+    found.element = &memory.elements.plan(element, session.document,
+                                          of_forces ? speed_at(session, session.derived.length) : std::nullopt);
+  }
   if (has(wanted, Want::room))
     found.room =
         memory.room.update(*found.element, memory.conflicts, session.derived, world::rails_height(session.document));
@@ -147,6 +151,16 @@ const Findings& find(Session& session, Want wanted, const world::Element& elemen
     found.chord_error = memory.chord_error.get({session.derived.last_build, session.derived.steps},
                                                [&] { return sim::chord_error(session.derived); });
   return found;
+}
+
+std::optional<double> speed_at(Session& session, double distance) {
+  const world::Document& document = session.document;
+  if (document.track.segments.empty()) return document.start_speed;
+  const sim::Ghost* const ride =
+      session.findings.memory.rides.ride(document, session.derived, world::first_cart(document));
+  if (ride == nullptr) return std::nullopt;
+  const auto found = sim::passing(*ride, distance);
+  return found ? std::optional(found->speed) : std::nullopt;
 }
 
 const sim::ForcePlan* force_plan(Session& session, world::Entity section) {

@@ -114,6 +114,10 @@ const Findings& find(Session& session, Want wanted);
 // The same, where Want::element and Want::room are about another element than the chosen one.
 const Findings& find(Session& session, Want wanted, const world::Element& element);
 
+// Returns the speed of the first train where its first car comes to a place of the session's track, m/s; nothing where
+// it does not.
+std::optional<double> speed_at(Session& session, double distance);
+
 // Returns the plan of a force section as it is in the document; null for other sections. Good until the next plan of
 // one.
 const sim::ForcePlan* force_plan(Session& session, world::Entity section);

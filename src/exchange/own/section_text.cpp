@@ -17,7 +17,7 @@ constexpr std::string_view kSides[] = {"left", "right"};
 
 // Returns the words of "kind".
 std::vector<std::string> kinds() {
-  std::vector<std::string> names = base::names_of<world::ElementKind>();
+  std::vector<std::string> names = base::names_in(world::elements());
   names.insert(names.begin(), std::string(base::name_of(world::SectionKind::free)));
   for (const world::SectionKind own : kOwnKinds)
     if (own != world::SectionKind::free) names.emplace_back(base::name_of(own));
@@ -64,7 +64,7 @@ bool read_kind(Fields& fields, world::Section& section) {
   for (const world::SectionKind own : kOwnKinds)
     if (kind == base::name_of(own)) return section.kind = own, true;
   const auto element = base::value_named<world::ElementKind>(kind);
-  if (!element) return fields.reject("kind", base::alternatives(kinds(), "\""));
+  if (!element || world::is_of_forces(*element)) return fields.reject("kind", base::alternatives(kinds(), "\""));
   section.kind = world::SectionKind::element;
   section.element = world::usual_element(*element);
   if (base::row_of(*element).sided && !read_side(fields, section.element)) return false;

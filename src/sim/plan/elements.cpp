@@ -8,6 +8,8 @@
 #include "base/text.h"
 #include "curve/continuity.h"
 #include "curve/frames.h"
+#include "sim/plan/force_elements.h"
+#include "sim/plan/force_plan.h"
 
 namespace coaster::sim {
 namespace {
@@ -74,6 +76,34 @@ void fit_parts(std::span<const EquippedPart> equipped, ElementPlan& plan) {
   }
 }
 
+// Plans an element of forces: the section that its keys make.
+void plan_forces(const ForceTask& start, double behind, ElementPlan& plan) {
+  ForceElement element = force_element(plan.element, start, behind);
+  plan.refusal = std::move(element.refusal);
+  if (!plan.refusal.empty()) return;
+  plan.lines.insert(plan.lines.end(), element.lines.begin(), element.lines.end());
+  ForceTask task = start;
+  task.program = plan.forces.emplace(std::move(element.program));
+  ForcePlan section = plan_force(task);
+  plan.refusal = section.refusal.empty() ? stop_text(section) : section.refusal;
+  if (!plan.refusal.empty()) return;
+  plan.ideal = std::move(section.path.curve), plan.fit = std::move(section.fit.spans);
+  plan.length = section.length;
+  if (element.equipment) plan.equipment = {{plan.spans(), *element.equipment}};
+}
+
+double lowest_of(const ElementCurve& curve) {
+  double lowest = curve.points.front().position.y;
+  for (const ElementPoint& p : curve.points) lowest = std::min(lowest, p.position.y);
+  return lowest;
+}
+
+ForceTask train_at(const world::Document& document, const TrackEnd& end, std::optional<double> speed) {
+  world::ForceProgram program;
+  program.speed = speed.value_or(kAssumedSpeed);
+  return force_task(document, end, program);
+}
+
 }  // namespace
 
 std::optional<TrackEnd> open_end(const world::Document& document) {
@@ -100,6 +130,10 @@ ElementPlan plan_element(const world::Element& element, const TrackEnd& end) {
   ElementPlan plan;
   plan.element = element;
   clamp_values(plan.element, plan.lines);
+  if (world::is_of_forces(element.kind)) {
+    plan.refusal = "this element is made of forces: it is placed at the open end, as a force section";
+    return plan;
+  }
   ElementShape shape = element_shape(plan.element, end, plan.lines);
   plan.refusal = std::move(shape.refusal);
   if (!plan.refusal.empty()) return plan;
@@ -114,27 +148,43 @@ ElementPlan plan_element(const world::Element& element, const TrackEnd& end) {
   if (!plan.refusal.empty()) return plan;
   if (shape.equipped.empty()) plan.fit = fit_element(plan.ideal);
   else fit_parts(shape.equipped, plan);
-  plan.lowest = plan.ideal.points.front().position.y;
-  for (const ElementPoint& p : plan.ideal.points) plan.lowest = std::min(plan.lowest, p.position.y);
+  plan.lowest = lowest_of(plan.ideal);
   return plan;
 }
 
-ElementPlan plan_element(const world::Element& element, const world::Document& document) {
-  if (const std::optional<TrackEnd> end = open_end(document)) return plan_element(element, *end);
+ElementPlan plan_element(const world::Element& element, const world::Document& document, std::optional<double> speed) {
+  const std::optional<TrackEnd> end = open_end(document);
+  const bool of_forces = world::is_of_forces(element.kind);
+  if (end && !of_forces) return plan_element(element, *end);
   ElementPlan plan;
   plan.element = element;
   clamp_values(plan.element, plan.lines);
-  plan.refusal = "the track is closed: open it first";
+  if (!end) {
+    plan.refusal = "the track is closed: open it first";
+    return plan;
+  }
+  const world::Cart* const cart = document.entities.find<world::Cart>(world::first_cart(document));
+  plan_forces(train_at(document, *end, speed), cart ? cart->behind() : 0, plan);
+  if (!plan.refusal.empty()) return plan;
+  if (!speed) plan.lines.push_back(assumed_text());
+  plan.lowest = lowest_of(plan.ideal);
   return plan;
 }
 
-const ElementPlan& ElementMemo::plan(const world::Element& element, const world::Document& document) {
+std::string assumed_text() {
+  return fmt::format("No train reaches the open end: planned for {} m/s.", base::to_text(kAssumedSpeed));
+}
+
+const ElementPlan& ElementMemo::plan(const world::Element& element, const world::Document& document,
+                                     std::optional<double> speed) {
   const std::optional<TrackEnd> end = open_end(document);
-  if (element_ == element && end_ == end) return plan_;
+  std::optional<ForceTask> train;
+  if (end && world::is_of_forces(element.kind)) train = train_at(document, *end, speed);
+  if (element_ == element && end_ == end && train_ == train && speed_ == speed) return plan_;
   const std::uint64_t serial = plan_.serial + 1;
-  plan_ = plan_element(element, document);
+  plan_ = plan_element(element, document, speed);
   plan_.serial = serial;
-  element_ = element, end_ = end;
+  element_ = element, end_ = end, train_ = train, speed_ = speed;
   return plan_;
 }
 

@@ -9,6 +9,7 @@
 
 #include "sim/plan/element_fit.h"
 #include "sim/plan/element_shapes.h"
+#include "sim/plan/force_law.h"
 #include "world/document.h"
 
 namespace coaster::sim {
@@ -26,10 +27,11 @@ struct ElementPlan {
   ElementCurve ideal;
   ElementFit fit;  // fit.knots.front() is the track's end, with its new outgoing handle
   std::vector<EquippedSpans> equipment;
-  double length = 0;         // m, of the ideal curve with its lead-in
-  double lead = 0;           // m, of the lead-in: easing and levelling
-  double lowest = 0;         // m, least height of the rails above the ground; negative: below it
-  std::uint64_t serial = 0;  // a new number for each plan that an ElementMemo makes
+  std::optional<world::ForceProgram> forces;  // of an element of forces: the keys of the section
+  double length = 0;                          // m, of the ideal curve with its lead-in
+  double lead = 0;                            // m, of the lead-in: easing and levelling
+  double lowest = 0;                          // m, least height of the rails above the ground; negative: below it
+  std::uint64_t serial = 0;                   // a new number for each plan that an ElementMemo makes
   std::size_t spans() const { return fit.knots.empty() ? 0 : fit.knots.size() - 1; }
 };
 
@@ -42,17 +44,24 @@ TrackEnd end_at(const world::Document& document, std::size_t knot);
 // Plans an element. Values beyond the limits of its table are clamped; values that are not numbers become the defaults.
 // Takes a few ms.
 ElementPlan plan_element(const world::Element& element, const TrackEnd& end);
-// The same at the end of that document's track; refused if it has no open end.
-ElementPlan plan_element(const world::Element& element, const world::Document& document);
+// The same at the end of that document's track; refused if it has no open end. An element of forces is planned for a
+// train that is at `speed` m/s there; without one for kAssumedSpeed, with a line that says so.
+ElementPlan plan_element(const world::Element& element, const world::Document& document,
+                         std::optional<double> speed = std::nullopt);
+inline constexpr double kAssumedSpeed = 10;  // m/s, where no train reaches the open end
+std::string assumed_text();
 
-// Caches the last plan while the element and the track's end are unchanged.
+// Caches the last plan while the element, the track's end and, for an element of forces, the train are unchanged.
 class ElementMemo {
  public:
-  const ElementPlan& plan(const world::Element& element, const world::Document& document);
+  const ElementPlan& plan(const world::Element& element, const world::Document& document,
+                          std::optional<double> speed = std::nullopt);
 
  private:
   std::optional<world::Element> element_;
   std::optional<TrackEnd> end_;
+  std::optional<double> speed_;
+  std::optional<ForceTask> train_;
   ElementPlan plan_;
 };
 

@@ -111,16 +111,19 @@ constexpr Condition kCompletable{[](const Act& act) { return completable(act.ui.
                                  "Only an open track with a segment can be completed."};
 void complete_circuit(Act& act) { show_ways_home(act.ui); }
 
-// The first press shows the preview of the present one.
-void step_element(Act& act, std::size_t by) {
+// Among the shapes or among those of forces. The first press shows the preview of the present one.
+void step_element(Act& act, bool forwards) {
   if (act.ui.session().settings.aids->circuit > 0) act.ui.emit(edit::Set<&Aids::circuit>{0});
   if (!on<&Aids::show_element>(act)) return toggle<&Aids::show_element>(act);
-  const std::size_t count = world::elements().size();
-  const auto now = static_cast<std::size_t>(act.ui.session().settings.element.kind);
-  act.ui.emit(edit::ChooseElement{act.ui.inputs.elements[(now + by) % count]});
+  const auto kind = act.ui.session().settings.element.kind;
+  const bool of_forces = world::is_of_forces(kind);
+  const std::size_t first = of_forces ? world::elements().size() : 0,
+                    count = of_forces ? world::force_elements().size() : world::elements().size();
+  const std::size_t next = first + (static_cast<std::size_t>(kind) - first + (forwards ? 1 : count - 1)) % count;
+  act.ui.emit(edit::ChooseElement{act.ui.inputs.elements[next]});
 }
-void next_element(Act& act) { step_element(act, 1); }
-void previous_element(Act& act) { step_element(act, world::elements().size() - 1); }
+void next_element(Act& act) { step_element(act, true); }
+void previous_element(Act& act) { step_element(act, false); }
 
 constexpr Action kEditActions[] = {
     {"Undo", "Edit", ctrl(Key::z), kRepeats | kInDrag, "Undo the last step. Cancels a drag in progress.", undo,

@@ -69,7 +69,9 @@ struct Inputs {
   std::string file;                      // the path in Track/File
   double radius = 20;                    // m, the number in Shape/Radius
   std::string waits_for_key, keys_note;  // of the settings: the action whose key is to be pressed, what was changed
-  std::array<world::Element, world::elements().size()> elements = world::usual_elements();  // the palette's, by kind
+  std::array<world::Element, base::count_of<world::ElementKind>()> elements =
+      world::usual_elements();                                    // the palette's, by kind
+  world::ElementKind of_forces = world::ElementKind::force_hill;  // the palette's last one of forces
   AskedChange asked;
   std::optional<EditedCell> cell;
   GoalInputs goal;

@@ -1,6 +1,8 @@
 // Elements: the parameters of the selected element, its preview at the track's open end, and placing it.
 #include <imgui.h>
 
+#include <cmath>
+
 #include <fmt/format.h>
 
 #include "base/text.h"
@@ -19,8 +21,23 @@ namespace {
 
 using world::Element;
 
+// Two beside each other, so that each is one click.
+void kinds_of_forces(Ui& ui) {
+  const world::ElementKind now = ui.session().settings.element.kind;
+  const std::span<const world::ElementRow> rows = world::force_elements();
+  const float middle = ImGui::GetCursorPosX() + std::floor(ImGui::GetContentRegionAvail().x / 2);
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const auto kind = static_cast<world::ElementKind>(world::elements().size() + i);
+    if (i % 2 == 1) ImGui::SameLine(middle);
+    if (radio(ui, rows[i].label, kind == now, rows[i].help) && kind != now)
+      ui.emit(edit::ChooseElement{ui.inputs.elements[static_cast<std::size_t>(kind)]});
+  }
+}
+
 void parameters(Ui& ui) {
   Element element = ui.session().settings.element;
+  ui.inputs.elements[static_cast<std::size_t>(element.kind)] = element;
+  if (world::is_of_forces(element.kind)) kinds_of_forces(ui);
   if (element_fields(ui, element)) ui.emit(edit::ChooseElement{element});
 }
 

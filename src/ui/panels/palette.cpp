@@ -22,6 +22,7 @@ namespace {
 using world::Aids;
 using world::ElementKind;
 
+// Shows the element's preview; with `chosen`, which shows already, hides it.
 void choose(Ui& ui, ElementKind kind, bool chosen) {
   const world::Settings& settings = ui.session().settings;
   if (settings.aids->circuit > 0) ui.emit(edit::Set<&Aids::circuit>{0});
@@ -78,6 +79,20 @@ int element_buttons(Ui& ui, const PaletteGrid& grid) {
   return cell;
 }
 
+constexpr std::string_view kForces = "Forces";
+
+void forces_button(Ui& ui, const PaletteGrid& grid, int cell) {
+  next_cell(cell, grid);
+  const world::Settings& settings = ui.session().settings;
+  const bool of_forces = world::is_of_forces(settings.element.kind), on = settings.aids->show_element && of_forces;
+  if (of_forces) ui.inputs.of_forces = settings.element.kind;
+  constexpr std::string_view kHelp =
+      "Forces. Track from what riders feel: hills, valleys, turns, rolls and loops at constant g, whose keys you edit "
+      "in the force graph.";
+  if (face_button(ui, {kForcesIcon, std::string(kForces), std::string(kHelp), on}, grid))
+    choose(ui, ui.inputs.of_forces, on);
+}
+
 constexpr std::string_view kByHand = "Draw knots";
 
 void by_hand_button(Ui& ui, const PaletteGrid& grid, int cell) {
@@ -102,7 +117,7 @@ void circuit_cell(Ui& ui, const PaletteGrid& grid, int cell) {
 
 }  // namespace
 
-int palette_size() { return static_cast<int>(world::elements().size()) + 2; }
+int palette_size() { return static_cast<int>(world::elements().size()) + 3; }
 
 float palette_label_width(float scale) {
   float widest = std::max(small_size(kByHand).x, small_size(shown(kCircuitLabel)).x);
@@ -120,8 +135,9 @@ void build_palette_of_elements(Ui& ui, const view::Viewport& area, const Palette
                  ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse)) {
     ui.panel = "Elements";
     const int used = element_buttons(ui, grid);
-    by_hand_button(ui, grid, used);
-    circuit_cell(ui, grid, used + 1);
+    forces_button(ui, grid, used);
+    by_hand_button(ui, grid, used + 1);
+    circuit_cell(ui, grid, used + 2);
     ui.panel.clear();
   }
   ImGui::End();
@@ -160,7 +176,7 @@ void all_element_buttons(Ui& ui) {
   const float widest = palette_label_width(ui.scale);
   grid.columns = std::clamp(static_cast<int>((room + gap) / (widest + gap)), 1, 4);
   grid.cell_width = std::floor((room - gap * static_cast<float>(grid.columns - 1)) / static_cast<float>(grid.columns));
-  element_buttons(ui, grid);
+  forces_button(ui, grid, element_buttons(ui, grid));
 }
 
 }  // namespace coaster::ui

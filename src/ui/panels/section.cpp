@@ -32,6 +32,7 @@ void refusal_below(Ui& ui, const Chosen& chosen, std::string_view parameter) {
 void kind_box(Ui& ui, const Chosen& chosen) {
   const Section& section = chosen.section();
   std::vector<Choice> kinds = choices_of<world::ElementKind>();
+  kinds.resize(world::elements().size());
   const bool planned = section.kind == world::SectionKind::element;
   if (!planned) {
     const auto& row = base::row_of(section.kind);
@@ -39,7 +40,7 @@ void kind_box(Ui& ui, const Chosen& chosen) {
   }
   const int now = planned ? static_cast<int>(section.element.kind) : static_cast<int>(kinds.size()) - 1;
   const auto to = combo(ui, "Kind", kinds, now, "Plan the section as another element. What follows moves along.", true);
-  if (to && *to != now && *to < static_cast<int>(base::count_of<world::ElementKind>())) {
+  if (to && *to != now && *to < static_cast<int>(world::elements().size())) {
     ask_change(ui, chosen.name(), "kind");
     ui.emit(edit::ChangeSection{{chosen.name()}, false, world::usual_element(static_cast<world::ElementKind>(*to))});
   }

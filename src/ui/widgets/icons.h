@@ -25,8 +25,9 @@ struct Icon {
   std::span<const Place> arrow = {};  // three corners, or none
   std::span<const Bar> bars = {};
 };
-extern const Icon kPlayIcon, kPauseIcon, kStepIcon, kResetIcon, kPencilIcon, kCircuitIcon, kRecordIcon, kStopIcon;
-const Icon& icon_of(world::ElementKind kind);
+extern const Icon kPlayIcon, kPauseIcon, kStepIcon, kResetIcon, kPencilIcon, kCircuitIcon, kForcesIcon, kRecordIcon,
+    kStopIcon;
+const Icon& icon_of(world::ElementKind kind);  // one icon for all of forces
 
 // Where a button's icon is: before its label, above it with the label in the small font, or without a drawn label.
 enum class IconPlace { before, above, alone };

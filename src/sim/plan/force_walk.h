@@ -1,0 +1,64 @@
+// Where a force program leads, without spans and without asking whether there is room: for searches that try many.
+// And a Newton search for a few unknowns.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include <glm/glm.hpp>
+
+#include "sim/plan/force_law.h"
+
+namespace coaster::sim {
+
+// The end of a walk. Angles are those turned through since the horizon or since the start: a loop ends at a pitch of 2
+// pi more.
+struct ForceWalk {
+  ForceState end;
+  double pitch = 0;      // rad above the horizon, turned about the start's left
+  double heading = 0;    // rad, to the left, about the vertical
+  double shift = 0;      // m, to the left of the start's heading
+  double off_plane = 0;  // of the direction, to the left of the start's heading: -1 to 1
+  double bank = 0;       // of the left above the horizon: -1 to 1; positive where it is banked to the right
+  double rise() const { return end.tangent.y; }  // of the direction above the horizon: -1 to 1
+};
+
+// Follows the task's program to its end in steps of about a third of a metre; positions are within a centimetre of
+// force_path's. Nothing where the train falls below the least speed (world::kSlowestForce) or no curve would do.
+std::optional<ForceWalk> walk_force(const ForceTask& task);
+
+// Returns x with every component of f(x) within `tolerance` of 0, by Newton's method with differences of `step` and
+// steps that are halved where they do not help; nothing if there is none near or f returns nothing.
+template <int N, class Function>
+std::optional<glm::vec<N, double>> newton(glm::vec<N, double> x, double step, double tolerance, const Function& f) {
+  using Vector = glm::vec<N, double>;
+  const auto size = [](const Vector& v) {
+    double most = 0;
+    for (int i = 0; i < N; ++i) most = std::max(most, std::abs(v[i]));
+    return most;
+  };
+  std::optional<Vector> off = f(x);
+  for (int tries = 0; off && tries < 20; ++tries) {
+    if (size(*off) <= tolerance) return x;
+    glm::mat<N, N, double> slopes(0);
+    for (int i = 0; i < N; ++i) {
+      Vector beside = x;
+      beside[i] += step;
+      const std::optional<Vector> there = f(beside);
+      if (!there) return std::nullopt;
+      slopes[i] = (*there - *off) / step;
+    }
+    if (!(std::abs(glm::determinant(slopes)) > 1e-14)) return std::nullopt;
+    const Vector by = glm::inverse(slopes) * *off;
+    double part = 1;
+    std::optional<Vector> next;
+    for (; part > 0.01; part /= 2)
+      if (next = f(x - part * by); next && size(*next) < size(*off)) break;
+    if (!next || !(size(*next) < size(*off))) return std::nullopt;
+    x -= part * by, off = next;
+  }
+  return std::nullopt;
+}
+
+}  // namespace coaster::sim
