@@ -146,13 +146,14 @@ double shift_at(const ForceTask& task, const ForcePath& path, const std::vector<
 }
 
 Attempt attempt(const ForceTask& task, const ForcePath& path, std::vector<std::size_t> at) {
+  constexpr double kAtPoints = 0.99;  // of the tolerance: between the path's points riders feel a little more
   Attempt now{std::move(at), {}, {}, {}};
   now.spans = make_spans(path.curve, now.at, shift_at(task, path, now.at));
   for (std::size_t k = 0; k + 1 < now.at.size(); ++k) {
     const world::Knot &from = now.spans.knots[k], &to = now.spans.knots[k + 1];
     now.errors.push_back(error_of(task, path, now.at[k], now.at[k + 1], from, to));
     const SpanError& error = now.errors.back();
-    if (!(error.felt.error <= task.program.tolerance) || (k == 0 && now.spans.jumps[0] > kElementJump) ||
+    if (!(error.felt.error <= kAtPoints * task.program.tolerance) || (k == 0 && now.spans.jumps[0] > kElementJump) ||
         error.check.roll_error > base::radians(kElementRoll_deg))
       now.failing.push_back(k);
   }
