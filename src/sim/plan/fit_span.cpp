@@ -124,10 +124,12 @@ Handles least_bent(const Ends& ends, double length, Handles h) {
   return h;
 }
 
-// Keeps the part of the polygon with normal . x <= limit.
+// Keeps the part of the polygon with normal . x <= limit. A corner that is off by rounding stays: else each row of a
+// straight, whose lines all meet in two corners, would add corners there.
 void clip(RollWindow& polygon, dvec2 normal, double limit, RollWindow& spare) {
+  constexpr double kRounding = 1e-12;  // radians
   bool all = true;
-  for (const dvec2 p : polygon) all = all && glm::dot(normal, p) <= limit;
+  for (const dvec2 p : polygon) all = all && glm::dot(normal, p) <= limit + kRounding;
   if (all) return;
   spare.clear();
   for (std::size_t i = 0; i < polygon.size(); ++i) {
