@@ -9,6 +9,7 @@
 #include "app/pictures.h"
 #include "app/scene.h"
 #include "edit/commands/commands_sections.h"
+#include "exchange/own/force_text.h"
 #include "exchange/own/track_file.h"
 #include "world/look.h"
 
@@ -58,8 +59,12 @@ void apply_commands(Program& program, const std::vector<edit::Command>& commands
 }
 
 // What another window put on the clipboard wins over what was copied here.
-void paste_sections(Program& program) {
+void paste(Program& program, std::optional<edit::PasteForceKeys> keys) {
   std::string text = program.surface->clipboard();
+  if (keys && exchange::parse_keys(text.empty() ? program.session.copied : text)) {
+    if (text != program.session.copied) keys->text = std::move(text);
+    return apply_commands(program, {*std::move(keys)});
+  }
   if (text == program.session.copied || !exchange::parse_track(text, "clipboard")) text.clear();
   apply_commands(program, {edit::PasteSections{std::move(text)}});
 }
@@ -72,7 +77,7 @@ void apply_output(Program& program, const ui::Output& output) {
   program.pictures.update(program.gl, *program.renderer, output.wanted_pictures, program.session.settings.look->style);
   program.picture.toast = program.ui->toast();
   apply_commands(program, output.commands);
-  if (output.wants_paste) paste_sections(program);
+  if (output.wants_paste) paste(program, output.pastes_keys);
   program.picture.hovered = output.hovered;
   program.quit = program.quit || output.quit;
   answer_keeping(program, output);

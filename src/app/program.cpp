@@ -12,6 +12,7 @@
 #include "base/folders.h"
 #include "base/hash.h"
 #include "base/text.h"
+#include "edit/commands/commands_force.h"
 #include "edit/commands/commands_operation.h"
 #include "edit/commands/commands_sections.h"
 #include "edit/commands/commands_settings.h"
@@ -154,7 +155,8 @@ base::Status apply(Program& program, const edit::Command& command) {
   const base::Status applied = apply_one(program, command);
   if (program.session.notices.serial != notices)
     program.picture.toast = program.session.notices.list.back().text;  // the panels show it one frame later
-  if (applied && command.is<edit::CopySection>()) program.surface->set_clipboard(program.session.copied);
+  if (applied && (command.is<edit::CopySection>() || command.is<edit::CopyForceKeys>()))
+    program.surface->set_clipboard(program.session.copied);
   if (!applied || edit::info(command).effect != edit::Effect::session || edit::output_path(command) ||
       command.is<edit::LoadEnvelope>())
     return applied;

@@ -1,6 +1,8 @@
 // The commands of force sections. See command.h.
 #pragma once
 
+#include <string>
+
 #include "edit/commands/command_fields.h"
 #include "world/force.h"
 
@@ -60,6 +62,25 @@ struct ShapeForceKey {
                  visit("at", self.at), visit("slope", self.slope), visit("before?", self.before),
                  visit("after?", self.after))
 };
+struct CopyForceKeys {
+  Target section;
+  world::ForceChannel channel{};
+  double from = 0, to = world::kLongestForce_m;
+  COASTER_COMMAND(CopyForceKeys, "force.copy",
+                  "Copy the keys of a channel for force.paste: all, or those from a place to another.",
+                  Effect::settings);
+  COASTER_FIELDS(visit("", self.section), visit("", self.channel), visit("from?", self.from), visit("to?", self.to))
+};
+struct PasteForceKeys {
+  Target section;
+  world::ForceChannel channel{};
+  double at = 0;
+  std::string text;  // keys as force.copy writes them; empty: those that were copied
+  COASTER_COMMAND(PasteForceKeys, "force.paste",
+                  "Put copied keys into a channel, the first at a place; they replace the keys among them.",
+                  Effect::document, "Pasted keys of {}");
+  COASTER_FIELDS(visit("", self.section), visit("", self.channel), visit("at", self.at), visit("text?", self.text))
+};
 struct SetForceLength {
   Target section;
   bool from_start = false;
@@ -85,7 +106,7 @@ struct SetForceOver {
   COASTER_FIELDS(visit("", self.section), visit("to", self.to))
 };
 
-using ForceCommands = CommandList<AddForce, SetForceKey, MoveForceKey, RemoveForceKey, ShapeForceKey, SetForceLength,
-                                  SetForceTolerance, SetForceOver>;
+using ForceCommands = CommandList<AddForce, SetForceKey, MoveForceKey, RemoveForceKey, ShapeForceKey, CopyForceKeys,
+                                  PasteForceKeys, SetForceLength, SetForceTolerance, SetForceOver>;
 
 }  // namespace coaster::edit

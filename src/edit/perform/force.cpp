@@ -8,6 +8,7 @@
 #include "edit/perform/force_replan.h"
 #include "edit/perform/placing.h"
 #include "edit/perform/replan.h"
+#include "exchange/own/force_text.h"
 #include "world/sections.h"
 #include "world/topology.h"
 
@@ -44,12 +45,13 @@ Status with_program(Session& session, Change& change, Target target, bool from_s
   return adopt(session, change, former, std::move(next));
 }
 
+constexpr double kSamePlace = 1e-6;  // m or s
+
 // Returns the key at a place; null, if there is none.
 ForceKey* key_at(ForceProgram& program, world::ForceChannel channel, double at) {
-  constexpr double kSame = 1e-6;
   std::vector<ForceKey>& keys = program.keys(channel);
   const auto found = std::find_if(keys.begin(), keys.end(), [&](const ForceKey& key) {
-    return std::abs(key.at - at) <= kSame * (1 + std::abs(at));
+    return std::abs(key.at - at) <= kSamePlace * (1 + std::abs(at));
   });
   return found == keys.end() ? nullptr : &*found;
 }
@@ -146,6 +148,37 @@ Status perform(Session& session, Change& change, const ShapeForceKey& command) {
     ForceKey* const key = key_at(program, command.channel, command.at);
     if (key == nullptr) return no_key(program, command.channel, command.at);
     key->slope = command.slope, key->before = command.before, key->after = command.after;
+    return {};
+  });
+}
+
+Status perform(Session& session, Change& change, const CopyForceKeys& command) {
+  const auto section = force_section(session, command.section);
+  if (!section) return section.status();
+  const ForceProgram& program = world::section(session.document, *section).force;
+  exchange::CopiedKeys copied{program.over, {}};
+  for (const ForceKey& key : program.keys(command.channel))
+    if (key.at >= command.from - kSamePlace && key.at <= command.to + kSamePlace) copied.keys.push_back(key);
+  if (copied.keys.empty()) return refused(fmt::format("{} has no keys there", base::name_of(command.channel)));
+  session.copied = exchange::print_keys(copied);
+  change.note = fmt::format("Copied {} {}.", copied.keys.size(), copied.keys.size() == 1 ? "key" : "keys");
+  return {};
+}
+
+Status perform(Session& session, Change& change, const PasteForceKeys& command) {
+  auto copied = exchange::parse_keys(command.text.empty() ? session.copied : command.text);
+  if (!copied) return refused(session.copied.empty() ? "nothing was copied" : copied.status().message);
+  return with_program(session, change, command.section, false, [&](ForceProgram& program) -> Status {
+    if (program.over != copied->over)
+      return refused(fmt::format("the copied keys count in {}, those of the section in {}",
+                                 world::unit_of(copied->over), world::unit_of(program.over)));
+    const double by = command.at - copied->keys.front().at, gap = world::key_gap_of(program.over) - kSamePlace;
+    for (ForceKey& key : copied->keys) key.at += by;
+    std::vector<ForceKey>& keys = program.keys(command.channel);
+    std::erase_if(keys, [&](const ForceKey& key) {
+      return key.at > copied->keys.front().at - gap && key.at < copied->keys.back().at + gap;
+    });
+    for (const ForceKey& key : copied->keys) put_key(program, command.channel, key);
     return {};
   });
 }

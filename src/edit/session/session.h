@@ -130,7 +130,7 @@ struct Session {
   Measuring measuring;
   Notices notices;
   std::optional<SoughtAhead> sought;
-  std::string copied;  // the sections that were copied last, as the text of a track
+  std::string copied;  // what was copied last: sections as the text of a track, or keys of forces
 };
 
 void notify(Session& session, NoticeKind kind, std::string text);

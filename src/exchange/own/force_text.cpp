@@ -34,16 +34,57 @@ bool read_key(Fields& fields, std::string_view channel, std::size_t index, const
   return true;
 }
 
+std::string list_text(const std::vector<world::ForceKey>& keys) {
+  std::string text = "[";
+  for (const world::ForceKey& key : keys) text += (text.size() == 1 ? "" : ", ") + key_text(key);
+  return text + "]";
+}
+
+bool read_list(Fields& fields, std::string_view member, std::vector<world::ForceKey>& keys) {
+  const Json* const list = fields.list(member, world::kMostForceKeys);
+  if (!list) return false;
+  keys.resize(list->size());
+  for (std::size_t i = 0; i < list->size(); ++i)
+    if (!read_key(fields, member, i, (*list)[i], keys[i])) return false;
+  return true;
+}
+
+constexpr std::string_view kCopied = "force-keys", kKeys = "keys";
+
 }  // namespace
+
+std::string print_keys(const CopiedKeys& copied) {
+  return fmt::format("{{\"{}\": \"{}\", \"{}\": {}}}", kCopied, base::name_of(copied.over), kKeys,
+                     list_text(copied.keys));
+}
+
+base::Result<CopiedKeys> parse_keys(std::string_view text) {
+  const auto json = read_json(text, "clipboard");
+  if (!json) return json.status();
+  std::string error, over;
+  Fields fields(*json, {}, error);
+  CopiedKeys copied;
+  if (!fields.text(kCopied, over) || !read_list(fields, kKeys, copied.keys)) return bad_file("clipboard", error);
+  const auto named = base::value_named<world::ForceOver>(over);
+  if (!named) {
+    fields.reject(kCopied, base::alternatives_of<world::ForceOver>("\""));
+    return bad_file("clipboard", error);
+  }
+  copied.over = *named;
+  world::ForceProgram program;  // whose limits they keep
+  program.over = copied.over, program.length = world::longest_of(copied.over);
+  program.keys(world::ForceChannel::roll) = copied.keys;
+  if (copied.keys.empty()) return bad_file("clipboard", "no keys");
+  if (const auto wrong = world::broken(program)) return bad_file("clipboard", *wrong);
+  return copied;
+}
 
 std::string force_keys(const world::ForceProgram& force) {
   std::string text;
   for (std::size_t c = 0; c < force.channels.size(); ++c) {
     if (force.channels[c].empty()) continue;
-    text += fmt::format(", \"{}\": [", base::name_of(static_cast<world::ForceChannel>(c)));
-    for (std::size_t i = 0; i < force.channels[c].size(); ++i)
-      text += (i == 0 ? "" : ", ") + key_text(force.channels[c][i]);
-    text += "]";
+    text +=
+        fmt::format(", \"{}\": {}", base::name_of(static_cast<world::ForceChannel>(c)), list_text(force.channels[c]));
   }
   return text;
 }
@@ -51,12 +92,7 @@ std::string force_keys(const world::ForceProgram& force) {
 bool read_force_keys(Fields& fields, world::ForceProgram& force) {
   for (std::size_t c = 0; c < force.channels.size(); ++c) {
     const std::string_view name = base::name_of(static_cast<world::ForceChannel>(c));
-    if (!fields.has(name)) continue;
-    const Json* const list = fields.list(name, world::kMostForceKeys);
-    if (!list) return false;
-    force.channels[c].resize(list->size());
-    for (std::size_t i = 0; i < list->size(); ++i)
-      if (!read_key(fields, name, i, (*list)[i], force.channels[c][i])) return false;
+    if (fields.has(name) && !read_list(fields, name, force.channels[c])) return false;
   }
   const auto wrong = world::broken(force);
   return !wrong || fields.fail({}, *wrong);

@@ -1,12 +1,23 @@
-// The keys of a force section in a track file. Private to this room.
+// The keys of a force section in a track file and on the clipboard.
 #pragma once
 
 #include <string>
+#include <string_view>
+#include <vector>
 
 #include "exchange/own/json_fields.h"
 #include "world/force.h"
 
 namespace coaster::exchange {
+
+// Keys of one channel on the clipboard: `{"force-keys": "time", "keys": [[0, 1], [20, 3.5, 0.1, 5, 8]]}`.
+struct CopiedKeys {
+  world::ForceOver over{};
+  std::vector<world::ForceKey> keys;  // ascending, at least one
+};
+std::string print_keys(const CopiedKeys& copied);
+// Returns them, or what is wrong with the text.
+base::Result<CopiedKeys> parse_keys(std::string_view text);
 
 // Returns `, "vertical": [[0, 1], [20, 3.5, 0.1, 5, 8]], "roll": [...]`: the place, the value and, where they are not
 // 0, the slope and the lengths of the handles of each key. Channels without keys are left out.

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "edit/commands/command.h"
+#include "edit/commands/commands_force.h"
 #include "exchange/own/settings_file.h"
 #include "query/lesson.h"
 #include "view/camera.h"
@@ -27,6 +28,8 @@ struct Output {
   view::Pick hovered;
   bool quit = false;
   bool wants_paste = false;  // of sections: of the clipboard, or those that were copied here
+  // What to do with keys of forces instead, if the clipboard has some, or they were copied here last.
+  std::optional<edit::PasteForceKeys> pastes_keys = {};
   PhotoWish photo = PhotoWish::none;
   bool cancel_job = false;
   MovieWish movie = MovieWish::none;

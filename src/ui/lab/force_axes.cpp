@@ -104,4 +104,13 @@ std::vector<Level> limits_of(const sim::Envelope& envelope, ForceChannel channel
   return levels;
 }
 
+KeySteps steps_of(const world::ForceProgram& program, world::ForceChannel channel) {
+  const bool metres = program.over == world::ForceOver::distance;
+  return {metres ? 1.0 : 0.1, channel != world::ForceChannel::roll ? 0.1 : metres ? 1.0 : 5.0};
+}
+double to_step(double value, double step) {
+  const double per_one = std::round(1 / step);
+  return per_one >= 1 ? std::round(value * per_one) / per_one : std::round(value / step) * step;
+}
+
 }  // namespace coaster::ui

@@ -34,6 +34,14 @@ class ForceAxes {
   double start_;
 };
 
+// A step of a key's place and of its value.
+struct KeySteps {
+  double at, value;
+};
+KeySteps steps_of(const world::ForceProgram& program, world::ForceChannel channel);
+// Returns the value rounded to a multiple of the step.
+double to_step(double value, double step);
+
 // Fills the places and values of what is asked, and for the roll of what there is.
 void fill_curves(const sim::Derived& derived, const ForceAxes& axes, ForceKeys& state);
 // Returns the ends of both axes: the section with a margin, and what is asked and felt there.

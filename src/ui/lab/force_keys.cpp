@@ -13,6 +13,7 @@
 #include "edit/commands/commands_session.h"
 #include "ui/lab/cache.h"
 #include "ui/lab/force_axes.h"
+#include "ui/lab/force_clip.h"
 #include "ui/widgets/theme.h"
 #include "world/look.h"
 #include "world/sections.h"
@@ -41,19 +42,6 @@ ForceKeys& state_of(Ui& ui, Entity section) {
     if (keys[i].at == *state.inserted) state.key = i, state.inserted.reset();
   if (state.gesture && !ui.session().history.in_gesture) state.gesture = false;  // undone meanwhile
   return state;
-}
-
-// A step of a key's place and of its value.
-struct Steps {
-  double at, value;
-};
-Steps steps_of(const ForceProgram& program, ForceChannel channel) {
-  const bool metres = program.over == ForceOver::distance;
-  return {metres ? 1.0 : 0.1, channel != ForceChannel::roll ? 0.1 : metres ? 1.0 : 5.0};
-}
-double to_step(double value, double step) {
-  const double per_one = std::round(1 / step);
-  return per_one >= 1 ? std::round(value * per_one) / per_one : std::round(value / step) * step;
 }
 
 // Returns the place within the section and between the neighbouring keys.
@@ -92,7 +80,7 @@ void begin_gesture(Ui& ui, ForceKeys& state) {
 void drag_key(Ui& ui, ForceKeys& state, const ForceAxes& axes, PlotDrag to) {
   const ForceProgram& program = axes.program();
   const bool snaps = !ImGui::GetIO().KeyCtrl;
-  const Steps steps = steps_of(program, state.channel);
+  const KeySteps steps = steps_of(program, state.channel);
   const double at = axes.at_of(to.x);
   begin_gesture(ui, state);
   if (state.side == 0)
@@ -153,7 +141,7 @@ void follow_mouse(Ui& ui, ForceKeys& state, const ForceAxes& axes, const Knobs& 
   if (touch.held && touch.moved && state.key) drag_key(ui, state, axes, touch.at);
   if (touch.released && std::exchange(state.gesture, false)) ui.emit(edit::EndGesture{});
   if (!touch.twice || touch.over) return;
-  const Steps steps = steps_of(program, state.channel);
+  const KeySteps steps = steps_of(program, state.channel);
   insert_key(ui, state, program, to_step(axes.at_of(touch.at.x), steps.at), to_step(touch.at.y, steps.value));
 }
 
@@ -236,7 +224,7 @@ bool work_key(Ui& ui, ForceKeys& state, const ForceProgram& program, const platf
   using platform::Key;
   const std::vector<ForceKey>& keys = program.keys(state.channel);
   const ForceKey key = keys[*state.key];
-  Steps steps = steps_of(program, state.channel);
+  KeySteps steps = steps_of(program, state.channel);
   if (press.modifiers.ctrl) steps = {steps.at / 10, steps.value / 10};
   const auto move = [&](double along, double up) {
     move_key(ui, state, program, key.at, to_step(key.at + along * steps.at, steps.at),
@@ -274,6 +262,8 @@ platform::Events without_force_keys(Ui& ui, const platform::Events& events) {
     if (ours && press->key == platform::Key::tab && count > 0 && !press->modifiers.ctrl) {
       const std::size_t now = state.key.value_or(press->modifiers.shift ? 0 : count - 1);
       state.key = (now + (press->modifiers.shift ? count - 1 : 1)) % count;
+    } else if (ours && copy_or_paste(ui, state, program, *press)) {
+      continue;
     } else if (!ours || !state.key || !work_key(ui, state, program, *press)) {
       others.push_back(event);
     }

@@ -20,7 +20,7 @@ void force_channels(Ui& ui, float bar);
 void force_plot(Ui& ui, world::Entity section, const std::optional<RidePlots>& ride);
 
 // Works the keys of the keyboard that edit forces, and returns the other events: Tab and Shift+Tab choose a key, arrows
-// move it by a step (Ctrl: a tenth), Insert adds one behind it, Delete removes it, Escape leaves it.
+// move it by a step (Ctrl: a tenth), Insert adds one behind it, Delete removes it, Escape leaves it; also force_clip.h.
 platform::Events without_force_keys(Ui& ui, const platform::Events& events);
 
 }  // namespace coaster::ui
