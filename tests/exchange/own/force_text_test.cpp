@@ -23,7 +23,7 @@ TEST(force_text, what_is_no_list_of_keys_is_refused_with_the_reason) {
   };
   refused("", "clipboard");
   refused("words", "clipboard");
-  refused("[]", "force-keys");
+  refused("[]", "expected an object");
   refused(R"({"format": "coaster-track"})", "force-keys");
   refused(R"({"force-keys": "miles", "keys": [[0, 1]]})", "distance");
   refused(R"({"force-keys": "time"})", "keys");
