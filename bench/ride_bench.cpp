@@ -145,6 +145,41 @@ void carts(benchmark::State& state) {
   state.counters["checksum"] = sum;
 }
 
+// The trains of a whole session, moved by ticks: 10,000 on the timetable, and by Runge-Kutta as many and 64.
+struct Crowd {
+  Riding riding{1};
+  world::Motion motion;
+  explicit Crowd(std::size_t trains) {
+    world::Document& document = riding.document;
+    document.start_speed = 30;
+    const world::Entity segment = document.track.segments[3];
+    while (document.entities.pool<world::Cart>().size() < trains) world::add_cart(document, segment, 0.3);
+    sim::reset(document, riding.derived, motion);
+    for (std::size_t i = 0; i < trains; ++i)
+      sim::seek(document, riding.derived, motion.carts.entities()[i],
+                riding.derived.length * static_cast<double>(i) / static_cast<double>(trains), motion);
+  }
+  void step(std::string_view integrator) {
+    motion.state = world::RideState::running, motion.failure = {};  // they touch each other, and go on
+    sim::step(riding.document, riding.derived, base::value_named<world::IntegratorId>(integrator).value(), 1,
+              riding.memo, motion);
+  }
+};
+
+void crowd(benchmark::State& state) {
+  Crowd table(world::kMaxCarts), many(world::kMaxCarts), few(64);
+  const Work by_table = [&] { table.step("precomputed"); };
+  const Work by_rk4 = [&] { many.step("rk4"); };
+  const Work few_by_rk4 = [&] {
+    for (int i = 0; i < 156; ++i) few.step("rk4");  // as many trains
+  };
+  by_table();
+  paired(state, "train_tick", static_cast<double>(world::kMaxCarts), by_table,
+         {{"ratio_to_rk4", by_rk4, true}, {"ratio_to_rk4_of_64", few_by_rk4, true}});
+  state.counters["simulations"] = static_cast<double>(table.riding.memo.simulations());
+}
+
+BENCHMARK(crowd)->Name("ride/ten_thousand_trains")->UseManualTime()->Unit(benchmark::kMillisecond);
 BENCHMARK(drag)->Name("ride/ghost_while_dragging")->UseManualTime()->Unit(benchmark::kMillisecond);
 BENCHMARK(riders)->Name("ride/riders_of_a_car")->UseManualTime()->Unit(benchmark::kMillisecond);
 BENCHMARK(carts)->Name("ride/carts_by_lap_table")->UseManualTime()->Unit(benchmark::kMillisecond);

@@ -1,7 +1,9 @@
 // Packs overlay and poses into instance attributes.
 #include "gfx/instances.h"
 
+#include <algorithm>
 #include <initializer_list>
+#include <limits>
 #include <numeric>
 
 #include "gfx/mesh_pool.h"
@@ -72,9 +74,10 @@ Instances::Instances(const Gl& gl)
       mark_array_(make_vertex_array(gl)),
       leading_(gl, sim::car_mesh(true)),
       following_(gl, sim::car_mesh(false)),
-      coupling_(gl, sim::coupling_mesh()) {}
+      coupling_(gl, sim::coupling_mesh()),
+      distant_(gl, sim::distant_car_mesh()) {}
 
-void Instances::upload(const view::Overlay& overlay, std::span<const sim::Pose> carts) {
+void Instances::upload(const view::Overlay& overlay, std::span<const sim::Pose> carts, glm::vec3 eye) {
   const auto send = [&](GrowingBuffer<float>& buffer, const Object& array, std::initializer_list<int> sizes) {
     if (buffer.fill(staged_)) {
       gl_->BindVertexArray(array.id());
@@ -98,17 +101,39 @@ void Instances::upload(const view::Overlay& overlay, std::span<const sim::Pose> 
   }
   send(mark_buffer_, mark_array_, {3, 1, 1, 4});
   lines_ = GLsizei(overlay.lines.size()), marks_ = GLsizei(overlay.marks.size());
-  stage_cars(carts, true);
+  choose_cars(carts, eye);
+  stage_cars(carts, Shown::leading);
   send_poses(leading_);
-  stage_cars(carts, false);
+  stage_cars(carts, Shown::following);
   send_poses(following_);
+  stage_cars(carts, Shown::distant);
+  send_poses(distant_);
   stage_couplings(carts);
   send_poses(coupling_);
 }
 
-void Instances::stage_cars(std::span<const sim::Pose> cars, bool leading) {
-  for (const sim::Pose& car : cars) {
-    if (car.leads != leading) continue;
+void Instances::choose_cars(std::span<const sim::Pose> cars, glm::dvec3 eye) {
+  const auto distance = [&](const sim::Pose& car) {
+    const glm::dvec3 away = car.position - eye;
+    return glm::dot(away, away);
+  };
+  double far = std::numeric_limits<double>::infinity();
+  if (cars.size() > kFullCars) {
+    distances_.clear();
+    for (const sim::Pose& car : cars) distances_.push_back(distance(car));
+    const auto first_far = distances_.begin() + static_cast<std::ptrdiff_t>(kFullCars);
+    std::nth_element(distances_.begin(), first_far, distances_.end());
+    far = *first_far;
+  }
+  shown_.clear();
+  for (const sim::Pose& car : cars)
+    shown_.push_back(distance(car) >= far ? Shown::distant : car.leads ? Shown::leading : Shown::following);
+}
+
+void Instances::stage_cars(std::span<const sim::Pose> cars, Shown shown) {
+  for (std::size_t i = 0; i < cars.size(); ++i) {
+    if (shown_[i] != shown) continue;
+    const sim::Pose& car = cars[i];
     const glm::vec3 forward = car.frame.forward, up = car.frame.up;
     push_matrix(staged_, static_cast<float>(stretch(car)) * forward, up, glm::cross(forward, up),
                 glm::vec3(car.position));
@@ -119,7 +144,7 @@ void Instances::stage_cars(std::span<const sim::Pose> cars, bool leading) {
 void Instances::stage_couplings(std::span<const sim::Pose> cars) {
   constexpr double kShortest = 0.02, kLongest = 25;  // m
   for (std::size_t i = 1; i < cars.size(); ++i) {
-    if (cars[i].leads) continue;
+    if (shown_[i] != Shown::following) continue;
     const glm::dvec3 from = hitch(cars[i], 1), way = hitch(cars[i - 1], -1) - from;
     const double length = glm::length(way);
     if (!(length > kShortest && length < kLongest)) continue;
@@ -135,7 +160,7 @@ void Instances::send_poses(Model& model) {
 }
 
 int Instances::draw_cars() const {
-  for (const Model* model : {&leading_, &following_, &coupling_}) {
+  for (const Model* model : {&leading_, &following_, &coupling_, &distant_}) {
     if (model->count == 0) continue;
     gl_->BindVertexArray(model->array.id());
     for (const GLuint location : {GLuint{7}, kEndAttribute}) gl_->VertexAttrib4f(location, 0, 0, 0, 1);
@@ -146,13 +171,13 @@ int Instances::draw_cars() const {
 
 int Instances::car_draw_calls() const {
   int calls = 0;
-  for (const Model* model : {&leading_, &following_, &coupling_}) calls += model->count > 0 ? 1 : 0;
+  for (const Model* model : {&leading_, &following_, &coupling_, &distant_}) calls += model->count > 0 ? 1 : 0;
   return calls;
 }
 
 std::int64_t Instances::car_triangles() const {
   std::int64_t indices = 0;
-  for (const Model* model : {&leading_, &following_, &coupling_})
+  for (const Model* model : {&leading_, &following_, &coupling_, &distant_})
     indices += std::int64_t(model->index_count) * model->count;
   return indices / 3;
 }

@@ -16,15 +16,17 @@ namespace coaster::gfx {
 class Instances {
  public:
   explicit Instances(const Gl& gl);
-  void upload(const view::Overlay& overlay, std::span<const sim::Pose> carts);
+  // Of the cars, kFullCars are drawn in full, those nearest to the eye; the others as blocks.
+  static constexpr std::size_t kFullCars = 512;
+  void upload(const view::Overlay& overlay, std::span<const sim::Pose> carts, glm::vec3 eye);
 
   // Each binds an array and returns the number of instances to draw: a strip of 4 corners each, in the list's order.
   GLsizei bind_lines() const { return bind(line_array_, lines_); }
   GLsizei bind_marks() const { return bind(mark_array_, marks_); }
   // Returns the cars of all trains. draw_cars() draws them and their couplings with the program in use (locations 0
   // position, 1 normal, 2 part, 3 to 6 the columns of the model matrix, 7 zero) and returns the number of draw calls:
-  // at most 3 for any number of cars.
-  int cars() const { return int(leading_.count + following_.count); }
+  // at most 4 for any number of cars.
+  int cars() const { return int(leading_.count + following_.count + distant_.count); }
   int draw_cars() const;
   int car_draw_calls() const;
   std::int64_t car_triangles() const;  // per draw
@@ -45,7 +47,9 @@ class Instances {
     Object array;
     GLsizei index_count = 0, count = 0;
   };
-  void stage_cars(std::span<const sim::Pose> cars, bool leading);
+  enum class Shown : std::uint8_t { leading, following, distant };
+  void choose_cars(std::span<const sim::Pose> cars, glm::dvec3 eye);
+  void stage_cars(std::span<const sim::Pose> cars, Shown shown);
   void stage_couplings(std::span<const sim::Pose> cars);
   void send_poses(Model& model);
 
@@ -53,8 +57,10 @@ class Instances {
   GrowingBuffer<float> line_buffer_, mark_buffer_;
   Object line_array_, mark_array_;
   GLsizei lines_ = 0, marks_ = 0;
-  Model leading_, following_, coupling_;
-  std::vector<float> staged_;  // kept for its capacity
+  Model leading_, following_, coupling_, distant_;
+  std::vector<Shown> shown_;       // by car
+  std::vector<double> distances_;  // m^2, kept for its capacity
+  std::vector<float> staged_;      // kept for its capacity
 };
 
 }  // namespace coaster::gfx

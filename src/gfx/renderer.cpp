@@ -46,7 +46,7 @@ void Renderer::Parts::upload(const Scene& scene, DrawStats& stats) {
     stats.deviation_pending = measured.pending;
   }
   if (scene.values) stats.recolours = values.sync(scene.derived, *scene.values).recolours;
-  instances.upload(scene.overlay, scene.carts);
+  instances.upload(scene.overlay, scene.carts, scene.view.eye);
 }
 
 base::Result<std::unique_ptr<Renderer>> Renderer::make(const Gl& gl, int samples) {

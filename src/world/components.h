@@ -26,7 +26,7 @@ inline constexpr int kMaxTurns = 16;                 // whole turns of roll with
 inline constexpr float kMaxSpin = 20.0f;             // rad/m, of a knot
 inline constexpr double kMaxSpeed = 150.0;           // m/s, of the start speed
 inline constexpr std::size_t kMaxKnots = 1'000'000;
-inline constexpr std::size_t kMaxCarts = 64;
+inline constexpr std::size_t kMaxCarts = 10'000;
 inline constexpr int kMaxCars = 32;                              // of a train
 inline constexpr float kMinSpacing = 1.0f, kMaxSpacing = 20.0f;  // m between the centres of neighbouring cars
 inline constexpr float kMaxAcceleration = 60.0f;                 // m/s^2, of lifts, launches and brakes

@@ -1,9 +1,10 @@
 // Pictures of a small track: what is in them, and that they depend on the scene alone, not on how the renderer came to
 // it.
-#include "gfx/renderer.h"
+#include "gfx/instances.h"
 
 #include <random>
 
+#include "gfx/instances.h"
 #include "gfx/studio.h"
 #include "world/evaluation.h"
 #include "world/laboratory.h"
@@ -104,6 +105,27 @@ TEST_F(Pictures, a_cart_is_blue_and_where_its_pose_is) {
     for (int x = -5; x <= 5; ++x) near += blue(colour_at(image, int(middle->x) + x, int(middle->y) + y));
   EXPECT_GT(near, 4);
   EXPECT_EQ(near, count(image, blue)) << "blue elsewhere";
+}
+
+TEST_F(Pictures, of_many_cars_those_far_from_the_eye_are_blocks) {
+  Track track = ring();
+  const auto triangles = [&](std::size_t cars) {
+    carts_.clear();
+    for (std::size_t i = 0; i < cars; ++i) {
+      sim::Pose car = sim::pose(track.derived, sim::TrackPlace{0, 0.1}, world::FrameMethod::knots);
+      car.position.y += 3.0 * static_cast<double>(i);  // ever farther
+      carts_.push_back(car);
+    }
+    std::reverse(carts_.begin(), carts_.end());
+    const view::View view = look(track);
+    const view::Overlay overlay;
+    return renderer_->draw(Scene{track.derived, view, overlay, carts_}, width_, height_).triangles;
+  };
+  const std::int64_t none = triangles(0), full = triangles(Instances::kFullCars) - none;
+  EXPECT_GT(full, std::int64_t{1000} * static_cast<std::int64_t>(Instances::kFullCars));
+  const std::int64_t more = triangles(Instances::kFullCars + 9488) - none - full;
+  EXPECT_GE(more, std::int64_t{12} * 9488);
+  EXPECT_LE(more, std::int64_t{12} * 9488 * 3);  // in the picture and in shadow maps
 }
 
 TEST_F(Pictures, a_lines_width_is_in_pixels_and_its_ends_are_where_they_project) {

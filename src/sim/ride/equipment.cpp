@@ -151,25 +151,25 @@ Drive drive_of(std::span<const EquipmentSpan> spans, const Rails& rails, const T
 
 bool section_free(std::span<const EquipmentSpan> spans, const Rails& rails, const TrainPlace& train,
                   std::span<const TrainPlace> others) {
-  std::vector<const EquipmentSpan*> stops;
-  for (const EquipmentSpan& span : spans)
-    if (span.equipment.kind == EquipmentKind::station || span.equipment.kind == EquipmentKind::block)
-      stops.push_back(&span);
+  const auto stops = [](const EquipmentSpan& span) {
+    return span.equipment.kind == EquipmentKind::station || span.equipment.kind == EquipmentKind::block;
+  };
   const double front = car_place(rails, train, 0);
-  for (std::size_t i = 0; i < stops.size(); ++i) {
-    if (!(front >= stops[i]->from && front <= stops[i]->to + 2 * kStopWithin)) continue;
-    const bool last = i + 1 == stops.size();
-    if (last && !rails.closed) {  // to the end of the track
-      return std::none_of(others.begin(), others.end(), [&](const TrainPlace& t) { return t.front > stops[i]->to; });
-    }
-    const double from = stops[i]->to, to = stops[last ? 0 : i + 1]->to;
-    for (const TrainPlace& other : others)
-      for (int car = 0; car < other.cars; ++car) {
-        const double at = car_place(rails, other, car);
-        if (from < to ? at > from && at <= to : at > from || at <= to) return false;
-      }
-    return true;
+  const auto here = std::find_if(spans.begin(), spans.end(), [&](const EquipmentSpan& span) {
+    return stops(span) && front >= span.from && front <= span.to + 2 * kStopWithin;
+  });
+  if (here == spans.end()) return true;
+  auto next = std::find_if(here + 1, spans.end(), stops);
+  if (next == spans.end() && !rails.closed) {  // to the end of the track
+    return std::none_of(others.begin(), others.end(), [&](const TrainPlace& t) { return t.front > here->to; });
   }
+  if (next == spans.end()) next = std::find_if(spans.begin(), spans.end(), stops);
+  const double from = here->to, to = next->to;
+  for (const TrainPlace& other : others)
+    for (int car = 0; car < other.cars; ++car) {
+      const double at = car_place(rails, other, car);
+      if (from < to ? at > from && at <= to : at > from || at <= to) return false;
+    }
   return true;
 }
 
@@ -182,6 +182,36 @@ bool collide(const Rails& rails, const TrainPlace& a, const TrainPlace& b) {
       if (apart < clear) return true;
     }
   return false;
+}
+
+std::optional<std::size_t> first_collision(const Rails& rails, std::span<const TrainPlace> trains,
+                                           std::span<const char> left_out) {
+  constexpr double kMargin = 1e-3;  // m, for rounding
+  struct Reach {
+    double from, extent;  // m: all of a train is on [from, from + extent]
+    std::size_t train;
+  };
+  std::vector<Reach> order;
+  order.reserve(trains.size());
+  for (std::size_t i = 0; i < trains.size(); ++i) {
+    if (left_out[i]) continue;
+    const TrainPlace& train = trains[i];
+    const double extent = (train.cars - 1) * train.spacing + train.length + 2 * kMargin,
+                 from = train.front + 0.5 * train.length + kMargin - extent;
+    order.push_back({within_lap(from, rails.length, rails.closed), extent, i});
+  }
+  std::sort(order.begin(), order.end(), [](const Reach& a, const Reach& b) { return a.from < b.from; });
+  std::size_t first = trains.size();
+  for (std::size_t k = 0; k < order.size(); ++k)
+    for (std::size_t n = k + 1; n < k + order.size(); ++n) {
+      const bool round = n >= order.size();  // across the track's start
+      if (round && !rails.closed) break;
+      const Reach &behind = order[k], &ahead = order[round ? n - order.size() : n];
+      if (ahead.from + (round ? rails.length : 0.0) > behind.from + behind.extent) break;
+      const std::size_t a = std::min(behind.train, ahead.train), b = std::max(behind.train, ahead.train);
+      if (a < first && collide(rails, trains[a], trains[b])) first = a;
+    }
+  return first < trains.size() ? std::optional(first) : std::nullopt;
 }
 
 }  // namespace coaster::sim

@@ -59,4 +59,9 @@ bool section_free(std::span<const EquipmentSpan> spans, const Rails& rails, cons
 // True if two trains overlap: the bodies of any two of their cars.
 bool collide(const Rails& rails, const TrainPlace& a, const TrainPlace& b);
 
+// Returns the lowest index of a train that overlaps one with a higher index; nothing if none do. Trains whose entry in
+// `left_out` is not zero do not count. Sorts them along the track: n log n for n trains.
+std::optional<std::size_t> first_collision(const Rails& rails, std::span<const TrainPlace> trains,
+                                           std::span<const char> left_out);
+
 }  // namespace coaster::sim

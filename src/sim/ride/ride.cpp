@@ -24,10 +24,33 @@ void set_reference(const world::Document& document, const Derived& derived, worl
   cart.peak_kinetic = 0.5 * cart.speed * cart.speed;
 }
 
-world::CartMotion begin(const world::Document& document, const Derived& derived, world::Entity entity,
-                        const world::Cart& design) {
+// Where segments are in the order of travel. Many trains are looked up in a table.
+class Order {
+ public:
+  Order(const Derived& derived, std::size_t trains) : derived_(derived) {
+    constexpr std::size_t kFew = 4;
+    if (trains <= kFew) return;
+    for (std::size_t i = 0; i < derived.order.size(); ++i) {
+      const std::size_t at = derived.order[i].index;
+      if (at >= table_.size()) table_.resize(at + 1, derived.order.size());
+      table_[at] = i;
+    }
+  }
+  std::optional<std::size_t> of(world::Entity segment) const {
+    if (table_.empty()) return world::index_of(derived_.order, segment);
+    const std::size_t i = segment.index < table_.size() ? table_[segment.index] : derived_.order.size();
+    return i < derived_.order.size() && derived_.order[i] == segment ? std::optional(i) : std::nullopt;
+  }
+
+ private:
+  const Derived& derived_;
+  std::vector<std::size_t> table_;  // by entity index
+};
+
+world::CartMotion begin(const world::Document& document, const Derived& derived, const Order& order,
+                        world::Entity entity, const world::Cart& design) {
   world::CartMotion motion;
-  const auto index = world::index_of(derived.order, design.segment);
+  const auto index = order.of(design.segment);
   COASTER_CHECK(index, "a cart starts on a segment of the track");
   settle_on(derived, {*index, design.fraction * derived.shape(design.segment).arc.length()}, motion);
   motion.speed = document.start_speed;
@@ -36,9 +59,9 @@ world::CartMotion begin(const world::Document& document, const Derived& derived,
 }
 
 // Updates a moving train after an edit: the same segment and fraction, else the same distance along the track.
-void follow_edit(const world::Document& document, const Derived& derived, world::Entity entity,
+void follow_edit(const world::Document& document, const Derived& derived, const Order& order, world::Entity entity,
                  world::CartMotion& cart) {
-  if (const auto index = world::index_of(derived.order, cart.segment)) {
+  if (const auto index = order.of(cart.segment)) {
     const double length = derived.shape(cart.segment).arc.length();
     const bool scales = length != cart.segment_length && cart.segment_length > 0;
     settle_on(derived, {*index, scales ? cart.s * (length / cart.segment_length) : cart.s}, cart);
@@ -75,20 +98,22 @@ void settle_on(const Derived& derived, TrackPlace front, world::CartMotion& cart
 void reset(const world::Document& document, const Derived& derived, world::Motion& motion) {
   motion = {};
   const auto& pool = document.entities.pool<world::Cart>();
+  const Order order(derived, pool.size());
   for (std::size_t i = 0; i < pool.size(); ++i)
-    motion.carts.put(pool.entities()[i], begin(document, derived, pool.entities()[i], pool.items()[i]));
+    motion.carts.put(pool.entities()[i], begin(document, derived, order, pool.entities()[i], pool.items()[i]));
 }
 
 void reconcile(const world::Document& document, const Derived& derived, world::Motion& motion) {
   const auto& designed = document.entities.pool<world::Cart>();
   motion.carts.keep_those_of(designed);
+  const Order order(derived, designed.size());
   for (std::size_t i = 0; i < designed.size(); ++i) {
     const world::Entity e = designed.entities()[i];
     world::CartMotion* const cart = motion.carts.find(e);
-    if (!cart) motion.carts.put(e, begin(document, derived, e, designed.items()[i]));
+    if (!cart) motion.carts.put(e, begin(document, derived, order, e, designed.items()[i]));
     else if (motion.state == world::RideState::stopped)
-      *cart = begin(document, derived, e, designed.items()[i]);  // a ride that has not begun follows the design
-    else follow_edit(document, derived, e, *cart);
+      *cart = begin(document, derived, order, e, designed.items()[i]);  // a ride that has not begun follows the design
+    else follow_edit(document, derived, order, e, *cart);
   }
   if (motion.carts.size() == 0) motion.state = world::RideState::stopped, motion.failure = {};
 }
@@ -99,14 +124,12 @@ void step(const world::Document& document, const Derived& derived, world::Integr
   const Integrator& row = base::row_of(integrator);
   const std::vector<EquipmentSpan> equipment = equipment_spans(document, derived);
   const RideInput input{document, derived, equipment};
-  if (row.kind != IntegratorKind::timetable) {
-    for (world::CartMotion& cart : motion.carts.items()) cart.timetable = {};
-    if (row.kind != IntegratorKind::vertices)
-      for (world::CartMotion& cart : motion.carts.items()) cart.carry = 0;
-    step_trains(input, row, ticks, motion);
-  } else {
-    step_by_timetable(input, ticks, memo, motion);
-  }
+  if (row.kind == IntegratorKind::timetable && step_by_timetable(input, ticks, memo, motion)) return;
+  for (world::CartMotion& cart : motion.carts.items()) cart.timetable = {};
+  if (row.kind != IntegratorKind::vertices)
+    for (world::CartMotion& cart : motion.carts.items()) cart.carry = 0;
+  const bool stepped = row.kind != IntegratorKind::timetable;
+  step_trains(input, stepped ? row : base::row_of(world::IntegratorId{}), ticks, motion);
 }
 
 void seek(const world::Document& document, const Derived& derived, world::Entity entity, double distance,

@@ -28,8 +28,11 @@ void settle_on(const Derived& derived, TrackPlace front, world::CartMotion& cart
 void step_trains(const RideInput& input, const Integrator& row, int ticks, world::Motion& motion);
 
 // Advances by the timetable that starts where the train was when this integrator took over (cart.timetable): one entry
-// per tick. When it ends, another one starts there.
-void step_by_timetable(const RideInput& input, int ticks, GhostMemo& memo, world::Motion& motion);
+// per tick. When it ends, another one starts there. More than kMostTimetables trains share tables: those of one kind
+// and energy move alike on a circuit without losses and equipment, each at its own time of the lap. Returns false, and
+// moves nothing, if there would still be more tables than that, or if laps do not repeat.
+inline constexpr std::size_t kMostTimetables = 64;
+bool step_by_timetable(const RideInput& input, int ticks, GhostMemo& memo, world::Motion& motion);
 
 // The data of a train for integrators without a TrainContext.
 struct TrainLoad {

@@ -145,12 +145,11 @@ Drive drive_for(const TickContext& tick, std::size_t train, std::span<const Trai
                 std::span<const TrackPlace> places, world::CartMotion& cart) {
   const RideInput& input = tick.input;
   if (input.equipment.empty()) return {};
-  std::vector<TrainPlace> others(trains.begin(), trains.end());
-  others.erase(others.begin() + static_cast<std::ptrdiff_t>(train));
   const Rails rails{input.derived.length, input.derived.closed};
   const double free = acceleration_of({input.derived, places, 0, 0, tick.resistance}, cart.speed);
   ControlState control{cart.dwell, cart.braking};
-  const bool way_free = section_free(input.equipment, rails, trains[train], others);
+  const bool way_free = section_free(input.equipment, rails, trains[train], trains.first(train)) &&
+                        section_free(input.equipment, rails, trains[train], trains.subspan(train + 1));
   const Drive drive =
       drive_of(input.equipment, rails, trains[train], cart.speed, free, way_free, world::kTick, control);
   cart.dwell = control.dwell, cart.braking = control.braking;
@@ -238,6 +237,7 @@ void step_trains(const RideInput& input, const Integrator& row, int ticks, world
   std::vector<Train> trains = trains_of(input, motion);
   const Rails rails{input.derived.length, input.derived.closed};
   std::vector<TrainPlace> places(trains.size());
+  std::vector<char> left(trains.size());  // at an open end
   const auto fail = [&](world::FailureKind kind, const Train& train, double speed) {
     motion.failure = {kind, train.entity, train.motion->track_distance, speed};
     if (kind != world::FailureKind::off_end) motion.state = world::RideState::failed;
@@ -260,11 +260,11 @@ void step_trains(const RideInput& input, const Integrator& row, int ticks, world
         fail(*failure, trains[i], arrival);
       places[i].front = cart.track_distance;
     }
-    const auto has_left = [&](const Train& train) { return at_open_end(input.derived, *train.motion); };
-    for (std::size_t i = 0; i < trains.size() && motion.state == world::RideState::running; ++i)
-      for (std::size_t j = i + 1; j < trains.size(); ++j)
-        if (!has_left(trains[i]) && !has_left(trains[j]) && collide(rails, places[i], places[j]))
-          fail(world::FailureKind::collision, trains[i], trains[i].motion->speed);
+    if (motion.state == world::RideState::running && trains.size() > 1) {
+      for (std::size_t i = 0; i < trains.size(); ++i) left[i] = at_open_end(input.derived, *trains[i].motion) ? 1 : 0;
+      if (const auto i = first_collision(rails, places, left))
+        fail(world::FailureKind::collision, trains[*i], trains[*i].motion->speed);
+    }
     if (!any && motion.state == world::RideState::running) motion.state = world::RideState::ended;
   }
 }

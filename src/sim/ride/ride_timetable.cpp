@@ -2,6 +2,7 @@
 // 2012, section 6).
 #include <algorithm>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 #include "sim/ride/ride_parts.h"
@@ -84,18 +85,104 @@ double speed_at(const RideInput& input, const TrainLoad& load, const world::Cart
   return kinetic > 0 ? std::sqrt(2.0 * kinetic) : 0.0;
 }
 
+// The tables of one lap for many trains, each looked up in the memo once.
+class LapTables {
+ public:
+  LapTables(const RideInput& input, GhostMemo& memo) : input_(input), memo_(memo) {}
+  const LapTable& of(world::Entity entity, const world::TimetablePlace& place) {
+    const GhostStart start = start_of(input_, entity, place);
+    for (const auto& [known, table] : tables_)
+      if (known == start) return *table;
+    tables_.emplace_back(start, &memo_.lap(input_.document, input_.derived, start));
+    return *tables_.back().second;
+  }
+
+ private:
+  const RideInput& input_;
+  GhostMemo& memo_;
+  std::vector<std::pair<GhostStart, const LapTable*>> tables_;  // at most kMostTimetables
+};
+
+bool begin_timetables(world::Motion& motion) {
+  for (world::CartMotion& cart : motion.carts.items())
+    if (!cart.timetable.valid) begin_timetable(cart, cart.timetable);
+  return true;
+}
+
+// Trains that move alike.
+struct Family {
+  GhostStart start;
+  world::Entity first;
+  world::TimetablePlace place;  // where the first train joined
+  double energy = 0;            // J/kg
+};
+
+bool of_one_kind(const GhostStart& a, const GhostStart& b) {
+  return a.cars == b.cars && a.spacing == b.spacing && a.length == b.length && a.mass == b.mass;
+}
+
+// Returns the energy (J/kg, as of a cart) above which a train passes every top within the time of a timetable.
+double energy_of_laps(const RideInput& input) {
+  double top = -world::kMaxCoordinate;
+  for (std::size_t i = 0; i < input.derived.order.size(); ++i) {
+    const SegmentShape& shape = input.derived.shape_at(i);
+    const curve::Cubic& c = shape.key.cubic;
+    top = std::max(top, double{std::max({c.p0.y, c.p1.y, c.p2.y, c.p3.y})} + std::abs(shape.key.rails));
+  }
+  const double slowest = input.derived.length / (0.99 * GhostLimits{}.seconds);
+  return world::kGravity * (top - input.document.datum) + 0.5 * slowest * slowest;
+}
+
+// If a train is without a timetable, gives each the one of its kind and energy. Returns false if there are too many, or
+// if a train may not come round.
+bool share_timetables(const RideInput& input, GhostMemo& memo, world::Motion& motion) {
+  constexpr double kSame = 1e-8;  // of the energy
+  if (!input.derived.closed || !input.equipment.empty() || input.document.resistance != world::Resistance{})
+    return false;
+  auto& carts = motion.carts;
+  if (std::all_of(carts.items().begin(), carts.items().end(),
+                  [](const world::CartMotion& cart) { return cart.timetable.valid; }))
+    return true;
+  const double least = energy_of_laps(input);
+  std::vector<Family> families;
+  std::vector<std::size_t> family_of(carts.size());
+  for (std::size_t i = 0; i < carts.size(); ++i) {
+    const world::CartMotion& cart = carts.items()[i];
+    const world::Entity entity = carts.entities()[i];
+    Family own{{}, entity, {}, energy(input.document, input.derived, entity, cart)};
+    begin_timetable(cart, own.place);
+    own.start = start_of(input, entity, own.place);
+    const auto same = std::find_if(families.begin(), families.end(), [&](const Family& f) {
+      return of_one_kind(f.start, own.start) &&
+             std::abs(f.energy - own.energy) <= kSame * std::max(1.0, std::abs(own.energy));
+    });
+    family_of[i] = static_cast<std::size_t>(same - families.begin());
+    if (same == families.end()) families.push_back(own);
+    if (families.size() > kMostTimetables || !(cart.speed > 0) || !(own.energy > least)) return false;
+  }
+  LapTables tables(input, memo);
+  for (std::size_t i = 0; i < carts.size(); ++i) {
+    world::CartMotion& cart = carts.items()[i];
+    const Family& family = families[family_of[i]];
+    const LapTable& table = tables.of(family.first, family.place);
+    if (!table.valid()) return false;
+    cart.timetable = family.place;
+    cart.timetable.phase = table.phase_at(within_lap(cart.track_distance - family.place.front, table.length(), true));
+  }
+  return true;
+}
+
 }  // namespace
 
-void step_by_timetable(const RideInput& input, int ticks, GhostMemo& memo, world::Motion& motion) {
-  memo.keep(motion.carts.size() + 4);
+bool step_by_timetable(const RideInput& input, int ticks, GhostMemo& memo, world::Motion& motion) {
+  memo.keep(std::min(motion.carts.size(), kMostTimetables) + 4);
+  const bool shared = motion.carts.size() > kMostTimetables;
+  if (!(shared ? share_timetables(input, memo, motion) : begin_timetables(motion))) return false;
   std::vector<std::size_t> rounds, others;  // trains whose laps repeat, and the others
-  for (std::size_t i = 0; i < motion.carts.size(); ++i) {
-    world::CartMotion& cart = motion.carts.items()[i];
-    if (!cart.timetable.valid) begin_timetable(cart, cart.timetable);
-    const bool repeats =
-        memo.lap(input.document, input.derived, start_of(input, motion.carts.entities()[i], cart.timetable)).valid();
-    (repeats ? rounds : others).push_back(i);
-  }
+  LapTables tables(input, memo);
+  for (std::size_t i = 0; i < motion.carts.size(); ++i)
+    (tables.of(motion.carts.entities()[i], motion.carts.items()[i].timetable).valid() ? rounds : others).push_back(i);
+  if (shared && !others.empty()) return false;
   int done = 0;  // ticks, including the one in which the ride failed: it is the last for all trains
   for (; done < ticks && motion.state == world::RideState::running && (done == 0 || !others.empty()); ++done) {
     bool any = !rounds.empty();
@@ -117,12 +204,12 @@ void step_by_timetable(const RideInput& input, int ticks, GhostMemo& memo, world
     if (!any && motion.state == world::RideState::running) motion.state = world::RideState::ended;
   }
   if (others.empty()) done = ticks;
+  LapTables present(input, memo);  // the others may have driven tables out
   for (const std::size_t i : rounds) {
     world::CartMotion& cart = motion.carts.items()[i];
-    follow_laps(input,
-                memo.lap(input.document, input.derived, start_of(input, motion.carts.entities()[i], cart.timetable)),
-                done, cart);
+    follow_laps(input, present.of(motion.carts.entities()[i], cart.timetable), done, cart);
   }
+  return true;
 }
 
 bool advance_by_vertices(const RideInput& input, const TrainLoad& load, double dt, world::CartMotion& cart) {

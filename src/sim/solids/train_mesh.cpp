@@ -207,6 +207,12 @@ Mesh car_mesh(bool leading) {
   return mesh;
 }
 
+Mesh distant_car_mesh() {
+  Mesh mesh;
+  add_block({-1.10, 0.23, -0.575}, {1.10, 0.68, 0.575}, Part::body, mesh);
+  return mesh;
+}
+
 Mesh coupling_mesh() {
   Mesh mesh;
   add_bar({0, 0, 0}, {1, 0, 0}, 0.055, 0.055, 10, Part::tie, 0, true, mesh);

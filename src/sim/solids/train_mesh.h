@@ -13,6 +13,8 @@ inline constexpr double kWheelRoom = 0.38;    // m about a rail's axis, room for
 // Returns a car of 2.2 m: body, chassis, wheels above, beside and below the rails, two rows of two riders. A leading
 // car has a rounded nose.
 Mesh car_mesh(bool leading);
+// Returns its body alone, as a block: 12 triangles.
+Mesh distant_car_mesh();
 // Returns a bar from the origin to (1, 0, 0).
 Mesh coupling_mesh();
 

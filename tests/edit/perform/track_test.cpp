@@ -125,13 +125,18 @@ TEST_F(ChangingTrack, carts_are_added_within_their_segment) {
 }
 
 TEST_F(ChangingTrack, trains_are_limited) {
-  while (session.document.entities.pool<world::Cart>().size() < world::kMaxCarts) good("add_cart @s2 at 0.5");
-  refused("add_cart @s2 at 0.5", "at most 64 trains");
+  const world::Entity segment = entity("s2");
+  while (session.document.entities.pool<world::Cart>().size() + 1 < world::kMaxCarts)
+    world::add_cart(session.document, segment, 0.5);
+  good("add_cart @s2 at 0.5");
+  refused("add_cart @s2 at 0.5", "at most 10000 trains");
+  EXPECT_EQ(session.motion.carts.size(), world::kMaxCarts);
   const std::string text = exchange::print_track(session.document);
   EXPECT_TRUE(exchange::parse_track(text, "t"));
   world::add_cart(session.document, session.document.track.segments[0], 0.1);
   const auto over = exchange::parse_track(exchange::print_track(session.document), "t");
-  EXPECT_NE(over.status().message.find("carts: more than the limit of 64"), std::string::npos) << over.status().message;
+  EXPECT_NE(over.status().message.find("carts: more than the limit of 10000"), std::string::npos)
+      << over.status().message;
 }
 
 TEST_F(ChangingTrack, commands_over_the_vertex_budget_are_refused_and_name_it) {

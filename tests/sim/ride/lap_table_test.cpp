@@ -144,5 +144,50 @@ TEST(precomputed, hands_over_to_another_integrator_where_it_is) {
   EXPECT_NEAR(ride.cart().speed, speed, 0.5);
 }
 
+// 100 trains along a circuit, all running.
+struct Crowd {
+  world::Document document = test::ring_document(12, 400.3, 7.7);
+  Derived derived;
+  GhostMemo memo;
+  world::Motion motion;
+
+  Crowd() {
+    document.start_speed = 30;
+    for (int i = 0; i < 100; ++i) world::add_cart(document, document.track.segments[4], 0.37);
+    derive(document, {}, {}, derived);
+    reset(document, derived, motion);
+    for (std::size_t i = 0; i < motion.carts.size(); ++i)
+      seek(document, derived, motion.carts.entities()[i], 24.3 * static_cast<double>(i), motion);
+    motion.state = world::RideState::running;
+  }
+  void run(std::string_view integrator, int ticks) {
+    step(document, derived, base::value_named<world::IntegratorId>(integrator).value(), ticks, memo, motion);
+  }
+};
+
+TEST(lap_table, is_shared_by_a_hundred_trains_of_one_energy) {
+  Crowd crowd, truth;
+  for (int i = 0; i < 60; ++i) crowd.run("precomputed", 20);
+  truth.run("rk4", 1200);
+  EXPECT_EQ(crowd.memo.simulations(), 1u);
+  for (std::size_t i = 0; i < 100; ++i) {
+    const world::CartMotion &is = crowd.motion.carts.items()[i], &should = truth.motion.carts.items()[i];
+    ASSERT_NEAR(is.travelled, should.travelled, 1e-3) << i;
+    ASSERT_NEAR(is.speed, should.speed, 1e-4) << i;
+    ASSERT_EQ(is.laps, should.laps) << i;
+  }
+}
+
+TEST(lap_table, of_more_than_64_energies_is_not_kept_and_trains_move_by_runge_kutta) {
+  Crowd crowd, truth;
+  for (Crowd* each : {&crowd, &truth})
+    for (std::size_t i = 0; i < 100; ++i) each->motion.carts.items()[i].speed += 0.01 * static_cast<double>(i);
+  crowd.run("precomputed", 100);
+  truth.run("rk4", 100);
+  EXPECT_EQ(crowd.memo.simulations(), 0u);
+  EXPECT_EQ(crowd.motion, truth.motion);
+  EXPECT_EQ(truth.motion.state, world::RideState::running);
+}
+
 }  // namespace lap_table_test
 }  // namespace coaster::sim

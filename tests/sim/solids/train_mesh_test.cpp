@@ -28,7 +28,7 @@ auto of(Part part) {
 }
 
 TEST(train_mesh, cars_are_closed_and_face_outwards) {
-  for (const Mesh& mesh : {car_mesh(true), car_mesh(false), coupling_mesh()}) {
+  for (const Mesh& mesh : {car_mesh(true), car_mesh(false), coupling_mesh(), distant_car_mesh()}) {
     EXPECT_TRUE(test::finite(mesh));
     EXPECT_EQ(test::wrong_normals(mesh), 0);
     EXPECT_EQ(test::open_edges(mesh), 0);
