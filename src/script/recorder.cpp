@@ -12,6 +12,7 @@
 #include "edit/commands/commands_elements.h"
 #include "edit/commands/commands_lab.h"
 #include "edit/commands/commands_operation.h"
+#include "edit/commands/commands_sections.h"
 #include "edit/commands/commands_session.h"
 #include "edit/commands/commands_settings.h"
 #include "exchange/formats.h"
@@ -99,7 +100,8 @@ base::Status Recorder::command(const edit::Command& command, const edit::Session
   // Exports and force limits do not affect document or motion: leave them out.
   if (edit::output_path(command) != nullptr || command.is<edit::LoadEnvelope>()) return {};
   if (const base::Status written = write_ticks(); !written) return written;
-  if (command.is<edit::Load>() || command.is<edit::RecoverTrack>()) return snapshot(after);
+  if (command.is<edit::Load>() || command.is<edit::OpenSections>() || command.is<edit::RecoverTrack>())
+    return snapshot(after);
   if (const auto* const challenge = command.as<edit::StartChallenge>())
     return line(edit::print(edit::StartChallenge{base::canonical_path(challenge->path).string()}));
   return line(edit::print(command));

@@ -6,6 +6,7 @@
 
 #include "edit/commands/commands_challenge.h"
 #include "edit/commands/commands_operation.h"
+#include "edit/commands/commands_sections.h"
 #include "edit/commands/commands_session.h"
 #include "edit/commands/commands_settings.h"
 #include "script/grammar.h"
@@ -20,6 +21,7 @@ std::string* opened_path(edit::Command& command) {
   if (auto* const load = command.as<edit::Load>()) return &load->path;
   if (auto* const recover = command.as<edit::RecoverTrack>()) return &recover->path;
   if (auto* const limits = command.as<edit::LoadEnvelope>()) return &limits->path;
+  if (auto* const sections = command.as<edit::OpenSections>()) return &sections->path;
   if (auto* const challenge = command.as<edit::StartChallenge>()) return &challenge->path;
   return nullptr;
 }

@@ -142,6 +142,7 @@ const std::string* output_path(const Command& command) {
   if (const Save* const save = command.as<Save>()) return &save->path;
   if (const SaveMeasurements* const save = command.as<SaveMeasurements>()) return &save->path;
   if (const SaveReport* const save = command.as<SaveReport>()) return &save->path;
+  if (const SaveSections* const save = command.as<SaveSections>()) return &save->path;
   return nullptr;
 }
 
@@ -149,6 +150,7 @@ void set_output_path(Command& command, std::string path) {
   if (Save* const save = command.as<Save>()) save->path = std::move(path);
   else if (SaveMeasurements* const table = command.as<SaveMeasurements>()) table->path = std::move(path);
   else if (SaveReport* const report = command.as<SaveReport>()) report->path = std::move(path);
+  else if (SaveSections* const sections = command.as<SaveSections>()) sections->path = std::move(path);
 }
 
 std::string print(const Command& command) {

@@ -101,8 +101,25 @@ struct PasteSections {
   COASTER_FIELDS(visit("text?", self.text))
 };
 
+struct SaveSections {
+  std::string path;
+  Sections sections;
+  COASTER_COMMAND(SaveSections, "section.save",
+                  "Save sections to a file, as a track: the extension selects the format. See section.open.",
+                  Effect::session);
+  COASTER_FIELDS(visit("", self.path), visit("", self.sections))
+};
+struct OpenSections {
+  std::string path;
+  COASTER_COMMAND(
+      OpenSections, "section.open",
+      "Add the sections of a track file at the open end of the track; planned ones are planned again there.",
+      Effect::document, "Added sections of {}");
+  COASTER_FIELDS(visit("", self.path))
+};
+
 using SectionCommands =
     CommandList<MakeSection, SplitSection, JoinSections, SetSectionTitle, ChangeSection, EquipSection, UnequipSection,
-                DeleteSection, MirrorSection, MoveSection, CopySection, PasteSections>;
+                DeleteSection, MirrorSection, MoveSection, CopySection, PasteSections, SaveSections, OpenSections>;
 
 }  // namespace coaster::edit

@@ -5,6 +5,7 @@
 #include "edit/perform/knot_runs.h"
 #include "edit/perform/placing.h"
 #include "edit/perform/replan.h"
+#include "exchange/formats.h"
 #include "exchange/own/track_file.h"
 #include "world/sections.h"
 #include "world/topology.h"
@@ -127,18 +128,45 @@ Document stretch_of(const Document& document, std::size_t first, std::size_t cou
   return stretch;
 }
 
-Status perform(Session& session, Change& change, const CopySection& command) {
-  const auto sections = chosen_sections(session, command.sections);
+namespace {
+
+base::Result<Document> sections_alone(const Session& session, Change& change, const Sections& named) {
+  const auto sections = chosen_sections(session, named);
   if (!sections) return sections.status();
-  const world::Document& document = session.document;
+  const Document& document = session.document;
   const auto run = [&](std::size_t i) { return world::run_of(document, (*sections)[i]); };
   Document alone = track_of(document, run(0));
   for (std::size_t i = 1; i < sections->size(); ++i)
     if (const Status joined = paste(change, document, run(i), alone); !joined) return joined;
-  session.copied = exchange::print_track(alone);
-  change.note = sections->size() == 1
-                    ? fmt::format("Copied {}.", world::title_of(world::section(document, sections->front())))
-                    : fmt::format("Copied {} sections.", sections->size());
+  return alone;
+}
+
+// Adds the sections of a track at the open end, or before the one that completes the circuit.
+Status add_sections(Session& session, Change& change, const Document& from) {
+  Document next = session.document;
+  if (const auto home = world::completing(next, 0)) {
+    const base::Result<Entity> last = paste_before(change, from, *home, next);
+    if (!last) return last.status();
+    change.select = *last;
+  } else {
+    for (const SectionRun& run : world::sections_of(from))
+      if (const Status pasted = paste(change, from, run, next); !pasted) return pasted;
+    if (!next.track.segments.empty()) change.select = world::segment(next, next.track.segments.back()).section;
+  }
+  if (next.track.segments.size() == session.document.track.segments.size()) return refused("the track has no sections");
+  if (const Status room = room_for(session, next.track.knots.size(), next.track.segments.size()); !room) return room;
+  if (session.document.track.segments.empty()) add_first_train(next);
+  return adopt(session, change, session.document, std::move(next));
+}
+
+}  // namespace
+
+Status perform(Session& session, Change& change, const CopySection& command) {
+  const auto alone = sections_alone(session, change, command.sections);
+  if (!alone) return alone.status();
+  session.copied = exchange::print_track(*alone);
+  const std::size_t count = world::sections_of(*alone).size();
+  change.note = count == 1 ? fmt::format("Copied {}.", alone->name) : fmt::format("Copied {} sections.", count);
   return {};
 }
 
@@ -148,20 +176,24 @@ Status perform(Session& session, Change& change, const PasteSections& command) {
   if (const Status may = may_move(session.document, 0); !may) return may;
   const auto loaded = exchange::parse_track(text, "clipboard");
   if (!loaded) return refused(loaded.status().message);
-  Document next = session.document;
-  if (const auto home = world::completing(next, 0)) {
-    const base::Result<Entity> last = paste_before(change, loaded->document, *home, next);
-    if (!last) return last.status();
-    change.select = *last;
-  } else {
-    for (const SectionRun& run : world::sections_of(loaded->document))
-      if (const Status pasted = paste(change, loaded->document, run, next); !pasted) return pasted;
-    if (!next.track.segments.empty()) change.select = world::segment(next, next.track.segments.back()).section;
-  }
-  if (next.track.segments.size() == session.document.track.segments.size()) return refused("nothing was copied");
-  if (const Status room = room_for(session, next.track.knots.size(), next.track.segments.size()); !room) return room;
-  if (session.document.track.segments.empty()) add_first_train(next);
-  return adopt(session, change, session.document, std::move(next));
+  return add_sections(session, change, loaded->document);
+}
+
+Status perform(Session& session, Change& change, const SaveSections& command) {
+  if (command.path.empty()) return refused("expected a file to save to");
+  if (is_own_file(session, command.path)) return refused("this is the file of the track: choose another name");
+  const auto alone = sections_alone(session, change, command.sections);
+  if (!alone) return alone.status();
+  const Status saved = exchange::save_track(change.files, command.path, *alone);
+  if (saved) change.note = fmt::format("Saved the sections to {}", command.path);
+  return saved;
+}
+
+Status perform(Session& session, Change& change, const OpenSections& command) {
+  if (const Status may = may_move(session.document, 0); !may) return may;
+  const auto loaded = exchange::load_track(change.files, command.path);
+  if (!loaded) return loaded.status();
+  return add_sections(session, change, loaded->document);
 }
 
 }  // namespace coaster::edit

@@ -34,6 +34,8 @@ struct Want {
     quit,
     save,
     save_as,
+    save_sections,
+    open_sections,
     settings,
     challenges,
     start_screen

@@ -8,6 +8,7 @@
 
 #include "base/file_lock.h"
 #include "edit/commands/commands_challenge.h"
+#include "edit/commands/commands_sections.h"
 #include "edit/commands/commands_session.h"
 #include "exchange/formats.h"
 
@@ -67,6 +68,8 @@ void Dialogs::perform(Ui& ui, const Want& want) {
     case Want::Kind::quit: ui.out.quit = true; break;
     case Want::Kind::save: save(ui); break;
     case Want::Kind::save_as: browse(ui, FileBrowser::Mode::save); break;
+    case Want::Kind::save_sections: browse(ui, FileBrowser::Mode::save, true); break;
+    case Want::Kind::open_sections: browse(ui, FileBrowser::Mode::open, true); break;
     case Want::Kind::settings: dialog_ = Dialog::settings; break;
     case Want::Kind::challenges: dialog_ = Dialog::challenges, challenges_.reset(); break;
   }
@@ -79,11 +82,13 @@ void Dialogs::follow_save(Ui& ui) {
   else proceed(ui);
 }
 
-void Dialogs::browse(Ui& ui, FileBrowser::Mode mode) {
+void Dialogs::browse(Ui& ui, FileBrowser::Mode mode, bool sections) {
   const edit::Session& session = ui.session();
+  sections_ = sections;
   const bool save = mode == FileBrowser::Mode::save;
-  const std::string name =
-      session.file.path.empty() ? file_name_for(session.document.name) : session.file.path.filename().string();
+  const std::string name = sections                    ? file_name_for("section")
+                           : session.file.path.empty() ? file_name_for(session.document.name)
+                                                       : session.file.path.filename().string();
   browser_.start(mode, first_folder(ui), save ? name : "");
   dialog_ = Dialog::browse;
 }
@@ -101,7 +106,13 @@ void Dialogs::save(Ui& ui) {
 
 // An export saves nothing: follow_save() then drops what was to follow.
 void Dialogs::write(Ui& ui, const std::filesystem::path& path, bool overwrite) {
-  ui.emit(edit::Save{path.string(), {overwrite}});
+  if (sections_) {
+    edit::Sections selected;
+    selected.which = edit::Knots::Which::selected;
+    ui.emit(edit::SaveSections{path.string(), selected});
+  } else {
+    ui.emit(edit::Save{path.string(), {overwrite}});
+  }
   saving_ = want_.kind != Want::Kind::nothing;
   dialog_ = Dialog::none;
 }
@@ -109,11 +120,15 @@ void Dialogs::write(Ui& ui, const std::filesystem::path& path, bool overwrite) {
 // `asked`: whether to overwrite it has been asked already.
 void Dialogs::take_file(Ui& ui, std::filesystem::path path, bool asked) {
   std::error_code error;
+  if (browser_.mode() == FileBrowser::Mode::open && sections_) {
+    dialog_ = Dialog::none;
+    return ui.emit(edit::OpenSections{path.string()});
+  }
   if (browser_.mode() == FileBrowser::Mode::open) {
     want_ = {Want::Kind::load, path.string()};
     return proceed(ui);  // unsaved changes were asked about before
   }
-  const bool own = edit::is_own_file(ui.session(), path);
+  const bool own = !sections_ && edit::is_own_file(ui.session(), path);
   chosen_ = std::move(path);
   if (own && edit::changed_outside(ui.session())) dialog_ = Dialog::changed;
   else if (!asked && !own && std::filesystem::exists(chosen_, error)) dialog_ = Dialog::overwrite;

@@ -32,7 +32,7 @@ class Dialogs {
   void abandon();
   void follow_save(Ui& ui);
   void write(Ui& ui, const std::filesystem::path& path, bool overwrite);
-  void browse(Ui& ui, FileBrowser::Mode mode);
+  void browse(Ui& ui, FileBrowser::Mode mode, bool sections = false);
   void take_file(Ui& ui, std::filesystem::path path, bool asked);
   void take_system(Ui& ui);
   void build_shown(Ui& ui, const platform::Events& events, bool text_had_keyboard);
@@ -52,6 +52,7 @@ class Dialogs {
   bool asked_later_ = false;  // about recovery
   bool system_ = false;       // the system's dialog is awaited
   FileBrowser browser_;
+  bool sections_ = false;  // the browser is about a file of sections, not about the track's
   std::optional<std::vector<ChallengeEntry>> challenges_;  // read when the dialog is built first
   int challenge_ = 0;                                      // the row that the keys are at
   std::filesystem::path chosen_;
