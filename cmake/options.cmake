@@ -19,6 +19,9 @@ if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
   # False positives about moved variants (gcc bug 105562) and about std::string + (gcc bugs 105329, 105651).
   add_compile_options(-Wno-maybe-uninitialized -Wno-restrict -Wno-array-bounds -Wno-stringop-overflow)
 endif()
+if(EMSCRIPTEN)
+  add_compile_options(-include ${CMAKE_SOURCE_DIR}/third_party/web/std_missing.h)
+endif()
 add_compile_definitions(GLM_FORCE_XYZW_ONLY)
 # Unoptimised code would call functions for every component of a vector. Inlined, it runs in 3/5 of the time and
 # compiles as fast. With -Og gcc inlines them by itself, and refuses to where GLM passes one as an argument.

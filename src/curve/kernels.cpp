@@ -21,7 +21,7 @@ Processor find_best() {
   return Processor::baseline;
 }
 
-const detail::Kernels& kernels(Processor on) {
+const detail::Kernels& kernels([[maybe_unused]] Processor on) {
 #ifdef COASTER_AVX2_KERNELS
   if (on == Processor::avx2) return detail::avx2_kernels();
 #endif

@@ -232,7 +232,7 @@ void evaluate_polyline(const SegmentShape& shape, Polyline& polyline) {
 std::optional<std::span<const ShapeChange>> Derived::changes_since(std::uint64_t build) const {
   if (build < made.known_since || build > last_build) return std::nullopt;
   const auto first = std::ranges::upper_bound(made.changes, build, {}, &ShapeChange::build);
-  return std::span(first, made.changes.end());
+  return std::span(made.changes).subspan(static_cast<std::size_t>(first - made.changes.begin()));
 }
 
 void derive(const world::Document& document, const world::Settings& settings, const Clock& clock, Derived& derived,
