@@ -10,7 +10,7 @@
 #include "app/scene.h"
 #include "edit/commands/commands_sections.h"
 #include "exchange/own/force_text.h"
-#include "exchange/own/track_file.h"
+#include "exchange/own/link.h"
 #include "world/look.h"
 
 namespace coaster::app {
@@ -58,9 +58,11 @@ void apply_commands(Program& program, const std::vector<edit::Command>& commands
   program.by_hand = false;
 }
 
-// What another window put on the clipboard wins over what was copied here.
-void paste(Program& program, std::optional<edit::PasteForceKeys> keys) {
+// A link is opened. What another window put on the clipboard wins over what was copied here.
+void paste(Program& program, bool link_alone, std::optional<edit::PasteForceKeys> keys) {
   std::string text = program.surface->clipboard();
+  if (exchange::is_link(text)) return program.ui->open(std::move(text));
+  if (link_alone) return;
   if (keys && exchange::parse_keys(text.empty() ? program.session.copied : text)) {
     if (text != program.session.copied) keys->text = std::move(text);
     return apply_commands(program, {*std::move(keys)});
@@ -77,7 +79,7 @@ void apply_output(Program& program, const ui::Output& output) {
   program.pictures.update(program.gl, *program.renderer, output.wanted_pictures, program.session.settings.look->style);
   program.picture.toast = program.ui->toast();
   apply_commands(program, output.commands);
-  if (output.wants_paste) paste(program, output.pastes_keys);
+  if (output.wants_paste || output.wants_link) paste(program, !output.wants_paste, output.pastes_keys);
   program.picture.hovered = output.hovered;
   program.quit = program.quit || output.quit;
   answer_keeping(program, output);

@@ -68,7 +68,8 @@ void after_command(Program& program, const edit::Command& command, const base::S
     exchange::remember(recent, base::canonical_path(save->path).string());
   } else if (const auto* const load = command.as<edit::Load>()) {
     follow_file(program, keeper);
-    if (!keeper.unasked) exchange::remember(recent, base::canonical_path(load->path).string());
+    if (!keeper.unasked && !edit::opens_link(command))
+      exchange::remember(recent, base::canonical_path(load->path).string());
   } else if (command.is<edit::RecoverTrack>() || command.is<edit::NewTrack>()) {
     follow_file(program, keeper);
   }

@@ -18,8 +18,8 @@ namespace coaster::app {
 namespace {
 
 constexpr OptionRow kRows[] = {
-    {"FILE", "", Word::track, "Track to open; the file extension selects the format (docs/track-format.md)",
-     &Options::file},
+    {"FILE", "", Word::track,
+     "Track to open; the file extension selects the format (docs/track-format.md). Or a shared link", &Options::file},
     {"--headless", "", Word::nothing,
      "Run FILE or a script without a display; without a script: ride FILE, write OUT/ride.png, print a summary",
      &Options::headless},
@@ -46,6 +46,8 @@ constexpr OptionRow kRows[] = {
     {"--report", "", Word::nothing,
      "Print the report of the whole ride of FILE: times, forces, ratings; no graphics needed", &Options::report},
     {"--envelope", "F", Word::json, "Force limits by duration (.json); not a compliance check", &Options::envelope},
+    {"--address", "URL", Word::other,
+     "Address of the page that opens the links you share; default coaster:", &Options::address},
     {"--hash-log", "", Word::nothing, "Print the hashes of document and motion after each tick", &Options::hash_log},
     {"--config", "DIR", Word::folder,
      "Folder for settings and autosaves instead of the user's; without it scripts keep none (docs/files.md)",

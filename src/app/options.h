@@ -25,7 +25,8 @@ struct Options {
   int fps = script::kUsualMovieRate;
   bool gif = false;
   bool update_goldens = false, validate = false, json = false, hash_log = false, report = false;
-  std::string config;  // folder of settings and autosaves; empty: the user's, only for windows
+  std::string address = "coaster:";  // before the fragments of shared links
+  std::string config;                // folder of settings and autosaves; empty: the user's, only for windows
   bool reset_layout = false;
   bool help_script = false, help_man = false, help_completion = false;
 };

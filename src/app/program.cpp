@@ -15,6 +15,7 @@
 #include "edit/commands/commands_force.h"
 #include "edit/commands/commands_operation.h"
 #include "edit/commands/commands_sections.h"
+#include "edit/commands/commands_session.h"
 #include "edit/commands/commands_settings.h"
 #include "edit/perform/apply.h"
 #include "query/challenge.h"
@@ -157,8 +158,10 @@ base::Status apply(Program& program, const edit::Command& command) {
     program.picture.toast = program.session.notices.list.back().text;  // the panels show it one frame later
   if (applied && (command.is<edit::CopySection>() || command.is<edit::CopyForceKeys>()))
     program.surface->set_clipboard(program.session.copied);
+  if (applied && command.is<edit::Share>())
+    program.surface->set_clipboard(program.options.address + program.session.shared);
   if (!applied || edit::info(command).effect != edit::Effect::session || edit::output_path(command) ||
-      command.is<edit::LoadEnvelope>())
+      command.is<edit::LoadEnvelope>() || edit::opens_link(command))
     return applied;
   // Another track: frames the whole track.
   const edit::Session& session = program.session;

@@ -15,6 +15,7 @@
 #include "exchange/nolimits/nl2_csv.h"
 #include "exchange/nolimits/nl2elem.h"
 #include "exchange/nolimits/nltrack.h"
+#include "exchange/own/link.h"
 #include "sim/plan/switch_curve.h"
 #include "sim/ride/start_speed.h"
 #include "sim/shape/folds.h"
@@ -120,6 +121,7 @@ std::string known_endings(Direction direction) {
 }
 
 base::Result<LoadedTrack> load_track(base::Files& files, const std::filesystem::path& path, base::Progress* progress) {
+  if (is_link(path.string())) return parse_link(path.string());
   const Format* const format = format_of(path);
   if (!format || !format->parse) return base::Status{base::Code::bad_file, unfit_ending(path, format, Direction::read)};
   const base::Result<std::string> bytes = files.read(path, format->most_bytes);

@@ -34,9 +34,9 @@ std::span<const Format> formats();
 const Format* format_of(const std::filesystem::path& path);
 
 // Reads or writes the file in the format of its extension. An unknown extension is refused with the list of those known
-// for that direction. A track from a format that does not hold everything gets a train at its start, if it has none,
-// and, unless the file says one, a start speed with which its ride completes (sim/ride/start_speed.h), if there is one;
-// the note or a warning says so.
+// for that direction. A shared link is read like a file (exchange/own/link.h). A track from a format that does not hold
+// everything gets a train at its start, if it has none, and, unless the file says one, a start speed with which its
+// ride completes (sim/ride/start_speed.h), if there is one; the note or a warning says so.
 base::Result<LoadedTrack> load_track(base::Files& files, const std::filesystem::path& path,
                                      base::Progress* progress = nullptr);
 // Formats that do not hold everything get the rails, of a heartline track too; they are refused where rails fold.

@@ -30,6 +30,7 @@ Answer dirty(const Context& c, View) { return yes_no(edit::dirty(c.find)); }
 Answer toast(const Context& c, View) { return text(c.toast); }
 Answer title(const Context& c, View) { return text(c.title); }
 Answer polyline(const Context& c, View) { return yes_no(c.session.settings.lab->layers.has(world::Layer::polyline)); }
+Answer link_bytes(const Context& c, View) { return number(c.session.shared.size()); }
 Answer file(const Context& c, View) { return text(c.session.file.path.filename().string()); }
 
 Answer camera_height(const Context& c, View) { return number(c.stats.eye.y); }
@@ -63,6 +64,7 @@ constexpr std::array kSessionRows{
     Query{"title", "", "", "The window's title.", title},
     Query{"polyline", "", "", "on if the evaluated polyline is shown.", polyline},
     Query{"track_file", "", "", "Name of the track's file without its folder, empty if it has none.", file},
+    Query{"link_bytes", "", "", "Characters of the link that was shared last, from its # on; 0: none.", link_bytes},
     Query{"locked_by", "", "", "Other process that has the track's file open, empty if none.",
           of_stats<&FrameStats::keeping, &Keeping::holder>},
     Query{"recoverable", "", "", "Number of autosaves of other runs that can be recovered.",

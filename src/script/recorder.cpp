@@ -100,6 +100,7 @@ base::Status Recorder::command(const edit::Command& command, const edit::Session
   // Exports and force limits do not affect document or motion: leave them out.
   if (edit::output_path(command) != nullptr || command.is<edit::LoadEnvelope>()) return {};
   if (const base::Status written = write_ticks(); !written) return written;
+  if (edit::opens_link(command)) return line(edit::print(command));
   if (command.is<edit::Load>() || command.is<edit::OpenSections>() || command.is<edit::RecoverTrack>())
     return snapshot(after);
   if (const auto* const challenge = command.as<edit::StartChallenge>())

@@ -14,6 +14,8 @@
 #include "base/scratch_folder.h"
 #include "exchange/challenge_file.h"
 #include "exchange/own/envelope_file.h"
+#include "exchange/own/link.h"
+#include "exchange/own/packed_text.h"
 #include "exchange/own/progress_file.h"
 #include "exchange/own/settings_file.h"
 #include "exchange/own/track_file.h"
@@ -38,6 +40,19 @@ void check_track(const exchange::Format& format, std::string_view bytes) {
   COASTER_CHECK(again.ok(), "what a reader accepts can be saved and read again");
   COASTER_CHECK(!format.whole || world::hash(again->document) == world::hash(loaded->document),
                 "saving and loading changes nothing");
+}
+
+// The text of a link, or what one packs.
+void link(std::string_view bytes) {
+  if (bytes.size() > 16'000) return;
+  const std::string text = exchange::is_link(bytes) ? std::string(bytes) : "#coaster=1." + exchange::pack(bytes);
+  const auto loaded = exchange::parse_link(text);
+  if (!loaded) return check_error(loaded.status());
+  COASTER_CHECK(!world::broken_invariant(loaded->document), "what a link holds is a document");
+  const auto again = exchange::parse_link(exchange::print_link(loaded->document, *loaded->view));
+  COASTER_CHECK(again.ok() && world::hash(again->document) == world::hash(loaded->document),
+                "sharing what was shared changes nothing");
+  COASTER_CHECK(again->view == loaded->view, "the view stays the same");
 }
 
 void envelope(std::string_view bytes) {
@@ -164,7 +179,7 @@ void script(std::string_view bytes) {
 
 constexpr std::array kReaders{
     Target{"envelope", envelope}, Target{"settings", settings}, Target{"challenge", challenge},
-    Target{"progress", progress}, Target{"outputs", outputs},
+    Target{"progress", progress}, Target{"outputs", outputs},   Target{"link", link},
 #ifdef COASTER_FUZZ_SCRIPTS
     Target{"script", script},
 #endif

@@ -10,6 +10,7 @@
 
 #include "edit/commands/codec_values.h"
 #include "edit/commands/command_list.h"
+#include "exchange/own/link.h"
 
 namespace coaster::edit {
 namespace {
@@ -137,6 +138,11 @@ std::string done_part(const Fields& fields, std::string_view part) {
 }  // namespace
 
 Command::Command() : Command(Undo{}) {}
+
+bool opens_link(const Command& command) {
+  const Load* const load = command.as<Load>();
+  return load != nullptr && exchange::is_link(load->path);
+}
 
 const std::string* output_path(const Command& command) {
   if (const Save* const save = command.as<Save>()) return &save->path;

@@ -43,6 +43,8 @@ class Command {
 
 inline const CommandInfo& info(const Command& command) { return command.info(); }
 
+// Returns whether a command loads a shared link.
+bool opens_link(const Command& command);
 // Returns the file that a command writes, or null. Such commands change nothing, and scripts may write only below $OUT.
 const std::string* output_path(const Command& command);
 // Sets the file of a command that writes one; does nothing for others.

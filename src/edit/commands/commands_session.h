@@ -31,7 +31,8 @@ struct CancelGesture {
 };
 struct Load {
   std::string path;
-  COASTER_COMMAND(Load, "load", "Open a track file; its ending tells the format.", Effect::session);
+  COASTER_COMMAND(Load, "load", "Open a track file; its ending tells the format. Or open a shared link.",
+                  Effect::session);
   COASTER_FIELDS(visit("", self.path))
 };
 // Refused with Code::io if another program changed the document's own file since it was opened, unless `overwrite`.
@@ -43,6 +44,13 @@ struct Save {
                   "changes by another program.",
                   Effect::session);
   COASTER_FIELDS(visit("", self.path), visit("overwrite?", self.overwrite))
+};
+struct Share {
+  COASTER_COMMAND(
+      Share, "share",
+      "Copy a link that holds the track, the camera and the evaluator. load opens it, and so does a browser.",
+      Effect::settings);
+  COASTER_FIELDS()
 };
 struct RecoverTrack {
   std::string path, original;
@@ -57,6 +65,6 @@ struct NewTrack {
 };
 
 using SessionCommands =
-    CommandList<Undo, Redo, BeginGesture, EndGesture, CancelGesture, Load, Save, RecoverTrack, NewTrack>;
+    CommandList<Undo, Redo, BeginGesture, EndGesture, CancelGesture, Load, Save, Share, RecoverTrack, NewTrack>;
 
 }  // namespace coaster::edit

@@ -7,11 +7,14 @@
 #include "edit/commands/commands_lab.h"
 #include "edit/commands/commands_operation.h"
 #include "edit/commands/commands_session.h"
+#include "edit/commands/commands_settings.h"
 #include "edit/perform/perform.h"
 #include "exchange/formats.h"
 #include "exchange/own/envelope_file.h"
+#include "exchange/own/link.h"
 #include "exchange/own/track_file.h"
 #include "world/aids.h"
+#include "world/evaluation.h"
 
 namespace coaster::edit {
 
@@ -24,6 +27,18 @@ Status write(Change& change, const std::string& path, std::string_view text) {
   const Status status = change.files.write_atomic(path, text);
   if (status) change.note = "Saved " + path;
   return status;
+}
+
+// Shows the track as whoever shared it did.
+Status show_shared(Session& session, Change& change, const exchange::SharedView& view) {
+  world::Settings& settings = session.settings;
+  settings.camera_mode = view.mode;
+  settings.camera = view.camera, settings.fly = view.fly;
+  settings.evaluation->evaluator = view.evaluator, settings.evaluation->steps = view.steps;
+  fit_budget(session);
+  derive(session);
+  if (const Status looks = perform(session, change, SetCamera{view.camera}); !looks) return looks;
+  return perform(session, change, SetFly{view.fly});
 }
 
 }  // namespace
@@ -55,13 +70,23 @@ Status perform(Session& session, Change& change, const Load& command) {
       read ? std::move(ahead->track) : exchange::load_track(change.files, command.path);
   if (!loaded) return loaded.status();
   // A format that does not hold everything is an import: the next save needs a file name.
-  start_over(session, std::move(loaded->document),
-             exchange::format_of(command.path)->whole ? command.path : std::string());
+  const exchange::Format* const format = loaded->view ? nullptr : exchange::format_of(command.path);
+  start_over(session, std::move(loaded->document), format && format->whole ? command.path : std::string());
   session.file.import = loaded->import;
   session.file.content = loaded->content;
   session.file.version = loaded->version;
   warn(session, loaded->warnings);
   change.note = std::move(loaded->note);
+  return loaded->view ? show_shared(session, change, *loaded->view) : Status();
+}
+Status perform(Session& session, Change& change, const Share&) {
+  std::string link = link_of(session);
+  if (link.size() > exchange::kMaxLinkBytes)
+    return refused(
+        fmt::format("the link would have {} characters, and {} is the limit. Save the track and send the file",
+                    link.size(), exchange::kMaxLinkBytes));
+  session.shared = std::move(link);
+  change.note = fmt::format("Copied a link of {} characters.", session.shared.size());
   return {};
 }
 Status perform(Session& session, Change& change, const Save& command) {

@@ -9,6 +9,8 @@
 #include "base/hash.h"
 #include "base/text.h"
 #include "edit/session/ride_watch.h"
+#include "exchange/own/link.h"
+#include "world/evaluation.h"
 
 namespace coaster::edit {
 
@@ -34,6 +36,12 @@ bool dirty(const Finder& find) {
   const History& history = find.session().history;
   if (history.in_gesture && !history.gesture_text.command.empty()) return true;
   return find(Want::document_hash).document_hash != find.session().file.saved_hash;
+}
+
+std::string link_of(const Session& session) {
+  const world::Settings& s = session.settings;
+  return exchange::print_link(session.document,
+                              {s.camera_mode, s.camera, s.fly, s.evaluation->evaluator, s.evaluation->steps});
 }
 
 bool is_own_file(const Session& session, const std::filesystem::path& path) {

@@ -131,6 +131,7 @@ struct Session {
   Notices notices;
   std::optional<SoughtAhead> sought;
   std::string copied;  // what was copied last: sections as the text of a track, or keys of forces
+  std::string shared;  // the link that was made last, without the address before its fragment
 };
 
 void notify(Session& session, NoticeKind kind, std::string text);
@@ -139,6 +140,9 @@ void notify(Session& session, const base::Status& error);
 // True if the document has unsaved changes. An open gesture that moved anything counts as one: a hash at each of its
 // moves would cost more than the moves.
 bool dirty(const Finder& find);
+
+// Returns the link of the track as it is seen: exchange::print_link() of document, camera and evaluator.
+std::string link_of(const Session& session);
 
 // True if the path leads to the document's own file, under any name.
 bool is_own_file(const Session& session, const std::filesystem::path& path);

@@ -10,7 +10,9 @@
 
 #include "base/files.h"
 #include "base/progress.h"
+#include "world/camera.h"
 #include "world/document.h"
+#include "world/evaluation.h"
 
 namespace coaster::exchange {
 
@@ -30,6 +32,16 @@ struct ImportReport {
   friend bool operator==(const ImportReport&, const ImportReport&) = default;
 };
 
+// How a shared track was seen (exchange/own/link.h).
+struct SharedView {
+  world::CameraMode mode = world::CameraMode::orbit;
+  world::Camera camera;
+  world::FlyCamera fly;
+  curve::EvaluatorId evaluator = curve::kDefaultEvaluator;
+  int steps = 64;  // per segment
+  friend bool operator==(const SharedView&, const SharedView&) = default;
+};
+
 struct LoadedTrack {
   world::Document document;
   std::vector<std::string> warnings;   // one line each: unknown members, which are kept; rows that were left out
@@ -38,6 +50,7 @@ struct LoadedTrack {
   std::optional<ImportReport> import;  // for formats that a track is fitted to
   std::uint64_t content = 0;           // hash of the file's bytes; set by load_track()
   int version = kTrackVersion;         // of the project's own format
+  std::optional<SharedView> view;      // of links
 };
 
 // Parses a whole file's text. Errors are Code::bad_file with one line "NAME:LINE:COLUMN: error: ..." for broken JSON

@@ -1,5 +1,6 @@
 // The menu File.
 #include "edit/commands/commands_challenge.h"
+#include "exchange/own/link.h"
 #include "ui/actions/actions_parts.h"
 
 namespace coaster::ui {
@@ -13,6 +14,11 @@ void photo(Act& act) {
 }
 constexpr Condition kInChallenge{[](const Act& act) { return act.ui.session().game.challenge.has_value(); },
                                  "No challenge is open."};
+// A track that no link can hold is offered as a file.
+void share(Act& act) {
+  act.ui.emit(edit::Share{});
+  if (edit::link_of(act.ui.session()).size() > exchange::kMaxLinkBytes) act.ui.want = {Want::Kind::save_as};
+}
 bool filming(const Act& act) { return act.ui.state.movie != nullptr; }
 constexpr Condition kFilmable{[](const Act& act) { return filming(act) || kRideable.holds(act); }, kRideable.otherwise};
 void record_movie(Act& act) { act.ui.out.movie = filming(act) ? MovieWish::stop : MovieWish::start; }
@@ -23,6 +29,8 @@ constexpr Action kFileActions[] = {
     {"Save", "File", ctrl(Key::s), 0, "Save the track to its file.", want<Want::Kind::save>},
     {"Save as", "File", ctrl_shift(Key::s), 0, "Save to another file or export. The file extension selects the format.",
      want<Want::Kind::save_as>},
+    {"Share", "File", ctrl_shift(Key::l), 0,
+     "Copy a link that opens this track in this view. It holds the whole track.", share},
     {"Start screen", "File", kNoKey, 0, "Recent tracks, samples, challenges and the tutorial.",
      want<Want::Kind::start_screen>},
     {"Tutorial", "File", kNoKey, 0, "Build and ride your first coaster, step by step.", want<Want::Kind::tutorial>},

@@ -27,9 +27,10 @@ struct Output {
   view::View view;  // of the scene
   view::Pick hovered;
   bool quit = false;
-  bool wants_paste = false;  // of sections: of the clipboard, or those that were copied here
+  bool wants_paste = false;  // of sections: of the clipboard, or those that were copied here; or of a link
   // What to do with keys of forces instead, if the clipboard has some, or they were copied here last.
   std::optional<edit::PasteForceKeys> pastes_keys = {};
+  bool wants_link = false;  // of the clipboard, if that is one
   PhotoWish photo = PhotoWish::none;
   bool cancel_job = false;
   MovieWish movie = MovieWish::none;

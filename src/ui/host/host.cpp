@@ -78,6 +78,7 @@ struct Host::Parts {
   CommandPalette palette;
   view::View view;
   view::Pick hovered;
+  std::string dropped;      // a file or a link to open
   bool frame_next = false;  // frame the track that the last frame's commands loaded
 
   explicit Parts(const gfx::Gl& table) : gl(table) {
@@ -130,9 +131,10 @@ void Host::Parts::settle_gesture(Ui& ui) {
 
 void Host::Parts::take_files(Ui& ui, const platform::Events& events) {
   for (const platform::Event& event : events) {
-    if (const auto* drop = std::get_if<platform::Drop>(&event)) dialogs.take(ui, {Want::Kind::load, drop->path});
+    if (const auto* drop = std::get_if<platform::Drop>(&event)) dropped = drop->path;
     if (std::holds_alternative<platform::CloseRequest>(event)) dialogs.take(ui, {Want::Kind::quit});
   }
+  if (!dropped.empty()) dialogs.take(ui, {Want::Kind::load, std::exchange(dropped, {})});
 }
 
 void Host::Parts::take_want(Ui& ui) {
@@ -182,10 +184,8 @@ void Host::Parts::lay_out(Ui& ui, const platform::Events& events, int width, int
   draw_legend(ui, layout.scene);
   toasts.draw(ui, layout.scene);
   for (const edit::Command& command : ui.out.commands)
-    if (command.is<edit::Load>() || command.is<edit::NewTrack>() || command.is<edit::StartChallenge>()) {
-      frame_next = true;
-      start.hide();
-    }
+    if (command.is<edit::Load>() || command.is<edit::NewTrack>() || command.is<edit::StartChallenge>())
+      frame_next = !edit::opens_link(command), start.hide();
   if (ui.out.wants_tutorial || ui.out.recovery == Recovery::recover) start.hide();
 }
 
@@ -266,6 +266,7 @@ std::vector<std::string> Host::set_keys(std::span<const exchange::KeyChoice> cho
 }
 
 void Host::show_start() { parts_->start.show(); }
+void Host::open(std::string path) { parts_->dropped = std::move(path); }
 
 // ImGui keeps which headers are open and how far columns are scrolled with each window.
 void Host::reset_layout() {

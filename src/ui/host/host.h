@@ -31,6 +31,8 @@ class Host {
   std::vector<std::string> set_keys(std::span<const exchange::KeyChoice> choices);
   // The start screen: over everything until something is chosen.
   void show_start();
+  // Opens a file or a shared link in the next frame, as if it was dropped: asks first about unsaved changes.
+  void open(std::string path);
   // Columns, headers and the laboratory's strip as at the first start.
   void reset_layout();
 

@@ -28,6 +28,13 @@ bool pressed(const platform::Events& events, Key a, Key b) {
   });
 }
 
+bool pasted(const platform::Events& events) {
+  return std::any_of(events.begin(), events.end(), [](const platform::Event& event) {
+    const auto* press = std::get_if<platform::KeyPress>(&event);
+    return press != nullptr && press->down && press->key == Key::v && press->modifiers.ctrl;
+  });
+}
+
 void Dialogs::build_unsaved(Ui& ui, const platform::Events& events) {
   ui.panel = "Unsaved changes";
   title("Unsaved changes");
@@ -51,6 +58,7 @@ void Dialogs::build_browser(Ui& ui, const platform::Events& events, bool text_ha
   const bool saving = browser_.mode() == FileBrowser::Mode::save;
   ui.panel = saving ? "Save as" : "Open";
   title(saving ? "Save the track as" : "Open a track");
+  if (!saving && !sections_ && pasted(events)) ui.out.wants_link = true;
   const SystemDialog system = ui.state.kept != nullptr ? ui.state.kept->system : SystemDialog{};
   if (system.running) {
     paragraph(ui, "Waiting", "The desktop's file dialog is open.", palette().text);

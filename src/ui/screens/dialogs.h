@@ -61,6 +61,8 @@ class Dialogs {
 
 // Whether one of the keys was pressed; repeats do not count.
 bool pressed(const platform::Events& events, platform::Key a, platform::Key b = platform::Key::unknown);
+// Whether Ctrl+V was, which opens a copied link also where a dialog has the keys.
+bool pasted(const platform::Events& events);
 
 // The name of the file that a track of this name is first saved to.
 std::string file_name_for(const std::string& track);

@@ -11,6 +11,7 @@
 
 #include "base/words.h"
 #include "exchange/formats.h"
+#include "exchange/own/link.h"
 #include "ui/widgets/theme.h"
 
 namespace coaster::ui {
@@ -92,6 +93,10 @@ FileBrowser::Answer FileBrowser::choose_path(std::filesystem::path path) {
 
 // What Enter and the button of the right name mean.
 FileBrowser::Answer FileBrowser::confirm(const Entries& entries) {
+  if (mode_ == Mode::open && exchange::is_link(words_)) {
+    chosen_ = words_;
+    return Answer::chosen;
+  }
   const auto at =
       std::find_if(entries.begin(), entries.end(), [&](const base::FolderEntry* e) { return e->name == marked_; });
   if (mode_ == Mode::save) {
@@ -199,7 +204,8 @@ FileBrowser::Answer FileBrowser::draw_buttons(Ui& ui, const Entries& entries, bo
   if (button(ui, "Cancel", "Cancel. Key Escape.", true, width)) answer = Answer::cancel;
   ImGui::SameLine();
   const bool can = mode_ == Mode::save ? !words_.empty()
-                                       : !marked_.empty() || is_path(words_) || (!words_.empty() && !entries.empty());
+                                       : !marked_.empty() || is_path(words_) || exchange::is_link(words_) ||
+                                             (!words_.empty() && !entries.empty());
   if (button(ui, mode_ == Mode::save ? "Save" : "Open", "Use the selected file or the name above. Key Enter.", can,
              width))
     answer = confirm(entries);
@@ -217,7 +223,7 @@ FileBrowser::Answer FileBrowser::build(Ui& ui, const platform::Events& events, b
   const std::string_view label = saving ? "Name" : "Search or path";
   if (auto typed = text(ui, label, words_,
                         saving ? "Name of the file. Its extension selects the format, .json by default."
-                               : "Part of a name, or a path.")) {
+                               : "Part of a name, a path, or a shared link.")) {
     words_ = std::move(*typed);
     untouched_ = by_key_ = false;
     if (!saving) marked_.clear();

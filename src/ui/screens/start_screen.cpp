@@ -177,6 +177,7 @@ void StartScreen::build(Ui& ui, const platform::Events& events, float width, flo
   ui.panel.clear();
   ImGui::End();
   if (pressed(events, platform::Key::escape)) open_ = false;
+  if (pasted(events)) ui.out.wants_link = true;
 }
 
 }  // namespace coaster::ui
