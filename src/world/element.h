@@ -101,7 +101,7 @@ inline constexpr ElementRow kElements[] = {
      element_rows::kForceTurn},
     {"force_roll", "Float roll", "A hill over which riders float while they are rolled by 360 degrees.", true,
      element_rows::kForceRoll},
-    {"force_heartline", "Heartline roll", "A roll by 360 degrees about the riders' straight path.", true,
+    {"force_heartline", "Heartline", "A roll by 360 degrees about the riders' straight path.", true,
      element_rows::kForceHeartline},
     {"force_loop", "Force loop", "A loop at constant g: a teardrop, tighter towards the top. It ends level.", true,
      element_rows::kForceLoop},
