@@ -123,8 +123,8 @@ ForceElement force_turn(const ForceMaker& maker) {
   const double guess = kShortestHold + std::max(-least->x * v / (world::kGravity * pull), 0.02);
   auto found = newton<4>({guess, 0, 0, 0}, 1e-3, kForceAngle, off);
   if (!found) {
-    const auto [sin, cos] = base::sin_cos(angle);
-    const auto both = [&](glm::dvec3 x) { return glm::dvec4(x[0], x[1] * cos, x[1] * sin, x[2]); };
+    const base::SinCos turned = base::sin_cos(angle);
+    const auto both = [&](glm::dvec3 x) { return glm::dvec4(x[0], x[1] * turned.cos, x[1] * turned.sin, x[2]); };
     const auto level = newton<3>({guess, 0, 0}, 1e-3, kForceAngle, [&](glm::dvec3 x) -> std::optional<glm::dvec3> {
       const auto there = off(both(x));
       return there ? std::optional(glm::dvec3(*there)) : std::nullopt;
