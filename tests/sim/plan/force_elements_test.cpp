@@ -23,7 +23,7 @@ ForceTask at(double speed, double degrees = 0, double riders = 0) {
   const auto [sin, cos] = base::sin_cos(radians(degrees));
   task.end.position = {0, 200, 0}, task.end.forward = {cos, sin, 0}, task.end.up = {-sin, cos, 0};
   task.program.speed = speed, task.riders = riders;
-  task.losses = {0.01, 0.0002};
+  task.losses = {0.01f, 0.0002f};
   return task;
 }
 world::Element of(ElementKind kind, std::initializer_list<std::pair<std::string_view, double>> values = {}) {

@@ -15,7 +15,7 @@ using world::ForceChannel;
 ForceTask level(double speed, double riders) {
   ForceTask task;
   task.end.position = {0, 200, 0};
-  task.program.speed = speed, task.riders = riders, task.losses = {0.01, 0.0002};
+  task.program.speed = speed, task.riders = riders, task.losses = {0.01f, 0.0002f};
   return task;
 }
 
