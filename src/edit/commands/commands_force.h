@@ -106,7 +106,25 @@ struct SetForceOver {
   COASTER_FIELDS(visit("", self.section), visit("to", self.to))
 };
 
-using ForceCommands = CommandList<AddForce, SetForceKey, MoveForceKey, RemoveForceKey, ShapeForceKey, CopyForceKeys,
-                                  PasteForceKeys, SetForceLength, SetForceTolerance, SetForceOver>;
+struct ReadForces {
+  Target section;
+  double tolerance = 0.05;
+  COASTER_COMMAND(
+      ReadForces, "force.read",
+      "Make a section a force section of its shape, within 1 cm: its g and roll at the present speed become "
+      "keys. What follows stays.",
+      Effect::document, "Made {} a force section");
+  COASTER_FIELDS(visit("", self.section), visit("tolerance?", self.tolerance))
+};
+struct FreeForces {
+  Target section;
+  COASTER_COMMAND(FreeForces, "force.free", "Make a force section hand-shaped: its knots stay, its keys go.",
+                  Effect::document, "Made {} hand-shaped");
+  COASTER_FIELDS(visit("", self.section))
+};
+
+using ForceCommands =
+    CommandList<AddForce, SetForceKey, MoveForceKey, RemoveForceKey, ShapeForceKey, CopyForceKeys, PasteForceKeys,
+                SetForceLength, SetForceTolerance, SetForceOver, ReadForces, FreeForces>;
 
 }  // namespace coaster::edit

@@ -102,6 +102,15 @@ ForceCurve::Value ForceLaw::asked(ForceChannel channel, double x) const {
   return value;
 }
 
+FeltG felt_on(const ForceState& s, const ForceRates& track, double d) {
+  const double g = world::kGravity, square = std::max(s.square, 1e-6);
+  const dvec3 left = glm::cross(s.up, s.tangent);
+  const double to_up = glm::dot(track.curvature, s.up), to_left = glm::dot(track.curvature, left);
+  return {
+      square / g * (to_up - d * (to_up * to_up + track.spin * track.spin)) + s.up.y,
+      square / g * (to_left - d * (to_left * to_up + track.spin_slope)) - track.along / g * d * track.spin + left.y};
+}
+
 // Inverts felt g = (s'' h' + s'^2 h'')/g + up (sim/shape/rail_tables.h) for the curvature towards up and left.
 ForceRates ForceLaw::rates(double x, const ForceState& s) const {
   const auto up = asked(ForceChannel::vertical, x), side = asked(ForceChannel::lateral, x),
@@ -153,16 +162,13 @@ void ForceLaw::set_ramp() {
   const bool by_time = task_.program.over == ForceOver::time;
   const TrackEnd& end = task_.end;
   const ForceState s = start();
-  const double g = world::kGravity, d = task_.riders, square = std::max(s.square, 1e-6), speed = std::sqrt(square);
-  const dvec3 left = glm::cross(s.up, s.tangent);
-  const double to_up = glm::dot(end.curvature, s.up), to_left = glm::dot(end.curvature, left);
+  const double square = std::max(s.square, 1e-6), speed = std::sqrt(square);
   const double along = rates(0, s).along, spin = end.spin;
   const double slope = base::radians(curves_[2].at(0).slope);
   const double spin_slope = by_time ? (slope / speed - spin * along / speed) / speed : slope;
-  const double felt_up = square / g * (to_up - d * (to_up * to_up + spin * spin)) + s.up.y,
-               felt_side = square / g * (to_left - d * (to_left * to_up + spin_slope)) - along / g * d * spin + left.y,
-               roll = base::degrees(spin) * (by_time ? speed : 1.0);
-  missing_ = {felt_up - curves_[0].at(0).value, felt_side - curves_[1].at(0).value, roll - curves_[2].at(0).value};
+  const FeltG felt = felt_on(s, {end.curvature, spin, spin_slope, along}, task_.riders);
+  felt_ = {felt.up, felt.side, base::degrees(spin) * (by_time ? speed : 1.0)};
+  for (std::size_t c = 0; c < felt_.size(); ++c) missing_[c] = felt_[c] - curves_[c].at(0).value;
   const double per_second = by_time ? 1.0 : speed;
   const double most = std::max(std::abs(missing_[0]), std::abs(missing_[1])), turn = std::abs(missing_[2]) * per_second;
   if (std::max(most, turn) <= kSame) return;

@@ -51,12 +51,20 @@ struct ForceRates {
   bool folded = false;      // no curvature makes riders at their height feel that
 };
 
+// What riders `riders` m above the curve feel at a place of track, in g: what rates() below solves for the curvature.
+struct FeltG {
+  double up = 1, side = 0;
+};
+FeltG felt_on(const ForceState& state, const ForceRates& track, double riders);
+
 class ForceLaw {
  public:
   explicit ForceLaw(const ForceTask& task);
   ForceState start() const;
   // m or s: how long the start takes to reach what the keys say; 0 where it fits them.
   double ramp() const { return ramp_; }
+  // By channel: what is felt at the track's end. Keys with these values there need no ramp.
+  const std::array<double, 3>& felt_at_start() const { return felt_; }
   // Where the asked curves change their formula: ascending, the section's end last.
   std::vector<double> breaks() const;
   double metres_per_unit(const ForceState& state) const;
@@ -71,6 +79,7 @@ class ForceLaw {
   const ForceTask& task_;
   std::array<ForceCurve, 3> curves_;
   double ramp_ = 0;
+  std::array<double, 3> felt_{};
   std::array<double, 3> missing_{};  // by channel: what is felt at the track's end less what the keys say there
 };
 

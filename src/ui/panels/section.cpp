@@ -146,6 +146,13 @@ void section_buttons(Ui& ui, const Chosen& chosen) {
   if (pressed("Paste", "Add the copied sections at the open end of the track, or before Complete circuit.",
               "Paste section", movable(0)))
     ui.out.wants_paste = true;
+  const bool of_forces = chosen.section().kind == world::SectionKind::force;
+  if (of_forces &&
+      pressed("Shape by hand", "Make the section hand-shaped. Its knots stay, its keys go.", "", chosen.single()))
+    ui.emit(edit::FreeForces{{chosen.name()}});
+  if (!of_forces && pressed("Read forces", "Make it a force section of the same shape. What is felt becomes keys.", "",
+                            chosen.single()))
+    ui.emit(edit::ReadForces{{chosen.name()}});
   if (pressed("Delete", "Delete the sections. What follows moves to where they began.", "Delete", movable(end)))
     each([](world::Name name) { return edit::DeleteSection{{name}}; });
 }
