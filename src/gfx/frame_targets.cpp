@@ -2,11 +2,16 @@
 
 #include <algorithm>
 #include <cmath>
-
-#include "base/check.h"
+#include <new>
 
 namespace coaster::gfx {
 namespace {
+
+// Ends as a failed `new` does: any driver makes framebuffers of the screen's size while it has memory for them.
+[[noreturn]] void no_memory() {
+  if (const std::new_handler handler = std::get_new_handler()) handler();
+  throw std::bad_alloc();
+}
 
 // Pixels with their origin at the bottom left, inside the picture.
 struct Rectangle {
@@ -32,7 +37,7 @@ void FrameTargets::fit(int width, int height) {
   scene_.reset();
   resolved_.reset();
   auto plain = make_target(*gl_, width, height, 0);
-  COASTER_CHECK(plain.ok(), "the driver supports framebuffers of the screen's size");
+  if (!plain.ok()) no_memory();
   resolved_ = std::move(*plain);
   if (samples_ == 0) return;
   if (auto target = make_target(*gl_, width, height, samples_)) scene_ = std::move(*target);
