@@ -174,7 +174,7 @@ ForceReading read_forces(const TrackRun& run, const ForceTask& start) {
     put_keys(readings, unit, task);
     double way_error = 0;
     const auto solved = solve_forces(task, goal, way_error);
-    if (!solved || (unit > 0.005 && way_error > 0.6 * kKeptShape)) continue;
+    if (!solved || (unit > 0.01 && way_error > 0.6 * kKeptShape)) continue;
     for (double tolerance = start.program.tolerance;; tolerance = std::max(tolerance / 2, world::kLeastTolerance)) {
       ForceTask planned = *solved;
       planned.program.tolerance = tolerance;
@@ -191,8 +191,8 @@ ForceReading read_forces(const TrackRun& run, const ForceTask& start) {
     }
   }
   if (best.error < 1e9)
-    best.refusal = fmt::format("keys would keep its shape within {:.1f} cm, not within 1 cm, at {:.1f} m",
-                               100 * best.error, best.error_at);
+    best.refusal = fmt::format("keys would keep its shape within {:.1f} mm, not within 10 mm, at {:.1f} m",
+                               1000 * best.error, best.error_at);
   else if (best.refusal.empty()) best.refusal = "no keys lead along it at the train's speed";
   return best;
 }
