@@ -55,8 +55,9 @@ ForceCurve::ForceCurve(const world::ForceProgram& program, ForceChannel channel)
 }
 
 ForceCurve::Value ForceCurve::at(double x) const {
-  const auto piece =
+  auto piece =
       std::upper_bound(pieces_.begin(), pieces_.end(), x, [](double place, const Piece& p) { return place < p[3].x; });
+  if (piece == pieces_.end() && !pieces_.empty() && x == pieces_.back()[3].x) --piece;  // the slope of its end
   if (piece == pieces_.end()) return {after_, 0};
   if (x < (*piece)[0].x) return {before_, 0};
   const double u = parameter_at(*piece, x);

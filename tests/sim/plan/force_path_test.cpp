@@ -156,6 +156,9 @@ TEST(force_curve, follows_the_bezier_of_its_keys) {
   const ForceCurve curve(program, ForceChannel::vertical);
   EXPECT_EQ(curve.at(0).value, 1);
   EXPECT_EQ(curve.at(40).value, 2);
+  world::ForceProgram steep = program;
+  steep.keys(ForceChannel::vertical).back().slope = 0.3;
+  EXPECT_NEAR(ForceCurve(steep, ForceChannel::vertical).at(30).slope, 0.3, 1e-12) << "up to the end, not 0 there";
   const auto piece =
       world::curve_between(program.keys(ForceChannel::vertical)[1], program.keys(ForceChannel::vertical)[2]);
   for (double u = 0.05; u < 1; u += 0.1) {
