@@ -19,6 +19,7 @@ void follow_angle(double& sum, double& before, double now) {
 }  // namespace
 
 std::optional<ForceWalk> walk_force(const ForceTask& task) {
+  if (!(task.program.length <= world::longest_of(task.program.over))) return std::nullopt;
   const ForceLaw law(task);
   ForceWalk walk;
   ForceState& state = walk.end = law.start();

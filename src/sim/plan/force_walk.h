@@ -25,7 +25,8 @@ struct ForceWalk {
 };
 
 // Follows the task's program to its end in steps of about a third of a metre; positions are within a centimetre of
-// force_path's. Nothing where the train falls below the least speed (world::kSlowestForce) or no curve would do.
+// force_path's. Nothing where the train falls below the least speed (world::kSlowestForce), no curve would do, or the
+// program is longer than one may be.
 std::optional<ForceWalk> walk_force(const ForceTask& task);
 
 // Returns x with every component of f(x) within `tolerance` of 0, by Newton's method with differences of `step` and

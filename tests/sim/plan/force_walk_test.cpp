@@ -47,6 +47,15 @@ TEST(force_walk, stops_where_the_train_does) {
   EXPECT_FALSE(walk_force(task));
 }
 
+TEST(force_walk, no_program_is_followed_beyond_the_limit_of_its_length) {
+  ForceTask task;
+  task.program.over = world::ForceOver::time;
+  task.program.speed = 20, task.program.length = world::kLongestForce_s;
+  EXPECT_TRUE(walk_force(task));
+  task.program.length = 1e12;  // as a search may ask for
+  EXPECT_FALSE(walk_force(task));
+}
+
 TEST(newton, finds_roots_of_a_system_and_gives_up_without_one) {
   using glm::dvec2;
   const auto circle_and_line = [](dvec2 x) -> std::optional<dvec2> {
