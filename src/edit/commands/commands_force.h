@@ -29,6 +29,15 @@ struct SetForceKey {
   COASTER_FIELDS(visit("", self.section), visit("from_start?", self.from_start), visit("", self.channel),
                  visit("key", self.value), visit("at", self.at))
 };
+struct InsertForceKey {
+  Target section;
+  world::ForceChannel channel{};
+  double at = 0;
+  COASTER_COMMAND(InsertForceKey, "force.insert",
+                  "Insert a key on the curve of a channel; what riders should feel stays the same.", Effect::document,
+                  "Inserted a key of {} at {at}");
+  COASTER_FIELDS(visit("", self.section), visit("", self.channel), visit("at", self.at))
+};
 struct MoveForceKey {
   Target section;
   bool from_start = false;
@@ -124,7 +133,7 @@ struct FreeForces {
 };
 
 using ForceCommands =
-    CommandList<AddForce, SetForceKey, MoveForceKey, RemoveForceKey, ShapeForceKey, CopyForceKeys, PasteForceKeys,
-                SetForceLength, SetForceTolerance, SetForceOver, ReadForces, FreeForces>;
+    CommandList<AddForce, SetForceKey, InsertForceKey, MoveForceKey, RemoveForceKey, ShapeForceKey, CopyForceKeys,
+                PasteForceKeys, SetForceLength, SetForceTolerance, SetForceOver, ReadForces, FreeForces>;
 
 }  // namespace coaster::edit

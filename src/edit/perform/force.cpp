@@ -9,6 +9,7 @@
 #include "edit/perform/placing.h"
 #include "edit/perform/replan.h"
 #include "exchange/own/force_text.h"
+#include "sim/plan/force_law.h"
 #include "sim/plan/force_reading.h"
 #include "world/sections.h"
 #include "world/topology.h"
@@ -117,6 +118,13 @@ Status perform(Session& session, Change& change, const SetForceKey& command) {
   return with_program(session, change, command.section, command.from_start, [&](ForceProgram& program) -> Status {
     if (ForceKey* const key = key_at(program, command.channel, command.at)) key->value = command.value;
     else put_key(program, command.channel, {command.at, command.value});
+    return {};
+  });
+}
+
+Status perform(Session& session, Change& change, const InsertForceKey& command) {
+  return with_program(session, change, command.section, false, [&](ForceProgram& program) -> Status {
+    sim::insert_on_curve(program, command.channel, command.at);
     return {};
   });
 }

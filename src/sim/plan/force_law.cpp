@@ -64,6 +64,24 @@ ForceCurve::Value ForceCurve::at(double x) const {
   return {value_of(*piece, 1, u), rate_of(*piece, 1, u) / rate_of(*piece, 0, u)};
 }
 
+void insert_on_curve(world::ForceProgram& program, ForceChannel channel, double at) {
+  const ForceCurve::Value there = ForceCurve(program, channel).at(at);
+  std::vector<world::ForceKey> keys = world::shaping_keys(program, channel);
+  const auto next = std::upper_bound(keys.begin(), keys.end(), at,
+                                     [](double place, const world::ForceKey& key) { return place < key.at; });
+  world::ForceKey key{at, there.value, there.slope};
+  if (next != keys.begin() && next != keys.end()) {
+    const Piece p = world::curve_between(next[-1], *next);
+    const double u = parameter_at(p, at);
+    const double middle = std::lerp(p[1].x, p[2].x, u);
+    next[-1].after = u * (p[1].x - p[0].x), next->before = (1 - u) * (p[3].x - p[2].x);
+    key.before = at - std::lerp(std::lerp(p[0].x, p[1].x, u), middle, u);
+    key.after = std::lerp(middle, std::lerp(p[2].x, p[3].x, u), u) - at;
+  }
+  keys.insert(next, key);
+  program.keys(channel) = std::move(keys);
+}
+
 ForceLaw::ForceLaw(const ForceTask& task)
     : task_(task),
       curves_{ForceCurve(task.program, ForceChannel::vertical), ForceCurve(task.program, ForceChannel::lateral),

@@ -25,6 +25,9 @@ class ForceCurve {
   std::vector<std::array<glm::dvec2, 4>> pieces_;
 };
 
+// Adds a key at a place of the section where the channel's curve passes; the curve keeps its shape (de Casteljau).
+void insert_on_curve(world::ForceProgram& program, world::ForceChannel channel, double at);
+
 // Where and how a force section begins, and the train that it is planned for: one car.
 struct ForceTask {
   TrackEnd end;

@@ -62,7 +62,8 @@ void move_key(Ui& ui, ForceKeys& state, const ForceProgram& program, double from
   ui.emit(edit::MoveForceKey{{state.section}, from_start, state.channel, from, to, value});
 }
 
-void insert_key(Ui& ui, ForceKeys& state, const ForceProgram& program, double at, double value) {
+// Without a value on the curve.
+void insert_key(Ui& ui, ForceKeys& state, const ForceProgram& program, double at, std::optional<double> value) {
   const std::vector<ForceKey>& keys = program.keys(state.channel);
   const double gap = world::key_gap_of(program.over);
   const auto near = [&](const ForceKey& key) { return std::abs(key.at - at) < gap; };
@@ -70,7 +71,8 @@ void insert_key(Ui& ui, ForceKeys& state, const ForceProgram& program, double at
   if (std::any_of(keys.begin(), keys.end(), near))
     return ui.warn(fmt::format("Keys are at least {} {} apart.", gap, world::unit_of(program.over)));
   state.inserted = at;
-  ui.emit(edit::SetForceKey{{state.section}, false, state.channel, value, at});
+  if (value) ui.emit(edit::SetForceKey{{state.section}, false, state.channel, *value, at});
+  else ui.emit(edit::InsertForceKey{{state.section}, state.channel, at});
 }
 
 void begin_gesture(Ui& ui, ForceKeys& state) {
@@ -240,7 +242,7 @@ bool work_key(Ui& ui, ForceKeys& state, const ForceProgram& program, const platf
     case Key::del: ui.emit(edit::RemoveForceKey{{state.section}, false, state.channel, key.at}); return true;
     case Key::insert: {
       const double next = *state.key + 1 < keys.size() ? keys[*state.key + 1].at : program.length;
-      insert_key(ui, state, program, to_step((key.at + next) / 2, steps.at), key.value);
+      insert_key(ui, state, program, to_step((key.at + next) / 2, steps.at), {});
       return true;
     }
     default: return false;

@@ -171,5 +171,19 @@ TEST(force_curve, follows_the_bezier_of_its_keys) {
   }
 }
 
+TEST(force_curve, keeps_its_shape_where_a_key_is_inserted) {
+  world::ForceProgram program;
+  program.keys(ForceChannel::vertical) = {{5, 1, 0.4, 2, 3}, {15, 3, -0.2, 6, 0}, {30, 2, 0.1, 0, 0}};
+  program.length = 40;
+  const ForceCurve before(program, ForceChannel::vertical);
+  for (const double at : {2.0, 8.0, 17.0, 25.0, 36.0}) insert_on_curve(program, ForceChannel::vertical, at);
+  insert_on_curve(program, ForceChannel::roll, 20);
+  EXPECT_EQ(program.keys(ForceChannel::vertical).size(), 8u);
+  EXPECT_EQ(program.keys(ForceChannel::roll), (std::vector<world::ForceKey>{{20, 0}}));
+  EXPECT_FALSE(world::broken(program));
+  const ForceCurve after(program, ForceChannel::vertical);
+  for (double x = 0; x <= 40; x += 0.1) EXPECT_NEAR(after.at(x).value, before.at(x).value, 1e-9) << x;
+}
+
 }  // namespace force_path_test
 }  // namespace coaster::sim
