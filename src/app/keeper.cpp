@@ -121,7 +121,7 @@ void show(Program& program, const exchange::UserSettings& settings) {
 // Copies the state of session and window that belongs to the settings.
 void follow_session(const Program& program, exchange::UserSettings& settings) {
   for_each_kept([&]<auto Setting>() {
-    if (program.tutorial.running && kLentToTutorial<Setting>) return;
+    if (program.tutorial.run && kLentToTutorial<Setting>) return;
     world::value_in<Setting>(settings.session) = world::value_in<Setting>(program.session.settings);
   });
   const auto at = program.surface->placement();

@@ -16,6 +16,7 @@
 #include "edit/commands/commands_ride.h"
 #include "edit/commands/commands_session.h"
 #include "edit/commands/commands_settings.h"
+#include "platform/loop.h"
 #include "platform/signals.h"
 #include "script/runner.h"
 #include "world/look.h"
@@ -64,6 +65,13 @@ int leave_by(Program& program, int signal) {
   if (!kept) base::print_error(kept.message);
   stop_keeping(program, false);
   return 128 + signal;
+}
+
+int leave_window(Program& program) {
+  end_tutorial(program);
+  if (const int signal = platform::pending_signal()) return leave_by(program, signal);
+  stop_keeping(program, program.quit);
+  return finish({});
 }
 
 int run_script(const Options& options) {
@@ -164,10 +172,11 @@ int run_headless(const Options& options) {
 int run_window(const Options& options) {
   const base::UserFolders folders =
       options.config.empty() ? base::user_folders() : base::UserFolders{options.config, options.config};
-  StartMark mark(folders.state);
-  auto program = make_program(options, size_of(options), kWindowSamples, mark.last_crashed());
-  if (!program) return finish(program.status());
-  Program& p = **program;
+  const auto mark = std::make_shared<StartMark>(folders.state);
+  auto made = make_program(options, size_of(options), kWindowSamples, mark->last_crashed());
+  if (!made) return finish(made.status());
+  const std::shared_ptr<Program> program = std::move(*made);
+  Program& p = *program;
   start_keeping(p, folders, {}, options.reset_layout);
   platform::watch_signals();
   // `all` is for scripts, and for users who never chose a workspace.
@@ -181,15 +190,14 @@ int run_window(const Options& options) {
   if (const base::Status started = start_recording(p); !started) return finish(started);
   if (options.file.empty() && p.keeper->state.settings.start_screen) p.ui->show_start();
   p.time.last_frame = p.surface->clock();
-  for (std::int64_t frame = 0; !p.quit && !platform::pending_signal() && (!options.frames || frame < *options.frames);
-       ++frame) {
-    play_frame(p);
-    mark.remove();
-    if (std::exchange(p.tutorial.wanted, false)) run_tutorial(p);
-  }
-  if (const int signal = platform::pending_signal()) return leave_by(p, signal);
-  stop_keeping(p, p.quit);
-  return finish({});
+  const auto step = [program, mark, left = options.frames]() mutable {
+    if (program->quit || platform::pending_signal() || (left && (*left)-- <= 0)) return false;
+    play_frame(*program);
+    mark->remove();
+    teach(*program);
+    return true;
+  };
+  return platform::run_frames(step, [program] { return leave_window(*program); });
 }
 
 }  // namespace

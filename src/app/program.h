@@ -44,9 +44,12 @@ struct Picture {
   std::string toast;                     // that the panels show
 };
 
-// The lesson that a script gives in a window.
+// The script that teaches the player of a window (tutorial.cpp).
+struct TutorialRun;
+
 struct Tutorial {
-  bool wanted = false, running = false;
+  bool wanted = false;
+  std::shared_ptr<TutorialRun> run;  // null: not running
   std::optional<query::LessonCard> card;
   query::LessonAnswer answer = query::LessonAnswer::none;
 };

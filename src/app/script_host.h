@@ -9,8 +9,11 @@ namespace coaster::app {
 // Returns functions over `program`, which must outlive them.
 script::Host make_script_host(Program& program);
 
-// Runs tutorials/first_coaster.coaster, lessons that the player of a window does, until its end, until the player
-// leaves it, or until the program quits. A notice reports errors.
-void run_tutorial(Program& program);
+// After each frame of a window: starts the tutorial where it is wanted, and lets the one that runs go on up to its next
+// lesson, which the player does: tutorials/first_coaster.coaster. It runs until its end, until the player leaves it, or
+// until end_tutorial(). A notice reports errors.
+void teach(Program& program);
+// Gives back the settings that the tutorial has borrowed.
+void end_tutorial(Program& program);
 
 }  // namespace coaster::app

@@ -1,20 +1,33 @@
 // A script host whose frames are the player's.
 #include <utility>
 
-#include "app/frame.h"
 #include "app/script_host.h"
 #include "app/tutorial_settings.h"
 #include "base/folders.h"
 #include "edit/commands/commands_settings.h"
-#include "platform/signals.h"
 #include "script/grammar.h"
 #include "script/runner.h"
 #include "world/settings_groups.h"
 
 namespace coaster::app {
-namespace {
 
-bool ends(const Program& program) { return program.quit || platform::pending_signal() != 0; }
+struct TutorialRun {
+  script::Script script;
+  script::Host host;
+  script::RunOptions options;
+  world::Settings former;
+  script::Runner runner;
+  TutorialRun(script::Script what, script::Host by, script::RunOptions with, const world::Settings& now)
+      : script(std::move(what)),
+        host(std::move(by)),
+        options(std::move(with)),
+        former(now),
+        runner(script, host, options) {}
+  TutorialRun(const TutorialRun&) = delete;  // the runner refers to the others
+  TutorialRun& operator=(const TutorialRun&) = delete;
+};
+
+namespace {
 
 // The window keeps its size, and the card's buttons answer.
 script::Host teaching_host(Program& program) {
@@ -22,43 +35,49 @@ script::Host teaching_host(Program& program) {
   Program* const p = &program;
   host.set_environment = [](const script::Environment&) { return base::Status{}; };
   host.progress = {};
-  host.interrupted = [p] { return ends(*p); };
   host.teach = [p](const query::LessonCard* card) { p->tutorial.card = card ? std::optional(*card) : std::nullopt; };
-  host.watch = [p]() -> base::Result<query::LessonAnswer> {
-    play_frame(*p);
-    return std::exchange(p->tutorial.answer, query::LessonAnswer::none);
-  };
+  host.answer = [p] { return std::exchange(p->tutorial.answer, query::LessonAnswer::none); };
   return host;
 }
 
-void teach(Program& program) {
+base::Status start(Program& program) {
   base::Files files;
   const std::filesystem::path path = base::data_folder() / "tutorials" / "first_coaster.coaster";
-  const auto parsed = script::parse_script_file(path, files);
-  if (!parsed || !parsed->errors.empty())
-    return edit::notify(program.session, edit::NoticeKind::error,
-                        parsed ? parsed->errors.front() : parsed.status().message);
-  script::RunOptions run;
-  run.out = (program.keeper ? program.keeper->folders.state : std::filesystem::temp_directory_path()) / "tutorial";
-  script::Host host = teaching_host(program);
-  const base::Status taught = script::run_script(parsed->script, host, run);
-  program.tutorial.card.reset();
-  if (!taught && !ends(program)) edit::notify(program.session, edit::NoticeKind::error, taught.message);
+  auto parsed = script::parse_script_file(path, files);
+  if (!parsed) return parsed.status();
+  if (!parsed->errors.empty()) return {base::Code::usage, parsed->errors.front()};
+  script::RunOptions options;
+  options.out = (program.keeper ? program.keeper->folders.state : std::filesystem::temp_directory_path()) / "tutorial";
+  program.tutorial.run = std::make_shared<TutorialRun>(std::move(parsed->script), teaching_host(program),
+                                                       std::move(options), program.session.settings);
+  return program.tutorial.run->runner.begin();
 }
 
 }  // namespace
 
-void run_tutorial(Program& program) {
-  const world::Settings former = program.session.settings;
-  program.tutorial.running = true;
-  teach(program);
+void teach(Program& program) {
+  std::optional<base::Status> ended;
+  if (std::exchange(program.tutorial.wanted, false) && !program.tutorial.run)
+    if (const base::Status started = start(program); !started) ended = started;
+  while (program.tutorial.run && !ended) {
+    ended = program.tutorial.run->runner.step();
+    if (program.tutorial.run->runner.waits()) return;
+  }
+  if (!ended) return;
+  if (!*ended) edit::notify(program.session, edit::NoticeKind::error, ended->message);
+  end_tutorial(program);
+}
+
+void end_tutorial(Program& program) {
+  program.tutorial.card.reset();
+  const std::shared_ptr<TutorialRun> run = std::move(program.tutorial.run);
+  if (!run) return;
   world::for_each_setting([&]<auto Setting>() {
     if constexpr (kLentToTutorial<Setting>)
-      if (const auto value = world::value_in<Setting>(former);
+      if (const auto value = world::value_in<Setting>(run->former);
           value != world::value_in<Setting>(program.session.settings))
         (void)apply(program, edit::Set<Setting>{value});
   });
-  program.tutorial.running = false;
 }
 
 }  // namespace coaster::app

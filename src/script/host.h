@@ -73,10 +73,10 @@ struct Host {
   std::function<void(int frames)> slow_job;  // delays the next import or search by hand; may be empty
   std::function<base::Status()> stop_movie;  // waits for the movie's file; may be empty
   std::function<bool()> interrupted;         // true when the system has asked the program to end; may be empty
-  // Lessons. teach() shows a card, or hides it if null. watch() runs one frame of the player's own events in real time
-  // and returns the card's button. Empty: there is no player, and the script runs the lesson's body.
+  // Lessons. teach() shows a card, or hides it if null. answer() returns which of the card's buttons was pressed since
+  // the last call. Empty: there is no player, and the script runs the lesson's body.
   std::function<void(const query::LessonCard*)> teach;
-  std::function<base::Result<query::LessonAnswer>()> watch;
+  std::function<query::LessonAnswer()> answer;
   base::Files* files = nullptr;
   bool window = false;  // a screen paces the frames
 };

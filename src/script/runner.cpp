@@ -29,28 +29,42 @@ std::string* opened_path(edit::Command& command) {
 }  // namespace
 
 base::Status run_script(const Script& script, Host& host, const RunOptions& options) {
-  return Runner(script, host, options).run();
+  Runner runner(script, host, options);
+  if (const base::Status begun = runner.begin(); !begun) return begun;
+  for (;;)
+    if (const std::optional<base::Status> ended = runner.step()) return *ended;
 }
 
-base::Status Runner::run() {
+base::Status Runner::begin() {
   auto out = base::Root().open(options_.out);
   if (!out) return out.status();
   files_ = base::Files(std::move(*out));
-  if (const base::Status status = frames_.set_environment(environment_); !status) return status;
-  const Failure result = run(script_.statements);
-  if (result) return {};
+  enter(script_.statements);
+  return frames_.set_environment(environment_);
+}
+
+std::optional<base::Status> Runner::step() {
+  waits_ = false;
+  if (const Failure result = advance(); !result) return error_of(result);
+  return places_.empty() ? std::optional(base::Status{}) : std::nullopt;
+}
+
+// The next statement, the end of a block, or a look at the lesson.
+Failure Runner::advance() {
+  if (given_ && places_.size() == given_->depth) return attend();
+  Place& here = places_.back();
+  if (here.next < here.block->size()) return run((*here.block)[here.next++]);
+  if (here.again-- > 0) return here.next = 0, Failure{};
+  const bool gesture = here.gesture;
+  places_.pop_back();
+  return gesture ? failure(frames_.apply(edit::EndGesture{})) : Failure{};
+}
+
+base::Status Runner::error_of(const Failure& result) {
   const std::string note = write_evidence();
   const int column = result.column > 0 ? result.column : failed_at_->column;
   return {result.code, describe_error(script_.sources[static_cast<std::size_t>(failed_at_->source)], failed_at_->line,
                                       column, result.message, note)};
-}
-
-Failure Runner::run(const Block& block) {
-  for (const Statement& statement : block) {
-    if (left_) break;
-    if (Failure result = run(statement); !result) return result;
-  }
-  return {};
 }
 
 Failure Runner::run(const Statement& statement) {
@@ -121,18 +135,20 @@ Failure Runner::perform(const Ticks& ticks) {
 }
 
 Failure Runner::perform(const Repeat& repeat) {
-  for (std::int64_t i = 0; i < repeat.count; ++i)
-    if (Failure result = run(repeat.body); !result) return result;
+  if (repeat.count > 0) enter(repeat.body, repeat.count - 1);
   return {};
 }
 
 Failure Runner::perform(const Gesture& gesture) {
   if (const base::Status status = frames_.apply(edit::BeginGesture{}); !status) return failure(status);
-  if (Failure result = run(gesture.body); !result) return result;
-  return failure(frames_.apply(edit::EndGesture{}));
+  enter(gesture.body, 0, true);
+  return {};
 }
 
-Failure Runner::perform(const Include& include) { return run(include.body); }
+Failure Runner::perform(const Include& include) {
+  enter(include.body);
+  return {};
+}
 
 Failure Runner::perform(const Input& given) {
   for (std::size_t i = 0; i < given.steps.size(); ++i) {

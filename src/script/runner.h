@@ -1,8 +1,11 @@
-// Runs a parsed script against a Host, up to its last statement or the first that fails.
+// Runs a parsed script against a Host, up to its last statement or the first that fails: all at once, or step by step,
+// so that a player can do its lessons between the steps.
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
+#include <vector>
 
 #include "script/frame_driver.h"
 #include "script/host.h"
@@ -35,18 +38,43 @@ inline Failure wrong(std::string message, int column = 0) { return {base::Code::
 // and state (describe_error()).
 base::Status run_script(const Script& script, Host& host, const RunOptions& options);
 
-// One run. The statements are implemented in runner.cpp (blocks, commands, time, input), runner_expect.cpp,
-// runner_lesson.cpp, runner_aim.cpp, ui_driver.cpp and runner_output.cpp.
+// One run: begin(), then step() until it returns a status. The statements are implemented in runner.cpp (blocks,
+// commands, time, input), runner_expect.cpp, runner_lesson.cpp, runner_aim.cpp, ui_driver.cpp and runner_output.cpp.
 class Runner {
  public:
   Runner(const Script& script, Host& host, const RunOptions& options)
       : script_(script), frames_(host), options_(options), environment_(options.environment) {}
 
-  base::Status run();
+  base::Status begin();
+  // Runs the next statement, or looks whether the lesson that waits is learnt. Nothing while more is to come, then the
+  // result of the script.
+  std::optional<base::Status> step();
+  // Returns whether the last step left a lesson to the player.
+  bool waits() const { return waits_; }
 
  private:
-  Failure run(const Block& block);
+  // Where the run is in a block, and in the blocks around it.
+  struct Place {
+    const Block* block = nullptr;
+    std::size_t next = 0;
+    std::int64_t again = 0;  // times that the block is still to be run after this one
+    bool gesture = false;    // its end is a gesture's
+  };
+  // The lesson that is given: its lines are shown by a place behind `depth`.
+  struct Given {
+    const Lesson* lesson = nullptr;
+    const Statement* statement = nullptr;
+    std::size_t depth = 0;
+    bool shown = false;
+    int waited = 0;
+  };
+  void enter(const Block& block, std::int64_t again = 0, bool gesture = false) {
+    places_.push_back({&block, 0, again, gesture});
+  }
+  Failure advance();
   Failure run(const Statement& statement);
+  Failure attend();  // to the given lesson (runner_lesson.cpp)
+  base::Status error_of(const Failure& result);
 
   Failure perform(const RunCommand& command);
   Failure perform(const SetEnvironment& change);
@@ -93,8 +121,10 @@ class Runner {
   const RunOptions& options_;
   base::Files files_;  // writes below $OUT alone, without the faults that scripts inject into the host's
   Environment environment_;
+  std::vector<Place> places_;  // the innermost last
+  std::optional<Given> given_;
+  bool waits_ = false;
   int lessons_ = 0;                           // started so far
-  bool left_ = false;                         // the player has left the lessons
   std::vector<std::filesystem::path> homes_;  // named by env
   int source_ = 0;                            // source of the running statement
   const Statement* failed_at_ = nullptr;      // the innermost statement that failed

@@ -88,7 +88,10 @@ Failure Runner::perform(const ExpectError& expect) {
   std::string message = expect.parse_error;
   if (message.empty()) {
     const Statement& statement = expect.statement.front();
-    const Failure result = std::visit([this](const auto& action) { return perform(action); }, statement.action);
+    const std::size_t depth = places_.size();
+    Failure result = std::visit([this](const auto& action) { return perform(action); }, statement.action);
+    while (result && places_.size() > depth) result = advance();
+    places_.resize(depth);
     failed_at_ = nullptr;
     if (result) return failed("expected an error, but the statement succeeded", statement.column);
     message = result.message;

@@ -26,42 +26,48 @@ Failure Runner::perform(const Lesson& lesson) {
   const query::LessonCard card{lesson.text, lesson.widget ? lesson.widget->text : "", ++lessons_,
                                std::max(lessons_, lessons_in(script_.statements))};
   if (host.teach) host.teach(&card);
+  const Place& here = places_.back();
+  given_ = Given{&lesson, &(*here.block)[here.next - 1], places_.size(), !host.answer};
+  if (host.answer) return {};
   std::string found;
-  bool shown = !host.watch;
-  if (shown) {
-    const base::Result<bool> before = check(lesson.until, found);
-    if (before && *before)
-      return failed("the lesson's condition already holds: " + lesson.until.text, lesson.until.column);
-    if (Failure ran = run(lesson.body); !ran) return ran;
-  }
-  Failure result;
-  for (int waited = 0;; ++waited) {
-    const base::Result<bool> done = check(lesson.until, found);
-    if (!done) result = failure(done.status(), lesson.until.column);
-    if (!done || *done) break;
-    if (shown && waited >= kMostLessonFrames) {
-      result = {base::Code::timeout,
+  const base::Result<bool> before = check(lesson.until, found);
+  if (before && *before)
+    return failed("the lesson's condition already holds: " + lesson.until.text, lesson.until.column);
+  enter(lesson.body);
+  return {};
+}
+
+Failure Runner::attend() {
+  const Host& host = frames_.host();
+  Given& given = *given_;
+  const Lesson& lesson = *given.lesson;
+  failed_at_ = given.statement, source_ = given.statement->source;
+  const auto end = [&](Failure result) {
+    given_.reset();
+    if (host.teach) host.teach(nullptr);
+    return result;
+  };
+  std::string found;
+  const base::Result<bool> done = check(lesson.until, found);
+  if (!done) return end(failure(done.status(), lesson.until.column));
+  if (*done) return end({});
+  if (given.shown && given.waited++ >= kMostLessonFrames)
+    return end({base::Code::timeout,
                 fmt::format("the lesson's lines did not reach {}, found {}", lesson.until.text, found),
-                lesson.until.column};
-      break;
-    }
-    if (!host.watch) {
-      if (const base::Status status = frames_.frame({}); !status) return failure(status);
-      continue;
-    }
-    const base::Result<query::LessonAnswer> answer = host.watch();
-    if (!answer) return failure(answer.status());
-    if (*answer == query::LessonAnswer::leave || (host.interrupted && host.interrupted())) {
-      left_ = true;
-      break;
-    }
-    if (*answer == query::LessonAnswer::show && !shown) {
-      shown = true, waited = 0;
-      if (Failure ran = run(lesson.body); !ran) return ran;
-    }
+                lesson.until.column});
+  if (!host.answer) return failure(frames_.frame({}));
+  const query::LessonAnswer answer = host.answer();
+  if (answer == query::LessonAnswer::leave || (host.interrupted && host.interrupted())) {
+    for (Place& place : places_) place.next = place.block->size(), place.again = 0;
+    return end({});
   }
-  if (host.teach) host.teach(nullptr);
-  return result;
+  if (answer == query::LessonAnswer::show && !given.shown) {
+    given.shown = true;
+    enter(lesson.body);
+    return {};
+  }
+  waits_ = true;
+  return {};
 }
 
 }  // namespace coaster::script

@@ -20,8 +20,15 @@ TEST_F(TutorialTest, settings_are_as_before_and_none_of_its_own_is_kept) {
   program.time.seconds = 1;
   keep(program);
   ASSERT_EQ(program.keeper->state.settings.session.look->workspace, world::Workspace::laboratory);
+  program.tutorial.wanted = true;
+  teach(program);
+  ASSERT_TRUE(program.tutorial.card) << last_notice(program);
+  EXPECT_EQ(program.session.settings.look->workspace, world::Workspace::build);
+  teach(program);
+  EXPECT_TRUE(program.tutorial.card) << "it waits for the player";
   program.tutorial.answer = query::LessonAnswer::leave;
-  run_tutorial(program);
+  teach(program);
+  EXPECT_FALSE(program.tutorial.card);
   EXPECT_TRUE(program.session.document.track.knots.empty()) << "it began: " << last_notice(program);
   EXPECT_EQ(program.session.settings.look->workspace, world::Workspace::laboratory);
   EXPECT_TRUE(program.session.settings.look->show_laboratory);

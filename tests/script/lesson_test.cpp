@@ -27,7 +27,7 @@ struct Class {
     EXPECT_TRUE(parsed.errors.empty()) << (parsed.errors.empty() ? "" : parsed.errors.front());
     Host host = fake.host();
     host.teach = [this](const query::LessonCard* card) { cards.push_back(card ? *card : query::LessonCard{}); };
-    host.watch = [this]() -> base::Result<query::LessonAnswer> {
+    host.answer = [this] {
       if (watched == acts_at) (void)fake.apply(edit::AppendKnot{{0, 1, 0}});
       const auto now = static_cast<std::size_t>(watched++);
       return now < answers.size() ? answers[now] : query::LessonAnswer::none;
