@@ -58,9 +58,16 @@ constexpr OptionRow kRows[] = {
     {"--help-completion", "", Word::nothing, "Print the bash completion and exit", &Options::help_completion},
 };
 
-constexpr ExitCodeRow kExitCodes[] = {{"0", "success"},  {"1", "failed expectation"}, {"2", "usage or script error"},
-                                      {"3", "bad file"}, {"4", "no graphics"},        {"5", "input or output"},
-                                      {"6", "timeout"},  {"70", "out of memory"},     {"128+N", "ended by signal N"}};
+constexpr ExitCodeRow kExitCodes[] = {{"0", "success"},
+                                      {"1", "failed expectation"},
+                                      {"2", "usage or script error"},
+                                      {"3", "bad file"},
+                                      {"4", "no graphics"},
+                                      {"5", "input or output"},
+                                      {"6", "timeout"},
+                                      {"70", "out of memory"},
+                                      {"77", "skipped"},
+                                      {"128+N", "ended by signal N"}};
 
 std::string exit_code_line() {
   std::string line = "Exit codes:";

@@ -18,7 +18,8 @@ enum class Code {
   graphics = 4,     // no display, or OpenGL below 3.3
   io = 5,           // the operating system could not read or write
   timeout = 6,
-  refused = 7,  // a command that exceeds a limit or names a missing entity; exit code 2
+  refused = 7,   // a command that exceeds a limit or names a missing entity; exit code 2
+  skipped = 77,  // a script needs what this driver lacks; test programs count it as skipped
 };
 
 // One line with what is wrong, where, and what was expected; empty if ok.

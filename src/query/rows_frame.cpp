@@ -24,10 +24,7 @@ Answer deviation(const Context& c, View) {
   return number(derived.evaluated_by == curve::EvaluatedBy::processor ? derived.deviation : c.stats.deviation);
 }
 Answer chord_error(const Context& c, View) { return number(c.find(edit::Want::chord_error).chord_error); }
-Answer drawn_by(const Context& c, View) {
-  constexpr std::array<View, 4> kNames{"processor", "vertex_shader", "geometry_shader", "tessellation_shader"};
-  return text(kNames[static_cast<std::size_t>(c.stats.drawn_by)]);
-}
+Answer drawn_by(const Context& c, View) { return text(base::name_of(c.stats.drawn_by)); }
 Answer ns_per_point(const Context& c, View) {
   return number(c.stats.evaluated_vertices > 0
                     ? c.stats.evaluation_ms * 1e6 / static_cast<double>(c.stats.evaluated_vertices)

@@ -82,6 +82,8 @@ constexpr std::array kOutput{
     HelpRow{"movie.stop", "Stops recording and waits for the movie file."},
     HelpRow{"dump \"NAME\"", "Writes picture, widgets, values and document to $OUT/NAME.*."},
     HelpRow{"log QUERY|\"TEXT\" ...", "Prints values and texts to stdout."},
+    HelpRow{"needs vertex_shader|geometry_shader|tessellation_shader",
+            "Ends the script as skipped, with exit code 77, where the driver cannot evaluate there."},
     HelpRow{"fault io.open|read|write|fsync|rename|close fail N", "Makes the Nth such operation from now on fail."},
     HelpRow{"fault import slow N",
             "Makes the next import or search by hand take N frames longer, time to see its progress bar or cancel."},

@@ -79,6 +79,17 @@ bool parse_wait(Words& words, Action& action) {
   return words.end();
 }
 
+bool parse_needs(Words& words, Action& action) {
+  static const std::vector<std::string> kNames = [] {
+    std::vector<std::string> names;
+    for (const base::NameRow& row : rows_of(curve::EvaluatedBy{})) names.emplace_back(row.name);
+    return names;
+  }();
+  const auto name = words.one_of("what evaluates, such as geometry_shader", kNames);
+  if (name) action = Needs{static_cast<curve::EvaluatedBy>(*name)};
+  return name && words.end();
+}
+
 bool parse_fault(Words& words, Action& action) {
   static const std::vector<std::string> kOperations = [] {
     std::vector<std::string> names;
@@ -132,8 +143,9 @@ bool parse_camera(Words& words, Action& action) {
   return words.end();
 }
 
-constexpr LineRow kSessionLines[]{{"env", parse_env},   {"frames", parse_count<Frames>}, {"ticks", parse_count<Ticks>},
-                                  {"wait", parse_wait}, {"fault", parse_fault},          {"camera", parse_camera}};
+constexpr LineRow kSessionLines[]{
+    {"env", parse_env},     {"frames", parse_count<Frames>}, {"ticks", parse_count<Ticks>}, {"wait", parse_wait},
+    {"needs", parse_needs}, {"fault", parse_fault},          {"camera", parse_camera}};
 
 // Calls visit(row) for each row of all tables.
 template <class Visit>

@@ -61,7 +61,7 @@ Failure Runner::advance() {
 }
 
 base::Status Runner::error_of(const Failure& result) {
-  const std::string note = write_evidence();
+  const std::string note = result.code == base::Code::skipped ? std::string() : write_evidence();
   const int column = result.column > 0 ? result.column : failed_at_->column;
   return {result.code, describe_error(script_.sources[static_cast<std::size_t>(failed_at_->source)], failed_at_->line,
                                       column, result.message, note)};
@@ -186,6 +186,14 @@ Failure Runner::perform(const FitCamera& fit) {
   return failure(frames_.apply(
       edit::SetCamera{fit.selection ? view::frame_entity(now, session.document, session.settings.selected, viewport)
                                     : view::frame_all(now, session.document, viewport)}));
+}
+
+Failure Runner::perform(const Needs& needs) {
+  const query::Context context = frames_.host().context();
+  const std::string& refusal = context.stats.stage_refusals[static_cast<std::size_t>(needs.stage)];
+  if (refusal.empty()) return {};
+  return {base::Code::skipped,
+          fmt::format("skipped: it needs {}. {}", base::name_of(needs.stage), base::sentence(refusal))};
 }
 
 Failure Runner::perform(const Fault& fault) {

@@ -87,6 +87,7 @@ class Runner {
   Failure perform(const Input& input);
   Failure perform(const MoveCamera& move);
   Failure perform(const FitCamera& fit);
+  Failure perform(const Needs& needs);
   Failure perform(const Fault& fault);
   Failure perform(const SlowImport& slow);
 

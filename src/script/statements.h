@@ -171,6 +171,11 @@ struct Fault {
   int nth = 1;
 };
 
+// Ends the script as skipped where the driver cannot evaluate there.
+struct Needs {
+  curve::EvaluatedBy stage = curve::EvaluatedBy::processor;
+};
+
 // Delays the next import by hand by a number of frames, so that a script sees its progress.
 struct SlowImport {
   int frames = 0;
@@ -178,7 +183,7 @@ struct SlowImport {
 
 using Action = std::variant<RunCommand, SetEnvironment, Frames, Ticks, Repeat, Gesture, Lesson, Include, Expect, Wait,
                             ExpectWidget, ExpectFile, ExpectError, UiAction, Input, AimAction, MoveCamera, FitCamera,
-                            Snap, Shot, Sheet, Dump, Log, StartMovie, StopMovie, Fault, SlowImport>;
+                            Snap, Shot, Sheet, Dump, Log, StartMovie, StopMovie, Needs, Fault, SlowImport>;
 
 struct Statement {
   int source = 0;  // index into Script::sources

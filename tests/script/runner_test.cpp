@@ -51,6 +51,19 @@ TEST(runner, wait_advances_until_it_is_so_or_times_out_with_its_own_code) {
   EXPECT_EQ(fake.frames.size(), before + 3) << "waiting by frames draws them, 2 ticks each";
 }
 
+TEST(runner, ends_as_skipped_where_the_driver_lacks_what_it_needs) {
+  FakeHost fake;
+  const std::string lines = "needs vertex_shader\nappend at 1 2 3\nneeds geometry_shader\nappend at 9 2 3\n";
+  EXPECT_TRUE(run_lines(fake, lines).ok());
+  EXPECT_EQ(fake.session.document.track.knots.size(), 2u);
+  FakeHost lacks;
+  lacks.stats.stage_refusals[static_cast<std::size_t>(curve::EvaluatedBy::geometry_shader)] = "it has none";
+  const base::Status skipped = run_lines(lacks, lines);
+  EXPECT_EQ(base::exit_code(skipped.code), 77);
+  EXPECT_NE(skipped.message.find("needs geometry_shader. It has none."), std::string::npos) << skipped.message;
+  EXPECT_EQ(lacks.session.document.track.knots.size(), 1u) << "what comes before it is run";
+}
+
 TEST(runner, a_failed_expectation_names_place_value_frame_and_evidence) {
   FakeHost fake;
   const base::Status status = run_lines(fake, "frames 2\n  expect knots == 4\n");
