@@ -21,6 +21,7 @@ if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
 endif()
 if(EMSCRIPTEN)
   add_compile_options(-include ${CMAKE_SOURCE_DIR}/third_party/web/std_missing.h)
+  add_compile_options(-Wno-dollar-in-identifier-extension)  # arguments of EM_ASM
 endif()
 add_compile_definitions(GLM_FORCE_XYZW_ONLY)
 # Unoptimised code would call functions for every component of a vector. Inlined, it runs in 3/5 of the time and

@@ -49,6 +49,17 @@ coaster_sources(coaster_zlib "zlib" zlib-* adler32.c crc32.c deflate.c inffast.c
 add_library(ZLIB::ZLIB ALIAS coaster_zlib)
 coaster_sources(coaster_tinyxml2 "TinyXML-2" tinyxml2-* tinyxml2.cpp)
 
+if(COASTER_APP)
+  coaster_headers(CLI11::CLI11 "CLI11" libcli11-dev "BSD-3-Clause" CLI)
+  coaster_headers(coaster_opengl "OpenGL core header" libgl-dev "MIT" GL/glcorearb.h KHR)
+  coaster_headers(coaster_stb "stb" libstb-dev "MIT or public domain" stb)
+  target_include_directories(coaster_stb SYSTEM INTERFACE ${CMAKE_BINARY_DIR}/include/coaster_stb/stb)
+  coaster_sources(coaster_imgui "Dear ImGui" imgui-* imgui*.cpp)
+  add_library(coaster_openal INTERFACE)  # Emscripten's own, on Web Audio
+  target_link_libraries(coaster_openal INTERFACE openal)
+  find_file(COASTER_INTER_FONT NAMES Inter-Regular.otf PATHS /usr/share/fonts/opentype/inter NO_DEFAULT_PATH NO_CMAKE_FIND_ROOT_PATH)
+endif()
+
 if(BUILD_TESTING)
   # RapidCheck has no installed sources: tests that use it run natively alone.
   set(googletest /usr/src/googletest/googletest)

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "app/program.h"
+#include "base/parallel.h"
 #include "edit/commands/codec.h"
 #include "edit/commands/commands_seek.h"
 #include "edit/commands/commands_session.h"
@@ -12,6 +13,8 @@
 
 namespace coaster::app {
 namespace {
+
+constexpr double kBarAfter = 0.15;  // s: shorter jobs show no bar
 
 using Work = std::function<base::Result<HandOver>(base::Progress*)>;
 
@@ -62,13 +65,12 @@ bool begin_job(Program& program, const edit::Command& command) {
   if (!work) return false;
   job->command = command, job->since = program.time.seconds;
   job->slow = slow, job->frames_left = std::exchange(program.job_delay, 0);
-  job->result = std::async(std::launch::async, std::move(work), &job->progress);
+  job->result = std::async(base::beside(), std::move(work), &job->progress);
   program.job = std::move(job);
   return true;
 }
 
 const LongJob* shown_job(const Program& program) {
-  constexpr double kBarAfter = 0.15;  // s: shorter jobs show no bar
   const LongJob* const job = program.job.get();
   return job && (job->slow || program.time.seconds - job->since > kBarAfter) ? job : nullptr;
 }
@@ -81,7 +83,10 @@ void finish_job(Program& program) {
     if (!running.progress.cancelled && running.frames_left-- > 0) return;
     running.result.wait();
   }
-  if (running.result.wait_for(std::chrono::seconds(0)) != std::future_status::ready) return;
+  const std::future_status now = running.result.wait_for(std::chrono::seconds(0));
+  if (now == std::future_status::timeout) return;
+  // Without threads it is done here, once its bar has been seen.
+  if (now == std::future_status::deferred && program.time.seconds - running.since < 2 * kBarAfter) return;
   const std::unique_ptr<LongJob> job = std::move(program.job);
   const base::Result<HandOver> found = job->result.get();
   // A cancelled job is dropped, even if the thread was faster.

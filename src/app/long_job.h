@@ -1,5 +1,5 @@
-// Commands that take longer than a frame, an import and a search, begin in a thread, with a progress bar. Only in a
-// window: scripts wait, unless they request a slow one to test the bar.
+// Commands that take longer than a frame, an import and a search, begin in a thread, with a progress bar; where there
+// are no threads the bar stands still. Only in a window: scripts wait, unless they request a slow one to test the bar.
 #pragma once
 
 #include <functional>

@@ -11,6 +11,7 @@
 
 #include <fmt/ranges.h>
 
+#include "base/parallel.h"
 #include "base/text.h"
 #include "gfx/image.h"
 #include "script/movie_rates.h"
@@ -104,8 +105,8 @@ base::Status Movie::add(gfx::Image picture) {
     failed_ = {base::Code::refused, fmt::format("a movie has at most {} pictures", kMost)};
   if (!failed_) return failed_;
   collect(most_writers_ - 1);
-  writers_.push_back(std::async(std::launch::async, [root = order_.root, path = order_.folder / picture_name(frames_),
-                                                     image = std::move(picture)] {
+  writers_.push_back(std::async(base::beside(), [root = order_.root, path = order_.folder / picture_name(frames_),
+                                                 image = std::move(picture)] {
     base::Files files(root);  // pictures bypass the program's file handling: injected faults are meant for documents
     return files.write_atomic(path, gfx::encode_png(image));
   }));

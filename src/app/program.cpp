@@ -158,6 +158,8 @@ base::Status apply(Program& program, const edit::Command& command) {
     program.picture.toast = program.session.notices.list.back().text;  // the panels show it one frame later
   if (applied && (command.is<edit::CopySection>() || command.is<edit::CopyForceKeys>()))
     program.surface->set_clipboard(program.session.copied);
+  if (const std::string* const path = edit::output_path(command); applied && path && program.by_hand)
+    program.surface->offer(*path);
   if (applied && command.is<edit::Share>())
     program.surface->set_clipboard(program.options.address + program.session.shared);
   if (!applied || edit::info(command).effect != edit::Effect::session || edit::output_path(command) ||

@@ -19,12 +19,14 @@ std::vector<std::string> SystemDialogProcess::arguments(const ui::SystemDialogRe
 }
 
 bool SystemDialogProcess::start(const ui::SystemDialogRequest& request) {
-  return available() && process_.start(arguments(request)).ok();
+  running_ = available() && process_.start(arguments(request)).ok();
+  return running_;
 }
 
 std::optional<std::string> SystemDialogProcess::poll() {
   const std::optional<int> ended = process_.poll();
   if (!ended) return std::nullopt;
+  running_ = false;
   std::string file = std::exchange(process_.output(), {});
   while (file.ends_with('\n')) file.pop_back();
   return *ended == 0 ? file : std::string();

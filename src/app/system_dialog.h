@@ -1,4 +1,5 @@
-// The desktop's file dialog: zenity or kdialog, if installed, in a separate process that no frame waits for.
+// The desktop's file dialog: zenity or kdialog, if installed, in a separate process that no frame waits for. In a page
+// the browser's (web_dialog.cpp).
 #pragma once
 
 #include <optional>
@@ -16,7 +17,7 @@ class SystemDialogProcess {
   SystemDialogProcess();
 
   bool available() const { return !program_.empty(); }
-  bool running() const { return process_.running(); }
+  bool running() const { return running_; }
   // Ends the previous dialog. Returns false if it cannot be started.
   bool start(const ui::SystemDialogRequest& request);
   // Polls without waiting: returns the chosen file once the dialog has ended, "" if it was cancelled.
@@ -27,6 +28,7 @@ class SystemDialogProcess {
 
   std::string program_;  // full path
   Process process_;
+  bool running_ = false;
 };
 
 }  // namespace coaster::app

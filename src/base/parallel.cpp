@@ -8,6 +8,8 @@
 
 namespace coaster::base {
 
+std::launch beside() { return std::launch::async; }
+
 unsigned cores() {
   static const unsigned count = std::max(1u, std::thread::hardware_concurrency());  // asking takes 0.1 ms
   return count;

@@ -9,8 +9,7 @@ namespace coaster::gfx {
 namespace {
 
 constexpr int kBlock = 8;
-constexpr int kChannelTolerance = 16;       // of 255
-constexpr double kPixelTolerance = 0.0005;  // of all pixels
+constexpr int kChannelTolerance = 16;  // of 255
 
 bool differs(const std::uint8_t* a, const std::uint8_t* b) {
   for (int c = 0; c < 4; ++c)
@@ -20,7 +19,7 @@ bool differs(const std::uint8_t* a, const std::uint8_t* b) {
 
 }  // namespace
 
-Difference compare(const Image& picture, const Image& golden) {
+Difference compare(const Image& picture, const Image& golden, double most_share) {
   Difference result;
   result.same_size = picture.width == golden.width && picture.height == golden.height;
   if (!result.same_size) {
@@ -48,7 +47,7 @@ Difference compare(const Image& picture, const Image& golden) {
       out[3] = 255;
     }
   }
-  result.most_pixels = static_cast<long>(kPixelTolerance * double(width) * double(height));
+  result.most_pixels = static_cast<long>(most_share * double(width) * double(height));
   result.acceptable = result.pixels <= result.most_pixels && result.worst_block <= Difference::kMostInBlock;
   return result;
 }

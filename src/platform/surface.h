@@ -35,6 +35,8 @@ class Surface {
   virtual void resize(Size size) = 0;  // a window requests it from the window system; memory resizes
   virtual std::string clipboard() = 0;
   virtual void set_clipboard(const std::string& text) = 0;
+  // Gives a file that was written to the user: a browser downloads it. Elsewhere it already is where the user wants it.
+  virtual void offer(const std::string& path) { (void)path; }
   virtual bool is_window() const = 0;
   virtual std::string library() const = 0;  // that made its context: "GLFW 3.3.8", "OSMesa", "EGL"
   // Returns the window's position; nothing for memory and while minimised. A maximised window has the size of the

@@ -1,0 +1,10 @@
+# Run after the link: copies the files around the program from `from` to the page's folder `to`.
+file(COPY ${from}/index.html ${from}/page.js DESTINATION ${to})
+set(hashes)
+foreach(name index.html page.js coaster.js coaster.wasm coaster.data)
+  file(SHA256 ${to}/${name} hash)
+  string(APPEND hashes ${hash})
+endforeach()
+string(SHA256 version "${hashes}")
+string(SUBSTRING ${version} 0 12 version)
+configure_file(${from}/worker.js ${to}/worker.js @ONLY)

@@ -1,0 +1,174 @@
+// The page around the program: what it keeps, files in and out, the clipboard, and what is said when it cannot run.
+'use strict';
+const said = document.getElementById('said');
+const canvas = document.getElementById('canvas');
+
+function say(text, button, act) {
+  said.textContent = text;
+  said.hidden = false;
+  if (!button) return;
+  const pressed = document.createElement('button');
+  pressed.textContent = button;
+  pressed.onclick = act;
+  said.append(document.createElement('br'), pressed);
+}
+
+function note(text) {
+  const shown = document.getElementById('note');
+  shown.firstChild.textContent = text;
+  shown.hidden = false;
+}
+
+// What the program keeps is in a folder that the browser stores: settings, medals, autosaves and saved tracks.
+const kept = '/home/coaster';
+let keeps = true, keeping = false, again = false;
+function keepsNothing(why) {
+  if (keeps) note('The browser stores nothing more (' + why + '), so settings and unsaved work end with this page.');
+  keeps = false;
+}
+// One tab at a time keeps: two would overwrite each other's files.
+function whenAlone(begin) {
+  if (!navigator.locks) return begin(true);
+  navigator.locks.request('coaster keeps', { ifAvailable: true }, (lock) => {
+    begin(lock !== null);
+    return lock ? new Promise(() => {}) : undefined;
+  });
+}
+function keep() {
+  if (!keeps) return;
+  if (keeping) return void (again = true);
+  keeping = true;
+  Module.FS.syncfs(false, (failed) => {
+    keeping = false;
+    if (failed) keepsNothing(failed);
+    else if (again) { again = false; keep(); }
+  });
+}
+
+// Files from outside come to /tmp/opened under their own names.
+function take(file) {
+  return file.arrayBuffer().then((bytes) => {
+    const path = '/tmp/opened/' + file.name.replace(/[/\0]/g, '_');
+    Module.FS.mkdirTree('/tmp/opened');
+    Module.FS.writeFile(path, new Uint8Array(bytes));
+    return path;
+  });
+}
+const openFile = (path) => Module.ccall('coaster_open', null, ['string'], [path]);
+
+let picked = '';
+function pick() {
+  const input = document.createElement('input');
+  input.type = 'file';
+  picked = '';
+  input.oncancel = () => { picked = '-'; };
+  input.onchange = () => {
+    if (input.files.length === 0) picked = '-';
+    else take(input.files[0]).then((path) => { picked = path; }, () => { picked = '-'; });
+  };
+  input.click();
+  return 1;
+}
+
+function download(path) {
+  const link = document.createElement('a');
+  link.href = URL.createObjectURL(new Blob([Module.FS.readFile(path)]));
+  link.download = path.slice(path.lastIndexOf('/') + 1);
+  link.click();
+  setTimeout(() => URL.revokeObjectURL(link.href), 60000);
+}
+
+let last = '';  // what the program said last
+let begun = false;
+const here = location.href.replace(/#.*/, '');
+const isLink = () => location.hash.startsWith('#coaster=');
+
+var Module = {
+  canvas,
+  arguments: ['--address', here],
+  preRun: [() => {
+    Module.ENV.HOME = kept;
+    Module.FS.mkdirTree(kept);
+    Module.addRunDependency('kept');
+    whenAlone((alone) => {
+      if (!alone) {
+        keeps = false;
+        note('coaster is open in another tab, too. This one keeps nothing: share or save what you build here.');
+        return Module.removeRunDependency('kept');
+      }
+      Module.FS.mount(Module.IDBFS, {}, kept);
+      Module.FS.syncfs(true, (failed) => {
+        if (failed) keepsNothing(failed);
+        Module.removeRunDependency('kept');
+      });
+    });
+  }],
+  postRun: [() => {
+    if (Module.coasterEnded !== undefined) return;
+    begun = true;
+    said.hidden = true;
+    canvas.focus();
+    if (isLink()) openFile(location.hash);
+  }],
+  onAbort: (why) => say('coaster has stopped: ' + why + '. Changes since the last autosave are lost.', 'Reload', () => location.reload()),
+  // Also called with 0 when main() has begun the loop of frames.
+  quit: (code, thrown) => {
+    if (code === 0 && !begun) throw thrown;
+    if (Module.pauseMainLoop) Module.pauseMainLoop();
+    Module.coasterEnded = code;
+    keep();
+    if (code === 0) say('coaster has ended.', 'Start again', () => location.reload());
+    else say((last || 'coaster has ended with code ' + code) + '.', 'Reload', () => location.reload());
+    throw thrown;
+  },
+  print: (text) => console.log(text),
+  printErr: (text) => {
+    last = text.replace(/^\r/, '').replace(/\.$/, '');
+    console.warn(last);
+  },
+  coasterPick: pick,
+  coasterPicked: () => picked,
+  coasterDownload: download,
+};
+
+setInterval(keep, 2000);
+addEventListener('pagehide', keep);
+document.addEventListener('visibilitychange', keep);
+
+// Links that are opened in this page.
+addEventListener('hashchange', () => { if (isLink()) openFile(location.hash); });
+
+// Files that are dropped on it.
+addEventListener('dragover', (event) => event.preventDefault());
+addEventListener('drop', (event) => {
+  event.preventDefault();
+  if (event.dataTransfer.files.length > 0) take(event.dataTransfer.files[0]).then(openFile);
+});
+
+// The browser gives the clipboard only with this event.
+addEventListener('paste', (event) => {
+  event.preventDefault();
+  Module.ccall('coaster_paste', null, ['string'], [event.clipboardData.getData('text/plain')]);
+});
+addEventListener('contextmenu', (event) => event.preventDefault());
+
+// Without a network the files come from the worker. A new version waits until the user takes it.
+if ('serviceWorker' in navigator && location.protocol.startsWith('http')) {
+  const offer = (waiting) => {
+    const note = document.getElementById('update');
+    note.hidden = false;
+    note.onclick = () => {
+      navigator.serviceWorker.addEventListener('controllerchange', () => location.reload());
+      waiting.postMessage('use now');
+    };
+  };
+  navigator.serviceWorker.register('worker.js').then((worker) => {
+    if (worker.waiting) offer(worker.waiting);
+    worker.addEventListener('updatefound', () => {
+      const coming = worker.installing;
+      coming.addEventListener('statechange', () => {
+        if (coming.state === 'installed' && navigator.serviceWorker.controller) offer(coming);
+      });
+    });
+  }, () => {});
+}

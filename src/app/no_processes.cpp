@@ -1,0 +1,21 @@
+// A page can start no other programs.
+#include "app/driver_trial.h"
+#include "app/process.h"
+
+namespace coaster::app {
+
+std::string find_program(const char*) { return {}; }
+
+Process::~Process() = default;
+base::Status Process::start(std::vector<std::string>, int, bool) {
+  return {base::Code::io, "a page starts no programs"};
+}
+std::optional<int> Process::poll() { return std::nullopt; }
+void Process::end() {}
+
+std::string driver_overrides() { return {}; }
+base::Status try_driver(const std::function<base::Status()>&, const std::string&) { return {}; }
+StartMark::StartMark(const std::filesystem::path&) {}
+void StartMark::remove() {}
+
+}  // namespace coaster::app

@@ -1,0 +1,40 @@
+// The browser's file dialog: it gives the chosen file to the page.
+#include <emscripten.h>
+
+#include "app/system_dialog.h"
+
+namespace coaster::app {
+namespace {
+
+// clang-format off
+EM_JS(int, open_dialog, (), { return Module.coasterPick ? Module.coasterPick() : 0; });
+// "" while it is open, "-" if it was cancelled.
+EM_JS(char*, picked_file, (), {
+  const path = Module.coasterPicked ? Module.coasterPicked() : "-";
+  const size = lengthBytesUTF8(path) + 1, text = _malloc(size);
+  stringToUTF8(path, text, size);
+  return text;
+});
+// clang-format on
+
+}  // namespace
+
+SystemDialogProcess::SystemDialogProcess() : program_("browser") {}
+
+// Saved files are downloaded, so there is only one to open.
+bool SystemDialogProcess::start(const ui::SystemDialogRequest& request) {
+  running_ = !request.save && open_dialog() != 0;
+  return running_;
+}
+
+std::optional<std::string> SystemDialogProcess::poll() {
+  if (!running_) return std::nullopt;
+  char* const text = picked_file();
+  std::string path = text;
+  std::free(text);
+  if (path.empty()) return std::nullopt;
+  running_ = false;
+  return path == "-" ? std::string() : path;
+}
+
+}  // namespace coaster::app

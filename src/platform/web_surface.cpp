@@ -1,0 +1,262 @@
+// The surface of a browser's page: its canvas, by Emscripten's html5.h, and a WebGL 2 context.
+#include <GL/glcorearb.h>
+#include <emscripten.h>
+#include <emscripten/html5.h>
+
+#include <array>
+#include <cmath>
+#include <cstdlib>
+#include <cstring>
+#include <utility>
+
+#include "platform/surface.h"
+
+extern "C" void* emscripten_webgl_get_proc_address(const char* name);
+
+namespace coaster::platform {
+namespace {
+
+constexpr const char* kCanvas = "#canvas";
+
+// Transform feedback is read by mapping a buffer, which WebGL does not have: a copy of its bytes stands in.
+void* mapped = nullptr;
+void* map_range(GLenum target, GLintptr offset, GLsizeiptr length, GLbitfield) {
+  mapped = std::malloc(static_cast<std::size_t>(length));
+  // clang-format off
+  EM_ASM({ GLctx.getBufferSubData($0, $1, HEAPU8, $2, $3); }, target, offset, mapped, length);
+  // clang-format on
+  return mapped;
+}
+GLboolean unmap(GLenum) {
+  std::free(std::exchange(mapped, nullptr));
+  return GL_TRUE;
+}
+
+struct NamedKey {
+  const char* code;
+  Key key;
+};
+constexpr NamedKey kNamedKeys[] = {{"Space", Key::space},
+                                   {"Quote", Key::apostrophe},
+                                   {"Comma", Key::comma},
+                                   {"Minus", Key::minus},
+                                   {"Period", Key::period},
+                                   {"Slash", Key::slash},
+                                   {"Semicolon", Key::semicolon},
+                                   {"Equal", Key::equal},
+                                   {"BracketLeft", Key::left_bracket},
+                                   {"Backslash", Key::backslash},
+                                   {"BracketRight", Key::right_bracket},
+                                   {"Backquote", Key::grave},
+                                   {"Escape", Key::escape},
+                                   {"Enter", Key::enter},
+                                   {"Tab", Key::tab},
+                                   {"Backspace", Key::backspace},
+                                   {"Insert", Key::insert},
+                                   {"Delete", Key::del},
+                                   {"ArrowRight", Key::right},
+                                   {"ArrowLeft", Key::left},
+                                   {"ArrowDown", Key::down},
+                                   {"ArrowUp", Key::up},
+                                   {"PageUp", Key::page_up},
+                                   {"PageDown", Key::page_down},
+                                   {"Home", Key::home},
+                                   {"End", Key::end},
+                                   {"Numpad1", Key::keypad_1},
+                                   {"Numpad3", Key::keypad_3},
+                                   {"Numpad5", Key::keypad_5},
+                                   {"Numpad7", Key::keypad_7},
+                                   {"NumpadEnter", Key::keypad_enter}};
+
+Key key_of(const EmscriptenKeyboardEvent& event) {
+  for (const NamedKey& named : kNamedKeys)
+    if (std::strcmp(named.code, event.code) == 0) return named.key;
+  const std::string_view code = event.code, typed = event.key;
+  if (typed.size() == 1 && ((typed[0] | 32) >= 'a' && (typed[0] | 32) <= 'z')) return Key{typed[0] & ~32};
+  if (code.starts_with("Digit")) return Key{code[5]};
+  if (code.size() >= 2 && code[0] == 'F') {
+    const int number = std::atoi(event.code + 1);
+    if (number >= 1 && number <= 12) return Key{static_cast<int>(Key::f1) + number - 1};
+  }
+  return Key::unknown;
+}
+
+class WebSurface;
+WebSurface* of_page = nullptr;  // for what the page calls by name
+
+class WebSurface final : public Surface {
+ public:
+  WebSurface(EMSCRIPTEN_WEBGL_CONTEXT_HANDLE context, bool window, const SurfaceOptions& options)
+      : context_(context), window_(window), size_(window ? Size{} : options.size), lost_(options.lost), last_(clock()) {
+    if (!window) return;
+    of_page = this;
+    listen();
+    fit();
+  }
+  ~WebSurface() override {
+    of_page = nullptr;
+    emscripten_webgl_destroy_context(context_);
+  }
+
+  void poll(Events& events, double) override {
+    if (lost_ && emscripten_is_webgl_context_lost(context_)) lost_();
+    if (window_) fit();
+    for (Event& event : std::exchange(pending_, {})) events.push_back(std::move(event));
+    const double now = clock();
+    const double passed = now - std::exchange(last_, now);
+    events.push_back(Tick{window_ ? passed : 1.0 / 60.0});
+  }
+  Size size() const override { return size_; }
+  float content_scale() const override { return window_ ? static_cast<float>(emscripten_get_device_pixel_ratio()) : 1; }
+  void* gl_proc(const char* name) override {
+    if (std::strcmp(name, "glMapBufferRange") == 0) return reinterpret_cast<void*>(&map_range);
+    if (std::strcmp(name, "glUnmapBuffer") == 0) return reinterpret_cast<void*>(&unmap);
+    return emscripten_webgl_get_proc_address(name);
+  }
+  void present(unsigned framebuffer) override {
+    if (!window_ || size_ == Size{}) return;
+    const auto bind = reinterpret_cast<PFNGLBINDFRAMEBUFFERPROC>(gl_proc("glBindFramebuffer"));
+    const auto blit = reinterpret_cast<PFNGLBLITFRAMEBUFFERPROC>(gl_proc("glBlitFramebuffer"));
+    bind(GL_READ_FRAMEBUFFER, framebuffer);
+    bind(GL_DRAW_FRAMEBUFFER, 0);
+    blit(0, 0, size_.width, size_.height, 0, 0, size_.width, size_.height, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+  }
+  double clock() const override { return emscripten_get_now() / 1000; }
+  void set_title(const std::string& title) override { emscripten_set_window_title(title.c_str()); }
+  void resize(Size size) override {
+    if (window_ || size == size_) return;
+    size_ = size;
+    pending_.push_back(Resize{size.width, size.height});
+  }
+  std::string clipboard() override { return clipboard_; }
+  void set_clipboard(const std::string& text) override {
+    clipboard_ = text;
+    // clang-format off
+    if (window_) EM_ASM({ if (navigator.clipboard) navigator.clipboard.writeText(UTF8ToString($0)).catch(() => {}); }, text.c_str());
+    // clang-format on
+  }
+  void offer(const std::string& path) override {
+    // clang-format off
+    if (window_) EM_ASM({ Module.coasterDownload(UTF8ToString($0)); }, path.c_str());
+    // clang-format on
+  }
+  bool is_window() const override { return window_; }
+  std::string library() const override { return "WebGL 2"; }
+  std::optional<Placement> placement() const override { return std::nullopt; }
+  void place(const Placement&) override {}
+
+  // From the page: a file or a link to open, and text that the browser pastes.
+  void drop(const char* path) { pending_.push_back(Drop{path}); }
+  void paste(const char* text) {
+    clipboard_ = text;
+    for (const bool down : {true, false}) pending_.push_back(KeyPress{Key::v, down, false, {false, true, false}});
+  }
+
+ private:
+  // Gives the canvas as many pixels as the screen has for it.
+  void fit() {
+    double width = 0, height = 0;
+    emscripten_get_element_css_size(kCanvas, &width, &height);
+    const double scale = emscripten_get_device_pixel_ratio();
+    const Size now{static_cast<int>(std::lround(width * scale)), static_cast<int>(std::lround(height * scale))};
+    if (now == size_) return;
+    size_ = now;
+    emscripten_set_canvas_element_size(kCanvas, now.width, now.height);
+    pending_.push_back(Resize{now.width, now.height});
+  }
+  template <class E>
+  static Modifiers modifiers_of(const E& event) {
+    return {event.shiftKey != 0, event.ctrlKey != 0 || event.metaKey != 0, event.altKey != 0};
+  }
+  MouseMove at(long x, long y) const {
+    const double scale = emscripten_get_device_pixel_ratio();
+    return {static_cast<float>(static_cast<double>(x) * scale), static_cast<float>(static_cast<double>(y) * scale)};
+  }
+  EM_BOOL mouse(int type, const EmscriptenMouseEvent& event) {
+    pending_.push_back(at(event.clientX, event.clientY));
+    if (type == EMSCRIPTEN_EVENT_MOUSEMOVE) return EM_TRUE;
+    constexpr std::array<Button, 3> kButtons{Button::left, Button::middle, Button::right};
+    if (event.button < kButtons.size())
+      pending_.push_back(MouseButton{kButtons[event.button], type == EMSCRIPTEN_EVENT_MOUSEDOWN, modifiers_of(event)});
+    return EM_FALSE;  // a press gives the canvas the keys
+  }
+  EM_BOOL wheel(const EmscriptenWheelEvent& event) {
+    const double notch = event.deltaMode == DOM_DELTA_PIXEL ? 100 : event.deltaMode == DOM_DELTA_LINE ? 3 : 1;
+    pending_.push_back(Wheel{static_cast<float>(-event.deltaX / notch), static_cast<float>(-event.deltaY / notch)});
+    return EM_TRUE;
+  }
+  EM_BOOL key(int type, const EmscriptenKeyboardEvent& event) {
+    const bool down = type == EMSCRIPTEN_EVENT_KEYDOWN;
+    const Modifiers held = modifiers_of(event);
+    if (key_of(event) == Key::v && held == Modifiers{false, true, false}) return EM_FALSE;  // paste() follows
+    pending_.push_back(KeyPress{key_of(event), down, event.repeat != 0, held});
+    const std::string_view typed = event.key;
+    const bool is_character = typed.size() == 1 || (!typed.empty() && (typed[0] & 0x80) != 0);
+    if (down && is_character && !held.ctrl && !held.alt) pending_.push_back(TextInput{std::string(typed)});
+    const std::string_view code = event.code;
+    return code != "F11" && code != "F12" && code != "F5";
+  }
+  void listen() {
+    const auto on_mouse = [](int type, const EmscriptenMouseEvent* e, void* w) {
+      return static_cast<WebSurface*>(w)->mouse(type, *e);
+    };
+    const auto on_key = [](int type, const EmscriptenKeyboardEvent* e, void* w) {
+      return static_cast<WebSurface*>(w)->key(type, *e);
+    };
+    const auto on_wheel = [](int, const EmscriptenWheelEvent* e, void* w) {
+      return static_cast<WebSurface*>(w)->wheel(*e);
+    };
+    const auto on_focus = [](int type, const EmscriptenFocusEvent*, void* w) -> EM_BOOL {
+      static_cast<WebSurface*>(w)->pending_.push_back(Focus{type == EMSCRIPTEN_EVENT_FOCUS});
+      return EM_FALSE;
+    };
+    emscripten_set_mousemove_callback(EMSCRIPTEN_EVENT_TARGET_WINDOW, this, EM_FALSE, on_mouse);
+    emscripten_set_mousedown_callback(kCanvas, this, EM_FALSE, on_mouse);
+    emscripten_set_mouseup_callback(EMSCRIPTEN_EVENT_TARGET_WINDOW, this, EM_FALSE, on_mouse);
+    emscripten_set_wheel_callback(kCanvas, this, EM_FALSE, on_wheel);
+    emscripten_set_keydown_callback(EMSCRIPTEN_EVENT_TARGET_WINDOW, this, EM_FALSE, on_key);
+    emscripten_set_keyup_callback(EMSCRIPTEN_EVENT_TARGET_WINDOW, this, EM_FALSE, on_key);
+    emscripten_set_focus_callback(EMSCRIPTEN_EVENT_TARGET_WINDOW, this, EM_FALSE, on_focus);
+    emscripten_set_blur_callback(EMSCRIPTEN_EVENT_TARGET_WINDOW, this, EM_FALSE, on_focus);
+  }
+  EMSCRIPTEN_WEBGL_CONTEXT_HANDLE context_;
+  bool window_;
+  Size size_;
+  std::function<void()> lost_;
+  Events pending_;
+  double last_;
+  std::string clipboard_;
+};
+
+base::Result<std::unique_ptr<Surface>> make_surface(bool window, const SurfaceOptions& options) {
+  EmscriptenWebGLContextAttributes wanted;
+  emscripten_webgl_init_context_attributes(&wanted);
+  wanted.majorVersion = 2;
+  wanted.alpha = wanted.depth = wanted.antialias = EM_FALSE;  // the renderer draws into its own framebuffer
+  const EMSCRIPTEN_WEBGL_CONTEXT_HANDLE context = emscripten_webgl_create_context(kCanvas, &wanted);
+  if (context <= 0 || emscripten_webgl_make_context_current(context) != EMSCRIPTEN_RESULT_SUCCESS)
+    return base::Status{base::Code::graphics, "This browser has no WebGL 2, which coaster draws with."};
+  emscripten_webgl_enable_extension(context, "EXT_color_buffer_float");
+  return std::unique_ptr<Surface>(std::make_unique<WebSurface>(context, window, options));
+}
+
+}  // namespace
+
+extern "C" {
+EMSCRIPTEN_KEEPALIVE void coaster_open(const char* path) {
+  if (of_page != nullptr) of_page->drop(path);
+}
+EMSCRIPTEN_KEEPALIVE void coaster_paste(const char* text) {
+  if (of_page != nullptr) of_page->paste(text);
+}
+}
+
+base::Result<std::unique_ptr<Surface>> make_window(const SurfaceOptions& options) {
+  return make_surface(true, options);
+}
+base::Result<std::unique_ptr<Surface>> make_offscreen(const SurfaceOptions& options) {
+  return make_surface(false, options);
+}
+std::string window_library() { return "WebGL 2"; }
+
+}  // namespace coaster::platform
