@@ -5,6 +5,7 @@
 #include <deque>
 
 #include "base/portable_math.h"
+#include "world/motion.h"
 
 namespace coaster::sim {
 
@@ -78,12 +79,65 @@ std::vector<double> row_spins(std::span<const FitRow> rows, bool closed) {
     const std::size_t behind = near.size();
     take(i, 1);
     const double before = behind > 0 ? near[0] : near[behind], after = behind < near.size() ? near[behind] : near[0];
+    if (behind == 1 && near.size() == 2) {  // rows far apart: the rate of the parabola through them
+      const double a = lengths[(i - 1 + steps) % steps], b = lengths[i % steps];
+      spins.push_back((b * before + a * after) / (a + b));
+      continue;
+    }
     const auto middle = near.begin() + static_cast<std::ptrdiff_t>(near.size() / 2);
     std::nth_element(near.begin(), middle, near.end());
     const double upper = *middle, lower = near.size() % 2 == 1 ? upper : *std::max_element(near.begin(), middle);
     spins.push_back(std::clamp(0.5 * (lower + upper), std::min(before, after), std::max(before, after)));
   }
   return spins;
+}
+
+std::vector<dvec3> row_curvatures(std::span<const FitRow> rows, bool closed) {
+  const auto count = static_cast<std::ptrdiff_t>(rows.size());
+  std::vector<dvec3> curvatures;
+  for (std::ptrdiff_t i = 0; i < count; ++i) {
+    const FitRow& here = rows[i];
+    // The curve beyond a row by `length` m on one side: its distance from the tangent, over the square of the length,
+    // and how far its direction turns away, over the length.
+    struct Side {
+      double length = 0;
+      dvec3 off{0}, turn{0};
+    };
+    const auto side = [&](std::ptrdiff_t way) {
+      Side found;
+      for (std::ptrdiff_t k = i + way, n = 1; n < count && found.length < kCurvatureReach; k += way, ++n) {
+        if (!closed && (k < 0 || k >= count)) break;
+        const FitRow& there = rows[(k + count) % count];
+        const dvec3 chord = there.position - here.position;
+        // An arc is longer than its chord.
+        const double length = glm::length(chord), half = 0.5 * glm::distance(here.forward, there.forward);
+        found.length = std::max(length * (1 + half * half / 6), 1e-9);
+        found.off = curve::across(chord, here.forward) / (found.length * found.length);
+        found.turn = static_cast<double>(way) * curve::across(there.forward, here.forward) / found.length;
+      }
+      return found;
+    };
+    const Side before = side(-1), after = side(1);
+    const double a = before.length, b = after.length;
+    if (!(a > 0) || !(b > 0)) {
+      const Side& only = a > 0 ? before : after;
+      curvatures.push_back(6.0 * only.off - 2.0 * only.turn);
+      continue;
+    }
+    // c2 of c2 x^2 + c3 x^3 + c4 x^4 + c5 x^5, which is `off` x^2, with the slope `turn` x, at -a and b.
+    const dvec3 even = a * a * (5.0 * after.off - after.turn) - b * b * (5.0 * before.off - before.turn),
+                odd = a * a * a * (4.0 * after.off - after.turn) + b * b * b * (4.0 * before.off - before.turn);
+    curvatures.push_back(4 / ((a + b) * (a + b) * (a + b)) * (odd - 0.5 * (a - b) * even));
+  }
+  return curvatures;
+}
+
+std::vector<double> row_speeds(std::span<const FitRow> rows) {
+  double top = rows[0].position.y;
+  for (const FitRow& row : rows) top = std::max(top, row.position.y);
+  std::vector<double> speeds;
+  for (const FitRow& row : rows) speeds.push_back(kTopSpeed * kTopSpeed / world::kGravity + 2 * (top - row.position.y));
+  return speeds;
 }
 
 std::vector<char> near_jumps(std::span<const FitRow> rows, bool closed, double reach) {

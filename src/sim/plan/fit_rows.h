@@ -39,9 +39,20 @@ std::vector<double> bend_limits(std::span<const FitRow> rows, bool closed);
 
 // Returns the spin of each row, rad/m: of the rates at which the rows turn about their direction against
 // rotation-minimising frames, the median over the steps within kSpinReach on both sides, but no less and no more than
-// the rates of the steps before and after the row. A jump on one side leaves it as it is.
+// the rates of the steps before and after the row. A jump on one side leaves it as it is. Where a step on each side
+// reaches further, the rate at the row of the parabola through the rolls.
 inline constexpr double kSpinReach = 0.6;  // m
 std::vector<double> row_spins(std::span<const FitRow> rows, bool closed);
+
+// Returns the curvature vector of a smooth curve through each row, 1/m, perpendicular to its `forward`: the second
+// derivative of the polynomial of degree 5 through positions and directions of the row and of the nearest rows that are
+// at least kCurvatureReach away on both sides; at the ends of an open track that of the cubic on the one side.
+inline constexpr double kCurvatureReach = 1.0;  // m
+std::vector<glm::dvec3> row_curvatures(std::span<const FitRow> rows, bool closed);
+
+// Returns for each row the squared speed over g, m, of a train that passes the highest row at kTopSpeed without losses.
+inline constexpr double kTopSpeed = 10.0;  // m/s
+std::vector<double> row_speeds(std::span<const FitRow> rows);
 
 // Returns for each row whether it is within `reach` m of a jump.
 std::vector<char> near_jumps(std::span<const FitRow> rows, bool closed, double reach);

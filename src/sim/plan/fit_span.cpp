@@ -7,33 +7,34 @@
 #include "curve/frames.h"
 #include "sim/shape/roll.h"
 #include "world/components.h"
+#include "world/motion.h"
 
 namespace coaster::sim {
 namespace {
 
 using glm::dvec2, glm::dvec3;
 
-constexpr std::size_t kFittedRows = 40;  // rows that handle lengths are fitted to; all rows are checked
+constexpr std::size_t kFittedRows = 40;  // rows that handle lengths are fitted to
 constexpr int kIterations = 12;
-constexpr double kBendMargin = 0.98;   // of the limit: bends are checked at places
 constexpr double kLeastBent = 0.1;     // of the length: the shortest handles that are tried against bends
 constexpr double kMostHandle = 0.495;  // of the rows' length: a little less than half the curve's
+constexpr double kBeyond = 40;         // what curvature beyond the limit counts against one that is off
+constexpr double kBendMargin = 0.98;   // of the limit: bends are checked at places
+constexpr double kMoment = 0.064;      // s: such second differences are a low-pass with 5 Hz
+constexpr double kSharp = 1.5;         // times the bound, before a low-pass
 constexpr double kMostFitRoll = 2 * base::kPi * (world::kMaxTurns - 1);
 
 using Curve = curve::CoefficientsD;
 
-// Returns the curvature, 1/m.
-double bend_of(const Curve& c, double t) {
-  const double speed = c.speed(t);
-  return glm::length(glm::cross(c.derivative(t), c.second_derivative(t))) / std::max(speed * speed * speed, 1e-30);
-}
-
+struct Handles {
+  double out, in;
+};
 struct Ends {
   dvec3 p0, t0, p3, t3;
 };
 
-Curve curve_of(const Ends& e, double out, double in) {
-  const dvec3 d0 = out * e.t0, p1 = e.p0 + d0, p2 = e.p3 - in * e.t3, d1 = p2 - p1, d2 = e.p3 - p2;
+Curve curve_of(const Ends& e, Handles h) {
+  const dvec3 d0 = h.out * e.t0, p1 = e.p0 + d0, p2 = e.p3 - h.in * e.t3, d1 = p2 - p1, d2 = e.p3 - p2;
   return {e.p0, 3.0 * d0, 3.0 * (d1 - d0), (d2 - d1) - (d1 - d0)};
 }
 
@@ -49,9 +50,12 @@ double nearer(const Curve& c, dvec3 target, double t, int steps) {
   return t;
 }
 
-struct Handles {
-  double out, in;
-};
+// Returns the curvature vector, 1/m.
+dvec3 bend_of(const Curve& c, double t) {
+  const dvec3 d = c.derivative(t);
+  const double speed = std::max(glm::length(d), 1e-15);
+  return curve::across(c.second_derivative(t), d / speed) / (speed * speed);
+}
 
 // Gauss-Newton on the distances across the curve. A row's position along it does not count, so sliding parameters do
 // not slow it down.
@@ -70,7 +74,7 @@ Handles fit_handles(std::span<const FitRow> rows, std::span<const double> distan
   const double third = inner > 0 ? length / 3 : length / (1.5 + 0.75 * glm::length(ends.t0 + ends.t3));
   Handles h{std::clamp(third, low, high), std::clamp(third, low, high)};
   for (int iteration = 0; iteration < kIterations && inner > 0; ++iteration) {
-    const Curve c = curve_of(ends, h.out, h.in);
+    const Curve c = curve_of(ends, h);
     double a00 = 0, a01 = 0, a11 = 0, x0 = 0, x1 = 0, weight = 0;
     for (std::size_t k = 1; k <= inner; ++k) {
       const double t = parameters[k] = nearer(c, rows[row_of(k)].position, parameters[k], 2), u = 1 - t;
@@ -100,24 +104,26 @@ Handles fit_handles(std::span<const FitRow> rows, std::span<const double> distan
   return h;
 }
 
-// Returns the handles with which a span between neighbouring rows bends least, searched from `h` in falling steps.
-Handles least_bent(const Ends& ends, double length, Handles h) {
-  const auto bend = [&](Handles at) {
+// Returns the handles with which a span between neighbouring rows has the curvatures `from` and `to` at its ends, as
+// nearly as can be while it bends no more than `limit` if that is possible. Searched from `h` in falling steps.
+Handles most_alike(const Ends& ends, double length, dvec3 from, dvec3 to, double limit, Handles h) {
+  const auto cost = [&](Handles at) {
     constexpr int kPlaces = 16;
-    const Curve c = curve_of(ends, at.out, at.in);
+    const Curve c = curve_of(ends, at);
     double most = 0;
-    for (int i = 0; i <= kPlaces; ++i) most = std::max(most, bend_of(c, static_cast<double>(i) / kPlaces));
-    return most;
+    for (int i = 0; i <= kPlaces; ++i) most = std::max(most, glm::length(bend_of(c, static_cast<double>(i) / kPlaces)));
+    const dvec2 off(glm::distance(bend_of(c, 0), from), glm::distance(bend_of(c, 1), to));
+    return glm::length(off) + kBeyond * std::max(0.0, most - limit);
   };
   const double low = std::max(kLeastBent * length, double{world::kMinHandle}),
                high = std::clamp(kMostHandle * length, low, double{world::kMaxHandle});
-  double best = bend(h);
+  double best = cost(h);
   for (double step = 0.08 * length; step > 0.002 * length;) {
     const Handles before = h;
     for (const dvec2 way : {dvec2(1, 0), dvec2(-1, 0), dvec2(0, 1), dvec2(0, -1), dvec2(1, 1), dvec2(-1, -1)}) {
       const Handles tried{std::clamp(before.out + step * way.x, low, high),
                           std::clamp(before.in + step * way.y, low, high)};
-      if (const double bent = bend(tried); bent < best) best = bent, h = tried;
+      if (const double found = cost(tried); found < best) best = found, h = tried;
     }
     if (h.out == before.out && h.in == before.in) step /= 2;
   }
@@ -146,7 +152,7 @@ class Carrier {
  public:
   Carrier(const Curve& c, const curve::Frame& start) : c_(c), frame_(start), place_(c.point(0)), speed_(c.speed(0)) {}
   void go_to(double t) {
-    bend_ = bend_of(c_, t_);
+    bend_ = glm::length(bend_of(c_, t_));
     const int steps = std::max(1, static_cast<int>(std::ceil((t - t_) * 32)));
     const double from = t_;
     for (int i = 1; i <= steps && t > from; ++i) step(from + (t - from) * i / steps);
@@ -162,7 +168,7 @@ class Carrier {
     length_ += (t - t_) / 6 * (speed_ + 4 * c_.speed(0.5 * (t + t_)) + speed);  // Simpson
     if (speed > 1e-12) frame_ = curve::transport(frame_, place_, place, d / speed);
     t_ = t, place_ = place, speed_ = speed;
-    bend_ = std::max(bend_, bend_of(c_, t));
+    bend_ = std::max(bend_, glm::length(bend_of(c_, t)));
   }
   const Curve& c_;
   curve::Frame frame_;
@@ -171,11 +177,13 @@ class Carrier {
 };
 
 // Follows all rows along the curve. Returns false if one is too far off or has another direction, or if the curve bends
-// too much. Fills rolls, fractions of the length, and squared sines between the directions, by row from `first`.
+// too much. Fills rolls, parameters, fractions of the length, sines between the directions, and distances, by row from
+// `first`.
 bool follow_rows(std::span<const FitRow> rows, std::span<const double> distances, std::size_t first, std::size_t last,
                  const Curve& c, const Ends& ends, const SpanBounds& bounds, SpanScratch& s) {
   const std::size_t count = last - first + 1;
   s.rolls.assign(count, 0), s.shares.assign(count, 0), s.fronts.assign(count, 0);
+  s.places.assign(count, 0), s.misses.assign(count, dvec3(0));
   Carrier carrier(c, {ends.t0, curve::perpendicular(ends.t0, rows[first].up)});
   const double length = std::max(distances[last] - distances[first], 1e-9);
   double before = 0;
@@ -196,6 +204,7 @@ bool follow_rows(std::span<const FitRow> rows, std::span<const double> distances
     const bool free = bounds.free[first + i] != 0;
     if (!free && (front > bounds.angle || glm::dot(frame.forward, row.forward) < 0)) return false;
     s.fronts[i] = front;
+    s.places[i] = t, s.misses[i] = c.point(t) - row.position;
     s.shares[i] = carrier.length();
     const dvec3 up = curve::perpendicular(frame.forward, row.up);
     const double roll = curve::signed_angle(frame.up, up, frame.forward);
@@ -207,6 +216,35 @@ bool follow_rows(std::span<const FitRow> rows, std::span<const double> distances
   return std::abs(s.rolls.back()) < kMostFitRoll;
 }
 
+// Returns whether riders feel over `bounds.felt` more or less on the curve than on the rows. By how much their
+// acceleration differs is the second difference of the distance between the paths of their hearts, a ride of kMoment to
+// either side. Where rows are further apart, the difference of the curvatures says it: sharply, so it may be larger.
+bool felt_wrong(std::span<const FitRow> rows, std::span<const double> distances, std::size_t first, std::size_t last,
+                const Curve& c, const Roll& roll, const SpanBounds& bounds, SpanScratch& s) {
+  const std::size_t count = last - first + 1;
+  for (std::size_t i = 1; i + 1 < count; ++i) {
+    const double off = roll.angle(s.shares[i] * s.length) - s.rolls[i];
+    s.misses[i] += bounds.heartline * off * glm::cross(rows[first + i].forward, rows[first + i].up);
+  }
+  const auto apart = [&](std::size_t a, std::size_t b) { return distances[first + b] - distances[first + a]; };
+  std::size_t before = 0, after = 0;
+  for (std::size_t i = 0; i < count; ++i) {
+    const double v2 = bounds.speeds[first + i], moment = kMoment * std::sqrt(v2 * world::kGravity);
+    while (before + 1 < i && apart(before + 1, i) >= moment) ++before;
+    while (after + 1 < count && (after <= i || apart(i, after) < moment)) ++after;
+    if (bounds.free[first + i]) continue;
+    if (apart(i > 0 ? i - 1 : 0, i > 0 ? i : 1) > moment) {
+      const double sharp = glm::distance(bend_of(c, s.places[i]), bounds.curvatures[first + i]);
+      if (sharp * v2 > kSharp * bounds.felt) return true;
+    } else if (i > 0 && i + 1 < count) {
+      const double back = std::max(apart(before, i), moment), ahead = std::max(apart(i, after), moment);
+      const dvec3 turn = (s.misses[after] - s.misses[i]) / ahead - (s.misses[i] - s.misses[before]) / back;
+      if (glm::length(turn) / (0.5 * (back + ahead)) * v2 > bounds.felt) return true;
+    }
+  }
+  return false;
+}
+
 }  // namespace
 
 SpanFit fit_span(std::span<const FitRow> rows, std::span<const double> distances, std::size_t first, std::size_t last,
@@ -215,19 +253,26 @@ SpanFit fit_span(std::span<const FitRow> rows, std::span<const double> distances
   const Ends ends{dvec3(glm::vec3(from.position)), from.forward, dvec3(glm::vec3(to.position)), to.forward};
   Handles h = fit_handles(rows, distances, first, last, ends, s.parameters, s.stations);
   SpanFit fit;
-  bool near = follow_rows(rows, distances, first, last, curve_of(ends, h.out, h.in), ends, bounds, s);
-  if (!near && last == first + 1) {
-    h = least_bent(ends, distances[last] - distances[first], h);
-    near = follow_rows(rows, distances, first, last, curve_of(ends, h.out, h.in), ends, bounds, s);
+  Roll roll;
+  const auto good = [&] {
+    const Curve c = curve_of(ends, h);
+    const bool near = follow_rows(rows, distances, first, last, c, ends, bounds, s);
+    fit.out_length = h.out, fit.in_length = h.in, fit.roll = s.rolls.back();
+    roll = {s.length, fit.roll, bounds.spins[first], bounds.spins[last]};
+    return near && !felt_wrong(rows, distances, first, last, c, roll, bounds, s);
+  };
+  if (!good()) {
+    if (last > first + 1) return fit;
+    const dvec3 bend0 = bounds.curvatures[first], bend3 = bounds.curvatures[last];
+    h = most_alike(ends, distances[last] - distances[first], bend0, bend3,
+                   std::max({kBendMargin * bounds.bends[first], glm::length(bend0), glm::length(bend3)}), h);
+    good();
   }
-  fit.out_length = h.out, fit.in_length = h.in;
-  fit.roll = s.rolls.empty() ? 0 : s.rolls.back();
-  if (!near && last > first + 1) return fit;
   const double most = bounds.angle;
   fit.window = {{roll_low, -most}, {roll_high, -most}, {roll_high, most}, {roll_low, most}};
   RollWindow spare;
   // Additional rolls of the knots add a part of both, with spins of 0, to the roll by the rows' own spins.
-  const Roll roll{s.length, fit.roll, bounds.spins[first], bounds.spins[last]}, part{1, 1, 0, 0};
+  const Roll part{1, 1, 0, 0};
   for (std::size_t i = 1; first + i < last && !fit.window.empty(); ++i) {
     if (bounds.free[first + i]) continue;
     // For small angles, the angle of the whole rotation is the hypotenuse of its two parts.

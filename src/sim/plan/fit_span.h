@@ -11,11 +11,15 @@ namespace coaster::sim {
 
 // The tolerances of a fit, and the rows whose frames do not count.
 struct SpanBounds {
-  double distance = 0.0095;       // m, of a row from the curve
-  double angle = 0.0083;          // radians between the frames
-  std::span<const char> free;     // per row: its frame does not count (near a jump)
-  std::span<const double> bends;  // per step from a row to the next: largest curvature, 1/m
-  std::span<const double> spins;  // per row: spin of a knot there, rad/m
+  double distance = 0.0095;        // m, of a row from the curve
+  double angle = 0.0083;           // radians between the frames
+  std::span<const char> free;      // per row: its frame does not count (near a jump)
+  std::span<const double> bends;   // per step from a row to the next: largest curvature, 1/m
+  std::span<const double> spins;   // per row: spin of a knot there, rad/m
+  double felt = 0.2;               // g: what riders may feel more or less than on the rows, after a low-pass of 5 Hz
+  double heartline = 0;            // m above the rails, of the riders
+  std::span<const double> speeds;  // per row: squared speed of the train over g, m
+  std::span<const glm::dvec3> curvatures;  // per row: of a smooth curve there, 1/m
 };
 
 // The additional rolls (a, b) of the first and the second knot, radians, that keep all frames within the bound: a
@@ -32,7 +36,8 @@ struct SpanFit {
 
 // Memory reused by fits.
 struct SpanScratch {
-  std::vector<double> parameters, stations, rolls, shares, fronts;
+  std::vector<double> parameters, stations, rolls, shares, fronts, places;
+  std::vector<glm::dvec3> misses;
   double length = 0;  // m, of the curve
 };
 
@@ -40,8 +45,8 @@ struct SpanScratch {
 // `forward`. `distances` is the length of the rows' polyline up to each row, m. `roll_low` and `roll_high` limit the
 // first knot's additional roll. Handle lengths by Gauss-Newton on the orthogonal distances, parameters by Newton, from
 // the start of Schneider 1990 ("An algorithm for automatically fitting digitized curves", Graphics Gems, 612-626):
-// lengths along the polyline, up to half of it. Then checks all rows, and the curvature at and between them.
-// Neighbouring rows always fit. Takes about 0.5 us per row and 10 us.
+// lengths along the polyline, up to half of it. Then checks all rows, the curvature at and between them, and what
+// riders feel. Neighbouring rows always fit. Takes about 0.5 us per row and 10 us.
 SpanFit fit_span(std::span<const FitRow> rows, std::span<const double> distances, std::size_t first, std::size_t last,
                  double roll_low, double roll_high, const SpanBounds& bounds, SpanScratch& scratch);
 

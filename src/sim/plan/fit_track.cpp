@@ -40,7 +40,8 @@ struct Work {
   std::vector<FitRow> rows;
   std::vector<double> distances;
   std::vector<char> free;
-  std::vector<double> bends, spins;
+  std::vector<double> bends, spins, speeds;
+  std::vector<dvec3> curvatures;
   bool closed = false;
   double scale = 1;  // relative to the bounds
   SpanScratch scratch;
@@ -58,8 +59,9 @@ struct Work {
 
   SpanBounds bounds() const {
     SpanBounds b;
-    b.distance *= scale, b.angle *= scale;
-    b.free = free, b.bends = bends, b.spins = spins;
+    b.distance *= scale, b.angle *= scale, b.felt *= scale;
+    b.free = free, b.bends = bends, b.spins = spins, b.speeds = speeds, b.curvatures = curvatures;
+    b.heartline = world::Document{}.heartline;
     return b;
   }
   SpanFit fit(std::size_t first, std::size_t last, double low, double high) {
@@ -229,9 +231,15 @@ Work prepare(std::span<const FitRow> rows, bool closed) {
   w.free = near_jumps(rows, closed, kInnerReach);
   w.bends = bend_limits(rows, closed);
   w.spins = row_spins(rows, closed);
+  w.speeds = row_speeds(rows), w.curvatures = row_curvatures(rows, closed);
+  for (std::size_t i = 0; i < rows.size(); ++i)
+    if (w.free[i]) w.curvatures[i] = dvec3(0);
   for (double& spin : w.spins)
     spin = std::abs(spin) < kLeastSpin ? 0 : std::clamp<double>(spin, -world::kMaxSpin, world::kMaxSpin);
-  if (closed) w.rows.push_back(rows[0]), w.free.push_back(w.free[0]), w.spins.push_back(w.spins[0]);
+  if (closed) {
+    w.rows.push_back(rows[0]), w.free.push_back(w.free[0]), w.spins.push_back(w.spins[0]);
+    w.speeds.push_back(w.speeds[0]), w.curvatures.push_back(w.curvatures[0]);
+  }
   w.distances.resize(w.rows.size());
   for (std::size_t i = 1; i < w.rows.size(); ++i)
     w.distances[i] = w.distances[i - 1] + glm::distance(w.rows[i - 1].position, w.rows[i].position);

@@ -46,9 +46,9 @@ struct FittedTrack {
 // Returns a document of knots and segments only. Needs at least 2 rows (3 if closed) with finite positions within
 // world::kMaxCoordinate, neighbours more than 1e-6 m apart, and unit perpendicular frames. On a closed track the first
 // row is not repeated, and is a knot. The bounds are met if rows are at least 0.03 m apart and coordinates within 10
-// km: two neighbouring rows always fit, and a span that misses on the finished document is halved. The same bits on
-// every machine; about 25 us per row. Reports to `progress` (may be null); returns an empty document once it is
-// cancelled.
+// km: two neighbouring rows always fit, and a span that misses on the finished document is halved. Spans between more
+// rows also bound what riders feel (SpanBounds::felt). The same bits on every machine; about 25 us per row. Reports to
+// `progress` (may be null); returns an empty document once it is cancelled.
 FittedTrack fit_track(std::span<const FitRow> rows, bool closed, base::Progress* progress = nullptr);
 
 }  // namespace coaster::sim

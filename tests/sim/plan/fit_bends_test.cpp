@@ -102,5 +102,42 @@ TEST(fit_bends, limits_are_those_of_the_largest_bend_within_two_metres) {
   for (std::size_t i = 0; i < 100; ++i) EXPECT_EQ(round[i] == sharp, i <= 9 || i >= 90) << i;
 }
 
+// Rows on a circle of radius 9.7 m whose plane is tilted, in uneven steps of up to `step` m.
+std::vector<FitRow> circle_rows(double step, double angle) {
+  const dvec3 u = glm::normalize(dvec3(1, 0.4, -0.2)), v = glm::normalize(glm::cross(u, {0.3, -0.2, 1}));
+  std::vector<FitRow> rows;
+  for (double a = 0.3; a < 0.3 + angle - 1e-6; a += (rows.size() % 3 == 0 ? 0.7 : 1.0) * step / 9.7) {
+    const dvec3 forward = std::cos(a) * v - std::sin(a) * u;
+    rows.push_back({9.7 * (std::cos(a) * u + std::sin(a) * v), forward, glm::cross(u, v)});
+  }
+  return rows;
+}
+
+TEST(fit_bends, rows_have_the_curvature_of_the_circle_they_are_on) {
+  // Toward the centre, by the fourth power of the spacing; at open ends by the square.
+  for (const auto& [step, inner, ends] :
+       {std::tuple(0.05, 3e-7, 1e-4), {1.0, 2e-6, 5e-4}, {2.0, 1e-5, 5e-4}, {4.0, 1e-4, 2e-3}}) {
+    const std::vector<FitRow> rows = circle_rows(step, 4);
+    const std::vector<dvec3> curvatures = row_curvatures(rows, false);
+    ASSERT_EQ(curvatures.size(), rows.size());
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+      const double s = glm::distance(rows[i].position, rows.front().position),
+                   e = glm::distance(rows[i].position, rows.back().position);
+      const bool end = i == 0 || i + 1 == rows.size() || s < 1.1 || e < 1.1;
+      EXPECT_NEAR(glm::distance(curvatures[i], rows[i].position / (-9.7 * 9.7)), 0, end ? ends : inner)
+          << step << " m, row " << i;
+    }
+  }
+  const std::vector<FitRow> ring = circle_rows(2, 2 * M_PI);
+  for (std::size_t i = 0; i < ring.size(); ++i)
+    EXPECT_NEAR(glm::distance(row_curvatures(ring, true)[i], ring[i].position / (-9.7 * 9.7)), 0, 1e-5) << i;
+}
+
+TEST(fit_bends, a_train_passes_the_highest_row_at_ten_metres_a_second) {
+  const std::vector<double> speeds = row_speeds(std::vector<FitRow>{{{0, 3, 0}}, {{1, 8, 0}}, {{2, -4.5, 0}}});
+  for (const auto& [i, height] : {std::pair(0, 5.0), {1, 0.0}, {2, 12.5}})
+    EXPECT_NEAR(speeds[i] * 9.81, 100 + 2 * 9.81 * height, 1e-9);
+}
+
 }  // namespace fit_bends_test
 }  // namespace coaster::sim

@@ -1,0 +1,190 @@
+// What riders feel on tracks imported from rows, against the curves that the rows were taken from, at equal speeds.
+#include <gtest/gtest.h>
+
+#include <array>
+#include <fstream>
+#include <sstream>
+
+#include <fmt/format.h>
+
+#include "base/tries.h"
+#include "exchange/nolimits/nl2_csv.h"
+#include "exchange/nolimits/nl2_header.h"
+#include "exchange/nolimits/nl2_spline.h"
+#include "sim/shape/rail_tables.h"
+#include "sim/study/envelope.h"
+#include "world/motion.h"
+
+namespace coaster::exchange {
+namespace nl2_csv_felt_test {
+
+using glm::dvec3;
+
+constexpr double kRate = 100;  // samples per second of a ride
+constexpr double kTop = 4;     // m/s over the highest place, without losses
+
+// A moment of a ride: the rails, squared speed over g (m), and felt g upwards and to the left.
+struct Moment {
+  dvec3 place{0}, forward{0};
+  double v2 = 0;
+  glm::vec2 felt{0};
+};
+
+// A document's rails, and what riders `heart` m above them feel there.
+struct Ridden {
+  Ridden(const world::Document& document, double heart) : derived(sim::shapes_of(document)) {
+    tables.update(derived, heart);
+  }
+  glm::vec2 felt(double s, double slope, double v2) {
+    const double at = tables.locate(s, hint);
+    const glm::vec3 g = sim::felt_at(tables.segment(hint), at, static_cast<float>(-slope), static_cast<float>(v2));
+    return {g.z, g.y};
+  }
+  sim::Derived derived;
+  sim::RailTables tables;
+  std::size_t hint = 0;
+};
+
+double v2_at(double top, double height) { return kTop * kTop / world::kGravity + 2 * (top - height); }
+
+std::vector<Moment> ride_on(const world::Document& document, double heart) {
+  Ridden track(document, heart);
+  double top = -1e9;
+  for (double s = 0; s < track.derived.length; s += 0.5) top = std::max(top, place_on(track.derived, s).position.y);
+  std::vector<Moment> ride;
+  for (double s = 0; s < track.derived.length;) {
+    const PlaceOnTrack at = place_on(track.derived, s);
+    const double v2 = v2_at(top + 0.1, at.position.y);
+    ride.push_back({at.position, at.frame.forward, v2, track.felt(s, at.frame.forward.y, v2)});
+    s += std::sqrt(v2 * world::kGravity) / kRate;
+  }
+  return ride;
+}
+
+struct Wrong {
+  double rms = 0, most = 0;  // g, of both axes, after a low-pass of 5 Hz
+};
+
+// Rides on the document with the speeds of the known ride at the places beside it.
+Wrong wrong_on(const world::Document& document, double heart, const std::vector<Moment>& ride) {
+  Ridden track(document, heart);
+  std::array<std::vector<float>, 4> g;
+  double s = 0;
+  for (const Moment& known : ride) {
+    for (int i = 0; i < 3; ++i) {
+      const PlaceOnTrack at = place_on(track.derived, s);
+      s = std::clamp(s + glm::dot(known.place - at.position, at.frame.forward), 0.0, track.derived.length);
+    }
+    const glm::vec2 felt = track.felt(s, known.forward.y, known.v2);
+    for (int axis = 0; axis < 2; ++axis) g[axis].push_back(known.felt[axis]), g[axis + 2].push_back(felt[axis]);
+  }
+  Wrong wrong;
+  for (std::vector<float>& values : g) sim::low_pass(values, kRate, 5);
+  for (int axis = 0; axis < 2; ++axis) {
+    double sum = 0;
+    for (std::size_t i = 0; i < ride.size(); ++i) {
+      const double off = g[axis + 2][i] - g[axis][i];
+      sum += off * off, wrong.most = std::max(wrong.most, std::abs(off));
+    }
+    wrong.rms = std::max(wrong.rms, std::sqrt(sum / static_cast<double>(ride.size())));
+  }
+  return wrong;
+}
+
+// Of rows 0.05 m apart, those about `spacing` m apart, each step by up to a fifth longer or shorter, numbered anew.
+std::string thinned(const std::string& text, double spacing, std::uint32_t seed) {
+  std::istringstream in(text);
+  std::string kept, line;
+  std::getline(in, line);
+  kept = line + "\n";
+  std::mt19937 bits(seed);
+  std::size_t row = 0, next = 0, number = 0;
+  for (; std::getline(in, line); ++row) {
+    if (row < next) continue;
+    kept += std::to_string(++number) + line.substr(line.find('\t')) + "\n";
+    const double share = 0.8 + 0.4 * (bits() / 4294967296.0);
+    next = row + std::max<std::size_t>(1, static_cast<std::size_t>(std::lround(share * spacing / kNl2Spacing)));
+  }
+  return kept;
+}
+
+void expect_felt(const std::string& rows, const std::vector<Moment>& ride, double heart) {
+  const auto loaded = parse_nl2_csv(rows, "t.csv");
+  ASSERT_TRUE(loaded.ok()) << loaded.status().message;
+  EXPECT_LE(loaded->import->max_error, 0.01);
+  EXPECT_LE(loaded->import->frame_error, 0.5);
+  const Wrong wrong = wrong_on(loaded->document, heart, ride);
+  EXPECT_LE(wrong.rms, 0.1);
+  EXPECT_LE(wrong.most, 0.4);
+}
+
+TEST(nl2_csv_felt, imported_samples_are_felt_as_the_originals_at_any_spacing_of_rows) {
+  int number = 0;
+  for (const char* name : {"gentle", "helix", "kingfisher", "loop", "old_timber"}) {
+    std::ifstream in(std::string(COASTER_SOURCE_DIR) + "/tracks/" + name + ".json");
+    std::ostringstream file;
+    file << in.rdbuf();
+    const auto sample = parse_track(file.str(), name);
+    ASSERT_TRUE(sample.ok());
+    const std::string text = print_nl2_csv(sample->document, kNl2Spacing);
+    for (const double spacing : {0.05, 0.5, 1.0, 2.0, 3.0, 5.0}) {
+      if (test::kSanitized && ++number % 4 != 0) continue;
+      SCOPED_TRACE(fmt::format("{}, rows every {} m", name, spacing));
+      // Rows tell directions, but not the rate of roll: far apart, only the rails are held to them.
+      const double heart = spacing > 3 ? 0 : sample->document.heartline;
+      expect_felt(thinned(text, spacing, 7), ride_on(sample->document, heart), heart);
+    }
+  }
+}
+
+// A drop of 60 m and a rise in bends, at up to 34 m/s, with ripples that the bounds of place and direction would let
+// vanish, but that are felt with 0.4 g: the curve and its derivatives by x.
+constexpr double kDrop = 60, kHalf = 250, kRipple = 0.008, kRipples = 2 * M_PI / 9, kBend = 4, kBends = 2 * M_PI / 120;
+dvec3 place(double x) {
+  const double u = x / kHalf - 1;
+  return {x, kDrop * u * u + kRipple * std::cos(kRipples * x), kBend * std::sin(kBends * x)};
+}
+dvec3 first(double x) {
+  return {1, 2 * kDrop / kHalf * (x / kHalf - 1) - kRipple * kRipples * std::sin(kRipples * x),
+          kBend * kBends * std::cos(kBends * x)};
+}
+dvec3 second(double x) {
+  return {0, 2 * kDrop / (kHalf * kHalf) - kRipple * kRipples * kRipples * std::cos(kRipples * x),
+          -kBend * kBends * kBends * std::sin(kBends * x)};
+}
+dvec3 up_at(double x) {
+  const dvec3 forward = glm::normalize(first(x)), wish(0, 1, 0);
+  return glm::normalize(wish - glm::dot(wish, forward) * forward);
+}
+
+TEST(nl2_csv_felt, fast_ripples_are_felt_as_their_curvature_in_closed_form_says) {
+  constexpr double kLength = 2 * kHalf;
+  std::vector<Moment> ride;
+  for (double x = 0; x < kLength;) {
+    const dvec3 d = first(x), forward = glm::normalize(d), up = up_at(x), left = glm::cross(up, forward);
+    const double v2 = v2_at(kDrop + 2 * kRipple, place(x).y), speed2 = glm::dot(d, d);
+    const dvec3 bend = (second(x) - glm::dot(second(x), forward) * forward) / speed2;
+    const dvec3 felt = v2 * bend + dvec3(0, 1, 0);
+    ride.push_back({place(x), forward, v2, {glm::dot(felt, up), glm::dot(felt, left)}});
+    x += std::sqrt(v2 * world::kGravity / speed2) / kRate;
+  }
+  for (const double spacing : {0.1, 0.5, 2.0, 5.0}) {
+    if (test::kSanitized && spacing != 0.5) continue;
+    SCOPED_TRACE(fmt::format("rows every {} m", spacing));
+    std::string rows(test::kNl2Header);
+    std::mt19937 bits(11);
+    int number = 0;
+    for (double x = 0; x < kLength + spacing;) {
+      const dvec3 forward = glm::normalize(first(x)), up = up_at(x), left = glm::cross(up, forward);
+      rows += std::to_string(++number);
+      for (const dvec3 v : {place(x), forward, left, up})
+        rows += fmt::format("\t{:.6f}\t{:.6f}\t{:.6f}", v.x, v.y, v.z);
+      rows += "\n";
+      x += spacing * (0.8 + 0.4 * (bits() / 4294967296.0)) / glm::length(first(x));
+    }
+    expect_felt(rows, ride, 0);
+  }
+}
+
+}  // namespace nl2_csv_felt_test
+}  // namespace coaster::exchange
