@@ -35,9 +35,11 @@ TEST(FitSpan, AStraightLeavesAWindowOfFewCorners) {
     distances.push_back(s);
   }
   const std::vector<char> free(kRows, 0);
-  const std::vector<double> bends(kRows, 1.0), spins(kRows, 0.0);
+  const std::vector<double> bends(kRows, 1.0), spins(kRows, 0.0), speeds(kRows, 20.0);
+  const std::vector<dvec3> curvatures(kRows, dvec3(0));
   SpanBounds bounds;
-  bounds.free = free, bounds.bends = bends, bounds.spins = spins;
+  bounds.free = free, bounds.bends = bends, bounds.spins = spins, bounds.speeds = speeds,
+  bounds.curvatures = curvatures;
   SpanScratch scratch;
   const SpanFit fit = fit_span(rows, distances, 0, kRows - 1, -bounds.angle, bounds.angle, bounds, scratch);
   ASSERT_TRUE(fit.within);
