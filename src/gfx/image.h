@@ -31,7 +31,7 @@ Image contact_sheet(std::span<const Image> pictures, int columns, int gap);
 // the isolated pixels.
 struct Difference {
   static constexpr int kMostInBlock = 8;
-  static constexpr double kMostShare = 0.0005, kMostShareOfOtherSamples = 0.0025;  // of the pixels
+  static constexpr double kMostShare = 0.0005, kMostShareOfOtherSamples = 0.004;  // of the pixels
   bool same_size = true;
   long pixels = 0;       // number of differing pixels
   long most_pixels = 0;  // that are acceptable

@@ -7,9 +7,11 @@
 #include <cmath>
 #include <cstdlib>
 #include <cstring>
+#include <deque>
 #include <utility>
 
 #include "platform/surface.h"
+#include "platform/touch.h"
 
 extern "C" void* emscripten_webgl_get_proc_address(const char* name);
 
@@ -102,6 +104,7 @@ class WebSurface final : public Surface {
     if (lost_ && emscripten_is_webgl_context_lost(context_)) lost_();
     if (window_) fit();
     for (Event& event : std::exchange(pending_, {})) events.push_back(std::move(event));
+    follow_fingers(events);
     const double now = clock();
     const double passed = now - std::exchange(last_, now);
     events.push_back(Tick{window_ ? passed : 1.0 / 60.0});
@@ -180,6 +183,23 @@ class WebSurface final : public Surface {
       pending_.push_back(MouseButton{kButtons[event.button], type == EMSCRIPTEN_EVENT_MOUSEDOWN, modifiers_of(event)});
     return EM_FALSE;  // a press gives the canvas the keys
   }
+  // What the fingers did since the last frame, up to a press or release that needs a frame of its own.
+  void follow_fingers(Events& events) {
+    const float scale = content_scale();
+    while (fingers_.size() > 1 && touch_.follow(fingers_.front(), clock(), scale, events)) fingers_.pop_front();
+    if (fingers_.size() == 1) (void)touch_.follow(fingers_.front(), clock(), scale, events);
+  }
+  EM_BOOL finger(const EmscriptenTouchEvent& event, bool up) {
+    std::vector<Finger> down;
+    for (int i = 0; i < event.numTouches; ++i) {
+      const EmscriptenTouchPoint& point = event.touches[i];
+      if (up && point.isChanged) continue;
+      const MouseMove place = at(point.clientX, point.clientY);
+      down.push_back({point.identifier, place.x, place.y});
+    }
+    fingers_.push_back(std::move(down));
+    return EM_TRUE;
+  }
   EM_BOOL wheel(const EmscriptenWheelEvent& event) {
     const double notch = event.deltaMode == DOM_DELTA_PIXEL ? 100 : event.deltaMode == DOM_DELTA_LINE ? 3 : 1;
     pending_.push_back(Wheel{static_cast<float>(-event.deltaX / notch), static_cast<float>(-event.deltaY / notch)});
@@ -203,6 +223,14 @@ class WebSurface final : public Surface {
     const auto on_key = [](int type, const EmscriptenKeyboardEvent* e, void* w) {
       return static_cast<WebSurface*>(w)->key(type, *e);
     };
+    const auto on_touch = [](int type, const EmscriptenTouchEvent* e, void* w) {
+      return static_cast<WebSurface*>(w)->finger(
+          *e, type == EMSCRIPTEN_EVENT_TOUCHEND || type == EMSCRIPTEN_EVENT_TOUCHCANCEL);
+    };
+    emscripten_set_touchstart_callback(kCanvas, this, EM_FALSE, on_touch);
+    emscripten_set_touchmove_callback(kCanvas, this, EM_FALSE, on_touch);
+    emscripten_set_touchend_callback(kCanvas, this, EM_FALSE, on_touch);
+    emscripten_set_touchcancel_callback(kCanvas, this, EM_FALSE, on_touch);
     const auto on_wheel = [](int, const EmscriptenWheelEvent* e, void* w) {
       return static_cast<WebSurface*>(w)->wheel(*e);
     };
@@ -224,6 +252,8 @@ class WebSurface final : public Surface {
   Size size_;
   std::function<void()> lost_;
   Events pending_;
+  std::deque<std::vector<Finger>> fingers_;  // after each event of the screen; the last stays
+  Touch touch_;
   double last_;
   std::string clipboard_;
 };

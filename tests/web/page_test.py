@@ -16,11 +16,15 @@ import browser
 CTRL, SHIFT = 2, 8
 
 
-def document_of(link):
-    """Returns the hash of the document in a link (docs/share.md)."""
+def shared_in(link):
+    """Returns what the first line of a link's text says: the document's hash and the view (docs/share.md)."""
     packed = link[link.index("#coaster=1.") + len("#coaster=1."):]
     text = zlib.decompress(base64.urlsafe_b64decode(packed + "=" * (-len(packed) % 4)), -15).decode()
-    return json.loads(text.split("\n")[0])["hash"]
+    return json.loads(text.split("\n")[0])
+
+
+def document_of(link):
+    return shared_in(link)["hash"]
 
 
 class Page(unittest.TestCase):
@@ -148,6 +152,33 @@ class Page(unittest.TestCase):
         self.frames(10)
         self.assertEqual(self.title(), "Red Comet - coaster")
         self.assertTrue(self.js("said.hidden"), "a bad link is refused, and the program goes on")
+
+    def test_fingers_orbit_pan_and_zoom(self):
+        self.page.execute_cdp_cmd("Emulation.setTouchEmulationEnabled", {"enabled": True, "maxTouchPoints": 2})
+        self.open()
+        self.key("Escape")
+
+        def touch(kind, *points):
+            self.page.execute_cdp_cmd("Input.dispatchTouchEvent", {"type": kind, "touchPoints": [{"x": x, "y": y, "id": i} for i, (x, y) in enumerate(points)]})
+            self.frames(2)
+        views = [shared_in(self.link())]
+        touch("touchStart", (800, 90))
+        touch("touchMove", (760, 100))
+        touch("touchMove", (700, 120))
+        touch("touchEnd")
+        views.append(shared_in(self.link()))
+        touch("touchStart", (600, 200))
+        touch("touchStart", (600, 200), (700, 200))
+        touch("touchMove", (580, 220), (740, 220))
+        touch("touchMove", (560, 240), (780, 240))
+        touch("touchEnd")
+        views.append(shared_in(self.link()))
+        cameras = views
+        self.assertNotEqual(cameras[0]["yaw"], cameras[1]["yaw"])
+        self.assertEqual(cameras[0]["distance"], cameras[1]["distance"])
+        self.assertLess(cameras[2]["distance"], 0.8 * cameras[1]["distance"], "wider by 2.2")
+        self.assertNotEqual(cameras[2]["target"], cameras[1]["target"])
+        self.assertEqual(views[0]["hash"], views[2]["hash"], "the track is as it was")
 
     def test_files_come_in_and_go_out(self):
         self.open()

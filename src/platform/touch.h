@@ -1,0 +1,39 @@
+// Fingers on a screen as a mouse with three buttons: one finger is the left button, a long press the right one, two
+// fingers pan by the middle button and zoom by the wheel.
+#pragma once
+
+#include <span>
+
+#include "platform/events.h"
+
+namespace coaster::platform {
+
+struct Finger {
+  long id = 0;
+  float x = 0, y = 0;  // window pixels
+};
+
+class Touch {
+ public:
+  static constexpr double kLongPress = 0.5;  // s without moving, until it is the right button
+  static constexpr float kSlop = 8;          // pixels of an ordinary screen, times `scale`: less is no movement
+  static constexpr float kPerNotch = 1.12f;  // of the distance of two fingers: the step of the wheel's zoom
+
+  // Appends the events of one frame for the fingers that are down. A press and its release come in different frames, as
+  // panels need: false asks for the same fingers once more, in the next frame.
+  bool follow(std::span<const Finger> fingers, double now, float scale, Events& events);
+
+ private:
+  enum class State { none, pending, drag, two, spent };  // spent: nothing until all fingers are up
+  void press(Button button, Events& events);
+  void release(Events& events);
+
+  State state_ = State::none;
+  Finger start_;
+  double since_ = 0;    // s, of the pending press
+  float distance_ = 0;  // of two fingers, pixels
+  bool down_ = false, tapped_ = false;
+  Button button_ = Button::left;
+};
+
+}  // namespace coaster::platform
