@@ -9,7 +9,7 @@
 
 namespace coaster::sim {
 
-using glm::dvec3;
+using glm::dvec2, glm::dvec3;
 
 double frame_angle_deg(const curve::Frame& a, const curve::Frame& b) {
   // The squared distances of the three axes add up to 8 sin^2(angle / 2).
@@ -54,6 +54,22 @@ std::vector<double> bend_limits(std::span<const FitRow> rows, bool closed) {
   return limits;
 }
 
+namespace {
+
+// Returns the slope at 0 of the polynomial through 0 and the points.
+double rate_at_zero(std::span<const dvec2> points) {
+  double rate = 0;
+  for (const dvec2& p : points) {
+    double share = 1 / p.x;
+    for (const dvec2& q : points)
+      if (&q != &p) share *= q.x / (q.x - p.x);
+    rate += share * p.y;
+  }
+  return rate;
+}
+
+}  // namespace
+
 std::vector<double> row_spins(std::span<const FitRow> rows, bool closed) {
   const auto count = static_cast<std::ptrdiff_t>(rows.size()), steps = closed ? count : count - 1;
   std::vector<double> lengths, rates;
@@ -65,6 +81,7 @@ std::vector<double> row_spins(std::span<const FitRow> rows, bool closed) {
     rates.push_back(angle / lengths.back());
   }
   std::vector<double> spins, near;
+  std::vector<dvec2> rolls;
   for (std::ptrdiff_t i = 0; i < count; ++i) {
     near.clear();
     // The rates of the steps from `first` on, within the reach.
@@ -79,9 +96,17 @@ std::vector<double> row_spins(std::span<const FitRow> rows, bool closed) {
     const std::size_t behind = near.size();
     take(i, 1);
     const double before = behind > 0 ? near[0] : near[behind], after = behind < near.size() ? near[behind] : near[0];
-    if (behind == 1 && near.size() == 2) {  // rows far apart: the rate of the parabola through them
-      const double a = lengths[(i - 1 + steps) % steps], b = lengths[i % steps];
-      spins.push_back((b * before + a * after) / (a + b));
+    if (behind == 1 && near.size() == 2) {  // rows far apart
+      rolls.clear();
+      for (const std::ptrdiff_t way : {-1, 1}) {
+        dvec2 at(0);
+        for (std::ptrdiff_t k = way < 0 ? i - 1 : i, n = 0; n < 2 && (closed || (k >= 0 && k < steps)); k += way, ++n) {
+          const std::ptrdiff_t step = (k + 2 * steps) % steps;
+          at += static_cast<double>(way) * lengths[step] * dvec2(1, rates[step]);
+          rolls.push_back(at);
+        }
+      }
+      spins.push_back(rate_at_zero(rolls));
       continue;
     }
     const auto middle = near.begin() + static_cast<std::ptrdiff_t>(near.size() / 2);
@@ -103,19 +128,21 @@ std::vector<dvec3> row_curvatures(std::span<const FitRow> rows, bool closed) {
       double length = 0;
       dvec3 off{0}, turn{0};
     };
-    const auto side = [&](std::ptrdiff_t way) {
-      Side found;
-      for (std::ptrdiff_t k = i + way, n = 1; n < count && found.length < kCurvatureReach; k += way, ++n) {
+    const auto side = [&](std::ptrdiff_t way) -> Side {
+      const FitRow* there = nullptr;
+      dvec3 chord(0);
+      for (std::ptrdiff_t k = i + way, n = 1; n < count; k += way, ++n) {
         if (!closed && (k < 0 || k >= count)) break;
-        const FitRow& there = rows[(k + count) % count];
-        const dvec3 chord = there.position - here.position;
-        // An arc is longer than its chord.
-        const double length = glm::length(chord), half = 0.5 * glm::distance(here.forward, there.forward);
-        found.length = std::max(length * (1 + half * half / 6), 1e-9);
-        found.off = curve::across(chord, here.forward) / (found.length * found.length);
-        found.turn = static_cast<double>(way) * curve::across(there.forward, here.forward) / found.length;
+        there = &rows[k < 0 ? k + count : k < count ? k : k - count];
+        chord = there->position - here.position;
+        if (glm::dot(chord, chord) >= kCurvatureReach * kCurvatureReach) break;
       }
-      return found;
+      if (!there) return {};
+      // An arc is longer than its chord.
+      const double half = 0.5 * glm::distance(here.forward, there->forward),
+                   length = std::max(glm::length(chord) * (1 + half * half / 6), 1e-9);
+      return {length, curve::across(chord, here.forward) / (length * length),
+              static_cast<double>(way) * curve::across(there->forward, here.forward) / length};
     };
     const Side before = side(-1), after = side(1);
     const double a = before.length, b = after.length;

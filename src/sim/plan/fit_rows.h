@@ -40,7 +40,7 @@ std::vector<double> bend_limits(std::span<const FitRow> rows, bool closed);
 // Returns the spin of each row, rad/m: of the rates at which the rows turn about their direction against
 // rotation-minimising frames, the median over the steps within kSpinReach on both sides, but no less and no more than
 // the rates of the steps before and after the row. A jump on one side leaves it as it is. Where a step on each side
-// reaches further, the rate at the row of the parabola through the rolls.
+// reaches further, the rate of the polynomial through the rolls of the row and of two rows on each side.
 inline constexpr double kSpinReach = 0.6;  // m
 std::vector<double> row_spins(std::span<const FitRow> rows, bool closed);
 

@@ -19,6 +19,7 @@ constexpr int kIterations = 12;
 constexpr double kLeastBent = 0.1;     // of the length: the shortest handles that are tried against bends
 constexpr double kMostHandle = 0.495;  // of the rows' length: a little less than half the curve's
 constexpr double kBeyond = 40;         // what curvature beyond the limit counts against one that is off
+constexpr double kStay = 1e-3;         // 1/m: what handles that move by the length count against one that is off
 constexpr double kBendMargin = 0.98;   // of the limit: bends are checked at places
 constexpr double kMoment = 0.064;      // s: such second differences are a low-pass with 5 Hz
 constexpr double kSharp = 1.5;         // times the bound, before a low-pass
@@ -105,15 +106,17 @@ Handles fit_handles(std::span<const FitRow> rows, std::span<const double> distan
 }
 
 // Returns the handles with which a span between neighbouring rows has the curvatures `from` and `to` at its ends, as
-// nearly as can be while it bends no more than `limit` if that is possible. Searched from `h` in falling steps.
-Handles most_alike(const Ends& ends, double length, dvec3 from, dvec3 to, double limit, Handles h) {
+// nearly as can be while it bends no more than `limit` if that is possible. Searched from `start` in falling steps.
+Handles most_alike(const Ends& ends, double length, dvec3 from, dvec3 to, double limit, const Handles start) {
+  Handles h = start;
   const auto cost = [&](Handles at) {
     constexpr int kPlaces = 16;
     const Curve c = curve_of(ends, at);
     double most = 0;
     for (int i = 0; i <= kPlaces; ++i) most = std::max(most, glm::length(bend_of(c, static_cast<double>(i) / kPlaces)));
     const dvec2 off(glm::distance(bend_of(c, 0), from), glm::distance(bend_of(c, 1), to));
-    return glm::length(off) + kBeyond * std::max(0.0, most - limit);
+    const double moved = std::abs(at.out - start.out) + std::abs(at.in - start.in);
+    return glm::length(off) + kBeyond * std::max(0.0, most - limit) + kStay * moved / length;
   };
   const double low = std::max(kLeastBent * length, double{world::kMinHandle}),
                high = std::clamp(kMostHandle * length, low, double{world::kMaxHandle});
@@ -229,10 +232,10 @@ bool felt_wrong(std::span<const FitRow> rows, std::span<const double> distances,
   const auto apart = [&](std::size_t a, std::size_t b) { return distances[first + b] - distances[first + a]; };
   std::size_t before = 0, after = 0;
   for (std::size_t i = 0; i < count; ++i) {
+    if (bounds.free[first + i]) continue;
     const double v2 = bounds.speeds[first + i], moment = kMoment * std::sqrt(v2 * world::kGravity);
     while (before + 1 < i && apart(before + 1, i) >= moment) ++before;
     while (after + 1 < count && (after <= i || apart(i, after) < moment)) ++after;
-    if (bounds.free[first + i]) continue;
     if (apart(i > 0 ? i - 1 : 0, i > 0 ? i : 1) > moment) {
       const double sharp = glm::distance(bend_of(c, s.places[i]), bounds.curvatures[first + i]);
       if (sharp * v2 > kSharp * bounds.felt) return true;

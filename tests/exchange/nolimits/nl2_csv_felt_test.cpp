@@ -130,8 +130,7 @@ TEST(nl2_csv_felt, imported_samples_are_felt_as_the_originals_at_any_spacing_of_
     for (const double spacing : {0.05, 0.5, 1.0, 2.0, 3.0, 5.0}) {
       if (test::kSanitized && ++number % 4 != 0) continue;
       SCOPED_TRACE(fmt::format("{}, rows every {} m", name, spacing));
-      // Rows tell directions, but not the rate of roll: far apart, only the rails are held to them.
-      const double heart = spacing > 3 ? 0 : sample->document.heartline;
+      const double heart = sample->document.heartline;
       expect_felt(thinned(text, spacing, 7), ride_on(sample->document, heart), heart);
     }
   }

@@ -133,6 +133,20 @@ TEST(fit_bends, rows_have_the_curvature_of_the_circle_they_are_on) {
     EXPECT_NEAR(glm::distance(row_curvatures(ring, true)[i], ring[i].position / (-9.7 * 9.7)), 0, 1e-5) << i;
 }
 
+TEST(fit_bends, rows_far_apart_have_the_spin_of_a_smooth_roll) {
+  // Left to right along a straight; at the two rows of each end fewer rows tell it.
+  std::vector<FitRow> rows;
+  std::vector<double> spins;
+  for (double x = 0; x < 60; x += rows.size() % 3 == 0 ? 2.2 : 3.1) {
+    const double roll = 0.7 * std::sin(x / 9);
+    rows.push_back({{x, 0, 0}, {1, 0, 0}, {0, std::cos(roll), std::sin(roll)}});
+    spins.push_back(0.7 / 9 * std::cos(x / 9));
+  }
+  const std::vector<double> found = row_spins(rows, false);
+  for (std::size_t i = 1; i + 1 < rows.size(); ++i)
+    EXPECT_NEAR(found[i], spins[i], i == 1 || i + 2 == rows.size() ? 2e-3 : 2e-4) << i;
+}
+
 TEST(fit_bends, a_train_passes_the_highest_row_at_ten_metres_a_second) {
   const std::vector<double> speeds = row_speeds(std::vector<FitRow>{{{0, 3, 0}}, {{1, 8, 0}}, {{2, -4.5, 0}}});
   for (const auto& [i, height] : {std::pair(0, 5.0), {1, 0.0}, {2, 12.5}})
