@@ -11,6 +11,7 @@
 #include "base/text.h"
 #include "curve/continuity.h"
 #include "curve/frames.h"
+#include "sim/ride/train.h"
 #include "sim/study/element_room.h"
 
 namespace coaster::sim {
@@ -211,8 +212,7 @@ std::optional<CircuitTask> circuit_task(const world::Document& document, const G
   task.speed = kAssumedSpeed, task.coasts = false;
   if (ride != nullptr && ride->end == world::FailureKind::off_end && ride->samples.back().speed > 0) {
     task.speed = ride->samples.back().speed, task.coasts = true;
-    task.losses = document.resistance;
-    task.losses.drag *= static_cast<float>(double{world::kCarMass} / ride->start.mass);
+    task.losses = resistance_of(document, ride->start.mass);
   }
   return task;
 }

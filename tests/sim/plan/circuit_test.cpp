@@ -128,6 +128,123 @@ TEST(circuit_way, its_curve_meets_both_ends_and_keeps_tangent_curvature_and_roll
   EXPECT_EQ(curves, 12);
 }
 
+// The rate at which `up` turns about the tangent between two points, by the least rotation from one to the other.
+double roll_rate(const ElementPoint& a, const ElementPoint& b) {
+  const dvec3 carried = curve::least_rotation(a.tangent, b.tangent, a.up, a.up);
+  return curve::signed_angle(carried, b.up, b.tangent) / (b.s - a.s);
+}
+
+// A kept speed, and level ends without curvature: 60 m apart, for ways home in half circles.
+CircuitTask level_task() {
+  CircuitTask task;
+  task.from.position = {60, 20, 0}, task.home.position = {0, 20, 0};
+  task.speed = 20, task.coasts = false, task.riders = 1.1;
+  return task;
+}
+
+TEST(circuit_way, spins_at_every_point_as_its_frame_turns) {
+  for (const double spin : {-0.04, 0.0, 0.04}) {
+    CircuitTask task = level_task();
+    task.from.spin = spin, task.home.spin = 0.5 * spin;
+    const CircuitCandidates candidates = circuit_candidates(task);
+    ASSERT_FALSE(candidates.list.empty());
+    const ElementCurve curve = way_curve(task, candidates.exact(candidates.list.front()).value());
+    for (std::size_t i = 1; i < curve.points.size(); ++i) {
+      const ElementPoint &a = curve.points[i - 1], &b = curve.points[i];
+      ASSERT_NEAR(roll_rate(a, b), 0.5 * (a.spin + b.spin), 1e-3) << "at " << b.s << " m with spin " << spin;
+    }
+  }
+}
+
+// The same way from an upright end shows what fades. A cubic of the time T that turns by r has a rate of 1.5 r / T in
+// its middle and a change of 6 r / T^2 at its ends: one of them is the limit, where the fade is not the shortest.
+TEST(circuit_way, fades_the_roll_of_the_open_end_as_quickly_as_riders_bear) {
+  const CircuitTask upright = level_task();
+  const CircuitCandidates candidates = circuit_candidates(upright);
+  ASSERT_FALSE(candidates.list.empty());
+  const CircuitWay way = candidates.exact(candidates.list.front()).value();
+  const ElementCurve plain = way_curve(upright, way);
+  for (const double roll : {0.3, -0.6, 1.3}) {
+    CircuitTask task = upright;
+    task.from.up = curve::rotate(task.from.up, task.from.forward, roll);
+    const ElementCurve rolled = way_curve(task, way);
+    ASSERT_EQ(rolled.points.size(), plain.points.size());
+    const auto left = [&](std::size_t i) {
+      return curve::signed_angle(plain.points[i].up, rolled.points[i].up, plain.points[i].tangent);
+    };
+    double rate = 0, change = 0, before = 0;
+    for (std::size_t i = 1; i < plain.points.size(); ++i) {
+      const double seconds = (plain.points[i].s - plain.points[i - 1].s) / task.speed,
+                   now = (left(i) - left(i - 1)) / seconds;
+      rate = std::max(rate, std::abs(now));
+      if (i > 1) change = std::max(change, std::abs(now - before) / seconds);
+      before = now;
+    }
+    EXPECT_LT(rate, 1.03) << roll;
+    EXPECT_LT(change, 3.15) << roll;
+    EXPECT_TRUE(rate > 0.95 || change > 2.8) << roll << ": " << rate << " rad/s, " << change << " rad/s^2";
+  }
+}
+
+// Brute force: the rails of every candidate each 10 cm. A level of 4 m below the ends is tried: with 5 cm more than the
+// limit it is used, with 5 cm less it is not.
+TEST(circuit_search, keeps_rails_a_metre_above_the_ground_where_the_ends_are) {
+  for (const double rails : {-1.1, 0.0, 1.1})
+    for (const double ends : {0.6, 4.95, 5.05}) {
+      CircuitTask task = level_task();
+      task.speed = 14, task.rails = rails;
+      for (TrackEnd* const end : {&task.from, &task.home}) end->position.y = ends - rails;
+      const CircuitCandidates candidates = circuit_candidates(task);
+      double lowest = 1e9;
+      for (const CircuitCandidate& candidate : candidates.list) {
+        const Heights heights = candidates.rough(candidate).heights;
+        for (double u = 0; u < heights.length(); u += 0.1) lowest = std::min(lowest, heights.at(u).height + rails);
+      }
+      EXPECT_NEAR(lowest, ends == 4.95 ? 4.95 : ends == 5.05 ? 1.05 : 0.6, 0.02) << rails << ", " << ends;
+    }
+}
+
+// On an unchanged track that is the way itself, of all the ways with other radii, straights, levels and bends. Where
+// the first knot moves by 2 m its turns keep their radius: any other is 1.6 m wider or more.
+TEST(circuit_search, the_way_most_like_a_former_one_comes_first) {
+  int ways = 0, moves = 0;
+  for (const double aside : {0.0, 30.0, 55.0}) {
+    CircuitTask task = level_task();
+    task.home.position += dvec3(0, -3, aside);
+    if (aside > 30) task.home.forward = {-1, 0, 0};
+    const CircuitCandidates candidates = circuit_candidates(task);
+    for (std::size_t i = 0; i < candidates.list.size(); i += 1 + candidates.list.size() / 12) {
+      const CircuitCandidate& candidate = candidates.list[i];
+      const std::optional<CircuitWay> way = candidates.exact(candidate);
+      if (!way) continue;
+      const world::WayHome former = candidates.described(candidate, *way);
+      const CircuitCandidates again = candidates_like(former, task);
+      ASSERT_FALSE(again.list.empty());
+      const std::optional<CircuitWay> first = again.exact(again.list.front());
+      ASSERT_TRUE(first);
+      const world::WayHome found = again.described(again.list.front(), *first);
+      EXPECT_EQ(found.radius, former.radius);
+      EXPECT_EQ(found.before, former.before);
+      EXPECT_EQ(found.after, former.after);
+      EXPECT_NEAR(found.first, former.first, 1e-3);
+      EXPECT_NEAR(found.second, former.second, 1e-3);
+      EXPECT_EQ(found.level, former.level);
+      EXPECT_EQ(found.tight, former.tight);
+      ++ways;
+      for (const dvec3 move : {dvec3(2, 0, 0), dvec3(-2, 0, 0), dvec3(0, 0, 2), dvec3(0, 0, -2)}) {
+        CircuitTask moved = task;
+        moved.home.position += move;
+        const CircuitCandidates like = candidates_like(former, moved);
+        if (like.list.empty()) continue;
+        EXPECT_EQ(like.turns[like.list.front().turns].radius, former.radius) << i;
+        ++moves;
+      }
+    }
+  }
+  EXPECT_GT(ways, 20);
+  EXPECT_GT(moves, 80);
+}
+
 TEST(circuit_search, says_what_makes_a_way_home_impossible) {
   CircuitTask task;
   task.from.position = {0, 3, 0}, task.home.position = {40, 30, 10};

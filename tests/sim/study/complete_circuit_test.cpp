@@ -2,6 +2,7 @@
 // documents (tests/edit/perform/complete_circuit_test.cpp).
 #include "sim/study/complete_circuit.h"
 
+#include <cmath>
 #include <numbers>
 
 #include <gtest/gtest.h>
@@ -43,6 +44,25 @@ TEST(complete_circuit, assumes_a_speed_where_no_train_reaches_the_end) {
   const CircuitProposals found = ways_home(straight());
   EXPECT_TRUE(found.assumed);
   EXPECT_EQ(found.speed, kAssumedSpeed);
+}
+
+// The ghost's own speeds tell the drag: v falls by the factor exp(-C s) on a level straight.
+TEST(complete_circuit, plans_with_the_drag_that_the_train_has_by_its_mass) {
+  for (const float mass : {0.5f * world::kCarMass, world::kCarMass, 3.0f * world::kCarMass}) {
+    world::Document document = straight();
+    document.resistance = {0, 1e-3f};
+    document.start_speed = 20;
+    const world::Entity cart = world::add_cart(document, document.track.segments.front(), 0);
+    document.entities.get<world::Cart>(cart).mass = mass;
+    GhostMemo memo;
+    const Ghost& ride = *memo.ride(document, test::derived_of(document), cart);
+    const std::optional<CircuitTask> task = circuit_task(document, &ride);
+    ASSERT_TRUE(task);
+    ASSERT_TRUE(task->coasts);
+    const GhostSample& last = *(ride.samples.end() - 2);  // the very last is cut at the end of the track
+    const double drag = std::log(ride.samples.front().speed / last.speed) / last.travelled;
+    EXPECT_NEAR(task->losses.drag, drag, 1e-3 * drag) << mass << " kg";
+  }
 }
 
 TEST(complete_circuit, is_refused_without_a_segment_and_for_a_closed_track) {
