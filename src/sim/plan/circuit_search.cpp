@@ -101,7 +101,7 @@ bool consider(CircuitCandidate candidate, double floor, CircuitWay& way, Circuit
   } else if (!felt->within()) {
     ++c.losses.forced, c.losses.least_g = std::min(c.losses.least_g, felt->most);
   } else {
-    candidate.cost = cost_of(way.turns.length(), *felt), candidate.side = felt->side;
+    candidate.cost = cost_of(way.turns.length(), *felt);
     c.list.push_back(candidate);
   }
   return true;

@@ -11,7 +11,6 @@ struct CircuitCandidate {
   int level = -1;         // index into `levels`; below 0: one slope all the way
   bool tight = false;     // with bends of the smaller radii
   double cost = 0;        // m: cost_of(), or how far it is from a former way
-  double side = 0;        // g, lateral, about
 };
 // m of length that a rider would go round for 1 g less: vertical, and lateral, which quick rolls cause.
 inline constexpr double kCostOfG = 25, kCostOfSideG = 100;

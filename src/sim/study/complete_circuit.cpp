@@ -146,7 +146,7 @@ struct Search {
     std::map<std::array<int, 5>, int> failures;
     for (const CircuitCandidate& candidate : list) {
       if (found.list.size() == terms.most_found || tried == terms.most_tried) break;
-      if (candidate.side > side || rough_ones == kMostRough) {
+      if (rough_ones == kMostRough) {
         rougher.push_back(candidate);
         continue;
       }
