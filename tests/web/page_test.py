@@ -167,7 +167,6 @@ class Page(unittest.TestCase):
         touch("touchMove", (700, 120))
         touch("touchEnd")
         views.append(shared_in(self.link()))
-        touch("touchStart", (600, 200))
         touch("touchStart", (600, 200), (700, 200))
         touch("touchMove", (580, 220), (740, 220))
         touch("touchMove", (560, 240), (780, 240))

@@ -59,11 +59,13 @@ view::Pick ViewportTool::update(Ui& ui, const view::View& view) {
     under = view::pick(session.document, session.derived, session.motion, session.settings, view, mouse);
     press(ui, view, under);
   }
-  if (over && io.MouseWheel != 0) turn_wheel(ui, view, io.MouseWheel);
+  const bool turned = over && io.MouseWheel != 0;
+  if (turned) turn_wheel(ui, view, io.MouseWheel);
   if (!dragging()) return under;
 
   const view::Pick held = drag_.pick;
-  move(ui, view, mouse);
+  // The wheel has moved the camera in this frame; a drag of it goes on in the next one.
+  if (!turned || (drag_.what != What::orbit && drag_.what != What::pan)) move(ui, view, mouse);
   if (!io.MouseDown[drag_.button]) release(ui, view);
   return held;
 }

@@ -213,6 +213,19 @@ TEST_F(ViewportToolTest, orbit_and_pan_carry_the_scene_with_the_cursor) {
   EXPECT_LT(glm::length(glm::vec2(*view::project(host_->view(), target)) - before - glm::vec2(47, -29)), 1.5f);
 }
 
+TEST_F(ViewportToolTest, a_drag_pans_on_where_the_wheel_has_zoomed) {
+  const glm::vec2 at = empty_ground();
+  const world::Camera before = session_.settings.camera;
+  frame({platform::MouseMove{at.x, at.y}});
+  frame({platform::MouseButton{platform::Button::middle, true, {}}});
+  frame({platform::MouseMove{at.x + 20, at.y}, platform::Wheel{0, 2}});
+  EXPECT_LT(session_.settings.camera.distance, before.distance);
+  EXPECT_EQ(session_.settings.camera.target, before.target);
+  frame();
+  EXPECT_NE(session_.settings.camera.target, before.target) << "with the movement of the frame before";
+  frame({platform::MouseButton{platform::Button::middle, false, {}}});
+}
+
 TEST_F(ViewportToolTest, the_wheel_zooms_in_the_viewport_and_scrolls_over_a_panel) {
   const float distance = session_.settings.camera.distance;
   const glm::vec2 at = empty_ground();
