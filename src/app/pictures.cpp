@@ -103,6 +103,7 @@ void take_photo(Program& program, bool panels) {
   const base::Status wrote =
       panels ? write_picture(program, path) : write(program.files.root(), path, program.renderer->read_pixels());
   if (!panels) program.picture.unseen = true;  // what was drawn is not the frame
+  if (wrote) program.surface->offer(path.string());
   edit::notify(program.session, wrote ? edit::NoticeKind::info : edit::NoticeKind::error,
                wrote ? fmt::format("Saved {}", path.string()) : wrote.message);
 }

@@ -1,6 +1,7 @@
 #!/usr/bin/python3
 """What a person does with the page, by mouse and keyboard alone: PAGE_FOLDER SOURCE_FOLDER."""
 import base64
+import gzip
 import json
 import os
 import pathlib
@@ -208,6 +209,15 @@ class Page(unittest.TestCase):
         self.until(lambda: self.js("said.textContent").startswith("The display is gone."), "what it says: " + self.js("said.textContent"))
         self.assertEqual(len(browser.complaints(self.page)), 1)
 
+    def test_it_is_small(self):
+        names = ["index.html", "page.js", "worker.js", "coaster.js", "coaster.wasm", "coaster.data"]
+        sent = sum(len(gzip.compress(pathlib.Path(FOLDER, name).read_bytes(), 9)) for name in names)
+        self.open()
+        memory = self.js("Module.HEAPU8.length + performance.memory.usedJSHeapSize")
+        print(f"{sent} bytes with gzip, {memory / 1e6:.0f} MB of memory", file=sys.stderr)
+        self.assertLess(sent, 1.8e6)
+        self.assertLess(memory, 200e6)
+
     def test_random_input_breaks_nothing(self):
         self.open()
         self.key("Escape")
@@ -223,6 +233,6 @@ class Page(unittest.TestCase):
 
 
 if __name__ == "__main__":
-    folder, SOURCE = sys.argv[1:3]
-    ADDRESS = browser.serve(folder)
+    FOLDER, SOURCE = sys.argv[1:3]
+    ADDRESS = browser.serve(FOLDER)
     unittest.main(argv=[sys.argv[0]] + sys.argv[3:], verbosity=2)
