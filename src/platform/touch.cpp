@@ -12,8 +12,9 @@ void Touch::press(Button button, Events& events) {
 }
 
 void Touch::release(Events& events) {
-  if (down_) events.push_back(MouseButton{button_, false, {}});
-  down_ = false;
+  if (!down_) return;
+  events.push_back(MouseButton{button_, false, {}});
+  down_ = false, away_ = true;
 }
 
 bool Touch::follow(std::span<const Finger> fingers, double now, float scale, Events& events) {
@@ -24,6 +25,7 @@ bool Touch::follow(std::span<const Finger> fingers, double now, float scale, Eve
   }
   if (fingers.empty()) {
     const State before = std::exchange(state_, State::none);
+    if (before == State::none && std::exchange(away_, false)) events.push_back(MouseMove{-1, -1});
     if (before == State::pending) {
       events.push_back(MouseMove{start_.x, start_.y});
       press(Button::left, events);

@@ -1,5 +1,5 @@
 // Fingers on a screen as a mouse with three buttons: one finger is the left button, a long press the right one, two
-// fingers pan by the middle button and zoom by the wheel.
+// fingers pan by the middle button and zoom by the wheel. Without a finger the mouse is outside.
 #pragma once
 
 #include <span>
@@ -33,6 +33,7 @@ class Touch {
   double since_ = 0;    // s, of the pending press
   float distance_ = 0;  // of two fingers, pixels
   bool down_ = false, tapped_ = false;
+  bool away_ = false;  // the mouse has to leave what the finger has left
   Button button_ = Button::left;
 };
 

@@ -38,37 +38,18 @@ struct NamedKey {
   const char* code;
   Key key;
 };
-constexpr NamedKey kNamedKeys[] = {{"Space", Key::space},
-                                   {"Quote", Key::apostrophe},
-                                   {"Comma", Key::comma},
-                                   {"Minus", Key::minus},
-                                   {"Period", Key::period},
-                                   {"Slash", Key::slash},
-                                   {"Semicolon", Key::semicolon},
-                                   {"Equal", Key::equal},
-                                   {"BracketLeft", Key::left_bracket},
-                                   {"Backslash", Key::backslash},
-                                   {"BracketRight", Key::right_bracket},
-                                   {"Backquote", Key::grave},
-                                   {"Escape", Key::escape},
-                                   {"Enter", Key::enter},
-                                   {"Tab", Key::tab},
-                                   {"Backspace", Key::backspace},
-                                   {"Insert", Key::insert},
-                                   {"Delete", Key::del},
-                                   {"ArrowRight", Key::right},
-                                   {"ArrowLeft", Key::left},
-                                   {"ArrowDown", Key::down},
-                                   {"ArrowUp", Key::up},
-                                   {"PageUp", Key::page_up},
-                                   {"PageDown", Key::page_down},
-                                   {"Home", Key::home},
-                                   {"End", Key::end},
-                                   {"Numpad1", Key::keypad_1},
-                                   {"Numpad3", Key::keypad_3},
-                                   {"Numpad5", Key::keypad_5},
-                                   {"Numpad7", Key::keypad_7},
-                                   {"NumpadEnter", Key::keypad_enter}};
+// clang-format off
+constexpr NamedKey kNamedKeys[] = {
+    {"Space", Key::space}, {"Quote", Key::apostrophe}, {"Comma", Key::comma}, {"Minus", Key::minus},
+    {"Period", Key::period}, {"Slash", Key::slash}, {"Semicolon", Key::semicolon}, {"Equal", Key::equal},
+    {"BracketLeft", Key::left_bracket}, {"Backslash", Key::backslash}, {"BracketRight", Key::right_bracket},
+    {"Backquote", Key::grave}, {"Escape", Key::escape}, {"Enter", Key::enter}, {"Tab", Key::tab},
+    {"Backspace", Key::backspace}, {"Insert", Key::insert}, {"Delete", Key::del}, {"ArrowRight", Key::right},
+    {"ArrowLeft", Key::left}, {"ArrowDown", Key::down}, {"ArrowUp", Key::up}, {"PageUp", Key::page_up},
+    {"PageDown", Key::page_down}, {"Home", Key::home}, {"End", Key::end}, {"Numpad1", Key::keypad_1},
+    {"Numpad3", Key::keypad_3}, {"Numpad5", Key::keypad_5}, {"Numpad7", Key::keypad_7},
+    {"NumpadEnter", Key::keypad_enter}};
+// clang-format on
 
 Key key_of(const EmscriptenKeyboardEvent& event) {
   for (const NamedKey& named : kNamedKeys)
@@ -183,11 +164,18 @@ class WebSurface final : public Surface {
       pending_.push_back(MouseButton{kButtons[event.button], type == EMSCRIPTEN_EVENT_MOUSEDOWN, modifiers_of(event)});
     return EM_FALSE;  // a press gives the canvas the keys
   }
-  // What the fingers did since the last frame, up to a press or release that needs a frame of its own.
+  // What the fingers did since the last frame, up to a press or release that needs a frame of its own. Those that are
+  // down now may do something by staying.
   void follow_fingers(Events& events) {
-    const float scale = content_scale();
-    while (fingers_.size() > 1 && touch_.follow(fingers_.front(), clock(), scale, events)) fingers_.pop_front();
-    if (fingers_.size() == 1) (void)touch_.follow(fingers_.front(), clock(), scale, events);
+    while (!fingers_.empty()) {
+      Fingers& then = fingers_.front();
+      const bool now = fingers_.size() == 1;
+      if (now || !then.followed) {
+        then.followed = touch_.follow(then.down, now ? clock() : then.time, content_scale(), events);
+        if (now || !then.followed) return;
+      }
+      fingers_.pop_front();
+    }
   }
   EM_BOOL finger(const EmscriptenTouchEvent& event, bool up) {
     std::vector<Finger> down;
@@ -197,7 +185,7 @@ class WebSurface final : public Surface {
       const MouseMove place = at(point.clientX, point.clientY);
       down.push_back({point.identifier, place.x, place.y});
     }
-    fingers_.push_back(std::move(down));
+    fingers_.push_back({std::move(down), clock(), false});
     return EM_TRUE;
   }
   EM_BOOL wheel(const EmscriptenWheelEvent& event) {
@@ -252,7 +240,12 @@ class WebSurface final : public Surface {
   Size size_;
   std::function<void()> lost_;
   Events pending_;
-  std::deque<std::vector<Finger>> fingers_;  // after each event of the screen; the last stays
+  struct Fingers {
+    std::vector<Finger> down;
+    double time = 0;
+    bool followed = false;
+  };
+  std::deque<Fingers> fingers_;  // after each event of the screen; the last stays
   Touch touch_;
   double last_;
   std::string clipboard_;

@@ -44,6 +44,8 @@ TEST(touch, a_tap_presses_and_releases_in_two_frames) {
   EXPECT_FALSE(screen.taken);
   EXPECT_EQ(screen.frame({}), "left up");
   EXPECT_TRUE(screen.taken);
+  screen.frame({});
+  EXPECT_EQ(screen.frame({}), "move -1,-1") << "so that no tip stays";
   EXPECT_EQ(screen.frame({}), "");
 }
 

@@ -37,7 +37,7 @@ std::array<std::pair<std::string, std::string>, 8> first_steps(const KeyMap& key
        {k("Command palette"), "find any action or command"}}};
 }
 
-constexpr float kHintsWidth = 384, kMargin = 14;  // design px
+constexpr float kHintsWidth = 398, kMargin = 14;  // design px
 
 bool hints_show(const Ui& ui, const view::Viewport& scene) {
   return ui.session().settings.aids->show_hints && ui.state.lesson == nullptr && !card_shows(ui.session()) &&
