@@ -90,16 +90,20 @@ var Module = {
     Module.ENV.HOME = kept;
     Module.FS.mkdirTree(kept);
     Module.addRunDependency('kept');
+    const begin = () => {
+      Module.FS.chdir(kept);  // where the dialogs begin
+      Module.removeRunDependency('kept');
+    };
     whenAlone((alone) => {
       if (!alone) {
         keeps = false;
         note('coaster is open in another tab, too. This one keeps nothing: share or save what you build here.');
-        return Module.removeRunDependency('kept');
+        return begin();
       }
       Module.FS.mount(Module.IDBFS, {}, kept);
       Module.FS.syncfs(true, (failed) => {
         if (failed) keepsNothing(failed);
-        Module.removeRunDependency('kept');
+        begin();
       });
     });
   }],

@@ -1,6 +1,10 @@
 // The browser's file dialog: it gives the chosen file to the page.
 #include <emscripten.h>
 
+#include <cstdlib>
+#include <filesystem>
+#include <utility>
+
 #include "app/system_dialog.h"
 
 namespace coaster::app {
@@ -21,17 +25,21 @@ EM_JS(char*, picked_file, (), {
 
 SystemDialogProcess::SystemDialogProcess() : program_("browser") {}
 
-// Saved files are downloaded, so there is only one to open.
+// What is saved is also downloaded, and the browser asks where to: the suggested name will do.
 bool SystemDialogProcess::start(const ui::SystemDialogRequest& request) {
-  running_ = !request.save && open_dialog() != 0;
+  process_.output() = request.save ? (std::filesystem::path(request.folder) / request.name).string() : "";
+  running_ = request.save || open_dialog() != 0;
   return running_;
 }
 
 std::optional<std::string> SystemDialogProcess::poll() {
   if (!running_) return std::nullopt;
-  char* const text = picked_file();
-  std::string path = text;
-  std::free(text);
+  std::string path = std::exchange(process_.output(), {});
+  if (path.empty()) {
+    char* const text = picked_file();
+    path = text;
+    std::free(text);
+  }
   if (path.empty()) return std::nullopt;
   running_ = false;
   return path == "-" ? std::string() : path;
