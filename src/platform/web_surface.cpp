@@ -164,8 +164,8 @@ class WebSurface final : public Surface {
       pending_.push_back(MouseButton{kButtons[event.button], type == EMSCRIPTEN_EVENT_MOUSEDOWN, modifiers_of(event)});
     return EM_FALSE;  // a press gives the canvas the keys
   }
-  // What the fingers did since the last frame, up to a press or release that needs a frame of its own. Those that are
-  // down now may do something by staying.
+  // Follows what the fingers did since the last frame, up to a press or release that needs a frame of its own. Fingers
+  // that stay are followed in every frame: a press becomes long by itself.
   void follow_fingers(Events& events) {
     while (!fingers_.empty()) {
       Fingers& then = fingers_.front();
