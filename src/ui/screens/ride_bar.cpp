@@ -124,11 +124,13 @@ void camera_list(Ui& ui) {
     choose_camera(ui, static_cast<world::CameraMode>(*to));
 }
 
+constexpr float kSeatWidth = 200, kCameraWidth = 136;  // design px, with their labels
+
 // At most as wide as the row has room for both.
 void lists(RideRow& row) {
   Ui& ui = row.ui;
-  const float room = row.right - row.x - row.gap, seat = std::min(row.scaled(170), std::floor(0.54f * room));
-  const float camera = std::min(row.scaled(136), std::floor(room - seat));
+  const float room = row.right - row.x - row.gap, seat = std::min(row.scaled(kSeatWidth), std::floor(0.54f * room));
+  const float camera = std::min(row.scaled(kCameraWidth), std::floor(room - seat));
   list_in(row, "##seat", seat, [&] {
     const world::Seat now = ui.session().settings.lab->seat;
     if (const auto to = combo_of(ui, "Seat", now, "Seat whose ride the force graph and the laboratory show.", true))
@@ -155,7 +157,8 @@ float fixed_width(const RideRow& row, bool two_rows) {
   float labels = 0;
   for (const char* const label : {"Speed", "g up", "Height", "Time"})
     labels += text_size(label).x + row.scaled(6) + row.gap;
-  return first + labels + row.scaled(64 + 48 + 56 + 96) + row.scaled(170) + row.scaled(136) + 2 * row.gap;
+  return first + labels + row.scaled(64 + 48 + 56 + 96) + row.scaled(kSeatWidth) + row.scaled(kCameraWidth) +
+         2 * row.gap;
 }
 
 }  // namespace
