@@ -129,7 +129,7 @@ constexpr float kSeatWidth = 200, kCameraWidth = 136;  // design px, with their 
 // At most as wide as the row has room for both.
 void lists(RideRow& row) {
   Ui& ui = row.ui;
-  const float room = row.right - row.x - row.gap, seat = std::min(row.scaled(kSeatWidth), std::floor(0.54f * room));
+  const float room = row.right - row.x - row.gap, seat = std::min(row.scaled(kSeatWidth), std::floor(0.575f * room));
   const float camera = std::min(row.scaled(kCameraWidth), std::floor(room - seat));
   list_in(row, "##seat", seat, [&] {
     const world::Seat now = ui.session().settings.lab->seat;
