@@ -13,6 +13,7 @@ struct FontsTest : testing::Test {
   FontsTest() {
     ImGui::SetCurrentContext(context);
     set_up_context();
+    ImGui::GetIO().IniFilename = nullptr;  // it would write one
     ImGui::GetIO().DisplaySize = {2000, 2000};
   }
   ~FontsTest() override { ImGui::DestroyContext(context); }
