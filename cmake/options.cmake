@@ -25,14 +25,13 @@ if(EMSCRIPTEN)
 endif()
 add_compile_definitions(GLM_FORCE_XYZW_ONLY)
 # Unoptimised code would call functions for every component of a vector. Inlined, it runs in 3/5 of the time and
-# compiles as fast. With -Og gcc inlines them by itself, and refuses to where GLM passes one as an argument.
-if(NOT CMAKE_CXX_FLAGS_DEBUG MATCHES "-Og")
-  add_compile_definitions($<$<CONFIG:Debug>:GLM_FORCE_INLINE>)
-endif()
+# compiles as fast.
+add_compile_definitions($<$<CONFIG:Debug>:GLM_FORCE_INLINE>)
 
 if(COASTER_SANITIZE)
   add_compile_options(-fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer)
   add_link_options(-fsanitize=address,undefined)
+  add_compile_definitions(_GLIBCXX_ASSERTIONS)  # indices of vectors, spans and texts are checked, too
 endif()
 
 include(${CMAKE_CURRENT_LIST_DIR}/kernels.cmake)  # per-file options of the vector kernels
