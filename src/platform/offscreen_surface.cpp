@@ -62,6 +62,9 @@ constexpr Library kLibraries[] = {{"osmesa", "OSMesa", make_osmesa_context},
 }  // namespace
 
 base::Result<std::unique_ptr<Surface>> make_offscreen(const SurfaceOptions& options) {
+  // Mesa's software renderer optimises its shaders for longer than most runs without a display draw. Read once, by its
+  // first context.
+  setenv("GALLIVM_PERF", "nopt", 0);
   const char* const named = std::getenv("COASTER_HEADLESS");
   const std::string wanted = options.headless.empty() && named ? named : options.headless;
   std::string reasons;

@@ -115,6 +115,21 @@ TEST_P(OffscreenSurfaceTest, its_context_is_current_and_has_the_needed_version) 
   EXPECT_EQ(profile, 1) << "GL_CONTEXT_CORE_PROFILE_BIT";
 }
 
+TEST(offscreen_surface, shaders_are_compiled_fast_unless_the_user_says_otherwise) {
+  const char* const now = std::getenv("GALLIVM_PERF");
+  const std::string before = now ? now : "";
+  for (const char* said : {"", "no_quad_lod"}) {
+    setenv("GALLIVM_PERF", said, 1);
+    static_cast<void>(make_offscreen({}));
+    EXPECT_STREQ(std::getenv("GALLIVM_PERF"), said);
+  }
+  unsetenv("GALLIVM_PERF");
+  static_cast<void>(make_offscreen({}));
+  EXPECT_STREQ(std::getenv("GALLIVM_PERF"), "nopt");
+  if (now) setenv("GALLIVM_PERF", before.c_str(), 1);
+  else unsetenv("GALLIVM_PERF");
+}
+
 TEST(offscreen_surface, one_library_is_enough) {
   const auto made = make_offscreen({});
   EXPECT_TRUE(made.ok()) << made.status().message;
