@@ -8,6 +8,7 @@
 #include "app/idle.h"
 #include "app/pictures.h"
 #include "app/scene.h"
+#include "edit/commands/commands_force.h"
 #include "edit/commands/commands_sections.h"
 #include "exchange/own/force_text.h"
 #include "exchange/own/link.h"
@@ -59,13 +60,14 @@ void apply_commands(Program& program, const std::vector<edit::Command>& commands
 }
 
 // A link is opened. What another window put on the clipboard wins over what was copied here.
-void paste(Program& program, bool link_alone, std::optional<edit::PasteForceKeys> keys) {
+void paste(Program& program, bool link_alone, const std::optional<ui::KeysPlace>& keys_to) {
   std::string text = program.surface->clipboard();
   if (exchange::is_link(text)) return program.ui->open(std::move(text));
   if (link_alone) return;
-  if (keys && exchange::parse_keys(text.empty() ? program.session.copied : text)) {
-    if (text != program.session.copied) keys->text = std::move(text);
-    return apply_commands(program, {*std::move(keys)});
+  if (keys_to && exchange::parse_keys(text.empty() ? program.session.copied : text)) {
+    edit::PasteForceKeys keys{{keys_to->section}, keys_to->channel, keys_to->at, {}};
+    if (text != program.session.copied) keys.text = std::move(text);
+    return apply_commands(program, {std::move(keys)});
   }
   if (text == program.session.copied || !exchange::parse_track(text, "clipboard")) text.clear();
   apply_commands(program, {edit::PasteSections{std::move(text)}});
@@ -79,7 +81,7 @@ void apply_output(Program& program, const ui::Output& output) {
   program.pictures.update(program.gl, *program.renderer, output.wanted_pictures, program.session.settings.look->style);
   program.picture.toast = program.ui->toast();
   apply_commands(program, output.commands);
-  if (output.wants_paste || output.wants_link) paste(program, !output.wants_paste, output.pastes_keys);
+  if (output.wants_paste || output.wants_link) paste(program, !output.wants_paste, output.keys_to);
   program.picture.hovered = output.hovered;
   program.quit = program.quit || output.quit;
   answer_keeping(program, output);

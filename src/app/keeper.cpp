@@ -11,7 +11,8 @@
 #include "app/program.h"
 #include "app/tutorial_settings.h"
 #include "edit/commands/commands_session.h"
-#include "edit/commands/commands_settings.h"
+#include "edit/commands/set_setting.h"
+#include "world/panels.h"
 #include "world/settings_groups.h"
 
 namespace coaster::app {
@@ -226,13 +227,13 @@ void start_keeping(Program& program, const base::UserFolders& folders, const bas
   exchange::UserSettings settings = load_settings(keeper, problems);
   keeper.written = settings;
   if (default_layout) {
-    const world::Look at_first;
-    settings.session.look->ui_scale = at_first.ui_scale;
-    settings.session.look->show_panels = at_first.show_panels;
-    settings.session.look->laboratory_height = at_first.laboratory_height;
-    settings.session.look->show_laboratory = at_first.show_laboratory;
-    settings.session.look->workspace = at_first.workspace;
-    settings.session.look->graph_height = at_first.graph_height;
+    settings.session.look->ui_scale = world::Look().ui_scale;
+    const world::Panels at_first;
+    settings.session.panels->show_panels = at_first.show_panels;
+    settings.session.panels->laboratory_height = at_first.laboratory_height;
+    settings.session.panels->show_laboratory = at_first.show_laboratory;
+    settings.session.panels->workspace = at_first.workspace;
+    settings.session.panels->graph_height = at_first.graph_height;
     settings.window.reset();
     program.ui->reset_layout();
   }

@@ -15,11 +15,12 @@
 #include "base/console.h"
 #include "edit/commands/commands_ride.h"
 #include "edit/commands/commands_session.h"
-#include "edit/commands/commands_settings.h"
+#include "edit/commands/set_setting.h"
 #include "platform/loop.h"
 #include "platform/signals.h"
 #include "script/runner.h"
 #include "world/look.h"
+#include "world/panels.h"
 
 namespace coaster::app {
 namespace {
@@ -180,8 +181,8 @@ int run_window(const Options& options) {
   start_keeping(p, folders, {}, options.reset_layout);
   platform::watch_signals();
   // `all` is for scripts, and for users who never chose a workspace.
-  if (p.session.settings.look->workspace == world::Workspace::all)
-    (void)apply(p, edit::Set<&world::Look::workspace>{world::Workspace::build});
+  if (p.session.settings.panels->workspace == world::Workspace::all)
+    (void)apply(p, edit::Set<&world::Panels::workspace>{world::Workspace::build});
   p.keeper->unasked = options.file.empty();
   if (const base::Status opened = open_track(p, track_of(options)); !opened) return finish(opened);
   p.keeper->unasked = false;

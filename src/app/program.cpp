@@ -17,6 +17,7 @@
 #include "edit/commands/commands_sections.h"
 #include "edit/commands/commands_session.h"
 #include "edit/commands/commands_settings.h"
+#include "edit/commands/set_setting.h"
 #include "edit/perform/apply.h"
 #include "query/challenge.h"
 #include "view/camera.h"

@@ -9,7 +9,7 @@
 #include "app/pictures.h"
 #include "base/console.h"
 #include "base/portable_math.h"
-#include "edit/commands/commands_settings.h"
+#include "edit/commands/set_setting.h"
 #include "platform/signals.h"
 #include "view/camera.h"
 #include "view/gizmo.h"

@@ -4,7 +4,7 @@
 #include "app/script_host.h"
 #include "app/tutorial_settings.h"
 #include "base/folders.h"
-#include "edit/commands/commands_settings.h"
+#include "edit/commands/set_setting.h"
 #include "script/grammar.h"
 #include "script/runner.h"
 #include "world/settings_groups.h"

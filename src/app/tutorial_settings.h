@@ -4,7 +4,7 @@
 #include <type_traits>
 
 #include "world/aids.h"
-#include "world/look.h"
+#include "world/panels.h"
 
 namespace coaster::app {
 
@@ -13,7 +13,7 @@ inline constexpr bool kSameSetting =
     std::is_same_v<std::integral_constant<decltype(A), A>, std::integral_constant<decltype(B), B>>;
 template <auto Setting>
 inline constexpr bool kLentToTutorial =
-    kSameSetting<Setting, &world::Look::workspace> || kSameSetting<Setting, &world::Look::show_panels> ||
-    kSameSetting<Setting, &world::Look::show_laboratory> || kSameSetting<Setting, &world::Aids::show_hints>;
+    kSameSetting<Setting, &world::Panels::workspace> || kSameSetting<Setting, &world::Panels::show_panels> ||
+    kSameSetting<Setting, &world::Panels::show_laboratory> || kSameSetting<Setting, &world::Aids::show_hints>;
 
 }  // namespace coaster::app

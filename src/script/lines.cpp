@@ -8,7 +8,7 @@
 #include <fmt/format.h>
 
 #include "edit/commands/codec.h"
-#include "edit/commands/commands_settings.h"
+#include "edit/commands/set_setting.h"
 #include "query/condition.h"
 #include "script/grammar.h"
 

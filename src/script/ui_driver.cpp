@@ -6,8 +6,8 @@
 
 #include <fmt/format.h>
 
-#include "edit/commands/commands_settings.h"
-#include "world/look.h"
+#include "edit/commands/set_setting.h"
+#include "world/panels.h"
 
 namespace coaster::script {
 namespace {
@@ -84,9 +84,9 @@ Failure UiDriver::open_way_to(std::string_view path) {
 // names the first that has it; `missing` where none has.
 Failure UiDriver::refuse_missing(std::string_view path, const base::Status& missing) {
   using world::Workspace;
-  const Workspace here = frames_.host().context().session.settings.look->workspace;
+  const Workspace here = frames_.host().context().session.settings.panels->workspace;
   const auto go_to = [&](Workspace workspace) {
-    return frames_.apply(edit::Set<&world::Look::workspace>{workspace}) && frames_.settle_panels();
+    return frames_.apply(edit::Set<&world::Panels::workspace>{workspace}) && frames_.settle_panels();
   };
   std::string_view there;
   for (const Workspace workspace : {Workspace::build, Workspace::ride, Workspace::laboratory}) {

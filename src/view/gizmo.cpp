@@ -7,7 +7,7 @@
 #include "view/marks.h"
 #include "view/overlay_lab_parts.h"
 #include "world/aids.h"
-#include "world/look.h"
+#include "world/panels.h"
 #include "world/selection.h"
 
 namespace coaster::view {
@@ -62,7 +62,7 @@ PickKind plane_kind(int i) { return static_cast<PickKind>(static_cast<int>(PickK
 }  // namespace
 
 std::optional<Gizmo> gizmo_of(const world::Document& document, const world::Settings& settings, const View& view) {
-  if (!settings.aids->show_gizmo || !settings.look->show_panels || settings.aids->append_mode)
+  if (!settings.aids->show_gizmo || !settings.panels->show_panels || settings.aids->append_mode)
     return std::nullopt;  // clicks append knots there
   const std::vector<world::Entity> knots = world::selected_knots(document, settings);
   if (knots.empty()) return std::nullopt;

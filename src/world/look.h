@@ -1,4 +1,4 @@
-// Settings of the window: how it looks and sounds, and which parts of it show.
+// Settings of the window: how it looks and sounds.
 #pragma once
 
 #include <cstdint>
@@ -6,7 +6,6 @@
 
 #include "base/names.h"
 #include "base/units.h"
-#include "world/section_columns.h"
 #include "world/setting_row.h"
 
 namespace coaster::world {
@@ -26,15 +25,6 @@ inline constexpr base::NameRow kStyles[] = {
     {"blueprint", "Blueprint", "Lines on blue, for the laboratory and for print."}};
 constexpr std::span<const base::NameRow> rows_of(Style) { return kStyles; }
 
-// What of the panels shows; by name in scripts and in the settings file.
-enum class Workspace : std::uint8_t { all, build, ride, laboratory };
-inline constexpr base::NameRow kWorkspaces[] = {
-    {"all", "All", "Every panel."},
-    {"build", "Build", "Place elements, change them, and see their forces."},
-    {"ride", "Ride", "The view, and a slim bar to ride with."},
-    {"laboratory", "Laboratory", "Evaluators, resolution, arc length, and pages about the curves."}};
-constexpr std::span<const base::NameRow> rows_of(Workspace) { return kWorkspaces; }
-
 struct Look {
   float ui_scale = 1;
   Theme theme = Theme::dark;
@@ -42,13 +32,6 @@ struct Look {
   base::Units units = base::Units::m_s;
   bool shadows = true;
   float sound = 0.5f;
-  bool show_panels = true;
-  bool show_laboratory = false;
-  float laboratory_height = 0;
-  Workspace workspace = Workspace::all;
-  float graph_height = 0;
-  SectionColumn sections_by = SectionColumn::track;
-  bool sections_descending = false;
   friend bool operator==(const Look&, const Look&) = default;
 
   static constexpr auto kRows = std::tuple{
@@ -59,21 +42,7 @@ struct Look {
               {.kept_as = "units"}),
       setting(&Look::shadows, "shadows", "Whether track and trains cast shadows. Frames cost less without them.",
               {.kept_as = "shadows"}),
-      setting(&Look::sound, "sound", "Ride volume. 0 mutes it.", {.low = 0, .high = 1, .kept_as = "sound"}),
-      setting(&Look::show_panels, "panels", "Whether the panels show.", {.kept_as = "panels"}),
-      setting(&Look::show_laboratory, "laboratory", "Whether the pages of the laboratory show, below the viewport.",
-              {.kept_as = "laboratory"}),
-      setting(&Look::laboratory_height, "laboratory_height",
-              "Height of the laboratory as a share of the height between menu and status bar. 0: chosen by its page.",
-              {.low = 0, .high = 0.75, .kept_as = "laboratory_height"}),
-      setting(&Look::workspace, "workspace", "Panels that show: all, or those to build, to ride or to study curves.",
-              {.kept_as = "workspace"}),
-      setting(&Look::graph_height, "graph_height",
-              "Height of the force graph in Build as a share of the height between menu and status bar. 0: by the "
-              "window's size.",
-              {.low = 0, .high = 0.5, .kept_as = "graph_height"}),
-      setting(&Look::sections_by, "sections_by", "Column that the table of sections is sorted by."),
-      setting(&Look::sections_descending, "sections_descending", "Whether its largest values come first.")};
+      setting(&Look::sound, "sound", "Ride volume. 0 mutes it.", {.low = 0, .high = 1, .kept_as = "sound"})};
 };
 
 }  // namespace coaster::world

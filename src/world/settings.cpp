@@ -6,6 +6,7 @@
 #include "world/evaluation.h"
 #include "world/lab_view.h"
 #include "world/look.h"
+#include "world/panels.h"
 
 namespace coaster::world {
 
@@ -32,5 +33,6 @@ template class Box<CameraFeel>;
 template class Box<Evaluation>;
 template class Box<LabView>;
 template class Box<Look>;
+template class Box<Panels>;
 
 }  // namespace coaster::world

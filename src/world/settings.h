@@ -49,6 +49,7 @@ struct CameraFeel;  // world/camera_feel.h
 struct Evaluation;  // world/evaluation.h
 struct LabView;     // world/lab_view.h
 struct Look;        // world/look.h
+struct Panels;      // world/panels.h
 
 enum class Colouring : std::uint8_t;  // world/laboratory.h
 enum class LabPage : std::uint8_t;    // world/laboratory.h
@@ -58,6 +59,7 @@ enum class Theme : std::uint8_t;      // world/look.h
 
 struct Settings {
   Box<Look> look;
+  Box<Panels> panels;
   Box<CameraFeel> feel;
   Box<Aids> aids;
   Box<Evaluation> evaluation;

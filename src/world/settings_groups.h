@@ -12,6 +12,7 @@
 #include "world/evaluation.h"
 #include "world/lab_view.h"
 #include "world/look.h"
+#include "world/panels.h"
 #include "world/settings.h"
 
 namespace coaster::world {
@@ -19,6 +20,7 @@ namespace coaster::world {
 template <class Group, class AnySettings>
 auto& group_in(AnySettings& settings) {
   if constexpr (std::is_same_v<Group, Look>) return *settings.look;
+  else if constexpr (std::is_same_v<Group, Panels>) return *settings.panels;
   else if constexpr (std::is_same_v<Group, CameraFeel>) return *settings.feel;
   else if constexpr (std::is_same_v<Group, Aids>) return *settings.aids;
   else if constexpr (std::is_same_v<Group, Evaluation>) return *settings.evaluation;
@@ -35,7 +37,7 @@ auto& value_in(AnySettings& settings) {
 
 template <class... Groups>
 struct GroupList {};
-using SettingGroups = GroupList<Look, CameraFeel, Aids, Evaluation, LabView, Camera, Settings>;
+using SettingGroups = GroupList<Look, Panels, CameraFeel, Aids, Evaluation, LabView, Camera, Settings>;
 
 // visit.template operator()<&Group::member>() for each row of a group, in order.
 template <class Group, class Visit>

@@ -4,7 +4,7 @@
 #include "base/text.h"
 #include "edit/commands/commands_document.h"
 #include "edit/commands/commands_session.h"
-#include "edit/commands/commands_settings.h"
+#include "edit/commands/set_setting.h"
 #include "world/look.h"
 
 namespace coaster::app {

@@ -2,7 +2,7 @@
 #include <type_traits>
 
 #include "edit/commands/codec.h"
-#include "edit/commands/commands_settings.h"
+#include "edit/commands/set_setting.h"
 #include "edit/session_fixture.h"
 #include "query/query.h"
 #include "world/other_settings.h"

@@ -10,7 +10,7 @@
 #include "edit/session/session.h"
 #include "script/grammar.h"
 #include "script/runner.h"
-#include "world/look.h"
+#include "world/panels.h"
 
 namespace coaster::script {
 
@@ -40,7 +40,7 @@ struct FakeHost {
       toast = session.notices.list.empty() ? "" : session.notices.list.back().text;
       return {session, stats, toast, "title"};
     };
-    h.widgets = [this] { return session.settings.look->workspace == elsewhere ? elsewhere_widgets : widgets; };
+    h.widgets = [this] { return session.settings.panels->workspace == elsewhere ? elsewhere_widgets : widgets; };
     h.pixel_of = [this](const AimPoint& aim) -> base::Result<glm::vec2> {
       const auto position = position_of(aim);
       if (!position) return position.status();

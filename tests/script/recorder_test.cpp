@@ -106,9 +106,10 @@ TEST(recorder, a_replay_has_the_same_settings) {
   original.session.settings = other_settings(original.session);
   {
     // A member that this test does not know would not compile here.
-    const auto& [look, feel, aids, evaluation, lab, frames, integrator, mode, camera, fly, selected, also, place,
-                 snapping, element] = original.session.settings;
-    EXPECT_FALSE(look == at_first.look || feel == at_first.feel || aids == at_first.aids || lab == at_first.lab);
+    const auto& [look, panels, feel, aids, evaluation, lab, frames, integrator, mode, camera, fly, selected, also,
+                 place, snapping, element] = original.session.settings;
+    EXPECT_FALSE(look == at_first.look || panels == at_first.panels);
+    EXPECT_FALSE(feel == at_first.feel || aids == at_first.aids || lab == at_first.lab);
     EXPECT_FALSE(evaluation == at_first.evaluation || frames == at_first.frames || integrator == at_first.integrator);
     EXPECT_FALSE(mode == at_first.camera_mode || camera == at_first.camera || fly == at_first.fly);
     EXPECT_FALSE(selected == at_first.selected || place == at_first.selected_t);

@@ -1,6 +1,7 @@
 // Widgets by label path: which one is meant, what is refused, and that a click takes a frame each for move, press and
 // release.
 #include "script/ui_driver.h"
+#include "world/panels.h"
 
 #include <gtest/gtest.h>
 
@@ -85,7 +86,7 @@ TEST(ui_driver, a_widget_of_another_workspace_is_refused_with_its_name_and_the_w
   EXPECT_NE(refused.message.find("\"Ride/Place\" is in the workspace ride: write \"workspace ride\" before"),
             std::string::npos)
       << refused.message;
-  EXPECT_EQ(fake.session.settings.look->workspace, world::Workspace::build);
+  EXPECT_EQ(fake.session.settings.panels->workspace, world::Workspace::build);
   EXPECT_TRUE(run_lines(fake, "workspace ride\nui.click \"Ride/Place\"\n").ok());
   const base::Status nowhere = run_lines(fake, "workspace build\nui.click \"Elements/Lop\"\n");
   EXPECT_EQ(nowhere.code, base::Code::usage);

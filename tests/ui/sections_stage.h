@@ -4,8 +4,10 @@
 #include "edit/commands/commands_elements.h"
 #include "edit/commands/commands_sections.h"
 #include "edit/commands/commands_session.h"
+#include "edit/commands/commands_settings.h"
+#include "edit/commands/set_setting.h"
 #include "ui/stage.h"
-#include "world/look.h"
+#include "world/panels.h"
 #include "world/sections.h"
 
 namespace coaster::ui {
@@ -19,7 +21,7 @@ class SectionsStage : public Stage {
          {world::ElementKind::straight, world::ElementKind::climb, world::ElementKind::dive, world::ElementKind::loop})
       good(edit::PlaceElement{world::usual_element(kind)});
     good(edit::Select{});
-    good(edit::Set<&world::Look::workspace>{world::Workspace::build});
+    good(edit::Set<&world::Panels::workspace>{world::Workspace::build});
     frames(3);
     look_at_all();
     commands_.clear();

@@ -6,7 +6,7 @@
 #include "edit/session_fixture.h"
 #include "sim/shape/rails.h"
 #include "view/marks.h"
-#include "world/look.h"
+#include "world/panels.h"
 #include "world/sections.h"
 
 namespace coaster::view {
@@ -105,7 +105,7 @@ TEST_F(AngleHandles, the_selected_one_s_are_picked_and_drawn_in_build_alone) {
   const Viewport viewport{0, 0, 800, 600};
   const View view = orbit_view(frame_all({}, session.document, viewport), viewport);
   for (const PickKind kind : {PickKind::turn, PickKind::bank}) {
-    session.settings.look->workspace = world::Workspace::all;
+    session.settings.panels->workspace = world::Workspace::all;
     const AngleHandle of = handle("q2", kind);
     const auto pixel = project(view, glm::vec3(of.at(of.angle)));
     ASSERT_TRUE(pixel);
@@ -117,7 +117,7 @@ TEST_F(AngleHandles, the_selected_one_s_are_picked_and_drawn_in_build_alone) {
     };
     EXPECT_NE(picked(), kind);
     const std::size_t before = lines();
-    session.settings.look->workspace = world::Workspace::build;
+    session.settings.panels->workspace = world::Workspace::build;
     EXPECT_EQ(picked(), kind);
     EXPECT_GT(lines(), before + 96);
   }

@@ -6,7 +6,7 @@
 
 #include "sim/tracks.h"
 #include "view/overlay.h"
-#include "world/look.h"
+#include "world/panels.h"
 #include "world/sections.h"
 #include "world/topology.h"
 
@@ -42,7 +42,7 @@ TEST(overlay_section, selected_sections_and_the_one_under_the_mouse_of_build_hav
   settings.also.clear();
   const Pick over{PickKind::curve, d.track.segments[4], 0.5, {}};
   EXPECT_FALSE(widths(over).contains(kHovered)) << "in Build alone";
-  settings.look->workspace = world::Workspace::build;
+  settings.panels->workspace = world::Workspace::build;
   EXPECT_EQ(widths(over)[kHovered].size(), 4u * 16u);
   EXPECT_FALSE(widths({PickKind::curve, d.track.segments[9], 0.5, {}}).contains(kHovered)) << "a hand-shaped one";
 }

@@ -4,7 +4,7 @@
 
 #include "edit/session_fixture.h"
 #include "view/pick.h"
-#include "world/look.h"
+#include "world/panels.h"
 
 namespace coaster::view {
 namespace section_handle_test {
@@ -68,7 +68,7 @@ TEST_F(SectionHandles, the_selected_one_s_is_picked_in_build_alone) {
     return pick(session.document, session.derived, session.motion, session.settings, view, glm::vec2(*pixel)).kind;
   };
   EXPECT_NE(picked(), PickKind::section);
-  session.settings.look->workspace = world::Workspace::build;
+  session.settings.panels->workspace = world::Workspace::build;
   EXPECT_EQ(picked(), PickKind::section);
   const auto marks = [&] { return build_overlay(session.document, session.derived, session.settings, view, {}).marks; };
   ASSERT_FALSE(marks().empty());

@@ -20,6 +20,7 @@
 #include "edit/commands/commands_session.h"
 #include "edit/commands/commands_settings.h"
 #include "edit/commands/commands_shape.h"
+#include "edit/commands/set_setting.h"
 #include "world/settings_groups.h"
 
 namespace coaster::edit {

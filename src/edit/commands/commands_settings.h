@@ -1,23 +1,12 @@
-// Commands on how things are shown and measured: they change settings alone, neither document nor motion. Those of the
-// laboratory have a file of their own.
+// Commands on settings of several values; those of one are edit::Set (edit/commands/set_setting.h), and those of the
+// laboratory have a file of their own. They change neither document nor motion.
 #pragma once
 
 #include "edit/commands/command_fields.h"
-#include "world/setting_row.h"
 #include "world/settings.h"
 
 namespace coaster::edit {
 
-// The setting with that member pointer: Set<&world::Look::shadows>{false}. Name and help come from its row.
-template <auto Member>
-struct Set {
-  static constexpr world::SettingRow kRow = world::setting_row<Member>();
-  world::ValueOf<Member> to{};
-  static constexpr CommandInfo kInfo{kRow.word, kRow.help, Effect::settings};
-  COASTER_FIELDS(visit("", self.to))
-};
-
-// --- settings of several values
 struct SetCamera {
   world::Camera to;
   COASTER_COMMAND(SetCamera, "camera", "Look at a target (m) from a distance (m) at yaw and pitch (degrees).",

@@ -8,7 +8,7 @@
 #include <fmt/format.h>
 
 #include "base/names.h"
-#include "edit/commands/commands_settings.h"
+#include "edit/commands/set_setting.h"
 #include "edit/perform/perform.h"
 #include "sim/ride/ride.h"
 #include "sim/shape/frame_methods.h"

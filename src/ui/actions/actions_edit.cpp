@@ -8,6 +8,7 @@
 #include "edit/commands/commands_session.h"
 #include "ui/actions/actions_parts.h"
 #include "ui/context/ways_home.h"
+#include "world/panels.h"
 #include "world/selection.h"
 
 namespace coaster::ui {
@@ -96,7 +97,7 @@ bool fits(const Act& act) {
 bool has_cell(const Act& act) {
   const edit::Session& session = act.ui.session();
   const bool preview = on<&Aids::show_element>(act) || session.settings.aids->circuit > 0;
-  const bool shows = is<&world::Look::workspace, world::Workspace::build>(act) && act.ui.drawers.table;
+  const bool shows = is<&world::Panels::workspace, world::Workspace::build>(act) && act.ui.drawers.table;
   return shows && act.ui.drawers.graph.open && !preview && selected_is(act, Kind::section);
 }
 constexpr Condition kPlaceable{[](const Act& act) { return fits(act) || has_cell(act); },

@@ -1,5 +1,6 @@
 // The menu File.
 #include "edit/commands/commands_challenge.h"
+#include "edit/commands/commands_session.h"
 #include "exchange/own/link.h"
 #include "ui/actions/actions_parts.h"
 

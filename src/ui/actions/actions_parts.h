@@ -4,6 +4,7 @@
 #include <span>
 
 #include "edit/commands/commands_settings.h"
+#include "edit/commands/set_setting.h"
 #include "ui/actions/actions.h"
 #include "ui/tools/places.h"
 #include "world/settings_groups.h"

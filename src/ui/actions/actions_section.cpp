@@ -8,7 +8,7 @@
 #include "ui/tools/section_clicks.h"
 #include "ui/tools/selecting.h"
 #include "world/aids.h"
-#include "world/look.h"
+#include "world/panels.h"
 #include "world/sections.h"
 #include "world/selection.h"
 
@@ -93,7 +93,7 @@ constexpr Condition kHasValues{
     "Choose an element or select something first."};
 void edit_values(Act& act) {
   Ui& ui = act.ui;
-  if (is<&world::Look::workspace, world::Workspace::build>(act) && !ui.drawers.parameters.open)
+  if (is<&world::Panels::workspace, world::Workspace::build>(act) && !ui.drawers.parameters.open)
     ui.drawers.parameters.toggle();
   if (ui.wish)
     ui.wish->panel = on<&world::Aids::show_element>(act)      ? "Elements"

@@ -7,6 +7,7 @@
 #include "ui/context/ways_home.h"
 #include "ui/tools/fly_keys.h"
 #include "ui/tools/follow_camera.h"
+#include "world/panels.h"
 
 namespace coaster::ui {
 namespace {
@@ -17,6 +18,7 @@ using world::CameraFeel;
 using world::CameraMode;
 using world::Layer;
 using world::Look;
+using world::Panels;
 using world::Projection;
 using world::Style;
 using world::Theme;
@@ -82,7 +84,7 @@ void probe_on(Act& act) { step_probe(act, kProbeStep); }
 
 void panels_or_next_way(Act& act) {
   if (act.ui.session().settings.aids->circuit > 0) next_way_home(act.ui);
-  else toggle<&Look::show_panels>(act);
+  else toggle<&Panels::show_panels>(act);
 }
 
 bool coloured(const Act& act) { return !is<&world::LabView::colouring, world::Colouring::plain>(act); }
@@ -110,7 +112,7 @@ template <Workspace workspace>
 void go_to(Act& act) {
   choose_workspace(act.ui, workspace);
 }
-constexpr auto kWorkspace = &Look::workspace;
+constexpr auto kWorkspace = &Panels::workspace;
 
 constexpr Condition kBuilding{[](const Act& act) { return is<kWorkspace, Workspace::build>(act); },
                               "Go to the workspace Build first."};
@@ -145,9 +147,9 @@ void fewer_steps(Act& act) { set_steps(act, act.ui.session().settings.evaluation
 
 // Opens or closes the pages where they can be, else goes to where they are.
 void laboratory(Act& act) {
-  const Workspace now = act.ui.session().settings.look->workspace;
+  const Workspace now = act.ui.session().settings.panels->workspace;
   if (now == Workspace::build || now == Workspace::ride) choose_workspace(act.ui, Workspace::laboratory);
-  else toggle<&Look::show_laboratory>(act);
+  else toggle<&Panels::show_laboratory>(act);
 }
 
 constexpr Action kViewActions[] = {
@@ -187,7 +189,7 @@ constexpr Action kViewActions[] = {
      toggle<&Aids::show_gizmo>, kAlways, on<&Aids::show_gizmo>},
     {"Panels", "View", key(Key::tab), 0,
      "Show or hide menu, panels and status bar. While ways home show: the next of them.", panels_or_next_way, kAlways,
-     on<&Look::show_panels>},
+     on<&Panels::show_panels>},
     {"Next track colours", "View", key(Key::k), 0,
      "Colour the track by speed, height, g, jerk, roll, curvature, error, or not at all.", next_colouring, kAlways,
      coloured},
@@ -225,7 +227,7 @@ constexpr Action kViewActions[] = {
     {"Blueprint", "View", kNoKey, kInDrag, "Lines on blue, for the laboratory and for print.",
      set<&Look::style, Style::blueprint>, kAlways, is<&Look::style, Style::blueprint>},
     {"Laboratory", "View", key(Key::l), kInDrag, "Open or close the laboratory.", laboratory, kAlways,
-     on<&Look::show_laboratory>},
+     on<&Panels::show_laboratory>},
     {"Next evaluator", "", key(Key::e), kInDrag, "Evaluate curves by the next method.", next_evaluator},
     {"More steps", "", key(Key::equal), kInDrag, "Twice as many steps per segment.", more_steps},
     {"Fewer steps", "", key(Key::minus), kInDrag, "Half as many steps per segment.", fewer_steps},
@@ -238,9 +240,9 @@ constexpr Action kViewActions[] = {
 }  // namespace
 
 void choose_workspace(Ui& ui, Workspace to) {
-  ui.emit(edit::Set<&Look::workspace>{to});
-  if (to == Workspace::laboratory && !ui.session().settings.look->show_laboratory)
-    ui.emit(edit::Set<&Look::show_laboratory>{true});
+  ui.emit(edit::Set<&Panels::workspace>{to});
+  if (to == Workspace::laboratory && !ui.session().settings.panels->show_laboratory)
+    ui.emit(edit::Set<&Panels::show_laboratory>{true});
 }
 
 std::span<const Action> view_actions() { return kViewActions; }

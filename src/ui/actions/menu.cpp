@@ -9,6 +9,7 @@
 #include "ui/actions/actions_parts.h"
 #include "ui/context/rows.h"
 #include "ui/widgets/theme.h"
+#include "world/panels.h"
 
 namespace coaster::ui {
 namespace {
@@ -59,7 +60,7 @@ constexpr Tab kTabs[] = {{world::Workspace::build, "Build workspace"},
 
 // A tab for each workspace but `all`, which the menu Window has; the chosen one is underlined.
 void build_tabs(Ui& ui) {
-  const world::Workspace now = ui.session().settings.look->workspace;
+  const world::Workspace now = ui.session().settings.panels->workspace;
   const float pad = std::floor(10 * ui.scale), height = ImGui::GetWindowHeight(), y = ImGui::GetCursorPosY();
   ImGui::SetCursorPosX(ImGui::GetCursorPosX() + pad);
   for (const auto& [workspace, action] : kTabs) {

@@ -6,11 +6,11 @@
 #include <vector>
 
 #include "edit/commands/command.h"
-#include "edit/commands/commands_force.h"
 #include "exchange/own/settings_file.h"
 #include "query/lesson.h"
 #include "view/camera.h"
 #include "view/pick.h"
+#include "world/force.h"
 
 namespace coaster::ui {
 
@@ -22,14 +22,21 @@ struct SystemDialogRequest {
   std::string folder, name;
 };
 
+// A place for copied keys of forces.
+struct KeysPlace {
+  world::Name section;
+  world::ForceChannel channel{};
+  double at = 0;  // m or s, as the section's program
+};
+
 struct Output {
   std::vector<edit::Command> commands;
   view::View view;  // of the scene
   view::Pick hovered;
   bool quit = false;
   bool wants_paste = false;  // of sections: of the clipboard, or those that were copied here; or of a link
-  // What to do with keys of forces instead, if the clipboard has some, or they were copied here last.
-  std::optional<edit::PasteForceKeys> pastes_keys = {};
+  // Where keys of forces go instead, if the clipboard has some, or they were copied here last.
+  std::optional<KeysPlace> keys_to = {};
   bool wants_link = false;  // of the clipboard, if that is one
   PhotoWish photo = PhotoWish::none;
   bool cancel_job = false;

@@ -1,7 +1,7 @@
 // Rows that show a setting and set it. Its member pointer says where it is kept and what its limits are.
 #pragma once
 
-#include "edit/commands/commands_settings.h"
+#include "edit/commands/set_setting.h"
 #include "ui/context/ui.h"
 #include "world/settings_groups.h"
 

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "base/kept.h"
-#include "edit/commands/commands_session.h"
+#include "edit/commands/command.h"
 #include "ui/context/key_map.h"
 #include "ui/context/output.h"
 #include "ui/context/state.h"
@@ -122,10 +122,12 @@ struct Ui : WidgetFrame {
   template <class List, class EmitOne>
   void emit_each(const List& all, const EmitOne& emit_one) {
     const bool step = all.size() > 1 && !gesture.open;
-    if (step) emit(edit::BeginGesture{});
+    if (step) begin_step();
     for (const auto& one : all) emit_one(one);
-    if (step) emit(edit::EndGesture{});
+    if (step) end_step();
   }
+  void begin_step();
+  void end_step();
 };
 
 }  // namespace coaster::ui

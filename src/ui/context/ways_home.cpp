@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "edit/commands/commands_elements.h"
-#include "edit/commands/commands_settings.h"
+#include "edit/commands/set_setting.h"
 #include "world/aids.h"
 
 namespace coaster::ui {

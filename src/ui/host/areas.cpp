@@ -6,27 +6,28 @@
 #include "ui/panels/sections_table.h"
 #include "ui/screens/ride_bar.h"
 #include "world/lab_view.h"
+#include "world/panels.h"
 
 namespace coaster::ui {
 namespace {
 
 // The page of the riders is as high as fits, because it is read from top to bottom.
 Strip strip_of(const world::Settings& settings) {
-  const float chosen = settings.look->laboratory_height;
+  const float chosen = settings.panels->laboratory_height;
   const bool tall = settings.lab->page == world::LabPage::riders;
-  return {settings.look->show_laboratory, chosen > 0 ? chosen : tall ? 0.5f : 0.0f};
+  return {settings.panels->show_laboratory, chosen > 0 ? chosen : tall ? 0.5f : 0.0f};
 }
 
 }  // namespace
 
 LayoutWish wish_of(const Ui& ui) {
-  const world::Look& look = *ui.session().settings.look;
-  return {.panels = look.show_panels,
-          .workspace = look.workspace,
+  const world::Panels& shown = *ui.session().settings.panels;
+  return {.panels = shown.show_panels,
+          .workspace = shown.workspace,
           .strip = strip_of(ui.session().settings),
           .parameters = ui.drawers.parameters.wanted,
           .graph = ui.drawers.graph.wanted,
-          .graph_share = look.graph_height,
+          .graph_share = shown.graph_height,
           .elements = palette_size(),
           .label_width = palette_label_width(ui.scale)};
 }

@@ -29,8 +29,8 @@
 #include "ui/tools/places.h"
 #include "ui/widgets/imgui_compat.h"
 #include "ui/widgets/theme.h"
-#include "world/aids.h"
 #include "world/look.h"
+#include "world/panels.h"
 
 namespace coaster::ui {
 namespace {
@@ -160,7 +160,7 @@ void Host::Parts::lay_out(Ui& ui, const platform::Events& events, int width, int
   take_want(ui);
   fly_keys.fly(ui, events, typing || asking || dialogs.open());
   gamepad.work(act, events, asking || dialogs.open());
-  if (session.settings.look->show_panels) {
+  if (session.settings.panels->show_panels) {
     build_menu(act);
     build_areas(ui, layout);
   }

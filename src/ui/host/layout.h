@@ -6,7 +6,7 @@
 
 #include "ui/panels/palette.h"
 #include "view/camera.h"
-#include "world/look.h"
+#include "world/panels.h"
 
 namespace coaster::ui {
 

@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <string>
 
-#include "edit/commands/commands_settings.h"
+#include "edit/commands/set_setting.h"
 #include "ui/lab/cache.h"
 #include "world/evaluation.h"
 #include "world/lab_view.h"

@@ -20,7 +20,7 @@ void paste_into(Ui& ui, ForceKeys& state, const world::ForceProgram& program) {
     at = to_step((keys[*state.key].at + next) / 2, steps_of(program, state.channel).at);
   }
   state.inserted = at;
-  ui.out.wants_paste = true, ui.out.pastes_keys = edit::PasteForceKeys{{state.section}, state.channel, at, {}};
+  ui.out.wants_paste = true, ui.out.keys_to = KeysPlace{state.section, state.channel, at};
 }
 
 }  // namespace

@@ -9,19 +9,19 @@
 
 #include <fmt/format.h>
 
-#include "edit/commands/commands_settings.h"
+#include "edit/commands/set_setting.h"
 #include "ui/lab/cache.h"
 #include "ui/lab/force_keys.h"
 #include "ui/lab/ride_plots.h"
 #include "ui/widgets/theme.h"
-#include "world/look.h"
+#include "world/panels.h"
 
 namespace coaster::ui {
 namespace {
 
 using sim::RideValue;
 
-constexpr auto kTallestGraph = static_cast<float>(world::setting_row<&world::Look::graph_height>().high);
+constexpr auto kTallestGraph = static_cast<float>(world::setting_row<&world::Panels::graph_height>().high);
 // Those of g are on the left axis.
 constexpr std::array kValues{RideValue::vertical, RideValue::lateral, RideValue::speed, RideValue::height};
 constexpr std::size_t kAtLeft = 2;
@@ -91,7 +91,7 @@ void build_force_graph(Ui& ui, const view::Viewport& area) {
   if (begin_area("##graph", {area.x, area.y}, {area.width, bar})) {
     if (open)
       if (const auto share = height_edge(ui, area, bar, kTallestGraph, "Height of the force graph."))
-        ui.emit(edit::Set<&world::Look::graph_height>{*share});
+        ui.emit(edit::Set<&world::Panels::graph_height>{*share});
     fold_button(ui, "Forces", "The force graph: the whole ride along the track.", "Force graph", bar, false);
     ImGui::SameLine(0, 0);
     fold_button(ui, "Sections", "The table of sections.", "Table of sections", bar, true);

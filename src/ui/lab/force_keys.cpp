@@ -15,7 +15,7 @@
 #include "ui/lab/force_axes.h"
 #include "ui/lab/force_clip.h"
 #include "ui/widgets/theme.h"
-#include "world/look.h"
+#include "world/panels.h"
 #include "world/sections.h"
 
 namespace coaster::ui {
@@ -151,9 +151,9 @@ void follow_mouse(Ui& ui, ForceKeys& state, const ForceAxes& axes, const Knobs& 
 
 Entity edited_forces(const Ui& ui) {
   const edit::Session& session = ui.session();
-  const world::Look& look = *session.settings.look;
+  const world::Panels& shown = *session.settings.panels;
   const auto* const section = session.document.entities.find<world::Section>(session.settings.selected);
-  const bool shows = look.workspace == world::Workspace::build && look.show_panels && ui.drawers.graph.open &&
+  const bool shows = shown.workspace == world::Workspace::build && shown.show_panels && ui.drawers.graph.open &&
                      !ui.drawers.table && session.settings.also.empty();
   return shows && section && section->kind == world::SectionKind::force ? session.settings.selected : world::kNone;
 }

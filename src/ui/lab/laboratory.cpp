@@ -5,12 +5,12 @@
 #include <algorithm>
 #include <cmath>
 
-#include "edit/commands/commands_settings.h"
+#include "edit/commands/set_setting.h"
 #include "ui/lab/page_parts.h"
 #include "ui/widgets/imgui_compat.h"
 #include "ui/widgets/theme.h"
 #include "world/lab_view.h"
-#include "world/look.h"
+#include "world/panels.h"
 
 namespace coaster::ui {
 
@@ -30,11 +30,11 @@ constexpr void (*kBuild[])(Ui& ui) = {
 constexpr const char* kTooltip =
     "The laboratory: construction, evaluation, measurement, frames and joints of the selected segment, live.";
 
-constexpr auto kTallest = static_cast<float>(world::setting_row<&world::Look::laboratory_height>().high);
+constexpr auto kTallest = static_cast<float>(world::setting_row<&world::Panels::laboratory_height>().high);
 
-bool is_open(const Ui& ui) { return ui.session().settings.look->show_laboratory; }
+bool is_open(const Ui& ui) { return ui.session().settings.panels->show_laboratory; }
 world::LabPage chosen_page(const Ui& ui) { return ui.session().settings.lab->page; }
-void show(Ui& ui, bool on) { ui.emit(edit::Set<&world::Look::show_laboratory>{on}); }
+void show(Ui& ui, bool on) { ui.emit(edit::Set<&world::Panels::show_laboratory>{on}); }
 
 // The fold button, with the strip's name where there is room for it.
 void fold_button(Ui& ui, float bar, bool named, ImFont* font) {
@@ -125,7 +125,7 @@ void build_laboratory(Ui& ui, const view::Viewport& area) {
   if (begin_area("##laboratory", {area.x, area.y}, {area.width, bar})) {
     if (area.height > bar + 1)
       if (const auto share = height_edge(ui, area, bar, kTallest, "Height of the laboratory."))
-        ui.emit(edit::Set<&world::Look::laboratory_height>{*share});
+        ui.emit(edit::Set<&world::Panels::laboratory_height>{*share});
     build_bar(ui, area.width, bar);
   }
   ImGui::End();

@@ -9,7 +9,7 @@
 
 #include <fmt/format.h>
 
-#include "edit/commands/commands_settings.h"
+#include "edit/commands/set_setting.h"
 #include "ui/lab/cache.h"
 #include "ui/widgets/table.h"
 #include "ui/widgets/theme.h"

@@ -7,14 +7,13 @@
 
 #include "base/text.h"
 #include "edit/commands/commands_elements.h"
-#include "edit/commands/commands_settings.h"
 #include "ui/context/rows.h"
 #include "ui/context/ways_home.h"
 #include "ui/panels/element_fields.h"
 #include "ui/panels/palette.h"
 #include "ui/widgets/theme.h"
 #include "world/aids.h"
-#include "world/look.h"
+#include "world/panels.h"
 
 namespace coaster::ui {
 namespace {
@@ -88,7 +87,7 @@ void ways_home(Ui& ui) {
 
 void elements_panel(Ui& ui) {
   const edit::Session& session = ui.session();
-  if (session.settings.look->workspace == world::Workspace::all) {  // else they are in the palette
+  if (session.settings.panels->workspace == world::Workspace::all) {  // else they are in the palette
     all_element_buttons(ui);
     circuit_button(ui);
   }

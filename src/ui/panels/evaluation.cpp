@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "edit/commands/commands_settings.h"
 #include "sim/shape/deviation.h"
 #include "ui/context/rows.h"
 #include "ui/context/setting_rows.h"

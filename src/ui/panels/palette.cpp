@@ -10,7 +10,7 @@
 #include <fmt/format.h>
 
 #include "edit/commands/commands_elements.h"
-#include "edit/commands/commands_settings.h"
+#include "edit/commands/set_setting.h"
 #include "ui/context/ways_home.h"
 #include "ui/widgets/icons.h"
 #include "ui/widgets/theme.h"

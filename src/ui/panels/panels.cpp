@@ -8,7 +8,7 @@
 #include <string>
 
 #include "world/aids.h"
-#include "world/look.h"
+#include "world/panels.h"
 
 namespace coaster::ui {
 
@@ -59,7 +59,7 @@ namespace {
 
 unsigned occasions(const Ui& ui) {
   const edit::Session& session = ui.session();
-  if (session.settings.look->workspace != world::Workspace::build) return kLaboratory;
+  if (session.settings.panels->workspace != world::Workspace::build) return kLaboratory;
   const bool selected = session.settings.selected != world::kNone,
              chosen = session.settings.aids->show_element || session.settings.aids->circuit > 0;
   if (!selected && !chosen) return kTrack;
@@ -68,7 +68,7 @@ unsigned occasions(const Ui& ui) {
 
 bool belongs(const Ui& ui, const Panel& panel, Column column) {
   if (panel.shown != nullptr && !panel.shown(ui)) return false;
-  if (ui.session().settings.look->workspace == world::Workspace::all) return panel.column == column;
+  if (ui.session().settings.panels->workspace == world::Workspace::all) return panel.column == column;
   return (panel.shows & occasions(ui)) != 0;
 }
 
@@ -104,7 +104,7 @@ void build_column(Ui& ui, Column column, const view::Viewport& area) {
       ImGui::PopID();
     };
     // In Build a chosen element comes before what else is selected, and a challenge before the track.
-    const bool building = ui.session().settings.look->workspace == world::Workspace::build;
+    const bool building = ui.session().settings.panels->workspace == world::Workspace::build;
     const auto is_first = [&](const Panel& panel) {
       const bool challenge = panel.build == challenge_panel && occasions(ui) == kTrack;
       return building && (panel.shows == kElement || challenge);

@@ -10,14 +10,14 @@
 
 #include <fmt/format.h>
 
-#include "edit/commands/commands_settings.h"
+#include "edit/commands/set_setting.h"
 #include "ui/panels/equipment_rows.h"
 #include "ui/panels/section_cells.h"
 #include "ui/panels/section_changes.h"
 #include "ui/tools/selecting.h"
 #include "ui/widgets/table.h"
 #include "ui/widgets/theme.h"
-#include "world/look.h"
+#include "world/panels.h"
 #include "world/selection.h"
 
 namespace coaster::ui {
@@ -93,17 +93,17 @@ TableValue table_value(const Document& document, const SectionFigures& of, std::
 
 // The rows in the order that is chosen; what has no value comes last.
 const std::vector<std::size_t>& sorted_rows(Ui& ui, const sim::SectionTable& table) {
-  const world::Look& look = *ui.session().settings.look;
-  return ui.inputs.section_order.get({table.serial, look.sections_by, look.sections_descending}, [&] {
+  const world::Panels& shown = *ui.session().settings.panels;
+  return ui.inputs.section_order.get({table.serial, shown.sections_by, shown.sections_descending}, [&] {
     std::vector<TableValue> entries;
     for (std::size_t i = 0; i < table.rows.size(); ++i)
-      entries.push_back(table_value(ui.session().document, table.rows[i], i, look.sections_by));
+      entries.push_back(table_value(ui.session().document, table.rows[i], i, shown.sections_by));
     std::vector<std::size_t> order(table.rows.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
     const auto missing = [&](std::size_t i) { return std::holds_alternative<std::monostate>(entries[i]); };
     std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
       if (missing(a) || missing(b)) return !missing(a) && missing(b);
-      return look.sections_descending ? entries[b] < entries[a] : entries[a] < entries[b];
+      return shown.sections_descending ? entries[b] < entries[a] : entries[a] < entries[b];
     });
     return order;
   });
@@ -170,13 +170,13 @@ void table_of_sections(Ui& ui, float height) {
   const sim::SectionTable& table = *ui.find(edit::Want::sections).sections;
   if (table.rows.empty()) return tinted("No sections yet. Place an element from the palette.", palette().dim);
   const Document& document = ui.session().document;
-  const world::Look& look = *ui.session().settings.look;
+  const world::Panels& shown = *ui.session().settings.panels;
   const std::vector<SectionColumn> columns = columns_in(ImGui::GetContentRegionAvail().x, ui.scale);
   std::vector<TableColumn> heads;
-  Sorting sorting{-1, look.sections_descending, {}};
+  Sorting sorting{-1, shown.sections_descending, {}};
   for (const SectionColumn column : columns) {
     const base::NameRow& row = base::row_of(column);
-    if (column == look.sections_by) sorting.column = static_cast<int>(heads.size());
+    if (column == shown.sections_by) sorting.column = static_cast<int>(heads.size());
     const bool words =
         column == SectionColumn::title || column == SectionColumn::kind || column == SectionColumn::equipment;
     heads.push_back({row.label, column_look(column).unit, column_look(column).width, row.help, words});
@@ -214,8 +214,8 @@ void table_of_sections(Ui& ui, float height) {
   end_table();
   if (!sorting.clicked) return;
   const SectionColumn by = columns[static_cast<std::size_t>(*sorting.clicked)];
-  if (by != look.sections_by) ui.emit(edit::Set<&world::Look::sections_by>{by});
-  ui.emit(edit::Set<&world::Look::sections_descending>{by == look.sections_by && !look.sections_descending});
+  if (by != shown.sections_by) ui.emit(edit::Set<&world::Panels::sections_by>{by});
+  ui.emit(edit::Set<&world::Panels::sections_descending>{by == shown.sections_by && !shown.sections_descending});
 }
 
 }  // namespace

@@ -10,14 +10,14 @@
 
 #include <fmt/format.h>
 
-#include "edit/commands/commands_settings.h"
+#include "edit/commands/set_setting.h"
 #include "ui/tools/places.h"
 #include "ui/tools/section_clicks.h"
 #include "ui/widgets/theme.h"
 #include "view/angle_handle.h"
 #include "view/section_handle.h"
 #include "world/aids.h"
-#include "world/look.h"
+#include "world/panels.h"
 #include "world/sections.h"
 
 namespace coaster::ui {
@@ -116,7 +116,7 @@ std::string named_section(const Ui& ui) {
 void draw_section_name(Ui& ui, const view::Viewport& scene) {
   const edit::Session& session = ui.session();
   const glm::vec2 mouse = mouse_position();
-  if (session.settings.look->workspace != world::Workspace::build || !scene.contains(mouse)) return;
+  if (session.settings.panels->workspace != world::Workspace::build || !scene.contains(mouse)) return;
   const std::string title = named_section(ui);
   if (title.empty() || ImGui::GetIO().WantCaptureMouse) return;
   const float pad = std::floor(8 * ui.scale), aside = std::floor(16 * ui.scale), width = text_size(title).x + 2 * pad;

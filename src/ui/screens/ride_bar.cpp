@@ -10,7 +10,7 @@
 #include <fmt/format.h>
 
 #include "edit/commands/commands_ride.h"
-#include "edit/commands/commands_settings.h"
+#include "edit/commands/set_setting.h"
 #include "ui/context/rows.h"
 #include "ui/tools/fly_keys.h"
 #include "ui/tools/places.h"

@@ -16,7 +16,6 @@
 #include "ui/tools/places.h"
 #include "ui/widgets/medals.h"
 #include "ui/widgets/theme.h"
-#include "world/aids.h"
 
 namespace coaster::ui {
 namespace {

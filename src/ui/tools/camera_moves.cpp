@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "edit/commands/commands_settings.h"
+#include "edit/commands/set_setting.h"
 #include "ui/tools/fly_keys.h"
 #include "ui/tools/viewport_tool.h"
 #include "world/camera_feel.h"

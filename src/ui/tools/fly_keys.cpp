@@ -6,6 +6,7 @@
 #include <variant>
 
 #include "edit/commands/commands_settings.h"
+#include "edit/commands/set_setting.h"
 
 namespace coaster::ui {
 namespace {

@@ -4,6 +4,7 @@
 
 #include "edit/commands/commands_challenge.h"
 #include "edit/commands/commands_settings.h"
+#include "edit/commands/set_setting.h"
 #include "world/aids.h"
 
 namespace coaster::ui {

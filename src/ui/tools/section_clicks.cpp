@@ -12,7 +12,7 @@
 #include "ui/tools/viewport_tool.h"
 #include "view/angle_handle.h"
 #include "view/section_handle.h"
-#include "world/look.h"
+#include "world/panels.h"
 #include "world/sections.h"
 #include "world/selection.h"
 
@@ -40,7 +40,7 @@ bool is_open(const edit::Session& session, Entity section) {
 }  // namespace
 
 bool picks_sections(const edit::Session& session) {
-  if (session.settings.look->workspace != world::Workspace::build) return false;
+  if (session.settings.panels->workspace != world::Workspace::build) return false;
   const auto& sections = session.document.entities.pool<world::Section>().items();
   return std::any_of(sections.begin(), sections.end(),
                      [](const world::Section& s) { return s.kind != world::SectionKind::free; });

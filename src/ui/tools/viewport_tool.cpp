@@ -12,6 +12,7 @@
 #include "edit/commands/commands_session.h"
 #include "edit/commands/commands_settings.h"
 #include "edit/commands/commands_shape.h"
+#include "edit/commands/set_setting.h"
 #include "ui/tools/cursor_places.h"
 #include "ui/tools/fly_keys.h"
 #include "ui/tools/section_clicks.h"

@@ -12,7 +12,7 @@
 #include "edit/commands/commands_operation.h"
 #include "edit/commands/commands_ride.h"
 #include "edit/commands/commands_session.h"
-#include "edit/commands/commands_settings.h"
+#include "edit/commands/set_setting.h"
 #include "edit/random_commands.h"
 #include "edit/session_fixture.h"
 #include "world/evaluation.h"

@@ -1,6 +1,7 @@
 #include <limits>
 
 #include "edit/commands/commands_settings.h"
+#include "edit/commands/set_setting.h"
 #include "edit/session_fixture.h"
 #include "world/camera_feel.h"
 #include "world/evaluation.h"

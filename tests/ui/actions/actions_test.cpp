@@ -4,7 +4,7 @@
 #include "edit/commands/commands_settings.h"
 #include "ui/stage.h"
 #include "world/aids.h"
-#include "world/look.h"
+#include "world/panels.h"
 
 namespace coaster::ui {
 namespace actions_test {
@@ -28,7 +28,7 @@ TEST_F(ActionsTest, tab_gives_the_viewport_the_whole_window_and_back) {
   ASSERT_LT(host_->view().viewport.width, 700);
   key(platform::Key::tab);
   frame();
-  EXPECT_FALSE(session_.settings.look->show_panels);
+  EXPECT_FALSE(session_.settings.panels->show_panels);
   EXPECT_TRUE(host_->widgets().empty());
   EXPECT_EQ(host_->view().viewport.width, 1280);
   EXPECT_EQ(host_->view().viewport.height, 720);
@@ -103,12 +103,12 @@ TEST_F(ActionsTest, a_key_of_the_settings_takes_the_place_of_the_table_s) {
   EXPECT_TRUE(host_->set_keys(choices).empty());
   frames(2);
   key(platform::Key::tab);
-  EXPECT_TRUE(session_.settings.look->show_panels);
+  EXPECT_TRUE(session_.settings.panels->show_panels);
   key(platform::Key::f7);
-  EXPECT_FALSE(session_.settings.look->show_panels);
+  EXPECT_FALSE(session_.settings.panels->show_panels);
   EXPECT_TRUE(host_->set_keys({}).empty());
   key(platform::Key::tab);
-  EXPECT_TRUE(session_.settings.look->show_panels);
+  EXPECT_TRUE(session_.settings.panels->show_panels);
 }
 
 TEST_F(ActionsTest, f12_asks_for_a_picture) {

@@ -4,6 +4,7 @@
 #include <rapidcheck/gtest.h>
 
 #include "edit/commands/commands_settings.h"
+#include "edit/commands/set_setting.h"
 #include "ui/stage.h"
 
 namespace coaster::ui {

@@ -8,6 +8,8 @@
 #include "edit/commands/commands_session.h"
 #include "ui/stage.h"
 #include "world/aids.h"
+#include "world/look.h"
+#include "world/panels.h"
 
 namespace coaster::ui {
 namespace areas_test {
@@ -21,8 +23,8 @@ struct AreasTest : Stage {
     ASSERT_TRUE(edit::apply(session_, files_, edit::Set<Member>{to}).ok());
     frames(3);
   }
-  void go_to(Workspace workspace) { set<&world::Look::workspace>(workspace); }
-  Workspace workspace() const { return session_.settings.look->workspace; }
+  void go_to(Workspace workspace) { set<&world::Panels::workspace>(workspace); }
+  Workspace workspace() const { return session_.settings.panels->workspace; }
   void window(int width, int height, float scale) {
     set<&world::Look::ui_scale>(scale);
     resize(width, height);
@@ -127,7 +129,7 @@ TEST_F(AreasTest, tabs_and_keys_choose_the_workspace_and_each_shows_only_its_pan
   for (const char* path : {"Elements/Loop", "Track", "Forces", "Evaluation"}) EXPECT_EQ(find(path), nullptr) << path;
   click("Menu/Workspace/Laboratory");
   EXPECT_EQ(workspace(), Workspace::laboratory);
-  EXPECT_TRUE(session_.settings.look->show_laboratory);
+  EXPECT_TRUE(session_.settings.panels->show_laboratory);
   frames(2);
   for (const char* path : {"Evaluation/Horner", "Evaluation/Steps per segment", "Laboratory/Construction"})
     EXPECT_NE(find(path), nullptr) << path;
@@ -216,14 +218,14 @@ TEST_F(AreasTest, the_edge_sets_the_height_of_the_graph_and_a_double_click_reset
   frame();
   release();
   frames(2);
-  EXPECT_GT(session_.settings.look->graph_height, 0.2f);
+  EXPECT_GT(session_.settings.panels->graph_height, 0.2f);
   EXPECT_NEAR(host_->view().viewport.height, before - 92, 4);
   const Widget now = *find("Forces/Edge");
   click_at({600, now.y + 2});
   press();
   release();
   frames(2);
-  EXPECT_EQ(session_.settings.look->graph_height, 0);
+  EXPECT_EQ(session_.settings.panels->graph_height, 0);
 }
 
 TEST_F(AreasTest, curves_hide_by_a_click_on_their_value) {

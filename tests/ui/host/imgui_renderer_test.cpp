@@ -5,7 +5,7 @@
 #include "ui/stage.h"
 #include "ui/widgets/theme.h"
 #include "world/lab_view.h"
-#include "world/look.h"
+#include "world/panels.h"
 
 namespace coaster::ui {
 namespace imgui_renderer_test {
@@ -60,8 +60,8 @@ TEST_F(ImGuiRendererTest, text_is_drawn_bright_on_dark) {
 // Eight plots of a whole ride have more vertices than indices of 16 bits can name.
 TEST_F(ImGuiRendererTest, a_window_of_many_vertices_is_drawn_to_the_last_one) {
   ASSERT_TRUE(edit::apply(session_, files_, edit::Load{COASTER_SOURCE_DIR "/tracks/loop.json"}).ok());
-  ASSERT_TRUE(edit::apply(session_, files_, edit::Set<&world::Look::show_laboratory>{true}).ok());
-  ASSERT_TRUE(edit::apply(session_, files_, edit::Set<&world::Look::laboratory_height>{0.75f}).ok());
+  ASSERT_TRUE(edit::apply(session_, files_, edit::Set<&world::Panels::show_laboratory>{true}).ok());
+  ASSERT_TRUE(edit::apply(session_, files_, edit::Set<&world::Panels::laboratory_height>{0.75f}).ok());
   ASSERT_TRUE(edit::apply(session_, files_, edit::Set<&world::LabView::page>{world::LabPage::riders}).ok());
   resize(1920, 1080);
   frames(2);

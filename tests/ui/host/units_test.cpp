@@ -9,13 +9,14 @@
 
 #include "edit/commands/commands_lab.h"
 #include "edit/commands/commands_ride.h"
-#include "edit/commands/commands_settings.h"
 #include "edit/commands/commands_shape.h"
+#include "edit/commands/set_setting.h"
 #include "ui/panels/panels.h"
 #include "ui/stage.h"
 #include "world/aids.h"
 #include "world/lab_view.h"
 #include "world/look.h"
+#include "world/panels.h"
 
 namespace coaster::ui {
 namespace units_test {
@@ -65,7 +66,7 @@ TEST_F(UnitsTest, in_feet_no_panel_shows_a_metric_unit) {
   edit::ActiveChallenge& challenge = session_.game.challenge.emplace();
   challenge.file.name = "Long", challenge.file.teaches = "How to build 30 m of track.";
   challenge.file.rules[0] = {{"length >= 30", "At least 30 m of track"}};
-  set<&world::Look::show_laboratory>(true);
+  set<&world::Panels::show_laboratory>(true);
   set<&world::Aids::show_element>(true);
   set<&world::Aids::show_card>(true);
   ASSERT_TRUE(edit::apply(session_, files_, edit::RideStart{}).ok());
@@ -135,7 +136,7 @@ TEST_F(UnitsTest, limits_hold_in_every_unit_without_a_notice) {
 }
 
 TEST_F(UnitsTest, the_cursor_of_a_plot_is_in_the_shown_unit_and_moves_in_round_steps_of_it) {
-  set<&world::Look::show_laboratory>(true);
+  set<&world::Panels::show_laboratory>(true);
   set<&world::LabView::page>(world::LabPage::frames);
   select(world::Kind::segment, 1);
   const curve::ArcLengthMap& arc = session_.derived.shape(entity(world::Kind::segment, 1)).arc;

@@ -3,6 +3,7 @@
 
 #include "edit/commands/commands_force.h"
 #include "ui/sections_stage.h"
+#include "world/panels.h"
 
 namespace coaster::ui {
 namespace force_clip_test {
@@ -20,7 +21,7 @@ class ForceClipTest : public SectionsStage {
     good(edit::AddForce{world::ForceOver::distance, 40, 0.1});
     for (const double at : {5.0, 20.0})
       good(edit::SetForceKey{{{world::Kind::section, 2}}, false, ForceChannel::vertical, 1, at});
-    good(edit::Set<&world::Look::workspace>{world::Workspace::build});
+    good(edit::Set<&world::Panels::workspace>{world::Workspace::build});
     good(edit::Select{{{world::Kind::section, 2}}});
     frames(3);
     commands_.clear();

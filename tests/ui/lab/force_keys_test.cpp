@@ -1,6 +1,7 @@
 // The force graph as an editor: a mouse and a keyboard at work on a force section's keys.
 #include "edit/commands/commands_force.h"
 #include "ui/sections_stage.h"
+#include "world/panels.h"
 
 namespace coaster::ui {
 namespace force_keys_test {
@@ -17,7 +18,7 @@ class ForceKeysTest : public SectionsStage {
     good(edit::SetStartSpeed{20});
     good(edit::PlaceElement{world::usual_element(world::ElementKind::straight)});
     good(edit::AddForce{world::ForceOver::distance, 40, 0.1});
-    good(edit::Set<&world::Look::workspace>{world::Workspace::build});
+    good(edit::Set<&world::Panels::workspace>{world::Workspace::build});
     good(edit::Select{{{world::Kind::section, 2}}});
     frames(3);
     commands_.clear();
@@ -113,7 +114,7 @@ TEST_F(ForceKeysTest, the_keyboard_chooses_moves_inserts_and_deletes) {
     good(edit::SetForceKey{{{world::Kind::section, 2}}, false, ForceChannel::vertical, 1, at});
   frames(2);
   key(Key::tab);
-  EXPECT_TRUE(session_.settings.look->show_panels);
+  EXPECT_TRUE(session_.settings.panels->show_panels);
   key(Key::up);
   key(Key::right);
   EXPECT_NEAR(keys()[0].value, 1.1, 1e-9);

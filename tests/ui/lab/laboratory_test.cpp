@@ -5,17 +5,18 @@
 #include "edit/commands/commands_document.h"
 #include "edit/commands/commands_session.h"
 #include "edit/commands/commands_settings.h"
+#include "edit/commands/set_setting.h"
 #include "ui/stage.h"
 #include "ui/widgets/widgets.h"
 #include "world/lab_view.h"
-#include "world/look.h"
+#include "world/panels.h"
 
 namespace coaster::ui {
 namespace laboratory_test {
 
 struct LaboratoryTest : Stage {
   void open(const std::string& page) {
-    ASSERT_TRUE(edit::apply(session_, files_, edit::Set<&world::Look::show_laboratory>{true}).ok());
+    ASSERT_TRUE(edit::apply(session_, files_, edit::Set<&world::Panels::show_laboratory>{true}).ok());
     frames(2);
     if (find("Laboratory/" + page) != nullptr) click("Laboratory/" + page);
     else click("Laboratory/Page/" + page);
@@ -38,13 +39,13 @@ TEST_F(LaboratoryTest, the_strip_starts_folded_and_its_bar_opens_and_folds_it) {
   EXPECT_EQ(find("Laboratory")->value, "closed");
   const float before = host_->view().viewport.height;
   click("Laboratory");
-  EXPECT_TRUE(session_.settings.look->show_laboratory);
+  EXPECT_TRUE(session_.settings.panels->show_laboratory);
   frames(2);
   EXPECT_LT(host_->view().viewport.height, before - 100);
   click("Laboratory");
-  EXPECT_FALSE(session_.settings.look->show_laboratory);
+  EXPECT_FALSE(session_.settings.panels->show_laboratory);
   click("Laboratory/Joints");  // a page's name opens the strip at that page
-  EXPECT_TRUE(session_.settings.look->show_laboratory);
+  EXPECT_TRUE(session_.settings.panels->show_laboratory);
   EXPECT_EQ(session_.settings.lab->page, world::LabPage::joints);
 }
 
@@ -70,7 +71,7 @@ TEST_F(LaboratoryTest, pages_lie_in_the_strip_in_every_window_and_nothing_is_cut
   for (const auto& [width, height] : {std::pair{1280, 720}, {640, 360}}) {
     resize(width, height);
     for (std::size_t page = 0; page < pages().size(); ++page) {
-      ASSERT_TRUE(edit::apply(session_, files_, edit::Set<&world::Look::show_laboratory>{true}).ok());
+      ASSERT_TRUE(edit::apply(session_, files_, edit::Set<&world::Panels::show_laboratory>{true}).ok());
       ASSERT_TRUE(
           edit::apply(session_, files_, edit::Set<&world::LabView::page>{static_cast<world::LabPage>(page)}).ok());
       frames(2);

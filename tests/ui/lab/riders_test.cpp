@@ -5,7 +5,7 @@
 #include "sim/study/seat.h"
 #include "ui/stage.h"
 #include "world/lab_view.h"
-#include "world/look.h"
+#include "world/panels.h"
 
 namespace coaster::ui {
 namespace riders_test {
@@ -15,9 +15,9 @@ struct RidersTest : Stage {
     Stage::SetUp();
     run("start_speed 15");
     run("train @c1 cars 4 spacing 2");
-    set<&world::Look::show_laboratory>(true);
+    set<&world::Panels::show_laboratory>(true);
     set<&world::LabView::page>(world::LabPage::riders);
-    set<&world::Look::laboratory_height>(0.75f);
+    set<&world::Panels::laboratory_height>(0.75f);
     resize(1920, 1080);
     frames(2);
     commands_.clear();
@@ -102,7 +102,7 @@ TEST_F(RidersTest, the_mouse_over_a_plot_marks_the_place_in_the_view_and_in_all_
 }
 
 TEST_F(RidersTest, the_mouse_over_the_track_shows_the_values_there) {
-  set<&world::Look::laboratory_height>(0);
+  set<&world::Panels::laboratory_height>(0);
   int shown_at = 0;
   for (double distance = 8; distance < session_.derived.length - 4; distance += 3) {
     const sim::TrackPlace place = sim::place_at(session_.derived, distance);
@@ -132,7 +132,7 @@ TEST_F(RidersTest, the_seat_is_chosen_from_the_list) {
 }
 
 TEST_F(RidersTest, the_edge_of_the_strip_sets_its_height) {
-  set<&world::Look::laboratory_height>(0);
+  set<&world::Panels::laboratory_height>(0);
   const float before = find("Laboratory")->y;
   hover(middle(*find("Laboratory/Edge")));
   press();
@@ -140,12 +140,12 @@ TEST_F(RidersTest, the_edge_of_the_strip_sets_its_height) {
   release();
   frames(2);
   EXPECT_NEAR(find("Laboratory")->y, before - 150, 3);
-  EXPECT_GT(session_.settings.look->laboratory_height, 0.6f);
+  EXPECT_GT(session_.settings.panels->laboratory_height, 0.6f);
   click_at(middle(*find("Laboratory/Edge")));
   press();
   release();
   frames(2);
-  EXPECT_EQ(session_.settings.look->laboratory_height, 0);
+  EXPECT_EQ(session_.settings.panels->laboratory_height, 0);
   EXPECT_NEAR(find("Laboratory")->y, before, 1);
 }
 

@@ -1,5 +1,6 @@
 // The panel of the selected sections.
 #include "ui/sections_stage.h"
+#include "world/panels.h"
 #include "world/selection.h"
 
 namespace coaster::ui {
@@ -159,7 +160,7 @@ TEST_F(SectionPanel, keys_do_everything) {
   key(Key::tab);
   frames(3);
   EXPECT_EQ(parameter(2, "height"), 29);
-  EXPECT_TRUE(session_.settings.look->show_panels) << "Tab was for the fields";
+  EXPECT_TRUE(session_.settings.panels->show_panels) << "Tab was for the fields";
   frame({platform::TextInput{"41"}});
   key(Key::enter);
   frames(2);

@@ -1,6 +1,8 @@
 #include "ui/panels/sections_table.h"
 
 #include "ui/sections_stage.h"
+#include "world/look.h"
+#include "world/panels.h"
 #include "world/selection.h"
 
 namespace coaster::ui {
@@ -92,17 +94,17 @@ TEST_F(SectionsTable, a_heading_sorts_and_a_second_click_turns_the_order) {
   click("Sections/Table/Kind");
   frames(2);
   EXPECT_EQ(rows(), (Names{"q2", "q3", "q4", "q1"})) << "climb, dive, loop, straight";
-  good(edit::Set<&world::Look::sections_by>{world::SectionColumn::track});
+  good(edit::Set<&world::Panels::sections_by>{world::SectionColumn::track});
   frames(2);
   EXPECT_EQ(rows(), (Names{"q1", "q2", "q3", "q4"}));
 }
 
 TEST_F(SectionsTable, what_the_ride_does_not_reach_comes_last_both_ways) {
-  good(edit::Set<&world::Look::sections_by>{world::SectionColumn::speed_out});
+  good(edit::Set<&world::Panels::sections_by>{world::SectionColumn::speed_out});
   frames(2);
   EXPECT_NE(rows().front(), "q4") << "the train starts at 1 m/s and rolls back on the climb";
   const Names up = rows();
-  good(edit::Set<&world::Look::sections_descending>{true});
+  good(edit::Set<&world::Panels::sections_descending>{true});
   frames(2);
   EXPECT_EQ(rows().back(), up.back());
 }
@@ -229,7 +231,7 @@ TEST_F(SectionsTable, it_fits_at_every_size_and_scale) {
 }
 
 TEST_F(SectionsTable, the_workspace_all_has_it_as_a_panel_with_the_columns_that_find_room) {
-  good(edit::Set<&world::Look::workspace>{world::Workspace::all});
+  good(edit::Set<&world::Panels::workspace>{world::Workspace::all});
   frames(2);
   ASSERT_NE(find("Sections"), nullptr);
   EXPECT_EQ(find("Sections")->value, "closed");

@@ -1,10 +1,10 @@
 #include <imgui.h>
 
 #include "edit/commands/commands_lab.h"
-#include "edit/commands/commands_settings.h"
+#include "edit/commands/set_setting.h"
 #include "ui/stage.h"
 #include "world/lab_view.h"
-#include "world/look.h"
+#include "world/panels.h"
 
 namespace coaster::ui {
 namespace legend_test {
@@ -13,7 +13,7 @@ class LegendTest : public Stage {
  protected:
   // Vertices of a frame without panels.
   int vertices_with(world::Colouring colouring, bool legend) {
-    EXPECT_TRUE(edit::apply(session_, files_, edit::Set<&world::Look::show_panels>{false}));
+    EXPECT_TRUE(edit::apply(session_, files_, edit::Set<&world::Panels::show_panels>{false}));
     EXPECT_TRUE(edit::apply(session_, files_, edit::Set<&world::LabView::colouring>{colouring}));
     EXPECT_TRUE(edit::apply(session_, files_, edit::ShowLayer{world::Layer::legend, legend}));
     frames(3);

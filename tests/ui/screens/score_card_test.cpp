@@ -4,7 +4,7 @@
 #include "edit/commands/commands_challenge.h"
 #include "edit/commands/commands_operation.h"
 #include "edit/commands/commands_ride.h"
-#include "edit/commands/commands_settings.h"
+#include "edit/commands/set_setting.h"
 #include "ui/stage.h"
 #include "ui/tools/places.h"
 #include "ui/widgets/medals.h"

@@ -4,6 +4,7 @@
 #include "edit/commands/commands_elements.h"
 #include "edit/commands/commands_session.h"
 #include "edit/commands/commands_settings.h"
+#include "edit/commands/set_setting.h"
 #include "ui/stage.h"
 #include "world/aids.h"
 #include "world/camera_feel.h"

@@ -3,6 +3,7 @@
 #include "ui/sections_stage.h"
 #include "view/angle_handle.h"
 #include "view/section_handle.h"
+#include "world/panels.h"
 #include "world/selection.h"
 
 namespace coaster::ui {
@@ -96,12 +97,12 @@ TEST_F(SectionClicks, the_mouse_names_the_section_under_it) {
 }
 
 TEST_F(SectionClicks, other_workspaces_and_tracks_without_plans_select_at_once) {
-  good(edit::Set<&world::Look::workspace>{world::Workspace::all});
+  good(edit::Set<&world::Panels::workspace>{world::Workspace::all});
   frames(3);
   look_at_all();
   click_at(pixel_of_knot(inner_knot(3)));
   EXPECT_TRUE(is(Kind::knot));
-  good(edit::Set<&world::Look::workspace>{world::Workspace::build});
+  good(edit::Set<&world::Panels::workspace>{world::Workspace::build});
   good(edit::NewTrack{});
   build_track(session_, files_);
   frames(3);

@@ -2,7 +2,7 @@
 
 #include "edit/commands/commands_document.h"
 #include "edit/commands/commands_session.h"
-#include "edit/commands/commands_settings.h"
+#include "edit/commands/set_setting.h"
 #include "ui/stage.h"
 #include "world/evaluation.h"
 

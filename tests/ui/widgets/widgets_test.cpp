@@ -1,6 +1,6 @@
 #include "ui/widgets/widgets.h"
 
-#include "edit/commands/commands_settings.h"
+#include "edit/commands/set_setting.h"
 #include "ui/stage.h"
 #include "world/evaluation.h"
 
