@@ -53,4 +53,5 @@ foreach(check ${checks})
   cmake_path(GET check STEM name)
   coaster_script_test(${name} ${CMAKE_COMMAND} -E env COASTER=$<TARGET_FILE:coaster> OUT=${CMAKE_CURRENT_BINARY_DIR}/out/${name}
                       SOURCE=${CMAKE_SOURCE_DIR} BUILD=${CMAKE_BINARY_DIR} CMAKE=${CMAKE_COMMAND} FAILING_NEW=${failing_new} bash ${check})
+  set_tests_properties(script.${name} PROPERTIES COST 20)  # the longest tests start first
 endforeach()
