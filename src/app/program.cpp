@@ -9,6 +9,7 @@
 
 #include "app/driver_trial.h"
 #include "base/console.h"
+#include "base/crash_guard.h"
 #include "base/folders.h"
 #include "base/hash.h"
 #include "base/text.h"
@@ -133,8 +134,10 @@ base::Result<std::unique_ptr<Program>> make_program(const Options& options, plat
   program->options = options;
   base::on_memory_end([p = program.get()] { return save_at_once(*p); });
   const auto lost = [p = program.get()] { leave_lost_display(*p); };
-  if (const base::Status started = start_graphics(*program, {size, "coaster", true, true, lost}, samples); !started)
+  if (const base::Status started = start_graphics(*program, {size, "coaster", true, true, lost}, samples); !started) {
+    base::end_if_out_of_memory();  // which a driver tells as something else
     return started;
+  }
   platform::Surface* const screen = program->surface.get();
   if (options.headless)
     base::print_error(fmt::format("Drawing with {}: {}, {}{}", screen->library(), program->gl.renderer,

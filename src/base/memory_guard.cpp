@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "base/console.h"
+#include "base/crash_guard.h"
 
 namespace coaster::base {
 namespace {
@@ -53,6 +54,7 @@ void guard_memory() {
   if (g.reserve == nullptr) g.reserve = std::malloc(kMemoryReserve);
   g.owner = std::this_thread::get_id();
   std::set_new_handler(end_of_memory);
+  guard_crashes();
 }
 
 void on_memory_end(std::function<std::string()> save) { guard().save = std::move(save); }

@@ -28,8 +28,9 @@ struct Egl {
 };
 
 base::Result<Egl> load_egl() {
-  void* const library = load_first({"libEGL.so.1"});
-  if (!library) return base::Status{base::Code::graphics, "libEGL.so.1 was not found"};
+  const base::Result<void*> loaded = load_first({"libEGL.so.1"});
+  if (!loaded) return loaded.status();
+  void* const library = *loaded;
   Egl egl;
   if (!look_up(library, "eglGetError", egl.error) || !look_up(library, "eglQueryString", egl.query) ||
       !look_up(library, "eglGetPlatformDisplay", egl.display) || !look_up(library, "eglInitialize", egl.initialize) ||

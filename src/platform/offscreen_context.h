@@ -4,7 +4,11 @@
 
 #include <dlfcn.h>
 
+#include <fmt/format.h>
+
 #include <functional>
+#include <initializer_list>
+#include <string>
 
 #include "base/status.h"
 
@@ -22,13 +26,19 @@ base::Result<OffscreenContext> make_osmesa_context();
 // OpenGL 3.3 core, or with `es` OpenGL ES 3.0, which is what a browser offers.
 base::Result<OffscreenContext> make_egl_context(bool es);
 
-// Loads the first library found, nullptr if none is. It stays loaded, because its threads and atexit handlers need
-// their code.
-inline void* load_first(std::initializer_list<const char*> names) {
-  void* library = nullptr;
-  for (const char* const name : names)
-    if (library == nullptr) library = dlopen(name, RTLD_NOW | RTLD_LOCAL);
-  return library;
+// Loads the first library found; Code::graphics with the reason if none can be loaded. It stays loaded, because its
+// threads and atexit handlers need their code.
+inline base::Result<void*> load_first(std::initializer_list<const char*> names) {
+  std::string reason;
+  for (const char* const name : names) {
+    if (void* const library = dlopen(name, RTLD_NOW | RTLD_LOCAL)) return library;
+    const std::string why = dlerror();
+    const bool missing = why.starts_with(name) && why.find("No such file") != std::string::npos;
+    if (!missing) reason = fmt::format("{} cannot be loaded ({})", name, why);
+    if (!missing) break;
+    if (reason.empty()) reason = fmt::format("{} was not found", name);
+  }
+  return base::Status{base::Code::graphics, reason};
 }
 
 // False if the library has no such function.

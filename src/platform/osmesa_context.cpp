@@ -21,8 +21,9 @@ struct OsMesa {
 };
 
 base::Result<OsMesa> load_osmesa() {
-  void* const library = load_first({"libOSMesa.so.8", "libOSMesa.so.6", "libOSMesa.so"});
-  if (!library) return base::Status{base::Code::graphics, "libOSMesa.so.8 was not found"};
+  const base::Result<void*> loaded = load_first({"libOSMesa.so.8", "libOSMesa.so.6", "libOSMesa.so"});
+  if (!loaded) return loaded.status();
+  void* const library = *loaded;
   OsMesa mesa;
   if (!look_up(library, "OSMesaCreateContextAttribs", mesa.create) ||
       !look_up(library, "OSMesaDestroyContext", mesa.destroy) ||

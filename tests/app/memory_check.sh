@@ -57,6 +57,24 @@ if [ -n "$limited" ]; then
 fi
 rm -f "$OUT/zeros.json" "$OUT/large.nl2elem"
 
+# In however little, a run ends well or with that line: drivers and the compilers in them crash where an allocation of theirs fails.
+if [ -n "$limited" ]; then
+  well=0 short=0
+  for most in 100000 200000 $(seq 283000 5000 343000) 500000 760000; do
+    (ulimit -v "$most"; "$COASTER" --headless "$TRACK" --size 96x54 --frames 2 --out "$OUT/ride" >"$OUT/stdout" 2>"$OUT/stderr")
+    code=$?
+    case $code in
+      0) well=$((well + 1)) ;;
+      70)
+        short=$((short + 1))
+        expect_text stderr "Out of memory." ;;
+      4) expect_text stderr "cannot be loaded (" ;; # the driver is larger than that
+      *) fail "in $most kB: exit code $code: $(head -c 400 "$OUT/stderr")" ;;
+    esac
+  done
+  [ "$well" -gt 2 ] && [ "$short" -gt 2 ] || fail "of the runs in little memory $well ended well, $short for want of it"
+fi
+
 # The n-th allocation fails, for many n: always 70 and one line, or the end that the script has anyhow. Where there is
 # unsaved work, it can be recovered.
 if [ -n "$limited" ]; then

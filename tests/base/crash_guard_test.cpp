@@ -1,0 +1,37 @@
+#include "base/crash_guard.h"
+
+#include <gtest/gtest.h>
+#include <sys/resource.h>
+
+#include <csignal>
+#include <cstdlib>
+
+#include "base/check.h"
+#include "base/memory_guard.h"
+
+namespace coaster::base {
+namespace crash_guard_test {
+
+void take_all_space() {
+  const rlimit none{1, 1};
+  setrlimit(RLIMIT_AS, &none);
+}
+
+TEST(crash_guard, a_crash_without_address_space_is_the_end_of_memory) {
+  GTEST_FLAG_SET(death_test_style, "threadsafe");
+  for (const int signal : {SIGSEGV, SIGBUS, SIGABRT})
+    EXPECT_EXIT((guard_crashes(), take_all_space(), std::raise(signal)), testing::ExitedWithCode(kMemoryExitCode),
+                "^Out of memory.\n$");
+  EXPECT_EXIT((take_all_space(), end_if_out_of_memory()), testing::ExitedWithCode(kMemoryExitCode),
+              "^Out of memory.\n$");
+}
+
+TEST(crash_guard, other_crashes_stay_what_they_are) {
+  GTEST_FLAG_SET(death_test_style, "threadsafe");
+  EXPECT_EXIT((guard_crashes(), guard_crashes(), std::abort()), testing::KilledBySignal(SIGABRT), "^$");
+  EXPECT_DEATH((guard_crashes(), check_failed("a", "b", "c", 1)), "^c:1: check failed: a \\(b\\)\n$");
+  EXPECT_EXIT((end_if_out_of_memory(), std::_Exit(0)), testing::ExitedWithCode(0), "^$");
+}
+
+}  // namespace crash_guard_test
+}  // namespace coaster::base
