@@ -117,44 +117,80 @@ std::vector<double> row_spins(std::span<const FitRow> rows, bool closed) {
   return spins;
 }
 
-std::vector<dvec3> row_curvatures(std::span<const FitRow> rows, bool closed) {
+namespace {
+
+constexpr double kUneven = 2;  // times a neighbour's correction: more is that of a bend that begins or ends
+
+// The curve from a row to the next one on one side: the angles to its place and to its direction, over the length.
+struct RowSide {
+  std::ptrdiff_t row = -1;
+  double length = 0;
+  dvec3 off{0}, turn{0};  // 1/m
+
+  // At the row, where the curvature changes linearly along the curve.
+  dvec3 curvature() const { return 6.0 * off - 2.0 * turn; }
+};
+
+RowSide side_of(std::span<const FitRow> rows, bool closed, std::ptrdiff_t i, std::ptrdiff_t way) {
   const auto count = static_cast<std::ptrdiff_t>(rows.size());
+  const dvec3 forward = rows[i].forward;
+  RowSide side;
+  dvec3 chord(0);
+  for (std::ptrdiff_t k = i + way, n = 1; n < count; k += way, ++n) {
+    if (!closed && (k < 0 || k >= count)) break;
+    side.row = (k + count) % count;
+    chord = rows[side.row].position - rows[i].position;
+    if (glm::dot(chord, chord) >= kCurvatureReach * kCurvatureReach) break;
+  }
+  if (side.row < 0) return side;
+  const dvec3 there = rows[side.row].forward;
+  // An arc is longer than its chord.
+  const double sign = static_cast<double>(way), half = 0.5 * glm::distance(forward, there);
+  side.length = std::max(glm::length(chord) * (1 + half * half / 6), 1e-9);
+  const auto angle = [&](dvec3 to) {
+    const dvec3 across = curve::across(to, forward);
+    const double sine = glm::length(across);
+    return sine > 0 ? base::arc_tangent(sine, sign * glm::dot(to, forward)) / sine * across : dvec3(0);
+  };
+  side.off = angle(chord) / side.length, side.turn = angle(sign * there) / side.length;
+  return side;
+}
+
+}  // namespace
+
+std::vector<dvec3> row_curvatures(std::span<const FitRow> rows, bool closed) {
+  struct Row {
+    RowSide before, after;
+    dvec3 correction{0};  // of the polynomial of degree 5 to the mean of both sides
+  };
+  std::vector<Row> found;
   std::vector<dvec3> curvatures;
-  for (std::ptrdiff_t i = 0; i < count; ++i) {
-    const FitRow& here = rows[i];
-    // The curve beyond a row by `length` m on one side: its distance from the tangent, over the square of the length,
-    // and how far its direction turns away, over the length.
-    struct Side {
-      double length = 0;
-      dvec3 off{0}, turn{0};
-    };
-    const auto side = [&](std::ptrdiff_t way) -> Side {
-      const FitRow* there = nullptr;
-      dvec3 chord(0);
-      for (std::ptrdiff_t k = i + way, n = 1; n < count; k += way, ++n) {
-        if (!closed && (k < 0 || k >= count)) break;
-        there = &rows[k < 0 ? k + count : k < count ? k : k - count];
-        chord = there->position - here.position;
-        if (glm::dot(chord, chord) >= kCurvatureReach * kCurvatureReach) break;
-      }
-      if (!there) return {};
-      // An arc is longer than its chord.
-      const double half = 0.5 * glm::distance(here.forward, there->forward),
-                   length = std::max(glm::length(chord) * (1 + half * half / 6), 1e-9);
-      return {length, curve::across(chord, here.forward) / (length * length),
-              static_cast<double>(way) * curve::across(there->forward, here.forward) / length};
-    };
-    const Side before = side(-1), after = side(1);
-    const double a = before.length, b = after.length;
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const auto at = static_cast<std::ptrdiff_t>(i);
+    Row row{side_of(rows, closed, at, -1), side_of(rows, closed, at, 1)};
+    const RowSide &before = row.before, &after = row.after;
+    const double a = before.length, b = after.length, whole = a + b;
     if (!(a > 0) || !(b > 0)) {
-      const Side& only = a > 0 ? before : after;
-      curvatures.push_back(6.0 * only.off - 2.0 * only.turn);
-      continue;
+      curvatures.push_back((a > 0 ? before : after).curvature());
+    } else {
+      // c2 of c2 x^2 + c3 x^3 + c4 x^4 + c5 x^5, which is `off` x^2, with the slope `turn` x, at -a and b.
+      const dvec3 even = a * a * (5.0 * after.off - after.turn) - b * b * (5.0 * before.off - before.turn),
+                  odd = a * a * a * (4.0 * after.off - after.turn) + b * b * b * (4.0 * before.off - before.turn),
+                  mean = (b * before.curvature() + a * after.curvature()) / whole;
+      row.correction = 4 / (whole * whole * whole) * (odd - 0.5 * (a - b) * even) - mean;
+      curvatures.push_back(mean);
     }
-    // c2 of c2 x^2 + c3 x^3 + c4 x^4 + c5 x^5, which is `off` x^2, with the slope `turn` x, at -a and b.
-    const dvec3 even = a * a * (5.0 * after.off - after.turn) - b * b * (5.0 * before.off - before.turn),
-                odd = a * a * a * (4.0 * after.off - after.turn) + b * b * b * (4.0 * before.off - before.turn);
-    curvatures.push_back(4 / ((a + b) * (a + b) * (a + b)) * (odd - 0.5 * (a - b) * even));
+    found.push_back(row);
+  }
+  // Where a bend begins or ends between rows, the polynomial swings: as much of the correction counts as the neighbours
+  // share.
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const dvec3 correction = found[i].correction;
+    double share = 1;
+    for (const std::ptrdiff_t k : {found[i].before.row, found[i].after.row})
+      if (k >= 0 && correction != dvec3(0))
+        share = std::min(share, kUneven * glm::dot(correction, found[k].correction) / glm::dot(correction, correction));
+    curvatures[i] += std::max(0.0, share) * correction;
   }
   return curvatures;
 }

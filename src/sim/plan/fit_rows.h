@@ -44,9 +44,12 @@ std::vector<double> bend_limits(std::span<const FitRow> rows, bool closed);
 inline constexpr double kSpinReach = 0.6;  // m
 std::vector<double> row_spins(std::span<const FitRow> rows, bool closed);
 
-// Returns the curvature vector of a smooth curve through each row, 1/m, perpendicular to its `forward`: the second
-// derivative of the polynomial of degree 5 through positions and directions of the row and of the nearest rows that are
-// at least kCurvatureReach away on both sides; at the ends of an open track that of the cubic on the one side.
+// Returns the curvature vector at each row, 1/m, perpendicular to its `forward`. On each side the row and the nearest
+// one at least kCurvatureReach away, their places and directions, give that of a curve whose curvature changes
+// linearly; the row's is the mean of both, corrected to that of the polynomial of degree 5 through all three. Of the
+// correction only a part counts where it is over twice that of those neighbours in its direction (a limiter as in van
+// Leer 1979, J. Comput. Phys. 32, 101-136): a bend may begin or end between two rows. At an open track's ends one side
+// counts.
 inline constexpr double kCurvatureReach = 1.0;  // m
 std::vector<glm::dvec3> row_curvatures(std::span<const FitRow> rows, bool closed);
 

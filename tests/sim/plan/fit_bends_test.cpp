@@ -114,9 +114,9 @@ std::vector<FitRow> circle_rows(double step, double angle) {
 }
 
 TEST(fit_bends, rows_have_the_curvature_of_the_circle_they_are_on) {
-  // Toward the centre, by the fourth power of the spacing; at open ends by the square.
+  // Toward the centre, within the arc's length, which is known to the fourth power of the spacing.
   for (const auto& [step, inner, ends] :
-       {std::tuple(0.05, 3e-7, 1e-4), {1.0, 2e-6, 5e-4}, {2.0, 1e-5, 5e-4}, {4.0, 1e-4, 2e-3}}) {
+       {std::tuple(0.05, 3e-7, 3e-7), {1.0, 2e-6, 2e-6}, {2.0, 2e-6, 2e-6}, {4.0, 2e-5, 2e-5}, {9.7, 5e-4, 5e-4}}) {
     const std::vector<FitRow> rows = circle_rows(step, 4);
     const std::vector<dvec3> curvatures = row_curvatures(rows, false);
     ASSERT_EQ(curvatures.size(), rows.size());
@@ -131,6 +131,34 @@ TEST(fit_bends, rows_have_the_curvature_of_the_circle_they_are_on) {
   const std::vector<FitRow> ring = circle_rows(2, 2 * M_PI);
   for (std::size_t i = 0; i < ring.size(); ++i)
     EXPECT_NEAR(glm::distance(row_curvatures(ring, true)[i], ring[i].position / (-9.7 * 9.7)), 0, 1e-5) << i;
+}
+
+// A straight, a level bend to the left whose curvature grows to 0.034/m over 3 m, stays for 2 m and falls over 3 m, and
+// a straight; rows in uneven steps of up to 5.9 m from `start` on.
+TEST(fit_bends, rows_beside_a_bend_that_begins_or_ends_between_rows_do_not_swing) {
+  const auto curvature = [](double s) { return 0.034 * std::clamp(std::min(s - 20, 28 - s) / 3, 0.0, 1.0); };
+  for (double start = 0; start < 16; start += 0.31) {
+    std::vector<FitRow> rows;
+    std::vector<double> places;
+    double heading = 0, next = start;
+    dvec3 place(0);
+    constexpr double kStep = 1e-3;
+    for (double s = 0; s < 60; s += kStep) {
+      if (s >= next) {
+        const dvec3 forward(std::cos(heading), 0, -std::sin(heading));
+        rows.push_back({place, forward, {0, 1, 0}}), places.push_back(s);
+        next += rows.size() % 3 == 0 ? 4.1 : 5.9;
+      }
+      const double middle = heading + 0.5 * kStep * curvature(s + 0.5 * kStep);
+      place += kStep * dvec3(std::cos(middle), 0, -std::sin(middle));
+      heading += kStep * curvature(s + 0.5 * kStep);
+    }
+    const std::vector<dvec3> found = row_curvatures(rows, false);
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+      const double left = glm::dot(found[i], glm::cross(rows[i].up, rows[i].forward));
+      EXPECT_NEAR(left, curvature(places[i]), 0.0058) << start << " m, row at " << places[i];
+    }
+  }
 }
 
 TEST(fit_bends, rows_far_apart_have_the_spin_of_a_smooth_roll) {
