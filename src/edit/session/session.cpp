@@ -75,8 +75,15 @@ world::Entity chosen_cart(const Session& session) {
 std::optional<std::string> ride_report(const Finder& find) {
   const Findings& found = find(Want::ratings | Want::overloads | Want::riders);
   if (found.ride == nullptr) return std::nullopt;
-  return sim::report_text(*found.ride, *found.ratings, found.riders->all(), found.overloads,
-                          find.session().document.name);
+  std::string text =
+      sim::report_text(*found.ride, *found.ratings, found.riders->all(), found.overloads, find.session().document.name);
+  if (const auto& import = find.session().file.import) {
+    text += fmt::format("  {:<22} {:8.2f} mm, {:.3f} deg, of the file's rows; at their jumps {:.3f} deg\n",
+                        "largest deviation", 1e3 * import->max_error, import->frame_error, import->jump_error);
+    text += fmt::format("  {:<22} {:8.2f} mm, {:.3f} deg\n", "RMS deviation", 1e3 * import->rms_error,
+                        import->rms_frame_error);
+  }
+  return text;
 }
 std::optional<std::string> ride_csv(const Finder& find) {
   const Findings& found = find(Want::riders);

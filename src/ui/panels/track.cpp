@@ -69,9 +69,12 @@ void deviation(Ui& ui) {
   };
   row("Largest deviation", "import.max_error", "import.frame_error",
       "Largest distance of the imported file's positions from the track, and largest angle between the frames there, "
-      "as "
-      "the file was opened.");
+      "as the file was opened.");
   row("RMS deviation", "import.rms_error", "import.rms_frame_error", "Root mean square of the distances and angles.");
+  if (ui.session().file.import->jump_error > 0)
+    read_query(ui, "Angle at jumps", "import.jump_error",
+               "Largest angle between the frames within 0.5 m of where those of the file jump. The others are above.",
+               {.decimals = 3, .unit = "\u00B0"});
 }
 
 void conflicts(Ui& ui) {

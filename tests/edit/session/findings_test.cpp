@@ -86,5 +86,17 @@ TEST_F(FindingsOfASession, without_a_cart_there_is_no_ride_and_nothing_of_one) {
   EXPECT_TRUE(found.jolts.empty());
 }
 
+TEST_F(FindingsOfASession, the_report_of_an_imported_track_has_its_deviations) {
+  good("add_cart @s1 at 0");
+  EXPECT_EQ(ride_report(session)->find("deviation"), std::string::npos);
+  session.file.import = exchange::ImportReport{0.00653, 0.339, 9, 2.08, 0.00297, 0.185};
+  const std::string report = *ride_report(session);
+  EXPECT_NE(
+      report.find("largest deviation          6.53 mm, 0.339 deg, of the file's rows; at their jumps 2.080 deg\n"),
+      std::string::npos)
+      << report;
+  EXPECT_NE(report.find("RMS deviation              2.97 mm, 0.185 deg\n"), std::string::npos) << report;
+}
+
 }  // namespace findings_test
 }  // namespace coaster::edit
