@@ -127,6 +127,25 @@ Status allowed(const Session& session, const Command& command) {
   return refused(fmt::format("{} is locked: this challenge is to be solved without it", info(command).name));
 }
 
+Status carry_out(Session& session, base::Files& files, const Command& command) {
+  Change change{files};
+  const Effect effect = info(command).effect;
+  const bool complete = session.history.dropped == 0;
+  const Status open = allowed(session, command);
+  const Status status = open ? kPerform[index_of(command)](session, change, command) : open;
+  if (effect != Effect::settings && effect != Effect::motion) ++session.edits;
+  if (!status) {
+    notify(session, status);
+    return status;
+  }
+  if (effect == Effect::document || effect == Effect::history) watch_built(session);
+  for (const std::string& line : change.clamped) notify(session, NoticeKind::warning, line);
+  if (complete && session.history.dropped > 0)
+    notify(session, NoticeKind::warning, "The history is full: its oldest steps are dropped.");
+  if (!change.note.empty()) notify(session, NoticeKind::info, change.note);
+  return {};
+}
+
 }  // namespace
 
 Status perform(Session& session, Change&, const Undo&) {
@@ -155,22 +174,10 @@ Status perform(Session& session, Change&, const CancelGesture&) {
 }
 
 Status apply(Session& session, base::Files& files, const Command& command) {
-  Change change{files};
-  const Effect effect = info(command).effect;
-  const bool complete = session.history.dropped == 0;
-  const Status open = allowed(session, command);
-  const Status status = open ? kPerform[index_of(command)](session, change, command) : open;
-  if (effect != Effect::settings && effect != Effect::motion) ++session.edits;
-  if (!status) {
-    notify(session, status);
-    return status;
-  }
-  if (effect == Effect::document || effect == Effect::history) watch_built(session);
-  for (const std::string& line : change.clamped) notify(session, NoticeKind::warning, line);
-  if (complete && session.history.dropped > 0)
-    notify(session, NoticeKind::warning, "The history is full: its oldest steps are dropped.");
-  if (!change.note.empty()) notify(session, NoticeKind::info, change.note);
-  return {};
+  const std::uint64_t serial = session.notices.serial;
+  const Status status = carry_out(session, files, command);
+  if (session.notices.serial != serial) session.notices.before = serial;
+  return status;
 }
 
 }  // namespace coaster::edit

@@ -77,6 +77,7 @@ struct SoughtAhead {
 struct Notices {
   std::vector<Notice> list;  // the newest last, at most 32
   std::uint64_t serial = 0;  // of the newest
+  std::uint64_t before = 0;  // of the newest before the last command that gave any
 };
 
 // The document's file.

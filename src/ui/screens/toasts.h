@@ -1,4 +1,5 @@
 // The newest notice, shown at the bottom of the viewport for some seconds; in scripts (no clock) until the next one.
+// Above it are the warnings of the same command, such as those of a file above the note about its start speed.
 #pragma once
 
 #include <cstdint>
@@ -14,9 +15,10 @@ struct Toasts {
   std::string shown;  // "" when none is
   edit::NoticeKind kind = edit::NoticeKind::info;
   double since = 0;  // s
+  double lasts = 0;  // s
   std::uint64_t serial = 0;
 
-  // Takes the newest notice of the session and drops one whose time is over.
+  // Takes the newest notices of the session and drops those whose time is over.
   void update(const edit::Session& session, double seconds, bool scripted);
   // Shows a notice of the UI about input that makes no command.
   void show(edit::NoticeKind what, std::string text, double seconds);

@@ -30,5 +30,28 @@ TEST(toasts, stay_until_the_next_one_in_scripts) {
   EXPECT_EQ(toasts.shown, "second");
 }
 
+TEST(toasts, warnings_stay_above_the_note_that_came_with_them) {
+  edit::Session session = edit::make_session({});
+  Toasts toasts;
+  edit::notify(session, edit::NoticeKind::warning, "seen before");
+  toasts.update(session, 100, false);
+  edit::notify(session, edit::NoticeKind::info, "on the way");
+  for (const char* line : {"one", "two", "three", "four", "five"})
+    edit::notify(session, edit::NoticeKind::warning, line);
+  edit::notify(session, edit::NoticeKind::info, "done");
+  toasts.update(session, 200, false);
+  EXPECT_EQ(toasts.shown, "one\ntwo\nthree\nand 2 more\ndone");
+  EXPECT_EQ(toasts.kind, edit::NoticeKind::warning);
+  toasts.update(session, 211.9, false);
+  EXPECT_EQ(toasts.shown, "one\ntwo\nthree\nand 2 more\ndone");
+  toasts.update(session, 212.1, false);
+  EXPECT_EQ(toasts.shown, "");
+  edit::notify(session, edit::NoticeKind::warning, "of another command");
+  session.notices.before = session.notices.serial;
+  edit::notify(session, edit::NoticeKind::info, "next");
+  toasts.update(session, 300, false);
+  EXPECT_EQ(toasts.shown, "next");
+}
+
 }  // namespace toasts_test
 }  // namespace coaster::ui
