@@ -49,7 +49,7 @@ std::vector<Bezier> curves_of(const ElementFile& file, ElementTrack& out) {
   for (const Corner& corner : corners) {
     if (corner.angle > base::radians(kSharpest) + 1e-6) {
       out.error = {corner.vertex, fmt::format("corners of at most {} degrees", kSharpest),
-                   fmt::format("one of {} degrees at vertex {}", rounded_degrees(corner.angle), corner.vertex + 1)};
+                   fmt::format("one of {:.6g} degrees at vertex {}", base::degrees(corner.angle), corner.vertex + 1)};
       return {};
     }
     out.report.max_error = std::max(out.report.max_error, corner.off);

@@ -68,6 +68,8 @@ TEST(nl2_corners, corners_beyond_90_degrees_are_refused_with_their_vertex) {
         << loaded.status().message;
     EXPECT_NE(loaded.status().message.find(" degrees at vertex 2"), std::string::npos) << loaded.status().message;
   }
+  const auto hardly = parse_nl2elem(encode(corner(90.006)), "x");
+  EXPECT_NE(hardly.status().message.find("found one of 90.006 degrees"), std::string::npos) << hardly.status().message;
 }
 
 TEST(nl2_corners, a_polygon_of_strict_vertices_gets_a_fillet_at_each_and_20_warnings) {
