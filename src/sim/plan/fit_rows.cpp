@@ -161,7 +161,8 @@ RowSide side_of(std::span<const FitRow> rows, bool closed, std::ptrdiff_t i, std
 std::vector<dvec3> row_curvatures(std::span<const FitRow> rows, bool closed) {
   struct Row {
     RowSide before, after;
-    dvec3 correction{0};  // of the polynomial of degree 5 to the mean of both sides
+    bool corrected = false;  // there are both sides
+    dvec3 correction{0};     // of the polynomial of degree 5 to the mean of both sides
   };
   std::vector<Row> found;
   std::vector<dvec3> curvatures;
@@ -178,6 +179,7 @@ std::vector<dvec3> row_curvatures(std::span<const FitRow> rows, bool closed) {
                   odd = a * a * a * (4.0 * after.off - after.turn) + b * b * b * (4.0 * before.off - before.turn),
                   mean = (b * before.curvature() + a * after.curvature()) / whole;
       row.correction = 4 / (whole * whole * whole) * (odd - 0.5 * (a - b) * even) - mean;
+      row.corrected = true;
       curvatures.push_back(mean);
     }
     found.push_back(row);
@@ -188,7 +190,7 @@ std::vector<dvec3> row_curvatures(std::span<const FitRow> rows, bool closed) {
     const dvec3 correction = found[i].correction;
     double share = 1;
     for (const std::ptrdiff_t k : {found[i].before.row, found[i].after.row})
-      if (k >= 0 && correction != dvec3(0))
+      if (k >= 0 && found[k].corrected && correction != dvec3(0))
         share = std::min(share, kUneven * glm::dot(correction, found[k].correction) / glm::dot(correction, correction));
     curvatures[i] += std::max(0.0, share) * correction;
   }
