@@ -11,6 +11,7 @@
 #include "base/text.h"
 #include "curve/frames.h"
 #include "exchange/nolimits/nltrack_records.h"
+#include "sim/plan/fit_track.h"
 #include "sim/shape/roll.h"
 #include "world/topology.h"
 
@@ -138,6 +139,39 @@ base::Status set_turns(std::string_view name, world::Document& document, std::si
   return {};
 }
 
+// Returns how far the document's curve is from the file's, at 17 places of each segment, and its directions at knots
+// from the file's handles.
+ImportReport report_of(const world::Document& document, const std::vector<NltrackKnot>& records) {
+  constexpr int kSteps = 16;
+  ImportReport report;
+  report.knots = static_cast<int>(records.size());
+  sim::MeanSquare distances, angles;
+  const auto turned = [&](glm::vec3 from, glm::vec3 to, glm::vec3 tangent) {
+    const dvec3 handle = dvec3(to) - dvec3(from), direction(tangent);
+    if (!(glm::length(handle) > 0)) return;
+    const double angle =
+        base::degrees(base::arc_tangent(glm::length(glm::cross(handle, direction)), glm::dot(handle, direction)));
+    report.frame_error = std::max(report.frame_error, angle);
+    angles.add(angle);
+  };
+  for (std::size_t i = 0; i < document.track.segments.size(); ++i) {
+    const NltrackKnot &from = records[i], &to = records[(i + 1) % records.size()];
+    const world::Entity e = document.track.segments[i];
+    const auto& segment = document.entities.get<world::Segment>(e);
+    const curve::Cubic ours = world::cubic_of(document, e), theirs{from.point, from.out, to.in, to.point};
+    for (int k = 0; k <= kSteps; ++k) {
+      const double t = static_cast<double>(k) / kSteps,
+                   distance = glm::distance(curve::point(ours, t), curve::point(theirs, t));
+      report.max_error = std::max(report.max_error, distance);
+      distances.add(distance);
+    }
+    turned(from.point, from.out, world::knot(document, segment.from).tangent);
+    turned(to.in, to.point, world::knot(document, segment.to).tangent);
+  }
+  report.rms_error = distances.root(), report.rms_frame_error = angles.root();
+  return report;
+}
+
 std::vector<std::string> warnings_of(const Changes& changes) {
   std::vector<std::string> warnings;
   if (changes.lengthened > 0)
@@ -174,6 +208,7 @@ base::Result<LoadedTrack> parse_nltrack(std::string_view bytes, std::string_view
   if (const auto broken = world::broken_invariant(document))
     return base::Status{base::Code::bad_file, fmt::format("{}: error: {}", name, *broken)};
   track.warnings = warnings_of(changes);
+  track.import = report_of(document, records);
   return track;
 }
 

@@ -224,6 +224,8 @@ TEST(NoLimitsTrack, handles_without_length_and_bent_ones_are_told_of) {
   auto loaded = parse_nltrack(encode(vertices, false), "x.nltrack");
   ASSERT_TRUE(loaded);
   EXPECT_TRUE(loaded->warnings.empty());
+  EXPECT_LT(loaded->import->max_error, 1e-5);
+  EXPECT_LT(loaded->import->frame_error, 1e-3);
   loaded = parse_nltrack(encode(vertices, true), "x.nltrack");
   ASSERT_TRUE(loaded);
   ASSERT_EQ(loaded->warnings.size(), 1u);
@@ -249,6 +251,12 @@ TEST(NoLimitsTrack, handles_may_bend_by_a_right_angle_and_no_more) {
     vertices[1].out = vertices[1].point + glm::vec3(6 * std::cos(turn), 0, 6 * std::sin(turn));
     const auto loaded = parse_nltrack(encode(vertices, false), "x.nltrack");
     EXPECT_EQ(loaded.ok(), degrees < 90) << degrees;
+    if (!loaded) continue;
+    // Each handle turns by half the bend; the curve moves most at t = 1/3, next to the place 5/16.
+    EXPECT_NEAR(loaded->import->frame_error, degrees / 2, 1e-3);
+    EXPECT_NEAR(loaded->import->rms_frame_error, degrees / 2 / std::sqrt(2), 1e-3);
+    EXPECT_NEAR(loaded->import->max_error, 3 * 5 * 11 * 11 / 4096.0 * 12 * std::sin(turn / 4), 1e-5);
+    EXPECT_LT(loaded->import->rms_error, loaded->import->max_error);
   }
 }
 
