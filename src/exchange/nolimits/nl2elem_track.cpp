@@ -18,6 +18,7 @@ namespace {
 using glm::dvec3;
 
 constexpr std::size_t kMaxTold = 20;  // corners with a warning each
+constexpr double kRollTold = 0.5;     // degrees from a roll: more is reported
 
 std::string rounded_degrees(double radians) { return fmt::format("{:.3g}", base::degrees(radians)); }
 
@@ -166,6 +167,9 @@ ElementTrack track_of(const ElementFile& file) {
   else sim::set_automatic_spins(out.document);
   world::add_cart(out.document, out.document.track.segments[0], 0);
   measure(out.document, segments, file, out.report);
+  if (out.report.frame_error > kRollTold)
+    out.warnings.emplace_back(0, fmt::format("the track is up to {} degrees off the file's rolls",
+                                             rounded_degrees(base::radians(out.report.frame_error))));
   return out;
 }
 

@@ -164,6 +164,19 @@ TEST(nl2elem, rolls_that_the_track_meets_anyway_add_no_knot_and_whole_turns_are_
   EXPECT_LT(spun->import->frame_error, 0.01);
 }
 
+TEST(nl2elem, rolls_that_contradict_each_other_are_told_of) {
+  const std::vector<Vertex> straight{{{1.3, 7, 2}}, {{41.3, 7, 2}}};
+  const auto upright = parse_nl2elem(encode(straight, {{0.5, {0, 1, 0}}, {0.5, {0, 1, 0}}}), "x");
+  ASSERT_TRUE(upright);
+  EXPECT_TRUE(upright->warnings.empty());
+  const auto both = parse_nl2elem(encode(straight, {{0.5, {0, 1, 0}}, {0.5, {0, 0, 1}}}), "x");
+  ASSERT_TRUE(both);
+  EXPECT_NEAR(both->import->frame_error, 90, 1e-3);
+  ASSERT_EQ(both->warnings.size(), 1u);
+  EXPECT_NE(both->warnings[0].find("the track is up to 90 degrees off the file's rolls"), std::string::npos)
+      << both->warnings[0];
+}
+
 TEST(nl2elem, bad_files_are_refused_with_line_and_reason) {
   const std::string vertex = "<vertex><x>1</x>\n<y>2</y>\n<z>3</z></vertex>\n",
                     other = "<vertex><x>9</x><y>2</y><z>3</z></vertex>\n";
