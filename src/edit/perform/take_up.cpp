@@ -48,10 +48,10 @@ bool driven_between(const Document& former, const SectionRun& was, const Documen
   return driven(former, was.first) || driven(next, run.first);
 }
 
-// Returns the task of the section: from its start to its end.
+// Returns the task of the section: from its start to its end. `opened` is the one whose shapes the memory has.
 base::Result<sim::CircuitTask> task_of(const Session& session, const Document& opened, const world::WayHome& way,
                                        double risen) {
-  sim::CircuitTask task = *sim::circuit_task(opened, nullptr);
+  sim::CircuitTask task = *sim::circuit_task(opened, session.findings.memory.opened.derived, nullptr);
   const double square = way.speed * way.speed - (way.coasts ? 2 * world::kGravity * risen : 0.0);
   if (square < std::min(1.0, way.speed * way.speed))
     return refused(fmt::format("the train does not reach the Complete circuit section, which would begin {} m higher",
@@ -77,10 +77,10 @@ Status take_up(Session& session, Change& change, const Document& former, Documen
   const double risen = driven_between(former, was, next, *run) ? 0.0
                                                                : double{nth_knot(next, run->first).position.y} -
                                                                      double{nth_knot(former, was.first).position.y};
-  const base::Result<sim::CircuitTask> task = task_of(session, opened, way, risen);
-  if (!task) return task.status();
   sim::OpenedTrack& open = session.findings.memory.opened;
   open.update(opened);
+  const base::Result<sim::CircuitTask> task = task_of(session, opened, way, risen);
+  if (!task) return task.status();
   sim::FormerWay like{way, {}};
   for (std::size_t i = was.first; i < was.end(); ++i)
     like.lengths.push_back(curve::arc_length(world::cubic_of(former, former.track.segments[i])));

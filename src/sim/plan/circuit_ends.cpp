@@ -10,14 +10,14 @@ namespace {
 
 using glm::dvec3;
 
-// Returns the fall of the curvature from k towards `towards` to 0, as 1 - (3v^2 - 2v^3).
+// Returns the fall of the curvature from k towards `towards` to 0, as 1 - soft_step().
 LeadPiece ease_piece(dvec3 forward, dvec3 towards, double k) {
   LeadPiece piece{forward, towards, glm::cross(forward, towards), 0, {}};
   const double length = std::min(kLongestEase, 2.0 * kEaseAngle / k);
   piece.length = length;
   piece.rate = [k, length](double u) {
-    const double v = u / length, angle = k * length * (v - v * v * v + 0.5 * v * v * v * v);
-    const double rate = k * (1.0 - smooth_step(v));
+    const double v = u / length, angle = k * length * (v - soft_step_integral(v));
+    const double rate = k * (1.0 - soft_step(v));
     const auto [sin, cos] = base::sin_cos(angle);
     return ElementRate{{cos, sin, 0}, {-sin * rate, cos * rate, 0}, dvec3(0), 0};
   };
@@ -30,7 +30,7 @@ void carry_up(LeadPiece& ease, dvec3 after) {
   const double k = ease.rate(0).d2.y, length = ease.length, whole = 0.5 * k * length;
   ease.rate = [rate = ease.rate, local, k, length, whole](double u) {
     ElementRate r = rate(u);
-    const double v = u / length, angle = k * length * (v - v * v * v + 0.5 * v * v * v * v);
+    const double v = u / length, angle = k * length * (v - soft_step_integral(v));
     r.up = curve::rotate(local, {0, 0, 1}, angle - whole);
     return r;
   };

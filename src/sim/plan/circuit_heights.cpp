@@ -6,8 +6,8 @@
 namespace coaster::sim {
 namespace {
 
-constexpr double kSteepestChange = 1.875;  // of 10v^3 - 15v^4 + 6v^5
-constexpr double kShortestBend = 6;        // m
+constexpr double kSteepestChange = 2.1875;  // of 35v^4 - 84v^5 + 70v^6 - 20v^7
+constexpr double kShortestBend = 6;         // m
 
 double bend_length(double from, double to, const HeightLimits& limits) {
   if (from == to) return 0;
@@ -79,10 +79,10 @@ Heights::At Heights::at(double u) const {
     const auto& [length, from, to] = pieces[i];
     const bool here = u < length || i + 1 == count;
     const double v = here ? std::clamp(u / length, 0.0, 1.0) : 1.0, w = v * v * v, change = to - from;
-    result.height += length * (from * v + change * v * w * (2.5 - 3.0 * v + v * v));
+    result.height += length * (from * v + change * v * v * w * (7.0 - 14.0 * v + 10.0 * v * v - 2.5 * w));
     if (here) {
-      result.slope = from + change * w * (10.0 - 15.0 * v + 6.0 * v * v);
-      result.change = change * 30.0 * v * v * (1.0 - v) * (1.0 - v) / length;
+      result.slope = from + change * w * v * (35.0 - 84.0 * v + 70.0 * v * v - 20.0 * w);
+      result.change = change * 140.0 * w * (1.0 - v) * (1.0 - v) * (1.0 - v) / length;
       break;
     }
     u -= length;

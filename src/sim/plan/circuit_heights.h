@@ -8,8 +8,8 @@
 
 namespace coaster::sim {
 
-// The slope (m per metre in plan) goes from one value to another as 10v^3 - 15v^4 + 6v^5 over the length, so that the
-// curvature and its rate are 0 at both ends.
+// The slope (m per metre in plan) goes from one value to another as 35v^4 - 84v^5 + 70v^6 - 20v^7 over the length, so
+// that the curvature, its rate and the slope of that are 0 at both ends: the roll in a turn follows it smoothly.
 struct HeightPiece {
   double length = 0, from = 0, to = 0;
 };

@@ -25,13 +25,19 @@ dvec2 swung(dvec2 v, double heading) {
   return {v.x * e.x - v.y * e.y, v.x * e.y + v.y * e.x};
 }
 
+// The roll follows the curvature, so that is to rise without a jump of its second derivative.
+Bend soft(Bend bend) {
+  bend.soft = true;
+  return bend;
+}
+
 // Displacements of bends by their angle, up to two whole turns, for a radius of 1 m and the heading 0.
 struct TurnTable {
   std::array<dvec2, 2 * kGrid + 1> moved{};
   std::array<double, 2 * kGrid + 1> length{};
   TurnTable() {
     for (std::size_t i = 1; i < moved.size(); ++i) {
-      const Bend bend{0, static_cast<double>(i) * kGridStep, kUnit};
+      const Bend bend = soft({0, static_cast<double>(i) * kGridStep, kUnit});
       moved[i] = bend.run_and_rise() / kUnit, length[i] = bend.length() / kUnit;
     }
   }
@@ -45,7 +51,7 @@ struct TurnTable {
   }
 };
 
-Bend turn_of(const TurnChoice& c, double from, double to) { return {from, to, c.radius, 0, c.shortest}; }
+Bend turn_of(const TurnChoice& c, double from, double to) { return soft({from, to, c.radius, 0, c.shortest}); }
 
 // What remains after a first turn by `turn`, seen along the heading between the turns.
 struct Rest {

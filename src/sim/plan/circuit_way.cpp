@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "base/portable_math.h"
-#include "sim/shape/roll.h"
+#include "sim/plan/circuit_fade.h"
 #include "world/motion.h"
 
 namespace coaster::sim {
@@ -15,9 +15,8 @@ using glm::dvec2;
 using glm::dvec3;
 
 constexpr double kLeastWeight = 0.25;  // g: where less presses riders down, banking no longer follows it
-constexpr double kRollRate = 1.0;      // rad/s, of the fading roll
-constexpr double kRollPush = 3.0;      // rad/s^2, its largest change, which throws riders to the side
-constexpr double kShortestFade = 8, kMostFade = 0.45;  // m; of the whole length
+constexpr double kMostFade = 0.45;     // of the whole length
+constexpr double kSlopeError = 1.5;    // rad/s^2, of each span's roll: a joint of two of them jolts 0.37 g
 
 // The direction of what is felt across the track. Its part towards upright is rounded off above 0, so that airtime
 // turns nobody over: sqrt(x^2 + c^2) in place of |x|.
@@ -62,14 +61,6 @@ void add_middle(const CircuitWay& way, ElementPath& path) {
   }
 }
 
-// The roll and the spin of an end fade out over this length, as a cubic of the time T: its rate is at most 1.5 roll /
-// T, and its change 6 roll / T^2.
-double fade_length(double roll, double square, double whole) {
-  const double turned = std::abs(roll), speed = std::sqrt(std::max(square, 0.0));
-  const double seconds = std::max(1.5 * turned / kRollRate, std::sqrt(6 * turned / kRollPush));
-  return std::min(std::max(kShortestFade, seconds * speed), kMostFade * whole);
-}
-
 void turn_up(ElementPoint& p, double angle, double spin) {
   p.up = curve::perpendicular(p.tangent, curve::rotate(p.up, p.tangent, angle));
   p.spin += spin;
@@ -86,23 +77,27 @@ std::size_t first_from(const ElementCurve& curve, double s) {
                                   curve.points.begin());
 }
 
-// Turns the curve's ends to the roll and spin that they must have.
-void fade_ends(const CircuitTask& task, const std::vector<double>& squares, ElementCurve& curve) {
-  ElementPoint &first = curve.points.front(), &last = curve.points.back();
-  const double whole = curve.length();
-  const double in = curve::signed_angle(first.up, curve::perpendicular(first.tangent, task.from.up), first.tangent),
-               out = curve::signed_angle(last.up, curve::perpendicular(last.tangent, task.home.up), last.tangent);
-  const std::size_t in_end = first_from(curve, fade_length(in, squares.front(), whole)),
-                    out_begin = first_from(curve, whole - fade_length(out, squares.back(), whole));
-  const double out_start = curve.points[out_begin].s;
-  const Roll fade_in{curve.points[in_end].s, -in, task.from.spin - first.spin, 0},
-      fade_out{whole - out_start, out, 0, task.home.spin - last.spin};
-  for (std::size_t i = 0; i < in_end; ++i)
-    turn_up(curve.points[i], in + fade_in.angle(curve.points[i].s), fade_in.spin(curve.points[i].s));
-  for (std::size_t i = out_begin; i < curve.points.size(); ++i)
-    turn_up(curve.points[i], fade_out.angle(curve.points[i].s - out_start),
-            fade_out.spin(curve.points[i].s - out_start));
-  add_break(curve, in_end), add_break(curve, out_begin);
+// Turns one end of the curve to the roll, spin and slope that it must have: the start, or with `last` the end, seen
+// backwards from there.
+void fade_end(const TrackEnd& end, double slope, const std::vector<double>& squares, bool last, ElementCurve& curve) {
+  std::vector<ElementPoint>& points = curve.points;
+  const std::size_t all = points.size();
+  const double whole = curve.length(), way = last ? -1.0 : 1.0;
+  const auto index = [&](std::size_t i) { return last ? all - 1 - i : i; };
+  const ElementPoint& first = points[index(0)];
+  const double angle = curve::signed_angle(first.up, curve::perpendicular(first.tangent, end.up), first.tangent),
+               square = squares[index(0)], most = kMostFade * whole, most_slope = fade_slope(most, square),
+               more = std::clamp(slope - slopes_at(first, points[index(1)], points[index(2)]).spin, -most_slope,
+                                 most_slope);  // what is beyond that jolts
+  const RollFade fade(std::min(fade_length(angle, more, square), most), angle, way * (end.spin - first.spin), more);
+  for (std::size_t i = 0; i < all; ++i) {
+    ElementPoint& p = points[index(i)];
+    const double s = last ? whole - p.s : p.s;
+    if (s >= fade.length()) break;
+    turn_up(p, fade.angle(s), way * fade.spin(s));
+  }
+  for (const double s : {fade.first_joint(), fade.second_joint(), fade.length()})
+    add_break(curve, first_from(curve, last ? whole - s : s));
 }
 
 }  // namespace
@@ -123,7 +118,7 @@ double lowest_of(const Heights& heights) {
 }
 
 std::optional<FeltRange> estimate(const CircuitTask& task, const CircuitWay& way, int steps) {
-  constexpr double kSteepestRollRate = 5.8;  // of a smooth step's second derivative, about 6, over a ramp
+  constexpr double kSteepestRollRate = 5.8;  // of soft_step()'s second derivative, over a ramp
   FeltRange felt;
   const double length = way.turns.length(), from = task.from.position.y;
   for (int i = 0; i <= steps; ++i) {
@@ -195,10 +190,11 @@ ElementCurve way_curve(const CircuitTask& task, const CircuitWay& way) {
   for (std::size_t i = 0; i < curve.points.size(); ++i) {
     ElementPoint& p = curve.points[i];
     const bool kept = (way.in.steep && i < middle) || (way.out.steep && i > after);
+    p.slope_error = kSlopeError / std::max(squares[i], 1.0);
     p.up = kept ? curve::perpendicular(p.tangent, p.up) : felt_up(p.tangent, p.curvature, std::max(0.0, squares[i]));
   }
   measure_spins(curve);
-  fade_ends(task, squares, curve);
+  fade_end(from, task.from_slope, squares, false, curve), fade_end(task.home, task.home_slope, squares, true, curve);
   curve.points.back().up = task.home.up;
   curve.points.front().spin = from.spin, curve.points.back().spin = task.home.spin;
   merge_short_pieces(curve);
@@ -208,6 +204,10 @@ ElementCurve way_curve(const CircuitTask& task, const CircuitWay& way) {
 // By differences over the points, which are at most 0.25 m apart: along and bend of the riders' line.
 FeltRange felt_on(const CircuitTask& task, const ElementCurve& curve) {
   const std::vector<double> squares = squares_on(task, curve);
+  const double whole = curve.length(), lift = task.riders / world::kGravity;
+  const auto brought = [&](double slope, double square, double s) {  // g, at s m from an end
+    return lift * square * std::abs(slope) * std::max(0.0, 1.0 - s / kFadeTaper);
+  };
   FeltRange felt;
   const std::vector<ElementPoint>& points = curve.points;
   const auto riders = [&](std::size_t i) { return points[i].position + task.riders * points[i].up; };
@@ -219,7 +219,8 @@ FeltRange felt_on(const CircuitTask& task, const ElementCurve& curve) {
     const dvec3 g = (squares[i] * bend + push * along) / world::kGravity + dvec3(0, 1, 0);
     const double up = glm::dot(g, points[i].up), side = glm::dot(g, glm::cross(points[i].up, points[i].tangent));
     felt.most = std::max(felt.most, up), felt.least = std::min(felt.least, up);
-    felt.side = std::max(felt.side, std::abs(side));
+    felt.side = std::max(felt.side, std::abs(side) - brought(task.from_slope, squares.front(), points[i].s) -
+                                        brought(task.home_slope, squares.back(), whole - points[i].s));
   }
   return felt;
 }

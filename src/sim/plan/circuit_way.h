@@ -13,19 +13,19 @@ namespace coaster::sim {
 
 // Where a track is to be completed, and by which train.
 struct CircuitTask {
-  TrackEnd from;             // the open end
-  TrackEnd home;             // the first knot, in the train's direction, with the curvature and spin of its own segment
-  double speed = 10;         // m/s at the open end
-  bool coasts = true;        // the speed follows from the energy; false: it is kept all the way
-  world::Resistance losses;  // of that train
-  double rails = 0, riders = 0;  // m above the curve
+  TrackEnd from;  // the open end
+  TrackEnd home;  // the first knot, in the train's direction, with the curvature and spin of its own segment
+  double from_slope = 0, home_slope = 0;  // rad/m^2, of the roll's rate just before `from` and just behind `home`
+  double speed = 10;                      // m/s at the open end
+  bool coasts = true;                     // the speed follows from the energy; false: it is kept all the way
+  world::Resistance losses;               // of that train
+  double rails = 0, riders = 0;           // m above the curve
   friend bool operator==(const CircuitTask&, const CircuitTask&) = default;
 };
 
 // Limits of a way home. What riders feel stays within them; longer than 4 s they are the strictest (docs/ride.md).
 inline constexpr double kMostUp = 4.0, kLeastUp = -0.3, kMostSide = 1.2;  // g
-// g, lateral, which rolling causes: ways home with less are preferred. A joint where the rolling begins jolts about 1.2
-// times as much.
+// g, lateral, which rolling causes: ways home with less are preferred.
 inline constexpr double kGentleSide = 0.55;
 inline constexpr double kSlowestHome = 2;     // m/s, anywhere on the way; less for a train that comes slower
 inline constexpr double kSteepestHome = 0.7;  // m per metre in plan, between the bends
@@ -62,10 +62,11 @@ struct WayPlace {
 };
 std::vector<WayPlace> rough_line(const CircuitTask& task, const CircuitWay& way, double step);
 
-// Returns the ideal curve. Its up is the direction of what is felt, so lateral g is 0 on the curve itself; the roll and
-// spin of both ends fade into it, by about 1 rad/s and 3 rad/s^2 at most. Its last point is `task.home` to the bit.
+// Returns the ideal curve. Its up is the direction of what is felt, so lateral g is 0 on the curve itself; the roll of
+// both ends, with its rate and the slope of that, fades into it (circuit_fade.h). Its last point is `task.home` to the
+// bit.
 ElementCurve way_curve(const CircuitTask& task, const CircuitWay& way);
-// Returns what riders feel on it.
+// Returns what riders feel on it, without the lateral g that the roll of both ends brings along.
 FeltRange felt_on(const CircuitTask& task, const ElementCurve& curve);
 
 }  // namespace coaster::sim

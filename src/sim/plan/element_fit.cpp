@@ -69,7 +69,7 @@ bool holds(const ElementCurve& curve, Trial& t, std::size_t k) {
   const std::span<const ElementPoint> points(curve.points);
   const SpanCheck& check = t.checks[k] =
       check_span(points.subspan(t.at[k], t.at[k + 1] - t.at[k] + 1), t.spans.knots[k], t.spans.knots[k + 1]);
-  return check.sound && check.error <= t.bounds.distance && check.roll_error <= t.bounds.roll &&
+  return check.sound && check.slopes && check.error <= t.bounds.distance && check.roll_error <= t.bounds.roll &&
          t.spans.jumps[k] <= t.bounds.jumps[k] && t.spans.jumps[k + 1] <= t.bounds.jumps[k + 1];
 }
 

@@ -57,13 +57,16 @@ double Bend::arc() const { return radius * std::max(0.0, std::abs(to - from) - 2
 double Bend::bend(double u) const {
   const double l = ramp(), whole = length(), most = (to < from ? -1.0 : 1.0) / radius;
   if (!(l > 0)) return 0;
-  return most * smooth_step(std::clamp(std::min(u, whole - u) / l, 0.0, 1.0));
+  const double v = std::clamp(std::min(u, whole - u) / l, 0.0, 1.0);
+  return most * (soft ? soft_step(v) : smooth_step(v));
 }
 
 double Bend::angle(double u) const {
   const double l = ramp(), whole = length(), sign = to < from ? -1.0 : 1.0;
   if (!(l > 0)) return to;
-  const auto risen = [&](double v) { return l / radius * v * v * v * (1.0 - 0.5 * v); };  // over the share v of a ramp
+  const auto risen = [&](double v) {  // over the share v of a ramp
+    return l / radius * (soft ? soft_step_integral(v) : v * v * v * (1.0 - 0.5 * v));
+  };
   if (u <= l) return from + sign * risen(u / l);
   if (u < whole - l) return from + sign * (ramp_angle() + (u - l) / radius);
   return to - sign * risen((whole - u) / l);
@@ -156,6 +159,12 @@ void measure_spins(ElementCurve& curve) {
       points[i].spin = i == first && p > 0 ? 0.5 * (points[i].spin + spin) : spin;
     }
   }
+}
+
+EndSlopes slopes_at(const ElementPoint& at, const ElementPoint& near, const ElementPoint& far) {
+  const double x = near.s - at.s, y = far.s - at.s, first = y / (x * (y - x)), second = x / (y * (y - x));
+  return {(near.spin - at.spin) * first - (far.spin - at.spin) * second,
+          (near.curvature - at.curvature) * first - (far.curvature - at.curvature) * second};
 }
 
 void merge_short_pieces(ElementCurve& curve) {

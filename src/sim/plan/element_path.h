@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <functional>
 #include <initializer_list>
+#include <limits>
 #include <vector>
 
 #include <glm/glm.hpp>
@@ -20,6 +21,9 @@ struct ElementPoint {
   glm::dvec3 curvature{0};      // 1/m, derivative of the tangent by length: towards the centre
   glm::dvec3 up{0, 1, 0};       // unit, perpendicular to the tangent
   double spin = 0;              // rad/m, rate of `up` about the tangent against the rotation-minimising frame
+  // rad/m^2, by how much the slope of the roll's rate may differ in a span that ends here, and by 1.5 times as much the
+  // slope of its curvature towards up (1/m^2): for a rider above the rails both are pushes, to the side and along.
+  double slope_error = std::numeric_limits<double>::infinity();
 };
 
 // Tangent and curvature are continuous along the curve; at a break the derivative of the curvature changes.
@@ -33,6 +37,12 @@ struct ElementCurve {
 // Sets the spin of every point: the derivative of its angle against the rotation-minimising frame, by four points of
 // its piece; at a break the mean of both sides. Pieces need 4 points.
 void measure_spins(ElementCurve& curve);
+// The derivatives by length of the spin and the curvature at a point, from two more on one side of it.
+struct EndSlopes {
+  double spin;           // rad/m^2
+  glm::dvec3 curvature;  // 1/m^2
+};
+EndSlopes slopes_at(const ElementPoint& at, const ElementPoint& near, const ElementPoint& far);
 // Merges pieces too short for a span of their own with a neighbour.
 void merge_short_pieces(ElementCurve& curve);
 
@@ -49,6 +59,9 @@ ElementRate upright_rate(double angle, double bend);
 
 // From 0 to 1 for v in [0, 1], with derivative 0 at both ends.
 inline double smooth_step(double v) { return v * v * (3.0 - 2.0 * v); }
+// The same with a second derivative of 0 there, too, and its integral from 0: 1/2 at 1.
+inline double soft_step(double v) { return v * v * v * (10.0 - 15.0 * v + 6.0 * v * v); }
+inline double soft_step_integral(double v) { return v * v * v * v * (2.5 - 3.0 * v + v * v); }
 
 // A bend from one angle to another: ramp, circle, ramp. Curvature rises as smooth_step() of the length from 0 to
 // 1/radius, over a quarter of the angle, at most 30 degrees, or over a given length, and falls in the same way.
@@ -57,6 +70,7 @@ struct Bend {
   double from = 0, to = 0;                // rad
   double radius = 1;                      // m
   double ramp_length = 0;                 // m, at most radius times angle; 0: a quarter of the angle
+  bool soft = false;                      // the curvature rises as soft_step()
   // No shorter than `shortest` m.
   Bend(double from_angle, double to_angle, double least_radius, double length_of_ramp = 0, double shortest = kShortest);
   double ramp_angle() const;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "base/portable_math.h"
 #include "curve/continuity.h"
@@ -17,6 +18,7 @@ using glm::dvec2;
 using glm::dvec3;
 
 constexpr double kMostRoll = 2.5;  // rad per span: well below half a turn, so that no whole turns are needed
+constexpr double kAnySlope = std::numeric_limits<double>::infinity();
 constexpr double kShortest = 0.1, kLongest = 0.8;  // handles, relative to a span's length
 
 // Returns the unit direction in which a span bends at one of its ends; 0 if it is straight. `other` is the tangent at
@@ -137,6 +139,18 @@ curve::Cubic cubic_between(const world::Knot& from, const world::Knot& to) {
   return {from.position, world::out_handle(from), world::in_handle(to), to.position};
 }
 
+// Returns whether a span's slopes at its start (t = 0) or end (t = 1) are as ElementPoint::slope_error asks.
+bool slopes_hold(const ElementPoint& p, const EndSlopes& wanted, double roll_slope, const curve::Cubic& cubic,
+                 double t) {
+  constexpr double kStep = 0.01, kCurvatureShare = 1.5;
+  if (!(p.slope_error < kAnySlope)) return true;
+  const double near = t == 0 ? kStep : 1.0 - kStep;
+  const dvec3 change = (curve::curvature_vector(cubic, near) - curve::curvature_vector(cubic, t)) /
+                       ((near - t) * glm::length(curve::coefficients_d(cubic).derivative(t)));
+  return std::abs(roll_slope - wanted.spin) <= p.slope_error &&
+         std::abs(glm::dot(change - wanted.curvature, p.up)) <= kCurvatureShare * p.slope_error;
+}
+
 }  // namespace
 
 // Follows the ideal curve's points along a span. The frame is carried as the track's (sim/shape/derived.cpp):
@@ -177,6 +191,11 @@ SpanCheck check_span(std::span<const ElementPoint> points, const world::Knot& fr
     check.roll_error = std::max(check.roll_error, std::abs(rolls[i] - roll.angle(points[i].s - points[0].s)));
   check.roll = rolls.back();
   check.sound = check.sound && std::abs(check.roll) < kMostRoll;
+  const std::size_t end = points.size() - 1;
+  check.slopes = points.size() < 3 ||
+                 (slopes_hold(points[0], slopes_at(points[0], points[1], points[2]), roll.slope(0), cubic, 0) &&
+                  slopes_hold(points[end], slopes_at(points[end], points[end - 1], points[end - 2]), roll.slope(length),
+                              cubic, 1));
   return check;
 }
 

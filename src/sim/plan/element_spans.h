@@ -14,6 +14,7 @@ struct SpanCheck {
   double roll_error = 0;  // rad
   double roll = 0;        // rad, of the second knot's `up` against the frame there
   bool sound = true;      // sensible handle lengths and less than half a turn of roll
+  bool slopes = true;     // those of roll and curvature at both ends are as ElementPoint::slope_error asks
 };
 
 struct Spans {

@@ -195,7 +195,7 @@ CircuitProposals searched(const CircuitCandidates& candidates, const SearchTerms
 
 }  // namespace
 
-std::optional<CircuitTask> circuit_task(const world::Document& document, const Ghost* ride) {
+std::optional<CircuitTask> circuit_task(const world::Document& document, const Derived& derived, const Ghost* ride) {
   const std::optional<TrackEnd> end = open_end(document);
   if (!end || document.track.segments.empty()) return std::nullopt;
   CircuitTask task;
@@ -208,6 +208,8 @@ std::optional<CircuitTask> circuit_task(const world::Document& document, const G
   task.home.curvature = curve::across(
       curve::curvature_vector(world::cubic_of(document, document.track.segments.front()), 0.0), task.home.forward);
   if (glm::length(task.home.curvature) < kStraightEnd) task.home.curvature = dvec3(0);
+  const Roll &before = derived.shape_at(derived.order.size() - 1).roll, &after = derived.shape_at(0).roll;
+  task.from_slope = before.slope(before.length), task.home_slope = after.slope(0);
   task.rails = world::rails_height(document), task.riders = world::riders_height(document);
   task.speed = kAssumedSpeed, task.coasts = false;
   if (ride != nullptr && ride->end == world::FailureKind::off_end && ride->samples.back().speed > 0) {
@@ -242,7 +244,7 @@ void OpenedTrack::update(const world::Document& opened) {
 
 const CircuitProposals& CircuitMemo::update(const world::Document& document, const Derived& derived,
                                             const Conflicts& conflicts, const Ghost* ride) {
-  const std::optional<CircuitTask> task = circuit_task(document, ride);
+  const std::optional<CircuitTask> task = circuit_task(document, derived, ride);
   if (!task) {
     task_.reset();
     found_ = {};

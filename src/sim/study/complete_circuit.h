@@ -25,9 +25,9 @@ struct CircuitProposals {
   bool assumed = false;               // that speed: no train reaches the open end
 };
 
-// Returns what is to be completed: `ride` is the train's ghost on the open track, null without a train. Nothing for a
-// closed track and one without a segment.
-std::optional<CircuitTask> circuit_task(const world::Document& document, const Ghost* ride);
+// Returns what is to be completed: `ride` is the train's ghost on the open track, null without a train. `derived` must
+// be the document's. Nothing for a closed track and one without a segment.
+std::optional<CircuitTask> circuit_task(const world::Document& document, const Derived& derived, const Ghost* ride);
 
 // `conflicts` and `derived` are the open track's and up to date. Tries at most kMostTried candidates: below 1 s.
 CircuitProposals complete_circuit(const CircuitTask& task, const Derived& derived, const Conflicts& conflicts);

@@ -56,7 +56,7 @@ TEST(complete_circuit, plans_with_the_drag_that_the_train_has_by_its_mass) {
     document.entities.get<world::Cart>(cart).mass = mass;
     GhostMemo memo;
     const Ghost& ride = *memo.ride(document, test::derived_of(document), cart);
-    const std::optional<CircuitTask> task = circuit_task(document, &ride);
+    const std::optional<CircuitTask> task = circuit_task(document, test::derived_of(document), &ride);
     ASSERT_TRUE(task);
     ASSERT_TRUE(task->coasts);
     const GhostSample& last = *(ride.samples.end() - 2);  // the very last is cut at the end of the track
@@ -66,11 +66,11 @@ TEST(complete_circuit, plans_with_the_drag_that_the_train_has_by_its_mass) {
 }
 
 TEST(complete_circuit, is_refused_without_a_segment_and_for_a_closed_track) {
-  EXPECT_FALSE(circuit_task(world::Document{}, nullptr));
+  EXPECT_FALSE(circuit_task(world::Document{}, {}, nullptr));
   EXPECT_FALSE(ways_home(world::Document{}).refusal.empty());
   world::Document closed = straight();
   world::set_closed(closed, true);
-  EXPECT_FALSE(circuit_task(closed, nullptr));
+  EXPECT_FALSE(circuit_task(closed, test::derived_of(closed), nullptr));
   EXPECT_TRUE(ways_home(closed).list.empty());
 }
 
