@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <utility>
 
+#include <fmt/format.h>
+
 #include "edit/commands/commands_challenge.h"
 #include "edit/commands/commands_operation.h"
 #include "edit/commands/commands_sections.h"
