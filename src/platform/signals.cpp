@@ -1,6 +1,7 @@
 #include "platform/signals.h"
 
 #include <csignal>
+#include <initializer_list>
 
 namespace coaster::platform {
 namespace {
