@@ -5,11 +5,12 @@
 #include <deque>
 
 #include "base/portable_math.h"
+#include "curve/natural_spline.h"
 #include "world/motion.h"
 
 namespace coaster::sim {
 
-using glm::dvec2, glm::dvec3;
+using glm::dvec3;
 
 double frame_angle_deg(const curve::Frame& a, const curve::Frame& b) {
   // The squared distances of the three axes add up to 8 sin^2(angle / 2).
@@ -56,21 +57,24 @@ std::vector<double> bend_limits(std::span<const FitRow> rows, bool closed) {
 
 namespace {
 
-// Returns the slope at 0 of the polynomial through 0 and the points.
-double rate_at_zero(std::span<const dvec2> points) {
-  double rate = 0;
-  for (const dvec2& p : points) {
-    double share = 1 / p.x;
-    for (const dvec2& q : points)
-      if (&q != &p) share *= q.x / (q.x - p.x);
-    rate += share * p.y;
-  }
-  return rate;
+// Returns the rates (rad/m) at the rows of the cubic spline that turns by `rates` over the steps of these lengths.
+std::vector<double> spline_rates(std::span<const double> lengths, std::span<const double> rates, bool closed) {
+  // Round a closed track the roll comes back to its start once the mean rate is taken off.
+  double whole = 0, turned = 0;
+  for (std::size_t i = 0; i < rates.size(); ++i) whole += lengths[i], turned += lengths[i] * rates[i];
+  const double mean = turned / whole;
+  std::vector<dvec3> rolls{dvec3(0)};
+  for (std::size_t i = 0; i < rates.size(); ++i)
+    rolls.push_back(rolls.back() + dvec3(lengths[i] * (rates[i] - mean), 0, 0));
+  if (closed) rolls.pop_back();
+  std::vector<double> found;
+  for (const dvec3& rate : curve::spline_derivatives({rolls, lengths, {}, {}, closed})) found.push_back(mean + rate.x);
+  return found;
 }
 
 }  // namespace
 
-std::vector<double> row_spins(std::span<const FitRow> rows, bool closed) {
+RowRolls row_rolls(std::span<const FitRow> rows, bool closed) {
   const auto count = static_cast<std::ptrdiff_t>(rows.size()), steps = closed ? count : count - 1;
   std::vector<double> lengths, rates;
   for (std::ptrdiff_t i = 0; i < steps; ++i) {
@@ -80,8 +84,13 @@ std::vector<double> row_spins(std::span<const FitRow> rows, bool closed) {
     lengths.push_back(std::max(glm::distance(a.position, b.position), 1e-9));
     rates.push_back(angle / lengths.back());
   }
-  std::vector<double> spins, near;
-  std::vector<dvec2> rolls;
+  RowRolls rolls{spline_rates(lengths, rates, closed), {}};
+  for (std::ptrdiff_t i = 0; i < count; ++i) {  // the spline's second derivative, at the start or the end of a step
+    const std::ptrdiff_t k = i < steps ? i : i - 1;
+    const double here = rolls.spins[i], there = rolls.spins[i < steps ? (i + 1) % count : k];
+    rolls.slopes.push_back((i < steps ? 2 : -2) * (3 * rates[k] - 2 * here - there) / lengths[k]);
+  }
+  std::vector<double> near;
   for (std::ptrdiff_t i = 0; i < count; ++i) {
     near.clear();
     // The rates of the steps from `first` on, within the reach.
@@ -96,25 +105,13 @@ std::vector<double> row_spins(std::span<const FitRow> rows, bool closed) {
     const std::size_t behind = near.size();
     take(i, 1);
     const double before = behind > 0 ? near[0] : near[behind], after = behind < near.size() ? near[behind] : near[0];
-    if (behind == 1 && near.size() == 2) {  // rows far apart
-      rolls.clear();
-      for (const std::ptrdiff_t way : {-1, 1}) {
-        dvec2 at(0);
-        for (std::ptrdiff_t k = way < 0 ? i - 1 : i, n = 0; n < 2 && (closed || (k >= 0 && k < steps)); k += way, ++n) {
-          const std::ptrdiff_t step = (k + 2 * steps) % steps;
-          at += static_cast<double>(way) * lengths[step] * dvec2(1, rates[step]);
-          rolls.push_back(at);
-        }
-      }
-      spins.push_back(rate_at_zero(rolls));
-      continue;
-    }
+    if (behind == 1 && near.size() == 2) continue;  // rows far apart
     const auto middle = near.begin() + static_cast<std::ptrdiff_t>(near.size() / 2);
     std::nth_element(near.begin(), middle, near.end());
     const double upper = *middle, lower = near.size() % 2 == 1 ? upper : *std::max_element(near.begin(), middle);
-    spins.push_back(std::clamp(0.5 * (lower + upper), std::min(before, after), std::max(before, after)));
+    rolls.spins[i] = std::clamp(0.5 * (lower + upper), std::min(before, after), std::max(before, after));
   }
-  return spins;
+  return rolls;
 }
 
 namespace {

@@ -37,12 +37,17 @@ inline constexpr double kBendShare = 1.5;    // of the rows' own
 inline constexpr double kBendSpare = 0.005;  // 1/m
 std::vector<double> bend_limits(std::span<const FitRow> rows, bool closed);
 
-// Returns the spin of each row, rad/m: of the rates at which the rows turn about their direction against
-// rotation-minimising frames, the median over the steps within kSpinReach on both sides, but no less and no more than
-// the rates of the steps before and after the row. A jump on one side leaves it as it is. Where a step on each side
-// reaches further, the rate of the polynomial through the rolls of the row and of two rows on each side.
+// How rows turn about their direction against rotation-minimising frames, per row.
+struct RowRolls {
+  std::vector<double> spins;   // rad/m
+  std::vector<double> slopes;  // rad/m^2: their rate of change, of the spline
+};
+
+// Returns the rolls of the rows. The spin is the median of the rates of the steps within kSpinReach on both sides, but
+// no less and no more than the rates of the steps before and after the row: a jump on one side leaves it as it is.
+// Where a step on each side reaches further, it is that of the cubic spline through the rolls of all rows.
 inline constexpr double kSpinReach = 0.6;  // m
-std::vector<double> row_spins(std::span<const FitRow> rows, bool closed);
+RowRolls row_rolls(std::span<const FitRow> rows, bool closed);
 
 // Returns the curvature vector at each row, 1/m, perpendicular to its `forward`. On each side the row and the nearest
 // one at least kCurvatureReach away, their places and directions, give that of a curve whose curvature changes

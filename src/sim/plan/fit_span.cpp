@@ -237,8 +237,10 @@ bool felt_wrong(std::span<const FitRow> rows, std::span<const double> distances,
     while (before + 1 < i && apart(before + 1, i) >= moment) ++before;
     while (after + 1 < count && (after <= i || apart(i, after) < moment)) ++after;
     if (apart(i > 0 ? i - 1 : 0, i > 0 ? i : 1) > moment) {
-      const double sharp = glm::distance(bend_of(c, s.places[i]), bounds.curvatures[first + i]);
-      if (sharp * v2 > kSharp * bounds.felt) return true;
+      const double lean = bounds.heartline * (roll.slope(s.shares[i] * s.length) - bounds.slopes[first + i]);
+      const dvec3 right = glm::cross(rows[first + i].forward, rows[first + i].up);
+      const dvec3 sharp = bend_of(c, s.places[i]) - bounds.curvatures[first + i] + lean * right;
+      if (glm::length(sharp) * v2 > kSharp * bounds.felt) return true;
     } else if (i > 0 && i + 1 < count) {
       const double back = std::max(apart(before, i), moment), ahead = std::max(apart(i, after), moment);
       const dvec3 turn = (s.misses[after] - s.misses[i]) / ahead - (s.misses[i] - s.misses[before]) / back;

@@ -40,7 +40,8 @@ struct Work {
   std::vector<FitRow> rows;
   std::vector<double> distances;
   std::vector<char> free;
-  std::vector<double> bends, spins, speeds;
+  std::vector<double> bends, speeds;
+  RowRolls row_rolls;
   std::vector<dvec3> curvatures;
   bool closed = false;
   double scale = 1;  // relative to the bounds
@@ -60,7 +61,8 @@ struct Work {
   SpanBounds bounds() const {
     SpanBounds b;
     b.distance *= scale, b.angle *= scale, b.felt *= scale;
-    b.free = free, b.bends = bends, b.spins = spins, b.speeds = speeds, b.curvatures = curvatures;
+    b.free = free, b.bends = bends, b.spins = row_rolls.spins, b.slopes = row_rolls.slopes, b.speeds = speeds,
+    b.curvatures = curvatures;
     b.heartline = world::Document{}.heartline;
     return b;
   }
@@ -181,7 +183,7 @@ world::Knot knot_of(const Work& w, std::size_t at, double in, double out) {
   k.position = glm::vec3(row.position);
   k.tangent = glm::vec3(row.forward);
   k.up = glm::vec3(curve::perpendicular(row.forward, curve::rotate(row.up, row.forward, w.rolls[at])));
-  k.spin = static_cast<float>(w.spins[at]);
+  k.spin = static_cast<float>(w.row_rolls.spins[at]);
   k.in_length = world::as_handle(in), k.out_length = world::as_handle(out);
   k.joint = k.in_length == k.out_length ? world::JointKind::smooth : world::JointKind::aligned;
   world::orthonormalise(k);
@@ -230,14 +232,16 @@ Work prepare(std::span<const FitRow> rows, bool closed) {
   w.rows.assign(rows.begin(), rows.end());
   w.free = near_jumps(rows, closed, kInnerReach);
   w.bends = bend_limits(rows, closed);
-  w.spins = row_spins(rows, closed);
+  w.row_rolls = row_rolls(rows, closed);
   w.speeds = row_speeds(rows), w.curvatures = row_curvatures(rows, closed);
   for (std::size_t i = 0; i < rows.size(); ++i)
     if (w.free[i]) w.curvatures[i] = dvec3(0);
-  for (double& spin : w.spins)
+  for (double& spin : w.row_rolls.spins)
     spin = std::abs(spin) < kLeastSpin ? 0 : std::clamp<double>(spin, -world::kMaxSpin, world::kMaxSpin);
   if (closed) {
-    w.rows.push_back(rows[0]), w.free.push_back(w.free[0]), w.spins.push_back(w.spins[0]);
+    w.rows.push_back(rows[0]), w.free.push_back(w.free[0]);
+    for (std::vector<double>* const values : {&w.row_rolls.spins, &w.row_rolls.slopes})
+      values->push_back(values->front());
     w.speeds.push_back(w.speeds[0]), w.curvatures.push_back(w.curvatures[0]);
   }
   w.distances.resize(w.rows.size());

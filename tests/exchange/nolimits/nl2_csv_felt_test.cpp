@@ -3,6 +3,7 @@
 
 #include <array>
 #include <fstream>
+#include <random>
 #include <sstream>
 
 #include <fmt/format.h>
@@ -108,6 +109,29 @@ std::string thinned(const std::string& text, double spacing, std::uint32_t seed)
   return kept;
 }
 
+// A place on a curve in closed form, and the metres of track per unit of its parameter.
+struct Place {
+  dvec3 place{0}, forward{0}, up{0};
+  double metres = 1;
+};
+
+// Rows about `spacing` m apart, each step by up to a fifth longer or shorter, to just beyond x = length.
+template <class Curve>
+std::string rows_on(Curve curve, double length, double spacing, std::uint32_t seed) {
+  std::string rows(test::kNl2Header);
+  std::mt19937 bits(seed);
+  int number = 0;
+  for (double x = 0; x < length + spacing;) {
+    const Place at = curve(x);
+    rows += std::to_string(++number);
+    for (const dvec3 v : {at.place, at.forward, glm::cross(at.up, at.forward), at.up})
+      rows += fmt::format("\t{:.6f}\t{:.6f}\t{:.6f}", v.x, v.y, v.z);
+    rows += "\n";
+    x += spacing * (0.8 + 0.4 * (bits() / 4294967296.0)) / at.metres;
+  }
+  return rows;
+}
+
 void expect_felt(const std::string& rows, const std::vector<Moment>& ride, double heart) {
   const auto loaded = parse_nl2_csv(rows, "t.csv");
   ASSERT_TRUE(loaded.ok()) << loaded.status().message;
@@ -172,19 +196,57 @@ TEST(nl2_csv_felt, fast_ripples_are_felt_as_their_curvature_in_closed_form_says)
   for (const double spacing : {0.1, 0.5, 2.0, 5.0}) {
     if (test::kSanitized && spacing != 0.5) continue;
     SCOPED_TRACE(fmt::format("rows every {} m", spacing));
-    std::string rows(test::kNl2Header);
-    std::mt19937 bits(11);
-    int number = 0;
-    for (double x = 0; x < kLength + spacing;) {
-      const dvec3 forward = glm::normalize(first(x)), up = up_at(x), left = glm::cross(up, forward);
-      rows += std::to_string(++number);
-      for (const dvec3 v : {place(x), forward, left, up})
-        rows += fmt::format("\t{:.6f}\t{:.6f}\t{:.6f}", v.x, v.y, v.z);
-      rows += "\n";
-      x += spacing * (0.8 + 0.4 * (bits() / 4294967296.0)) / glm::length(first(x));
-    }
-    expect_felt(rows, ride, 0);
+    const auto curve = [](double x) {
+      return Place{place(x), glm::normalize(first(x)), up_at(x), glm::length(first(x))};
+    };
+    expect_felt(rows_on(curve, kLength, spacing, 11), ride, 0);
   }
+}
+
+// A straight slope whose rails roll by 1.2 rad to the right and back within `width` m each, twice as far to the left,
+// with continuous second derivatives. On straight rails riders h above them feel
+//   up:   cos(slope) cos(roll) - h roll'^2 v^2 / g
+//   left: cos(slope) sin(roll) - h (roll'' v^2 + roll' sin(slope) g) / g
+constexpr double kSlope = 0.2, kRoll = 1.2;
+struct Rolling {
+  double width;
+  dvec3 roll(double s) const {  // the angle, and its derivatives by s
+    dvec3 sum(0);
+    for (const auto& [start, way] : {std::pair(30.0, 1.0), {75.0, -1.0}, {115.0, -1.0}, {160.0, 1.0}}) {
+      const double u = std::clamp((s - start) / width, 0.0, 1.0);
+      sum += way * kRoll *
+             dvec3(u * u * u * (10 - 15 * u + 6 * u * u), 30 * u * u * (1 - u) * (1 - u) / width,
+                   60 * u * (1 - u) * (1 - 2 * u) / (width * width));
+    }
+    return sum;
+  }
+  Place operator()(double s) const {
+    const dvec3 forward(std::cos(kSlope), -std::sin(kSlope), 0), up(std::sin(kSlope), std::cos(kSlope), 0);
+    return {dvec3(3.3, 57.7, -8.1) + s * forward, forward, curve::rotate(up, forward, roll(s).x)};
+  }
+};
+
+TEST(nl2_csv_felt, quick_rolls_are_felt_as_closed_forms_say_though_rows_are_metres_apart) {
+  constexpr double kLength = 200;
+  const double heart = world::Document{}.heartline;
+  for (const auto& [width, spacing] : {std::pair(14.0, 0.05), {14.0, 0.5}, {14.0, 2.0}, {18.0, 3.0}})
+    for (std::uint32_t seed = 0; seed < (test::kSanitized ? 1 : 4); ++seed) {
+      SCOPED_TRACE(fmt::format("rolls within {} m, rows every {} m, seed {}", width, spacing, seed));
+      const Rolling curve{width};
+      std::vector<Moment> ride;
+      for (double s = 0; s < kLength;) {
+        const Place at = curve(s);
+        const dvec3 roll = curve.roll(s);
+        const double v2 = v2_at(57.7, at.place.y);
+        ride.push_back({at.place,
+                        at.forward,
+                        v2,
+                        {std::cos(kSlope) * std::cos(roll.x) - heart * roll.y * roll.y * v2,
+                         std::cos(kSlope) * std::sin(roll.x) - heart * (roll.z * v2 + roll.y * std::sin(kSlope))}});
+        s += std::sqrt(v2 * world::kGravity) / kRate;
+      }
+      expect_felt(rows_on(curve, kLength, spacing, seed), ride, heart);
+    }
 }
 
 }  // namespace nl2_csv_felt_test

@@ -173,18 +173,29 @@ TEST(fit_bends, rows_have_the_curvature_of_a_smooth_curve_beside_open_ends_too) 
   for (double start = 0; start < 5; start += 0.31) EXPECT_LT(LevelRows(smooth, start, 4).error(), 1e-3) << start;
 }
 
-TEST(fit_bends, rows_far_apart_have_the_spin_of_a_smooth_roll) {
-  // Left to right along a straight; at the two rows of each end fewer rows tell it.
-  std::vector<FitRow> rows;
-  std::vector<double> spins;
-  for (double x = 0; x < 60; x += rows.size() % 3 == 0 ? 2.2 : 3.1) {
-    const double roll = 0.7 * std::sin(x / 9);
-    rows.push_back({{x, 0, 0}, {1, 0, 0}, {0, std::cos(roll), std::sin(roll)}});
-    spins.push_back(0.7 / 9 * std::cos(x / 9));
+TEST(fit_bends, rows_far_apart_have_the_spin_of_a_smooth_roll_and_its_slope) {
+  // Left and right on a level circle of radius 9 m, open or closed.
+  constexpr double kRound = 18 * M_PI;
+  for (const bool closed : {false, true}) {
+    std::vector<FitRow> rows;
+    std::vector<double> places;
+    for (double x = 0; x < kRound - 2; x += rows.size() % 3 == 0 ? 2.2 : 3.1) {
+      const double roll = 0.7 * std::sin(x / 9), a = x / 9;
+      const dvec3 forward(std::cos(a), 0, std::sin(a));
+      rows.push_back({9.0 * dvec3(std::sin(a), 0, -std::cos(a)), forward, curve::rotate({0, 1, 0}, forward, roll)});
+      places.push_back(x);
+    }
+    const RowRolls found = row_rolls(rows, closed);
+    ASSERT_EQ(found.spins.size(), rows.size());
+    ASSERT_EQ(found.slopes.size(), rows.size());
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+      // A natural spline misses the second derivative at open ends; from row to row that falls to about a quarter.
+      const std::size_t inward = closed ? rows.size() : std::min(i, rows.size() - 1 - i);
+      const double end = 6e-3 * std::pow(0.27, static_cast<double>(inward));
+      EXPECT_NEAR(found.spins[i], 0.7 / 9 * std::cos(places[i] / 9), end + 6e-4) << i;
+      EXPECT_NEAR(found.slopes[i], -0.7 / 81 * std::sin(places[i] / 9), end + 4e-4) << i;
+    }
   }
-  const std::vector<double> found = row_spins(rows, false);
-  for (std::size_t i = 1; i + 1 < rows.size(); ++i)
-    EXPECT_NEAR(found[i], spins[i], i == 1 || i + 2 == rows.size() ? 2e-3 : 2e-4) << i;
 }
 
 TEST(fit_bends, a_train_passes_the_highest_row_at_ten_metres_a_second) {
