@@ -16,7 +16,7 @@ using glm::dvec2, glm::dvec3;
 
 constexpr std::size_t kFittedRows = 40;  // rows that handle lengths are fitted to
 constexpr int kIterations = 12;
-constexpr double kLeastBent = 0.1;     // of the length: the shortest handles that are tried against bends
+constexpr double kLeastHandle = 0.25;  // of the rows' length: curvature changes quickly beside shorter handles
 constexpr double kMostHandle = 0.495;  // of the rows' length: a little less than half the curve's
 constexpr double kBeyond = 40;         // what curvature beyond the limit counts against one that is off
 constexpr double kStay = 1e-3;         // 1/m: what handles that move by the length count against one that is off
@@ -69,7 +69,7 @@ Handles fit_handles(std::span<const FitRow> rows, std::span<const double> distan
   const auto row_of = [&](std::size_t k) { return first + (last - first) * k / (inner + 1); };
   for (std::size_t k = 0; k < inner + 2; ++k)
     parameters[k] = stations[k] = (distances[row_of(k)] - distances[first]) / length;
-  const double low = std::max(0.02 * length, double{world::kMinHandle}),
+  const double low = std::max(kLeastHandle * length, double{world::kMinHandle}),
                high = std::clamp(kMostHandle * length, low, double{world::kMaxHandle});
   // Without rows between them: those of a circle through both.
   const double third = inner > 0 ? length / 3 : length / (1.5 + 0.75 * glm::length(ends.t0 + ends.t3));
@@ -118,7 +118,7 @@ Handles most_alike(const Ends& ends, double length, dvec3 from, dvec3 to, double
     const double moved = std::abs(at.out - start.out) + std::abs(at.in - start.in);
     return glm::length(off) + kBeyond * std::max(0.0, most - limit) + kStay * moved / length;
   };
-  const double low = std::max(kLeastBent * length, double{world::kMinHandle}),
+  const double low = std::max(kLeastHandle * length, double{world::kMinHandle}),
                high = std::clamp(kMostHandle * length, low, double{world::kMaxHandle});
   double best = cost(h);
   for (double step = 0.08 * length; step > 0.002 * length;) {

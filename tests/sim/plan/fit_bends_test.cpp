@@ -6,6 +6,8 @@
 #include "sim/bends_of.h"
 #include "sim/plan/fit_track.h"
 #include "sim/rows_along.h"
+#include "sim/study/jolt.h"
+#include "world/topology.h"
 
 namespace coaster::sim {
 namespace fit_bends_test {
@@ -16,6 +18,11 @@ using Rate = std::function<double(double)>;
 double none(double) { return 0; }
 // Rises from 0 to 1 between two places.
 double ramp(double s, double from, double to) { return std::clamp((s - from) / (to - from), 0.0, 1.0); }
+
+// Rises smoothly from 0 to 1 and falls again, within a length.
+double swell(double s, double from, double length) {
+  return 0.5 - 0.5 * std::cos(2 * M_PI * ramp(s, from, from + length));
+}
 
 // Curvatures upwards and to the left (1/m), and the roll (radians) of a track of some length.
 struct Shape {
@@ -56,6 +63,11 @@ const Shape kShapes[] = {
      [](double s) { return 2 * M_PI * std::pow(ramp(s, 20, 60), 2) * (3 - 2 * ramp(s, 20, 60)); }},
     {"hills", 150, [](double s) { return 0.08 * std::sin(s / 6); }, [](double s) { return 0.05 * std::sin(s / 11); },
      [](double s) { return 0.6 * std::sin(s / 11); }},
+    {"bends and straights", 150,
+     [](double s) {
+       return 0.045 * (swell(s, 12, 18) + swell(s, 84, 16) - swell(s, 104, 16)) - 0.03 * swell(s, 44, 30);
+     },
+     [](double s) { return 0.02 * swell(s, 120, 20); }, none},
     {"banked bend", 60, none, [](double s) { return s > 20 && s < 35 ? 0.1 : 0.0; },
      [](double s) { return 0.8 * (ramp(s, 18, 22) - ramp(s, 33, 37)); }},
 };
@@ -76,8 +88,27 @@ TEST(fit_bends, tracks_bend_little_more_than_their_rows_at_any_spacing) {
     }
 }
 
+// Of a train that starts at 20 m/s and keeps within 10 % of it.
+double largest_jolt(world::Document document) {
+  world::add_cart(document, document.track.segments[0], 0);
+  document.start_speed = 20;
+  const Derived derived = shapes_of(document);
+  GhostMemo memo;
+  const Ghost* const ghost = memo.ride(document, derived, world::first_cart(document));
+  double most = 0;
+  for (const Jolt& jolt : jolts(*ghost, document.track.knots.size(), 5)) most = std::max(most, jolt.total);
+  return most;
+}
+
+TEST(fit_bends, joints_of_smooth_tracks_jolt_little_at_any_spacing_of_rows) {
+  for (const Shape& shape : std::span(kShapes).first<5>())
+    for (const double spacing : {0.05, 0.5, 1.0, 1.5, 2.0, 4.0, 5.0})
+      EXPECT_LT(largest_jolt(fit_track(rows_of(shape, spacing), false).document), 1.1)
+          << shape.name << ", rows every " << spacing << " m";
+}
+
 TEST(fit_bends, limits_are_those_of_the_largest_bend_within_two_metres) {
-  const Shape& bend = kShapes[4];
+  const Shape& bend = kShapes[5];
   const std::vector<double> limits = bend_limits(rows_of(bend, 0.25), false);
   ASSERT_EQ(limits.size(), 240u);
   for (std::size_t i = 0; i < limits.size(); ++i) {

@@ -38,7 +38,7 @@ TEST(FitSpan, AStraightLeavesAWindowOfFewCorners) {
   const std::vector<double> bends(kRows, 1.0), spins(kRows, 0.0), speeds(kRows, 20.0);
   const std::vector<dvec3> curvatures(kRows, dvec3(0));
   SpanBounds bounds;
-  bounds.free = free, bounds.bends = bends, bounds.spins = spins, bounds.speeds = speeds,
+  bounds.free = free, bounds.bends = bends, bounds.spins = bounds.slopes = spins, bounds.speeds = speeds,
   bounds.curvatures = curvatures;
   SpanScratch scratch;
   const SpanFit fit = fit_span(rows, distances, 0, kRows - 1, -bounds.angle, bounds.angle, bounds, scratch);
