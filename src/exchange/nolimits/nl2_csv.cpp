@@ -247,10 +247,11 @@ bool read_rows(Reader& r) {
 base::Result<LoadedTrack> parse_nl2_csv(std::string_view text, std::string_view name, base::Progress* progress) {
   Reader r{.name = name, .lines = Lines(text)};
   if (!read_rows(r)) return base::Status{base::Code::bad_file, r.error};
+  const bool closed = sim::rows_close(r.rows);
   const bool repeated =
       r.rows.size() > 4 && glm::distance(r.rows.front().position, r.rows.back().position) <= kSamePlace;
-  if (repeated && sim::rows_close(r.rows)) r.rows.pop_back();
-  sim::FittedTrack fitted = sim::fit_track(r.rows, sim::rows_close(r.rows), progress);
+  if (closed && repeated) r.rows.pop_back();
+  sim::FittedTrack fitted = sim::fit_track(r.rows, closed, progress);
   if (progress && progress->cancelled)
     return base::Status{base::Code::refused, std::string(name) + ": the import was cancelled"};
   LoadedTrack loaded;

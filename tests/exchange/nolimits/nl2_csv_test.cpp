@@ -4,6 +4,8 @@
 
 #include <random>
 
+#include <fmt/format.h>
+
 #include "base/text.h"
 #include "curve/frames.h"
 #include "exchange/nolimits/nl2_header.h"
@@ -171,6 +173,34 @@ TEST(nl2_csv, gaps_and_jumps_of_the_frame_are_reported_with_their_lines) {
   EXPECT_LE(jump->import->frame_error, 0.5);
   EXPECT_GT(jump->import->jump_error, 5);
   EXPECT_LE(jump->import->jump_error, 30);
+}
+
+// 60 rows on a level ring of radius 8 m, evenly spaced but for the step back to the first, `last` times as long.
+std::string ring_rows(double last, bool repeated) {
+  const double step = 2 * M_PI / (59 + last);
+  std::string text(kNl2Header);
+  for (int i = 0; i < 60 + (repeated ? 1 : 0); ++i) {
+    const double a = i % 60 * step, c = std::cos(a), s = std::sin(a);
+    text += fmt::format("{}\t{:.6f}\t4.000000\t{:.6f}\t{:.6f}\t0.0\t{:.6f}\t{:.6f}\t0.0\t{:.6f}\t0.0\t1.0\t0.000000\n",
+                        i + 1, 8 * s, -8 * c, c, s, s, -c);
+  }
+  return text;
+}
+
+TEST(nl2_csv, a_last_row_that_repeats_the_first_closes_the_track_however_long_its_step_is) {
+  for (const double last : {0.3, 1.0, 1.4, 2.5}) {
+    SCOPED_TRACE(last);
+    const auto alone = parse_nl2_csv(ring_rows(last, false), "t.csv");
+    ASSERT_TRUE(alone.ok()) << alone.status().message;
+    EXPECT_EQ(alone->document.track.closed, last <= 1);
+    const auto repeated = parse_nl2_csv(ring_rows(last, true), "t.csv");
+    ASSERT_TRUE(repeated.ok()) << repeated.status().message;
+    EXPECT_TRUE(repeated->document.track.closed);
+    EXPECT_TRUE(repeated->warnings.empty());
+    EXPECT_LE(repeated->import->max_error, 0.01);
+    EXPECT_NEAR(world::exact_length(repeated->document), 16 * M_PI, 0.02);
+    if (last <= 1) EXPECT_TRUE(repeated->document == alone->document);
+  }
 }
 
 TEST(nl2_csv, a_file_that_is_cut_within_a_row_is_refused) {
