@@ -85,11 +85,9 @@ RowRolls row_rolls(std::span<const FitRow> rows, bool closed) {
     rates.push_back(angle / lengths.back());
   }
   RowRolls rolls{spline_rates(lengths, rates, closed), {}};
-  for (std::ptrdiff_t i = 0; i < count; ++i) {  // the spline's second derivative, at the start or the end of a step
-    const std::ptrdiff_t k = i < steps ? i : i - 1;
-    const double here = rolls.spins[i], there = rolls.spins[i < steps ? (i + 1) % count : k];
-    rolls.slopes.push_back((i < steps ? 2 : -2) * (3 * rates[k] - 2 * here - there) / lengths[k]);
-  }
+  for (std::ptrdiff_t i = 0; i < steps; ++i)  // the spline's second derivative at the start of each step
+    rolls.slopes.push_back(2 * (3 * rates[i] - 2 * rolls.spins[i] - rolls.spins[(i + 1) % count]) / lengths[i]);
+  if (!closed) rolls.slopes.push_back(0);  // a natural spline's
   std::vector<double> near;
   for (std::ptrdiff_t i = 0; i < count; ++i) {
     near.clear();
