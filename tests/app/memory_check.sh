@@ -40,6 +40,7 @@ corners() {
   printf '], "carts": [{"id": "c1", "segment": "s1", "fraction": 0.5}]}\n'
 }
 corners 40 >"$OUT/corners.json"
+corners 400 >"$OUT/many_corners.json"
 if [ -n "$limited" ]; then
   within 1500000 3 --validate "$OUT/zeros.json"
   expect_text stderr "more than the limit of 8000000 values"
@@ -50,7 +51,7 @@ if [ -n "$limited" ]; then
   expect_text stderr "larger than the limit of 4194304 bytes"
   within 2500000 0 --headless "$OUT/corners.json" --size 96x54 --frames 2 --out "$OUT/ride"
   expect_text stderr "This is a very long track. The track is drawn without ties, equipment and supports."
-  within 2500000 0 --report "$OUT/corners.json"
+  for name in corners many_corners; do within 2500000 0 --report "$OUT/$name.json"; done
   # Without enough of it for anything: one line and an exit code of its own.
   within 250000 70 --validate "$OUT/zeros.json"
   [ "$(cat "$OUT/stderr")" = "Out of memory." ] || fail "expected one line: $(cat "$OUT/stderr")"

@@ -12,7 +12,8 @@ namespace {
 
 using glm::dvec3;
 
-constexpr double kStep = 2, kCell = 8;    // m: chords and samples; cells in plan
+constexpr double kStep = 2;               // m, of chords and samples
+constexpr double kLeastCell = 8;          // m, of cells in plan; as wide as longer chords
 constexpr double kMostChordsInAll = 2e5;  // longer tracks have longer chords
 constexpr double kSpineDrop = 0.3;        // m below the rails
 
@@ -27,6 +28,7 @@ struct Thing {
 // Things by the cells in plan that they touch.
 class Cells {
  public:
+  explicit Cells(double width) : width_(width) {}
   void add(const Thing& thing) {
     const dvec3 low = glm::min(thing.from, thing.to) - thing.reach, high = glm::max(thing.from, thing.to) + thing.reach;
     for (int x = cell(low.x); x <= cell(high.x); ++x)
@@ -43,13 +45,14 @@ class Cells {
   }
 
  private:
-  static int cell(double v) { return static_cast<int>(std::floor(v / kCell)); }
+  int cell(double v) const { return static_cast<int>(std::floor(v / width_)); }
+  double width_;  // m
   std::vector<Thing> things_;
   std::vector<std::tuple<int, int, std::size_t>> entries_;
 };
 
 Cells cells_of(const Derived& derived, const Supports* supports, double step) {
-  Cells cells;
+  Cells cells(std::max(kLeastCell, step));
   for (std::size_t i = 0; i < derived.order.size(); ++i) {
     const SegmentShape& shape = derived.shape_at(i);
     const double length = shape.arc.length();
