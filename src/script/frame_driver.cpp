@@ -2,7 +2,8 @@
 #include "script/frame_driver.h"
 
 #include <algorithm>
-#include <limits>
+
+#include "world/motion.h"
 
 namespace coaster::script {
 
@@ -38,8 +39,9 @@ void FrameDriver::put_off(platform::Events events) {
 
 void FrameDriver::advance(std::int64_t ticks) {
   if (ticks > 0) picture_stale_ = true;
-  while (ticks > 0) {
-    const auto some = static_cast<int>(std::min<std::int64_t>(ticks, std::numeric_limits<int>::max()));
+  constexpr std::int64_t kSlice = world::kTicksPerSecond;
+  while (ticks > 0 && !interrupted()) {
+    const auto some = static_cast<int>(std::min(ticks, kSlice));
     host_.advance(some);
     ticks -= some;
   }

@@ -20,7 +20,9 @@ class FrameDriver {
   base::Status frame(platform::Events events, int ticks = kTicksPerFrame);
   // Adds events to the next frame.
   void put_off(platform::Events events);
+  // Ends early where a signal asks the program to end.
   void advance(std::int64_t ticks);
+  bool interrupted() const { return host_.interrupted && host_.interrupted(); }
 
   // Draws a frame without ticks if anything changed since the last one, so that the last frame's values match the
   // state.

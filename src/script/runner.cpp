@@ -71,7 +71,7 @@ base::Status Runner::error_of(const Failure& result) {
 
 Failure Runner::run(const Statement& statement) {
   source_ = statement.source;
-  if (frames_.host().interrupted && frames_.host().interrupted()) {
+  if (frames_.interrupted()) {
     failed_at_ = &statement;
     return failed("stopped by a signal");
   }
@@ -125,8 +125,7 @@ Failure Runner::perform(const SetEnvironment& change) {
 }
 
 Failure Runner::perform(const Frames& frames) {
-  const auto& interrupted = frames_.host().interrupted;
-  for (std::int64_t i = 0; i < frames.count && !(interrupted && interrupted()); ++i)
+  for (std::int64_t i = 0; i < frames.count && !frames_.interrupted(); ++i)
     if (const base::Status status = frames_.frame({}); !status) return failure(status);
   return {};
 }

@@ -35,7 +35,7 @@ Failure Runner::perform(const Wait& wait) {
     const base::Result<bool> result = check(wait.condition, found);
     if (!result) return failure(result.status(), wait.condition.column);
     if (*result) return {};
-    if (i == wait.most) break;
+    if (i == wait.most || frames_.interrupted()) break;
     if (!wait.frames) frames_.advance(1);
     else if (const base::Status status = frames_.frame({}); !status) return failure(status);
   }

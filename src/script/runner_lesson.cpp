@@ -57,7 +57,7 @@ Failure Runner::attend() {
                 lesson.until.column});
   if (!host.answer) return failure(frames_.frame({}));
   const query::LessonAnswer answer = host.answer();
-  if (answer == query::LessonAnswer::leave || (host.interrupted && host.interrupted())) {
+  if (answer == query::LessonAnswer::leave || frames_.interrupted()) {
     for (Place& place : places_) place.next = place.block->size(), place.again = 0;
     return end({});
   }

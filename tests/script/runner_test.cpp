@@ -39,6 +39,20 @@ TEST(runner, repeat_runs_its_lines_that_many_times_and_gesture_is_one_step_of_un
   EXPECT_TRUE(status.ok()) << status.message;
 }
 
+TEST(runner, a_signal_ends_ticks_and_waits_early) {
+  for (const char* const line : {"ticks 10000000\n", "wait knots == 7 max 10000000 ticks\n"}) {
+    FakeHost fake;
+    base::Files files;
+    const ParsedScript parsed =
+        parse_script(std::string("coaster-script 1\n") + line, "test.coaster", test_folder(), files);
+    Host host = fake.host();
+    int asked = 0;
+    host.interrupted = [&asked] { return ++asked > 5; };
+    (void)run_script(parsed.script, host, {test_folder() / "out", false, {}});
+    EXPECT_LE(fake.session.tick, 10 * world::kTicksPerSecond) << line;
+  }
+}
+
 TEST(runner, wait_advances_until_it_is_so_or_times_out_with_its_own_code) {
   FakeHost fake;
   ASSERT_TRUE(
