@@ -113,12 +113,19 @@ base::Status write_sheet(const base::Root& root, const std::filesystem::path& pa
   constexpr int kGap = 12;  // px
   base::Files files;
   std::vector<gfx::Image> images;
+  int width = 0, height = 0;  // of the largest
   for (const std::filesystem::path& picture : pictures) {
     const auto bytes = files.read(picture);
     if (!bytes) return bytes.status();
     auto image = gfx::decode_png(*bytes, picture.string());
     if (!image) return image.status();
     images.push_back(half ? gfx::half_size(*image) : std::move(*image));
+    width = std::max(width, images.back().width), height = std::max(height, images.back().height);
+    const std::int64_t cell = std::int64_t{width + kGap} * (height + kGap);
+    if (static_cast<std::int64_t>(pictures.size()) > base::kMaxPixels / cell)
+      return {base::Code::refused,
+              fmt::format("{}: {} pictures of up to {}x{} pixels are more than the limit of {} pixels", path.string(),
+                          pictures.size(), width, height, base::kMaxPixels)};
   }
   return write(root, path, gfx::contact_sheet(images, columns, kGap));
 }

@@ -12,6 +12,7 @@
 namespace coaster::gfx {
 
 std::string encode_png(const Image& image);
+// Code::bad_file for anything else, and for pictures of more than base::kMaxPixels.
 base::Result<Image> decode_png(std::string_view bytes, std::string_view name);
 
 // Returns a texture of the image, linearly filtered, without mipmaps.

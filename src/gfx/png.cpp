@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "base/words.h"
 #include "gfx/image.h"
 
 #pragma GCC diagnostic push
@@ -19,11 +20,6 @@
 #pragma GCC diagnostic pop
 
 namespace coaster::gfx {
-namespace {
-
-constexpr int kMaxSide = 16384;  // px; larger pictures are rejected before decoding
-
-}  // namespace
 
 std::string encode_png(const Image& image) {
   COASTER_CHECK(image.width >= 1 && image.height >= 1 &&
@@ -46,7 +42,8 @@ base::Result<Image> decode_png(std::string_view bytes, std::string_view name) {
   const int size = static_cast<int>(bytes.size());
   int width = 0, height = 0, channels = 0;
   if (stbi_info_from_memory(data, size, &width, &height, &channels) == 0) return fail(stbi_failure_reason());
-  if (width < 1 || height < 1 || width > kMaxSide || height > kMaxSide) return fail("over 16384 pixels wide or high");
+  if (width < 1 || height < 1 || std::int64_t{width} * height > base::kMaxPixels)
+    return fail(fmt::format("{}x{} pixels, more than the limit of {}", width, height, base::kMaxPixels));
   stbi_uc* pixels = stbi_load_from_memory(data, size, &width, &height, &channels, 4);
   if (pixels == nullptr) return fail(stbi_failure_reason());
   Image image{width, height, std::vector<std::uint8_t>(pixels, pixels + 4 * std::size_t(width) * std::size_t(height))};

@@ -58,6 +58,14 @@ if [ -n "$limited" ]; then
 fi
 rm -f "$OUT/zeros.json" "$OUT/large.nl2elem"
 
+# A sheet has as many pixels as a picture at most.
+{
+  printf 'coaster-script 1\nenv size 640x360\nshot "a.png"\nexpect error sheet "sheet.png"'
+  printf ' "a.png"%.0s' $(seq 200)
+  printf ' ~ "more than the limit of 33177600 pixels"\n'
+} >"$OUT/sheet.coaster"
+expect_code 0 --headless --script "$OUT/sheet.coaster" --out "$OUT/run"
+
 # In however little, a run ends well or with that line: drivers and the compilers in them crash where an allocation of theirs fails.
 if [ -n "$limited" ]; then
   well=0 short=0

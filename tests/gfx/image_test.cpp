@@ -46,6 +46,20 @@ TEST(image, broken_png_is_refused_by_name) {
   }
 }
 
+TEST(image, pictures_over_the_limit_are_refused_before_they_are_decoded) {
+  std::string png = encode_png(noise(3, 2));
+  const auto set_side = [&](std::size_t at, std::uint32_t side) {  // in the header; big endian
+    for (std::size_t i = 0; i < 4; ++i) png[at + i] = static_cast<char>(side >> (24 - 8 * i));
+  };
+  for (const auto& [width, height] : {std::pair{7680u, 4321u}, {16384u, 16384u}, {1u << 24, 1u << 24}}) {
+    set_side(16, width), set_side(20, height);
+    EXPECT_NE(decode_png(png, "bomb.png").status().message.find("bomb.png: not a PNG picture"), std::string::npos);
+  }
+  set_side(16, 7680), set_side(20, 4321);
+  EXPECT_NE(decode_png(png, "bomb.png").status().message.find("7680x4321 pixels, more than the limit of 33177600"),
+            std::string::npos);
+}
+
 TEST(image, sixteen_levels_are_the_same_and_seventeen_are_not) {
   const Image golden = noise(200, 100);
   for (int c = 0; c < 4; ++c)
