@@ -19,6 +19,7 @@ int run(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  coaster::base::hold_streams();
   coaster::base::guard_memory();
   (void)std::signal(SIGXFSZ, SIG_IGN);  // a file over the limit of its size is an error like a full disk
   const int code = run(argc, argv);

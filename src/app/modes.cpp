@@ -70,9 +70,10 @@ int leave_by(Program& program, int signal) {
 
 int leave_window(Program& program) {
   end_tutorial(program);
+  const base::Status recorded = finish_recording(program);
   if (const int signal = platform::pending_signal()) return leave_by(program, signal);
   stop_keeping(program, program.quit);
-  return finish({});
+  return finish(recorded);
 }
 
 int run_script(const Options& options) {
@@ -106,6 +107,7 @@ int run_script(const Options& options) {
   script::Host host = make_script_host(p);
   base::Status ran = script::run_script(*script, host, run);
   if (const base::Status filmed = finish_movie(p); ran && !filmed) ran = filmed;
+  if (const base::Status recorded = finish_recording(p); ran && !recorded) ran = recorded;
   if (const int signal = platform::pending_signal()) return leave_by(p, signal);
   stop_keeping(p, p.quit);
   return finish(ran);
@@ -156,7 +158,7 @@ int run_headless(const Options& options) {
   if (!options.movie.empty()) {
     if (const base::Status filmed = film_lap(p, summary); !filmed) return finish(filmed);
     print_summary(options, summary);
-    return finish({});
+    return finish(finish_recording(p));
   }
   if (const base::Status chosen = choose_camera(p, options.camera); !chosen) return finish(chosen);
   if (summary.segments > 0 && p.session.motion.carts.size() > 0) {
@@ -167,7 +169,8 @@ int run_headless(const Options& options) {
     if (options.frames.value_or(2) == 0) run_frame(p, {platform::Tick{0}}, 0);
   }
   print_summary(options, summary);
-  return finish(write_picture(p, out / "ride.png"));
+  const base::Status recorded = finish_recording(p), drawn = write_picture(p, root->folder() / "ride.png");
+  return finish(drawn ? recorded : drawn);
 }
 
 int run_window(const Options& options) {

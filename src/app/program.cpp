@@ -46,6 +46,14 @@ std::string machine_line() {
   return fmt::format("{}; compiled by {}", model, kCompiler);
 }
 
+// Ends a recording that could not be written.
+void keep_recording(Program& program, const base::Status& wrote) {
+  if (wrote) return;
+  edit::notify(program.session, edit::NoticeKind::error, wrote.message);
+  program.recorded = wrote;
+  program.recorder.reset();
+}
+
 // Applies and records one command.
 base::Status apply_one(Program& program, const edit::Command& command) {
   if (const std::string* const path = edit::output_path(command); path && !program.files.root().contains(*path)) {
@@ -68,11 +76,7 @@ base::Status apply_one(Program& program, const edit::Command& command) {
   view::follow(program.picture.rig, watched(program), 0);
   ++program.commands;
   if (!applied || !program.recorder) return applied;
-  const base::Status recorded = program.recorder->command(command, program.session);
-  if (!recorded) {
-    edit::notify(program.session, edit::NoticeKind::error, recorded.message);
-    program.recorder.reset();
-  }
+  keep_recording(program, program.recorder->command(command, program.session));
   return {};
 }
 
@@ -177,8 +181,14 @@ base::Status apply(Program& program, const edit::Command& command) {
   return applied;
 }
 
+base::Status finish_recording(Program& program) {
+  if (program.recorder) keep_recording(program, program.recorder->finish());
+  program.recorder.reset();
+  return program.recorded;
+}
+
 void advance(Program& program, int ticks) {
-  if (program.recorder && !program.recorder->ticks(ticks)) program.recorder.reset();
+  if (program.recorder) keep_recording(program, program.recorder->ticks(ticks));
   const auto advance_by = [&](int some) {
     edit::advance(program.session, some);
     view::follow(program.picture.rig, watched(program), some);

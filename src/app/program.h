@@ -72,6 +72,7 @@ struct Program {
   int rebuilds = 0;  // segments evaluated since the last drawn frame
 
   std::unique_ptr<script::Recorder> recorder;  // null: not recording
+  base::Status recorded;                       // why a recording ended early
   std::unique_ptr<Keeper> keeper;              // null: keeps no user data
   std::unique_ptr<Filming> filming;            // a movie in progress; null: none
   Sounds sounds;                               // of a window
@@ -93,6 +94,9 @@ base::Result<std::unique_ptr<Program>> make_program(const Options& options, plat
 // Applies a command and records it. Errors also show as a notice. After opening or creating a track, the camera frames
 // all of it, with the viewport of the last frame, so one must have been drawn.
 base::Status apply(Program& program, const edit::Command& command);
+
+// Ends the recording, if there is one. Returns the error because of which it is not complete.
+base::Status finish_recording(Program& program);
 
 // Advances the ride by whole ticks; prints the hashes of each if requested.
 void advance(Program& program, int ticks);

@@ -1,5 +1,6 @@
 #include "base/console.h"
 
+#include <fcntl.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -56,6 +57,13 @@ std::string visible_text(std::string_view text) {
     text.remove_prefix(character.size());
   }
   return visible;
+}
+
+void hold_streams() {
+  int fd = 0;
+  do fd = ::open("/dev/null", O_RDONLY | O_CLOEXEC);
+  while (fd >= 0 && fd <= STDERR_FILENO);
+  if (fd > STDERR_FILENO) ::close(fd);
 }
 
 void print(std::string_view text) {

@@ -14,6 +14,10 @@ namespace coaster::base {
 // direction of text or end a line (U+061C, U+200E, U+200F, U+2028 to U+202E, U+2066 to U+2069).
 std::string visible_text(std::string_view text);
 
+// Takes the numbers of standard streams that are closed, so that no file gets them, and with them what is printed.
+// Printing to a closed stdout still fails. Call first.
+void hold_streams();
+
 // Prints to stdout. finish_printing() reports failures.
 void print(std::string_view text);
 // Prints a line to stderr, over the progress.

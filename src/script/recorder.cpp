@@ -1,6 +1,8 @@
 // Recording. Each line is flushed, so a crash loses at most the last second of ticks.
 #include "script/recorder.h"
 
+#include <cerrno>
+#include <cstring>
 #include <system_error>
 
 #include <fmt/format.h>
@@ -77,7 +79,7 @@ Recorder::~Recorder() { (void)write_ticks(); }
 
 base::Status Recorder::line(const std::string& text) {
   if (out_.write(text + '\n')) return {};
-  return {base::Code::io, path_.string() + ": the recording cannot be written"};
+  return {base::Code::io, fmt::format("{}: the recording cannot be written: {}", path_.string(), std::strerror(errno))};
 }
 
 base::Status Recorder::write_ticks() {

@@ -53,6 +53,28 @@ done
 script 'log "a line"'
 "$COASTER" --headless --script "$OUT/try.coaster" --out "$OUT/run" >/dev/full 2>"$OUT/stderr"
 [ $? = 5 ] || fail "log >/dev/full: expected exit code 5"
+
+# A closed stdout: no file takes its number.
+script 'repeat 3000
+log "MISPLACED"
+end'
+for closed in '>&-' '>&- 2>&-' '<&- >&- 2>&-'; do
+  rm -rf "$OUT/run"
+  eval '"$COASTER" --headless --script "$OUT/try.coaster" --out "$OUT/run" --record "$OUT/run/r.coaster" '"$closed"
+  [ $? = 5 ] || fail "$closed: expected exit code 5"
+  grep -rqF MISPLACED "$OUT/run" && fail "$closed: what is printed went to a file"
+done
+
+# A recording that a full disk ends.
+script 'repeat 3000
+move @k2 to 1 9 4
+move @k2 to 2 9 4
+end'
+sed -i '1a load "'"$SOURCE/tests/tracks/two_knots.json"'"' "$OUT/try.coaster"
+(ulimit -f 20; "$COASTER" --headless --script "$OUT/try.coaster" --out "$OUT/run" --record "$OUT/run/r.coaster" >"$OUT/stdout" 2>"$OUT/stderr")
+[ $? = 5 ] || fail "a recording that cannot be written: expected exit code 5"
+expect_text stderr "r.coaster: the recording cannot be written: File too large"
+
 script 'expect knots == 77'
 "$COASTER" --headless --script "$OUT/try.coaster" --out "$OUT/run" >/dev/full 2>"$OUT/stderr"
 [ $? = 1 ] || fail "a failed expectation keeps its exit code"

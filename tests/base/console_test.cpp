@@ -1,10 +1,28 @@
 #include "base/console.h"
 
+#include <fcntl.h>
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cstdlib>
 
 namespace coaster::base {
 namespace console_test {
+
+TEST(console, no_file_gets_the_number_of_a_closed_stream) {
+  const auto first_free = [] {
+    for (const int fd : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) ::close(fd);
+    hold_streams();
+    if (::write(STDOUT_FILENO, "x", 1) != -1) std::_Exit(101);
+    std::_Exit(::open("/dev/null", O_RDONLY));
+  };
+  EXPECT_EXIT(
+      first_free(),
+      [](int status) { return WIFEXITED(status) && WEXITSTATUS(status) > STDERR_FILENO && WEXITSTATUS(status) < 100; },
+      "");
+}
 
 TEST(console, what_controls_a_terminal_is_shown_as_text) {
   EXPECT_EQ(visible_text("\x1b[31mred\x1b[0m"), "\\u001b[31mred\\u001b[0m");
