@@ -42,6 +42,15 @@ base::Status start_recording(Program& program) {
   return {};
 }
 
+// Returns the folder of --out, whose path may contain links: the user named it. Without --out it is out/NAME in the
+// current folder, where a stranger may have prepared links.
+base::Result<base::Root> open_out(const Options& options, const std::filesystem::path& name) {
+  if (!options.out.empty()) return base::Root().open(options.out);
+  const auto here = base::Root().open(".");
+  const auto out = here ? here->open("out") : here;
+  return out && !name.empty() ? out->open("out" / name) : out;
+}
+
 constexpr int kWindowSamples = 4;  // per pixel
 
 // The size that the options name, else that of windows and of pictures without one.
@@ -79,14 +88,13 @@ int leave_window(Program& program) {
 int run_script(const Options& options) {
   const auto script = read_script(options.script);
   if (!script) return finish(script.status());
+  const auto out = open_out(options, std::filesystem::path(options.script).stem());
+  if (!out) return finish(out.status());
   script::RunOptions run;
-  run.out = options.out.empty() ? std::filesystem::path("out") / std::filesystem::path(options.script).stem()
-                                : std::filesystem::path(options.out);
+  run.out = *out;
   run.update_goldens = options.update_goldens;
   run.environment.seed = options.seed;
   if (options.width > 0) run.environment.width = options.width, run.environment.height = options.height;
-  const auto out = base::Root().open(run.out);
-  if (!out) return finish(out.status());
   const platform::Size size{run.environment.width, run.environment.height};
   auto program = make_program(options, size, 0);
   if (!program) return finish(program.status());
@@ -143,8 +151,7 @@ base::Status film_lap(Program& program, RideSummary& summary) {
 }
 
 int run_headless(const Options& options) {
-  const std::filesystem::path out = options.out.empty() ? "out" : options.out;
-  const auto root = options.movie.empty() ? base::Root().open(out) : base::Result<base::Root>(base::Root());
+  const auto root = options.movie.empty() ? open_out(options, "") : base::Result<base::Root>(base::Root());
   if (!root) return finish(root.status());
   auto program = make_program(options, size_of(options), kWindowSamples);
   if (!program) return finish(program.status());

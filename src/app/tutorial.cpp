@@ -46,8 +46,11 @@ base::Status start(Program& program) {
   auto parsed = script::parse_script_file(path, files);
   if (!parsed) return parsed.status();
   if (!parsed->errors.empty()) return {base::Code::usage, parsed->errors.front()};
+  const auto out = base::Root().open(
+      (program.keeper ? program.keeper->folders.state : std::filesystem::temp_directory_path()) / "tutorial");
+  if (!out) return out.status();
   script::RunOptions options;
-  options.out = (program.keeper ? program.keeper->folders.state : std::filesystem::temp_directory_path()) / "tutorial";
+  options.out = *out;
   program.tutorial.run = std::make_shared<TutorialRun>(std::move(parsed->script), teaching_host(program),
                                                        std::move(options), program.session.settings);
   return program.tutorial.run->runner.begin();

@@ -38,9 +38,6 @@ base::Status run_script(const Script& script, Host& host, const RunOptions& opti
 }
 
 base::Status Runner::begin() {
-  auto out = base::Root().open(options_.out);
-  if (!out) return out.status();
-  files_ = base::Files(std::move(*out));
   enter(script_.statements);
   return frames_.set_environment(environment_);
 }
@@ -83,7 +80,7 @@ Failure Runner::run(const Statement& statement) {
 }
 
 std::filesystem::path Runner::input(std::string_view written) const {
-  return find_input(source().folder, written, options_.out);
+  return find_input(source().folder, written, options_.out.folder());
 }
 
 Failure Runner::perform(const RunCommand& run) {

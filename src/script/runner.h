@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "base/root.h"
 #include "script/frame_driver.h"
 #include "script/host.h"
 #include "script/statements.h"
@@ -14,7 +15,7 @@
 namespace coaster::script {
 
 struct RunOptions {
-  std::filesystem::path out;  // the folder that $OUT means
+  base::Root out;  // limited to the folder that $OUT means
   bool update_goldens = false;
   Environment environment;  // in effect before the first env line
 };
@@ -43,7 +44,7 @@ base::Status run_script(const Script& script, Host& host, const RunOptions& opti
 class Runner {
  public:
   Runner(const Script& script, Host& host, const RunOptions& options)
-      : script_(script), frames_(host), options_(options), environment_(options.environment) {}
+      : script_(script), frames_(host), options_(options), files_(options.out), environment_(options.environment) {}
 
   base::Status begin();
   // Runs the next statement, or looks whether the lesson that waits is learnt. Nothing while more is to come, then the

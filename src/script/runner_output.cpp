@@ -81,11 +81,12 @@ std::string widgets_text(std::span<const WidgetState> widgets) {
 std::string Runner::write_evidence() {
   Host& host = frames_.host();
   const query::Context context = host.context();
-  std::string note = fmt::format("frame {}; {}", context.stats.frame, (options_.out / "frame.png").string());
-  const bool written = host.screenshot(options_.out / "frame.png").ok();
-  if (!written) note = fmt::format("frame {}; {}/", context.stats.frame, options_.out.string());
-  const bool texts = files_.write_atomic(options_.out / "widgets.txt", widgets_text(host.widgets())).ok() &&
-                     files_.write_atomic(options_.out / "state.json", state_json(context)).ok();
+  const std::filesystem::path& out = options_.out.folder();
+  std::string note = fmt::format("frame {}; {}", context.stats.frame, (out / "frame.png").string());
+  const bool written = host.screenshot(out / "frame.png").ok();
+  if (!written) note = fmt::format("frame {}; {}/", context.stats.frame, out.string());
+  const bool texts = files_.write_atomic(out / "widgets.txt", widgets_text(host.widgets())).ok() &&
+                     files_.write_atomic(out / "state.json", state_json(context)).ok();
   if (texts) note += written ? ", widgets.txt, state.json" : "widgets.txt, state.json";
   return note;
 }
@@ -93,7 +94,7 @@ std::string Runner::write_evidence() {
 Failure Runner::perform(const Snap& snap) {
   if (const base::Status status = frames_.settle_panels(); !status) return failure(status);
   const std::filesystem::path golden = source().folder / "golden" / (snap.name + ".png");
-  return failure(frames_.host().snap(snap.name, golden, options_.out, options_.update_goldens));
+  return failure(frames_.host().snap(snap.name, golden, options_.out.folder(), options_.update_goldens));
 }
 
 base::Result<std::filesystem::path> Runner::below_out(std::string_view written) const {

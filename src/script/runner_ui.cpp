@@ -11,7 +11,7 @@ Failure Runner::perform(const UiAction& ui) {
   std::error_code ignored;
   const bool below_out = ui.text == "$OUT" || ui.text.starts_with("$OUT/");  // text fields that name files
   const std::string words =
-      below_out ? std::filesystem::absolute(options_.out, ignored).string() + ui.text.substr(4) : ui.text;
+      below_out ? std::filesystem::absolute(options_.out.folder(), ignored).string() + ui.text.substr(4) : ui.text;
   const auto act = [&]() -> Failure {
     switch (ui.verb) {
       case UiAction::Verb::click: return driver.click(path);

@@ -25,6 +25,7 @@ prepare() {
 run() {
   printf 'coaster-script 1\nenv size 96x54\nload "%s"\n%b' "$TRACK" "$2" >"$OUT/try.coaster"
   expect_code "$1" --headless --script "$OUT/try.coaster" --out "$OUT/run" "${@:3}"
+  [ "$1" != 2 ] || expect_text stderr "is a symbolic link; this run writes only below $OUT/run"
   nothing_outside "$2 ${*:3}"
 }
 nothing_outside() {
@@ -36,7 +37,6 @@ nothing_outside() {
 # Links in the place of the files.
 prepare a.json
 run 2 'save "$OUT/a.json"\n'
-expect_text stderr "a.json: is a symbolic link; this run writes only below $OUT/run"
 [ ! -e "$OUT/run/frame.png" ] && fail "the evidence of a failure is missing"
 prepare a.png
 run 2 'shot "$OUT/a.png"\n'
@@ -50,8 +50,10 @@ prepare a.new.png
 run 2 'snap a\n'
 prepare sheet.png
 run 2 'shot "$OUT/b.png"\nsheet "$OUT/sheet.png" "b.png"\n'
-prepare a.csv
-run 2 'report.save "$OUT/a.csv"\n'
+for line in 'report "$OUT/a.csv"' 'report "$OUT/a.txt"' 'section.save "$OUT/a.json" @q1' 'measure.save "$OUT/a.json"' 'save "$OUT/a.gltf"'; do
+  prepare a.csv a.txt a.json a.gltf
+  run 2 "measure\nwait measuring == off max 20000 frames\n$line\n"
+done
 
 # Links in the place of a folder.
 for line in 'save "$OUT/in/a.json"' 'shot "$OUT/in/a.png"' 'dump "in/a"' 'snap in/a' 'env home "$OUT/in/home"' 'movie.start "$OUT/in/m"' 'movie.start "$OUT/in"'; do
@@ -111,6 +113,32 @@ mv "$OUT/run" "$OUT/real"
 ln -s real "$OUT/run"
 run 0 'save "$OUT/a.json"\nshot "$OUT/b/a.png"\n'
 [ -f "$OUT/real/a.json" ] && [ -f "$OUT/real/b/a.png" ] || fail "a folder named by a link was not written to"
+
+# Without --out nobody named the folder: no link on the way is followed, and a script's name leads nowhere else.
+here() { # CODE arguments...
+  local wanted=$1
+  shift
+  (cd "$OUT/run" && "$COASTER" --headless "$@" >"$OUT/stdout" 2>"$OUT/stderr")
+  local found=$?
+  [ "$found" = "$wanted" ] || fail "coaster $*: exit code $found, expected $wanted: $(head -c 400 "$OUT/stderr")"
+  nothing_outside "$*"
+}
+prepare
+printf 'coaster-script 1\nenv size 96x54\nsave "$OUT/a.json"\n' >"$OUT/run/ride.coaster"
+cp "$OUT/run/ride.coaster" "$OUT/run/...coaster"
+here 2 --script ...coaster
+[ ! -e "$OUT/run/a.json" ] || fail "a script's name led it out of the folder"
+here 0 --script ride.coaster
+[ -f "$OUT/run/out/ride/a.json" ] || fail "nothing was written to out/ride"
+for link in out/ride out; do
+  rm -rf "$OUT/run/out"
+  mkdir -p "$(dirname "$OUT/run/$link")"
+  ln -s "$away" "$OUT/run/$link"
+  here 2 --script ride.coaster
+  expect_text stderr "$link: is a symbolic link"
+done
+here 2 "$TRACK" --size 96x54 --frames 1
+expect_text stderr "out: is a symbolic link"
 
 # Golden pictures lie below the script's folder.
 ln -s "$away" "$OUT/golden"

@@ -95,7 +95,9 @@ inline base::Status run_lines(FakeHost& fake, const std::string& lines, bool upd
   const ParsedScript parsed = parse_script("coaster-script 1\n" + lines, "test.coaster", test_folder(), files);
   if (!parsed.errors.empty()) return {base::Code::usage, parsed.errors.front()};
   Host host = fake.host();
-  return run_script(parsed.script, host, {test_folder() / "out", update, {}});
+  const auto out = base::Root().open(test_folder() / "out");
+  if (!out) return out.status();
+  return run_script(parsed.script, host, {*out, update, {}});
 }
 
 }  // namespace coaster::script

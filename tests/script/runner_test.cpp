@@ -48,7 +48,7 @@ TEST(runner, a_signal_ends_ticks_and_waits_early) {
     Host host = fake.host();
     int asked = 0;
     host.interrupted = [&asked] { return ++asked > 5; };
-    (void)run_script(parsed.script, host, {test_folder() / "out", false, {}});
+    (void)run_script(parsed.script, host, {*base::Root().open(test_folder() / "out"), false, {}});
     EXPECT_LE(fake.session.tick, 10 * world::kTicksPerSecond) << line;
   }
 }
