@@ -21,7 +21,7 @@ class Projector {
 };
 
 // The largest number of marks that are drawn: of more, the nearest. All can be picked.
-inline constexpr std::ptrdiff_t kMostMarks = 10'000;
+inline constexpr std::ptrdiff_t kMostMarks = 2'500;
 
 struct PlacedMark {
   PickKind kind = PickKind::knot;
