@@ -32,7 +32,7 @@ struct Renderer::Parts {
 void Renderer::Parts::upload(const Scene& scene, DrawStats& stats) {
   choose_levels(scene.view, track);
   const TrackCache::Synced synced = track.sync(scene.derived, scene.clock);
-  const SupportCache::Synced held = track.supports().sync(scene.supports, scene.clock);
+  const SupportCache::Synced held = track.supports().sync(scene.supports, scene.clock, track.near());
   stats.uploads = synced.uploads;
   stats.support_uploads = held.uploads;
   stats.prepare_ms = 1000 * (synced.cpu_seconds + held.cpu_seconds);

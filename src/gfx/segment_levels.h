@@ -10,6 +10,7 @@
 #include <glm/glm.hpp>
 
 #include "curve/cubic.h"
+#include "sim/shape/near_track.h"
 
 namespace coaster::gfx {
 
@@ -17,7 +18,7 @@ namespace coaster::gfx {
 // triangles each. Up to here all polylines have all of their steps.
 inline constexpr std::int64_t kPolylineBudget = 1'500'000;
 // On tracks of more segments, rails and spine of a far one are a single straight piece.
-inline constexpr std::size_t kMostSolids = 20'000;
+inline constexpr std::size_t kMostSolids = sim::kMostFitted;
 
 // What a segment's level depends on.
 struct SegmentSize {

@@ -18,8 +18,9 @@ class SupportCache {
     int uploads = 0;         // segments whose supports were written
     double cpu_seconds = 0;  // time to prepare them, outside GL; 0 without a clock
   };
-  // null: draws none. If nothing changed, costs one comparison per segment.
-  Synced sync(const sim::Supports* supports, const sim::Clock& clock);
+  // null: draws none. If nothing changed, costs one comparison for each segment that may have supports.
+  // `near`: by the index of a segment's entity, whether its supports are held; null: all are.
+  Synced sync(const sim::Supports* supports, const sim::Clock& clock, const std::vector<std::uint8_t>* near = nullptr);
 
   MeshPool& mesh() { return mesh_; }
   const MeshPool& mesh() const { return mesh_; }
@@ -31,9 +32,10 @@ class SupportCache {
     MeshPool::Id mesh = MeshPool::kNone;
   };
   MeshPool mesh_;
-  std::vector<Slot> slots_;  // by the entity's index
-  std::uint64_t stamp_ = 0;  // of the current sync
-  sim::Mesh staged_;         // kept for its capacity
+  std::vector<Slot> slots_;          // by the entity's index
+  std::vector<std::uint32_t> held_;  // those with a segment
+  std::uint64_t stamp_ = 0;          // of the current sync
+  sim::Mesh staged_;                 // kept for its capacity
 };
 
 }  // namespace coaster::gfx

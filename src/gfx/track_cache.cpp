@@ -42,12 +42,12 @@ TrackCache::Synced TrackCache::sync(const sim::Derived& derived, const sim::Cloc
       if (changes) level_choice_.replace(sizes_[segment.index], size);
       sizes_[segment.index] = size;
     });
-    Sight sight = in_steps(sight_);
-    if (detail_.parts) sight.reach = std::max(sight.reach, ties_);
+    const Sight sight = in_steps(sight_);
     if (!changes || !(sight == levels_for_)) level_choice_.begin(sizes_, derived.steps, sight);
     levels_for_ = sight;
     levels_ = level_choice_.levels();
   });
+  watch.time([&] { take_near(derived); });
   for_changed([&](world::Entity segment) {
     ++synced_.looked_at;
     if (write_segment(derived.shape(segment), on_processor, slots_[segment.index], watch)) ++synced_.uploads;
@@ -79,18 +79,41 @@ bool TrackCache::write_segment(const sim::SegmentShape& shape, bool on_processor
   return line || control || solids;
 }
 
+// Notes which segments are near, and those that were.
+void TrackCache::take_near(const sim::Derived& derived) {
+  near_track_.look_from({sight_.eye, ties_});
+  near_track_.update(derived);
+  if (near_track_.everywhere() != parts_everywhere_) levels_compared_ = {};  // a look at all of them
+  parts_everywhere_ = near_track_.everywhere();
+  near_detail_ = near_track_.detail(detail_);
+  near_.resize(slots_.size());
+  for (const std::uint32_t index : were_near_) near_[index] = 0;
+  std::erase_if(were_near_, [&](std::uint32_t index) { return levels_held_[index].solid != Solid::with_parts; });
+  for (const std::size_t i : near_track_.indices()) {
+    const std::uint32_t index = derived.order[i].index;
+    near_[index] = 1;
+    if (levels_held_[index].solid != Solid::with_parts) were_near_.push_back(index);
+  }
+}
+
 // Writes the segments again that should be held more finely or more coarsely.
 void TrackCache::change_levels(const sim::Derived& derived, bool on_processor, Stopwatch& watch) {
-  if (levels_ == levels_compared_) return;
-  levels_compared_ = levels_;
-  for (std::size_t i = 0; i < slots_.size(); ++i) {
-    if (!slots_[i].segment.valid()) continue;
-    Level wanted = level_of(i);
-    if (!on_processor) wanted.lines = levels_held_[i].lines;
-    if (levels_held_[i] == wanted) continue;
-    ++synced_.looked_at;
-    if (write_segment(derived.shape(slots_[i].segment), on_processor, slots_[i], watch)) ++synced_.uploads;
+  if (levels_ == levels_compared_) {
+    for (const std::uint32_t index : were_near_) change_level(index, derived, on_processor, watch);
+    return;
   }
+  levels_compared_ = levels_;
+  for (std::size_t i = 0; i < slots_.size(); ++i) change_level(i, derived, on_processor, watch);
+}
+
+void TrackCache::change_level(std::size_t index, const sim::Derived& derived, bool on_processor, Stopwatch& watch) {
+  Slot& slot = slots_[index];
+  if (!slot.segment.valid()) return;
+  Level wanted = level_of(index);
+  if (!on_processor) wanted.lines = levels_held_[index].lines;
+  if (levels_held_[index] == wanted) return;
+  ++synced_.looked_at;
+  if (write_segment(derived.shape(slot.segment), on_processor, slot, watch)) ++synced_.uploads;
 }
 
 // Returns the slot of a segment, empty if the segment is new; releases the slot of an older generation.
@@ -204,12 +227,14 @@ void TrackCache::write(GrowingBuffer<T>& buffer, Range range, std::span<const T>
 }
 
 void TrackCache::write_solids(const sim::SegmentShape& shape, Slot& slot, Stopwatch& watch) {
-  const bool full = levels_.solid(sizes_[slot.segment.index]);
+  const Solid solid = level_of(slot.segment.index).solid;
+  sim::Detail detail = solid == Solid::with_parts ? near_detail_ : detail_;
+  detail.parts = solid == Solid::with_parts;
   watch.time([&] {
-    if (full) swept_.stage(shape, detail_, slot.segment.index);
-    else swept_.stage_far(shape, detail_, slot.segment.index);
+    if (solid == Solid::straight) swept_.stage_far(shape, detail, slot.segment.index);
+    else swept_.stage(shape, detail, slot.segment.index);
     staged_mesh_.clear();
-    if (shape.fitted) sim::add_fittings(shape, *shape.fitted, staged_mesh_, detail_);
+    if (shape.fitted) sim::add_fittings(shape, *shape.fitted, staged_mesh_, detail);
     for (sim::MeshVertex& vertex : staged_mesh_.vertices) vertex.segment = static_cast<float>(slot.segment.index);
   });
   synced_.bytes += swept_.write(slot.swept);
@@ -217,7 +242,7 @@ void TrackCache::write_solids(const sim::SegmentShape& shape, Slot& slot, Stopwa
   else synced_.bytes += mesh_.write(staged_mesh_, slot.mesh, watch);
   slot.shape_build = shape.shape_build;
   slot.fitted = shape.fitted;
-  levels_held_[slot.segment.index].solid = full ? 2 : 1;
+  levels_held_[slot.segment.index].solid = solid;
 }
 
 void TrackCache::fill_breaks(Range range) {

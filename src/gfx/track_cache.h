@@ -15,7 +15,7 @@
 #include "gfx/segment_levels.h"
 #include "gfx/support_cache.h"
 #include "gfx/swept_track.h"
-#include "sim/shape/detail.h"
+#include "sim/shape/near_track.h"
 
 namespace coaster::gfx {
 
@@ -44,8 +44,11 @@ class TrackCache {
   // and at those whose level changes; at all of them after a change of the track's order, of equipment or of how
   // polylines are evaluated.
   Synced sync(const sim::Derived& derived, const sim::Clock& clock);
-  // From now on very long tracks are held in full only where this shows a difference; `ties` is the reach (m) of ties.
+  // From now on very long tracks are held in full only where this shows a difference, and have ties, equipment and
+  // supports only within `ties` m of the eye, the reach of ties.
   void look_from(const Sight& sight, float ties) { sight_ = sight, ties_ = ties; }
+  // By the index of a segment's entity, as of the last sync: whether it has these. Null if all have.
+  const std::vector<std::uint8_t>* near() const { return parts_everywhere_ ? nullptr : &near_; }
 
   // Rails, spine and ties of all segments.
   SweptTrack& swept() { return swept_; }
@@ -88,19 +91,26 @@ class TrackCache {
   };
   void take_order(const sim::Derived& derived);
   // How finely a segment is held; 0: not at all.
+  enum class Solid : std::uint8_t { none, straight, swept, with_parts };
   struct Level {
-    int lines = 0, solid = 0;
+    int lines = 0;
+    Solid solid = Solid::none;
     friend bool operator==(const Level&, const Level&) = default;
   };
   Level level_of(std::size_t index) const {
-    return {levels_.lines_of(sizes_[index]), levels_.solid(sizes_[index]) ? 2 : 1};
+    const bool full = levels_.solid(sizes_[index]);
+    return {levels_.lines_of(sizes_[index]), parts_everywhere_ || near_[index] != 0 ? Solid::with_parts
+                                             : full                                 ? Solid::swept
+                                                                                    : Solid::straight};
   }
   Slot& slot_of(world::Entity segment);
   static std::int64_t bytes_of(const Slot& slot) {
     return std::int64_t(slot.line.size * sizeof(PolylineVertex) + slot.control.size * kControlBytes);
   }
   void release(Slot& slot);
+  void take_near(const sim::Derived& derived);
   void change_levels(const sim::Derived& derived, bool on_processor, Stopwatch& watch);
+  void change_level(std::size_t index, const sim::Derived& derived, bool on_processor, Stopwatch& watch);
   bool write_segment(const sim::SegmentShape& shape, bool on_processor, Slot& slot, Stopwatch& watch);
   void write_polyline(const sim::SegmentShape& shape, Slot& slot, Stopwatch& watch);
   void write_control(const sim::SegmentShape& shape, Slot& slot);
@@ -134,14 +144,18 @@ class TrackCache {
   world::Evaluation evaluation_;
   Sight sight_, levels_for_;
   LevelChoice level_choice_;
-  float ties_ = 0;
   SegmentLevels levels_, levels_compared_;  // of this sync; those that all slots were last compared with
   std::vector<Placed> placed_;              // by slot of control points
   // Staging buffers; kept for their capacity.
   sim::Polyline polyline_;
   std::vector<PolylineVertex> staged_line_;
   sim::Mesh staged_mesh_;
-  sim::Detail detail_;  // of the meshes
+  sim::Detail detail_, near_detail_;  // of the meshes
+  sim::NearTrack near_track_;
+  float ties_ = 0;
+  bool parts_everywhere_ = true;
+  std::vector<std::uint8_t> near_;        // by the entity's index: 1 where a very long track has parts
+  std::vector<std::uint32_t> were_near_;  // indices of entities, now or before this sync
 };
 
 }  // namespace coaster::gfx

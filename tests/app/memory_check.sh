@@ -39,6 +39,15 @@ corners() {
   done
   printf '], "carts": [{"id": "c1", "segment": "s1", "fraction": 0.5}]}\n'
 }
+# row N: a straight of N segments of 10 m, each with a chain.
+row() {
+  printf '{"format": "coaster-track", "version": 1, "name": "Row", "closed": false, "start_speed": 9, "datum": 0, "knots": ['
+  seq 1 $(($1 + 1)) | awk '{ printf "%s{\"id\": \"k%d\", \"position\": [%d, 5, 0], \"tangent\": [1, 0, 0], \"up\": [0, 1, 0], \"in\": 3, \"out\": 3, \"joint\": \"smooth\"}", (NR > 1 ? ", " : ""), $1, 10 * $1 - 90000 }'
+  printf '], "segments": ['
+  seq 1 "$1" | awk '{ printf "%s{\"id\": \"s%d\", \"from\": \"k%d\", \"to\": \"k%d\", \"turns\": 0, \"equipment\": \"lift\"}", (NR > 1 ? ", " : ""), $1, $1, $1 + 1 }'
+  printf '], "carts": [{"id": "c1", "segment": "s1", "fraction": 0}]}\n'
+}
+row 15000 >"$OUT/row.json"
 corners 40 >"$OUT/corners.json"
 corners 400 >"$OUT/many_corners.json"
 if [ -n "$limited" ]; then
@@ -50,8 +59,10 @@ if [ -n "$limited" ]; then
   within 300000 3 --validate "$OUT/large.nl2elem"
   expect_text stderr "larger than the limit of 4194304 bytes"
   within 2500000 0 --headless "$OUT/corners.json" --size 96x54 --frames 2 --out "$OUT/ride"
-  expect_text stderr "This is a very long track. The track is drawn without ties, equipment and supports."
+  expect_text stderr "This is a very long track. It has no supports; ties and equipment are drawn only near the eye."
   for name in corners many_corners; do within 2500000 0 --report "$OUT/$name.json"; done
+  # Chains of 150 km: drawn near the eye alone.
+  within 1500000 0 --headless "$OUT/row.json" --size 96x54 --frames 2 --out "$OUT/ride"
   # Without enough of it for anything: one line and an exit code of its own.
   within 250000 70 --validate "$OUT/zeros.json"
   [ "$(cat "$OUT/stderr")" = "Out of memory." ] || fail "expected one line: $(cat "$OUT/stderr")"

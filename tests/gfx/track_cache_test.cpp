@@ -77,6 +77,40 @@ TEST_F(Cache, a_very_long_track_is_held_in_full_near_the_eye_alone_wherever_the_
   EXPECT_LE(cache.swept().bytes(), solid_bytes + solid_bytes / 8);
 }
 
+TEST_F(Cache, a_very_long_track_has_ties_and_equipment_near_the_eye_alone) {
+  constexpr int kMany = 24'000;
+  world::Document document = test::ring_document(kMany, 2.0f * kMany);
+  for (const world::Entity segment : document.track.segments)
+    document.entities.put(segment, world::Equipment{world::EquipmentKind::lift});
+  Track track(std::move(document), 2);
+  TrackCache cache(gl_);
+  const auto look = [&](std::size_t knot) {
+    const glm::vec3 eye = world::knot(track.document, track.document.track.knots[knot]).position + glm::vec3(0, 3, 0);
+    cache.look_from({eye, 1e-5f, 50}, 200);
+    return cache.sync(track.derived, {}).uploads;
+  };
+  EXPECT_EQ(look(0), kMany);
+  const auto triangles = [&] {
+    cache.mesh().look_from({0, 0, 0}, 1e9f);
+    return cache.mesh().triangles();
+  };
+  const std::int64_t first = triangles(), bytes = cache.swept().bytes();
+  EXPECT_GT(first, 0);
+  EXPECT_EQ(look(0), 0);
+  EXPECT_GT(look(kMany / 2), 30) << "those near the eye, and those that were";
+  EXPECT_LT(look(kMany / 3), kMany / 20);
+  EXPECT_LT(triangles(), 2 * first) << "with the room of those that were";
+  track.move(kMany / 3, {0, 0.2f, 0});
+  look(kMany / 3);
+  look(0);
+  EXPECT_EQ(triangles(), first);
+  EXPECT_LE(cache.swept().bytes(), bytes + bytes / 8);
+  TrackCache without(gl_);
+  without.look_from({{0, 900, 0}, 1e-5f, 50}, 200);
+  without.sync(track.derived, {});
+  EXPECT_EQ(without.mesh().index_count(), 0) << "nobody is near";
+}
+
 TEST_F(Cache, another_evaluator_uploads_everything_once_and_another_stage_of_the_gpu_nothing) {
   Track track(test::ring_document(9, 17.3f));
   EXPECT_EQ(draw(track).uploads, 9);
