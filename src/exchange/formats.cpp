@@ -38,8 +38,8 @@ constexpr std::array kFormats{
     Format{".nl2elem", "NoLimits 2 element", parse_nl2elem, print_nl2elem, false, false, check_nl2elem,
            kMaxNl2ElemBytes, nullptr, true},
     Format{".fvd", "openFVD project", parse_fvd, nullptr, true, false},
-    Format{".gltf", "glTF 2.0", nullptr, print_gltf, false, false},
-    Format{".obj", "Wavefront OBJ", nullptr, print_obj, false, false},
+    Format{".gltf", "glTF 2.0", nullptr, print_gltf, false, false, check_solid},
+    Format{".obj", "Wavefront OBJ", nullptr, print_obj, false, false, check_solid},
     Format{".svg", "drawing", nullptr, print_svg, false, false, nullptr, base::kMaxFileBytes, nullptr, true},
 };
 

@@ -61,8 +61,10 @@ if [ -n "$limited" ]; then
   within 2500000 0 --headless "$OUT/corners.json" --size 96x54 --frames 2 --out "$OUT/ride"
   expect_text stderr "This is a very long track. It has no supports; ties and equipment are drawn only near the eye."
   for name in corners many_corners; do within 2500000 0 --report "$OUT/$name.json"; done
-  # Chains of 150 km: drawn near the eye alone.
+  # Chains of 150 km: drawn near the eye alone, and too much for a solid.
   within 1500000 0 --headless "$OUT/row.json" --size 96x54 --frames 2 --out "$OUT/ride"
+  printf 'coaster-script 1\nload "%s"\nexpect error save "$OUT/a.obj" ~ "the limit of 3000000 vertices"\nexpect error save "$OUT/a.gltf" ~ "the limit"\n' "$OUT/row.json" >"$OUT/solid.coaster"
+  within 1500000 0 --headless --script "$OUT/solid.coaster" --out "$OUT/run"
   # Without enough of it for anything: one line and an exit code of its own.
   within 250000 70 --validate "$OUT/zeros.json"
   [ "$(cat "$OUT/stderr")" = "Out of memory." ] || fail "expected one line: $(cat "$OUT/stderr")"

@@ -2,11 +2,18 @@
 // imported.
 #pragma once
 
+#include <cstddef>
 #include <string>
 
+#include "base/status.h"
 #include "world/document.h"
 
 namespace coaster::exchange {
+
+// Checks that print_obj() and print_gltf() take at most about 1 GB of memory: Code::refused for solids of more
+// vertices.
+inline constexpr std::size_t kMostSolidVertices = 3'000'000;
+base::Status check_solid(const world::Document& document);
 
 // Returns text with the groups "rails", "spine" and "ties" (v, vn, f, counter-clockwise from outside) and "centre_line"
 // (one l element). Metres, Y up; every number in its shortest exact form.

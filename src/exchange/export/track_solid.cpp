@@ -5,6 +5,9 @@
 #include <cmath>
 #include <limits>
 
+#include <fmt/format.h>
+
+#include "exchange/export/track_shapes.h"
 #include "sim/shape/rails.h"
 #include "sim/solids/supports.h"
 #include "sim/solids/track_mesh.h"
@@ -47,12 +50,8 @@ int chords(const sim::SegmentShape& shape) {
   return static_cast<int>(std::clamp(std::ceil(wanted), 1.0, 1000.0));
 }
 
-}  // namespace
-
-TrackSolid track_solid(const world::Document& document) {
-  TrackSolid solid;
-  sim::Derived derived;
-  sim::derive(document, {}, {}, derived);
+// Calls visit(mesh) for each segment's track with its equipment, and for its supports, until one returns false.
+void for_each_mesh(const world::Document& document, const sim::Derived& derived, const auto& visit) {
   sim::Supports supports;
   supports.update(derived);
   const sim::Detail detail = sim::detail_of(derived);
@@ -66,17 +65,47 @@ TrackSolid track_solid(const world::Document& document) {
         {open && segment == document.track.segments.front(), open && segment == document.track.segments.back()},
         detail);
     if (shape.fitted) sim::add_fittings(shape, *shape.fitted, mesh, detail);
-    add_mesh(mesh, solid);
-    if (const sim::SegmentSupports* const held = supports.of(segment)) {
-      sim::build_support_mesh(*held, mesh);
-      add_mesh(mesh, solid);
-    }
+    if (!visit(mesh)) return;
+    const sim::SegmentSupports* const held = supports.of(segment);
+    if (held == nullptr) continue;
+    sim::build_support_mesh(*held, mesh);
+    if (!visit(mesh)) return;
+  }
+}
+
+}  // namespace
+
+TrackSolid track_solid(const world::Document& document) {
+  TrackSolid solid;
+  sim::Derived derived;
+  sim::derive(document, {}, {}, derived);
+  for_each_mesh(document, derived, [&](const sim::Mesh& mesh) { return add_mesh(mesh, solid), true; });
+  for (const world::Entity segment : document.track.segments) {
+    const sim::SegmentShape& shape = derived.shape(segment);
     if (solid.centre_line.empty()) solid.centre_line.push_back(glm::vec3(sim::rails_point(shape, 0)));
     const int count = chords(shape);
     for (int i = 1; i <= count; ++i)
       solid.centre_line.push_back(glm::vec3(sim::rails_point(shape, static_cast<double>(i) / count)));
   }
   return solid;
+}
+
+base::Status check_solid(const world::Document& document) {
+  constexpr std::size_t kFewSegments = 1000;
+  constexpr double kShort = 5'000;  // m: fewer and shorter ones are far below the limit
+  sim::Derived derived;
+  sim::derive(document, {}, {}, derived);
+  if (derived.order.size() <= kFewSegments && derived.length <= kShort) return {};
+  std::size_t vertices = 0;
+  for_each_mesh(document, derived, [&](const sim::Mesh& mesh) {
+    vertices += mesh.vertices.size();
+    return vertices <= kMostSolidVertices;
+  });
+  if (vertices <= kMostSolidVertices) return {};
+  return {base::Code::refused,
+          fmt::format("error: the solid has more than the limit of {} vertices; save some sections "
+                      "of the track instead",
+                      kMostSolidVertices)};
 }
 
 }  // namespace coaster::exchange
