@@ -132,7 +132,27 @@ bool read_element(XmlReader& r, const XMLElement& element, ElementFile& file) {
   return true;
 }
 
+// The library takes time by the square of a tag's attributes. Returns the line of the first tag that is too long, 0 if
+// there is none.
+int line_of_long_tag(std::string_view text) {
+  constexpr std::size_t kMostBytes = 4096;
+  for (std::size_t from = text.find('<'); from != std::string_view::npos; from = text.find('<', from + 1)) {
+    const std::string_view tag = text.substr(from, kMostBytes);
+    if (tag.starts_with("<!") || tag.starts_with("<?")) continue;
+    char quote = 0;
+    std::size_t at = 0;
+    for (; at < tag.size() && (quote != 0 || tag[at] != '>'); ++at)
+      if (quote != 0) quote = tag[at] == quote ? char{0} : quote;
+      else if (tag[at] == '"' || tag[at] == '\'') quote = tag[at];
+    if (at == kMostBytes)
+      return 1 + static_cast<int>(std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(from), '\n'));
+  }
+  return 0;
+}
+
 bool read_file(XmlReader& r, std::string_view text, ElementFile& file, std::vector<std::string>& warnings) {
+  if (const int line = line_of_long_tag(text); line > 0)
+    return r.fail(line, "tags of at most 4096 bytes", "a longer one");
   tinyxml2::XMLDocument xml;
   if (xml.Parse(text.data(), text.size()) != tinyxml2::XML_SUCCESS)
     return r.fail(std::max(xml.ErrorLineNum(), 1), "XML",

@@ -83,6 +83,15 @@ TEST(nl2elem, strict_vertices_end_runs_and_neighbours_are_joined_by_a_line) {
   EXPECT_LT(curve::curvature(cubic, 0.3), 1e-6);
 }
 
+TEST(nl2elem, a_tag_of_very_many_attributes_is_refused_at_once) {
+  std::string many = "<root>\n<element";
+  for (int i = 0; i < 300'000; ++i) many += " a" + std::to_string(i) + "='>\"'";
+  const auto loaded = parse_nl2elem(many + "/>\n</root>", "x");
+  EXPECT_EQ(loaded.status().message, "x:2: error: expected tags of at most 4096 bytes, found a longer one");
+  const std::string comment = "<root><!-- " + std::string(9000, '-') + " --><element a='1'/></root>";
+  EXPECT_EQ(parse_nl2elem(comment, "x").status().message.find("4096"), std::string::npos);
+}
+
 TEST(nl2elem, a_last_vertex_on_the_first_closes_the_track) {
   // Through the middles of a square's sides, strict, where the sides are tangents: no corner, not at the seam either.
   std::vector<Vertex> ring{{{31.7, 8.3, 0}, true},  {{31.7, 8.3, 30}},       {{1.7, 8.3, 30}, true},
