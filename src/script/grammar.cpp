@@ -217,8 +217,14 @@ std::string describe_error(const Source& source, int line, int column, std::stri
     const std::string& text = source.lines[static_cast<std::size_t>(line) - 1];
     const std::size_t blanks = std::min(text.find_first_not_of(' '), text.size());
     const std::size_t to = std::min(static_cast<std::size_t>(std::max(1, column)) - 1, text.size());
-    const std::string before = base::visible_text(std::string_view(text).substr(blanks, to > blanks ? to - blanks : 0));
-    out += fmt::format("\n    {}\n    {}^", base::visible_text(text.substr(blanks)), std::string(before.size(), ' '));
+    // Of a long line, the part around the error.
+    constexpr std::size_t kBefore = 100, kAfter = 100;  // bytes
+    const std::size_t from = std::max(blanks, to - std::min(to, kBefore));
+    const std::string before = (from > blanks ? "..." : "") +
+                               base::visible_text(std::string_view(text).substr(from, to > from ? to - from : 0)),
+                      after = base::visible_text(std::string_view(text).substr(std::max(from, to), kAfter)) +
+                              (text.size() > std::max(from, to) + kAfter ? "..." : "");
+    out += fmt::format("\n    {}{}\n    {}^", before, after, std::string(before.size(), ' '));
   }
   return out + hint;
 }

@@ -89,6 +89,17 @@ TEST(grammar, blocks_nest_and_must_be_closed) {
   EXPECT_EQ(open.errors[0].find("a.coaster:2:1: error: no \"end\""), 0u);
 }
 
+TEST(grammar, of_a_long_line_the_part_around_the_error_is_shown) {
+  Source source{"a.coaster", ".", {}};
+  source.lines = {"  " + std::string(5'000'000, '\x1b') + "wrong" + std::string(5'000'000, 'z')};
+  const std::string shown = describe_error(source, 1, 5'000'003, "no");
+  EXPECT_LT(shown.size(), 2'000u);
+  EXPECT_NE(shown.find("...\\u001b"), std::string::npos);
+  EXPECT_NE(shown.find("wrongzz"), std::string::npos);
+  const std::size_t caret = shown.rfind('^') - shown.rfind('\n'), text = shown.find("wrong");
+  EXPECT_EQ(text - shown.rfind('\n', text), caret);
+}
+
 TEST(grammar, errors_stop_at_twenty_with_a_count) {
   std::string lines;
   for (int i = 0; i < 33; ++i) lines += "splat\n";
