@@ -39,6 +39,7 @@ std::optional<EquipmentChoice> equipment_buttons(Ui& ui, const Equipped& now, bo
                                           ImGui::GetStyle().FrameRounding, 0,
                                           std::max(1.0f, std::floor(1.5f * ui.scale)));
     note_item(ui, fmt::format("Equipment/{}", label), "radio", help, enabled, lit ? "on" : "off");
+    note_if_cut(ui, label);
     return pressed && enabled && !lit;
   };
   std::optional<EquipmentChoice> chosen;

@@ -2,6 +2,7 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include <fmt/format.h>
 
@@ -22,10 +23,15 @@ void controls(Ui& ui) {
   const bool any = rideable(session);
   const world::RideState state = session.motion.state;
   const bool running = state == world::RideState::running;
-  const float gap = ImGui::GetStyle().ItemInnerSpacing.x, width = (ImGui::GetContentRegionAvail().x - 3 * gap) / 4;
+  // Four in a row, or where the longest label finds no room there two.
+  const float gap = ImGui::GetStyle().ItemInnerSpacing.x, room = ImGui::GetContentRegionAvail().x;
+  const float needed = text_size("Pause").x + 1.1f * ImGui::GetTextLineHeight();
+  const int columns = (room - 3 * gap) / 4 >= needed ? 4 : 2;
+  const float width = std::floor((room - static_cast<float>(columns - 1) * gap) / static_cast<float>(columns));
+  int place = 0;
   const auto control = [&](const Icon& icon, std::string_view label, std::string_view help, std::string_view action,
                            bool enabled) {
-    if (&icon != &kPlayIcon) ImGui::SameLine(0, gap);
+    if (place++ % columns != 0) ImGui::SameLine(0, gap);
     return icon_button(ui, icon, label, with_keys(ui.keys, help, action), enabled, width);
   };
   if (control(kPlayIcon, "Play", "Start or resume the ride.", "Play or pause", any && !running))

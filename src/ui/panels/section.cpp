@@ -147,8 +147,8 @@ void section_buttons(Ui& ui, const Chosen& chosen) {
               "Paste section", movable(0)))
     ui.out.wants_paste = true;
   const bool of_forces = chosen.section().kind == world::SectionKind::force;
-  if (of_forces &&
-      pressed("Shape by hand", "Make the section hand-shaped. Its knots stay, its keys go.", "", chosen.single()))
+  if (of_forces && pressed("By hand###Shape by hand", "Make the section hand-shaped. Its knots stay, its keys go.", "",
+                           chosen.single()))
     ui.emit(edit::FreeForces{{chosen.name()}});
   if (!of_forces && pressed("Read forces", "Make it a force section of the same shape. What is felt becomes keys.", "",
                             chosen.single()))

@@ -154,6 +154,7 @@ bool icon_button(WidgetFrame& ui, const Icon& icon, std::string_view label, std:
   ImGui::EndDisabled();
   if (above) ImGui::PopFont();
   note_item(ui, label, "button", tooltip, enabled);
+  if (!alone && inside > width) ui.list.mark_cut();
   return pressed && enabled;
 }
 

@@ -24,6 +24,7 @@ struct Widget {
   bool visible = true;                        // inside its clip rectangle
   bool enabled = true;
   bool covered = false;  // another window lies over its middle
+  bool cut = false;      // its label does not fit
   std::string value;     // shown value or "on"/"off"
 
   bool is(std::string_view name) const { return path == name || (!alias.empty() && alias == name); }
@@ -37,6 +38,8 @@ class WidgetList {
   // the window's clip rectangle.
   void add(std::string_view path, std::string_view kind, glm::vec2 low, glm::vec2 high, bool enabled,
            std::string value);
+  // Of the widget added last: its label does not fit.
+  void mark_cut() { widgets_.back().cut = true; }
   // After ImGui::Render(): finds the covered ones.
   void finish();
   const std::vector<Widget>& widgets() const { return widgets_; }

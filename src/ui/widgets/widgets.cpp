@@ -58,6 +58,10 @@ void note_item(WidgetFrame& ui, std::string_view label, std::string_view kind, s
   note(ui, label, kind, tooltip, enabled, std::move(value), ImGui::GetItemRectMin(), ImGui::GetItemRectMax());
 }
 
+void note_if_cut(WidgetFrame& ui, std::string_view label) {
+  if (text_size(shown(label)).x > ImGui::GetItemRectSize().x) ui.list.mark_cut();
+}
+
 std::string digits(const WidgetFrame& ui, double value, int decimals, std::string_view metric) {
   const base::ShownUnit unit = base::shown_in(ui.units, metric);
   return fixed(value * unit.factor, decimals + unit.more_decimals);
@@ -168,6 +172,7 @@ bool button(WidgetFrame& ui, std::string_view label, std::string_view tooltip, b
   const bool pressed = ImGui::Button(std::string(label).c_str(), {width, 0});
   ImGui::EndDisabled();
   note_item(ui, label, "button", tooltip, enabled);
+  note_if_cut(ui, label);
   return pressed && enabled;
 }
 

@@ -82,6 +82,8 @@ void note(WidgetFrame& ui, std::string_view label, std::string_view kind, std::s
           std::string value, ImVec2 low, ImVec2 high);
 void note_item(WidgetFrame& ui, std::string_view label, std::string_view kind, std::string_view tooltip, bool enabled,
                std::string value = {});
+// Of a button just registered, ImGui's last item: marks it as cut if it is too narrow for its label.
+void note_if_cut(WidgetFrame& ui, std::string_view label);
 // Draws the label and sets the next item's place and width: beside the label, or below it when the label is long for
 // the row or the control needs more than the `needed` px that are left there.
 void begin_row(std::string_view label, float needed = 0);

@@ -3,7 +3,9 @@
 
 #include <set>
 
+#include "edit/commands/commands_document.h"
 #include "edit/commands/commands_elements.h"
+#include "edit/commands/commands_force.h"
 #include "edit/commands/commands_ride.h"
 #include "edit/commands/commands_session.h"
 #include "ui/stage.h"
@@ -99,6 +101,49 @@ TEST_F(AreasTest, widgets_of_every_workspace_keep_apart_and_off_the_view_at_ever
       ASSERT_TRUE(edit::apply(session_, files_, edit::Select{}).ok());
     }
   }
+}
+
+// In sight or scrolled out of it, with every kind of panel: of the track, a knot, a hand-shaped section, one of forces,
+// one that is planned, and an element.
+TEST_F(AreasTest, no_button_is_too_narrow_for_its_label) {
+  const auto good = [&](const edit::Command& command) {
+    const base::Status status = edit::apply(session_, files_, command);
+    ASSERT_TRUE(status.ok()) << status.message;
+  };
+  good(edit::SetStartSpeed{18});
+  good(edit::AddForce{});
+  good(edit::PlaceElement{world::usual_element(world::ElementKind::straight)});
+  constexpr std::tuple<int, int, float> kWindows[] = {
+      {1280, 720, 1.0f}, {1280, 720, 1.5f}, {1024, 768, 1.0f}, {1920, 1080, 1.0f}, {1920, 1080, 2.0f}};
+  std::set<std::string> buttons;
+  const auto check = [&](const std::string& where) {
+    frames(3);
+    for (const Widget& widget : host_->widgets()) {
+      EXPECT_FALSE(widget.cut) << widget.path << ", " << where;
+      buttons.insert(widget.path);
+    }
+  };
+  for (const auto& [width, height, scale] : kWindows) {
+    window(width, height, scale);
+    for (const Workspace one : {Workspace::build, Workspace::ride, Workspace::laboratory, Workspace::all}) {
+      go_to(one);
+      const std::string where = std::string(base::name_of(one)) + " at " + std::to_string(width) + " times " +
+                                std::to_string(scale) + " with ";
+      good(edit::Select{});
+      check(where + "nothing");
+      select(world::Kind::knot, 2);
+      check(where + "a knot");
+      for (const std::uint32_t number : {1u, 2u, 3u}) {
+        select(world::Kind::section, number);
+        check(where + "section " + std::to_string(number));
+      }
+      set<&world::Aids::show_element>(true);
+      check(where + "an element");
+      set<&world::Aids::show_element>(false);
+    }
+  }
+  for (const char* path : {"Section/By hand", "Section/Read forces", "Section/Equipment/Station", "Elements/Immelmann"})
+    EXPECT_TRUE(buttons.contains(path)) << path << " was never shown";
 }
 
 TEST_F(AreasTest, the_view_has_62_percent_in_build_and_85_in_ride) {
