@@ -243,8 +243,7 @@ Output Host::build(const platform::Events& events, const State& state, int width
   ui.lesson_begins = p.guide.begins(state.lesson);
   ui.lesson_widget = p.guide.target ? &*p.guide.target : nullptr;
   p.lay_out(ui, events, width, height);
-  p.rest.seconds = p.rest.next == p.rest.path ? p.rest.seconds + ImGui::GetIO().DeltaTime : 0;
-  p.rest.path = std::exchange(p.rest.next, {});
+  p.rest.step(events, ImGui::GetIO().DeltaTime);
   ImGui::Render();
   p.list.finish();  // now the order of the windows and which of them were used is settled
   p.guide.follow(state.lesson, p.list.widgets());

@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
+#include <variant>
 
 #include <fmt/format.h>
 
@@ -40,15 +42,29 @@ bool toggle_item(WidgetFrame& ui, std::string_view label, std::string_view kind,
 
 }  // namespace
 
+void Rest::step(const platform::Events& events, float dt) {
+  const bool used = std::any_of(events.begin(), events.end(), [](const platform::Event& event) {
+    const auto* const key = std::get_if<platform::KeyPress>(&event);
+    const auto* const button = std::get_if<platform::MouseButton>(&event);
+    return (key != nullptr && key->down) || (button != nullptr && button->down);
+  });
+  constexpr float kNever = -1e9f;
+  seconds = next != path ? 0 : used ? kNever : seconds + dt;
+  path = std::exchange(next, {});
+}
+
 glm::vec2 mouse_position() { return {ImGui::GetIO().MousePos.x, ImGui::GetIO().MousePos.y}; }
 
 void note(WidgetFrame& ui, std::string_view label, std::string_view kind, std::string_view tooltip, bool enabled,
           std::string value, ImVec2 low, ImVec2 high) {
   const std::string path = label.empty() ? ui.panel : fmt::format("{}/{}", ui.panel, label);
-  const bool over = ImGui::IsWindowHovered() && ImRect(low, high).Contains(ImGui::GetIO().MousePos);
-  if (over && !tooltip.empty() && !ImGui::IsAnyMouseDown()) {
+  // Also while its own button is held down.
+  const bool over = ImGui::IsWindowHovered(ImGuiHoveredFlags_AllowWhenBlockedByActiveItem) &&
+                    ImRect(low, high).Contains(ImGui::GetIO().MousePos);
+  if (over && !tooltip.empty()) {
     ui.rest.next = path;
-    if (ui.rest.path == path && ui.rest.seconds > kTooltipRest) show_tooltip(in_units(ui, tooltip), ui.scale);
+    if (ui.rest.path == path && ui.rest.seconds > kTooltipRest && !ImGui::IsAnyMouseDown())
+      show_tooltip(in_units(ui, tooltip), ui.scale);
   }
   ui.list.add(path, kind, {low.x, low.y}, {high.x, high.y}, enabled, std::move(value));
 }

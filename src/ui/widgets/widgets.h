@@ -15,6 +15,7 @@
 
 #include "base/names.h"
 #include "base/units.h"
+#include "platform/events.h"
 #include "ui/widgets/widget_list.h"
 
 namespace coaster::ui {
@@ -35,6 +36,8 @@ struct Gesture {
 struct Rest {
   std::string path, next;
   float seconds = 0;
+  // At the end of a frame. A press or a key ends the tooltip until the mouse has left the widget.
+  void step(const platform::Events& events, float dt);
 };
 
 // A number field that is to take the keyboard without the mouse.

@@ -1,5 +1,7 @@
 #include "ui/widgets/widgets.h"
 
+#include <imgui_internal.h>
+
 #include "edit/commands/set_setting.h"
 #include "ui/stage.h"
 #include "world/evaluation.h"
@@ -41,6 +43,33 @@ TEST_F(WidgetsTest, a_press_and_release_in_one_frame_is_a_click) {
          platform::MouseButton{platform::Button::left, false, {}}});
   frames(2);
   EXPECT_TRUE(session_.document.track.closed);
+}
+
+// What a click or a key shows often lies under the tooltip: the parameters of an element, the items of a list.
+TEST_F(WidgetsTest, a_click_or_a_key_ends_the_tooltip_until_the_mouse_has_left) {
+  const auto tooltip = [] {
+    const ImGuiContext& g = *ImGui::GetCurrentContext();
+    for (const ImGuiWindow* const window : g.Windows)
+      if ((window->Flags & ImGuiWindowFlags_Tooltip) != 0 && window->Active) return true;
+    return false;
+  };
+  ASSERT_TRUE(reach("Elements/Loop"));
+  const glm::vec2 at = middle(*find("Elements/Loop")), away = at + glm::vec2(0, 400);
+  const auto rest = [&] {
+    hover(away);
+    hover(at);
+    frames(40);
+  };
+  rest();
+  EXPECT_TRUE(tooltip());
+  click_at(at);
+  frames(60);
+  EXPECT_FALSE(tooltip()) << "after a click";
+  rest();
+  EXPECT_TRUE(tooltip()) << "the mouse has come back";
+  key(platform::Key::f);
+  frames(60);
+  EXPECT_FALSE(tooltip()) << "after a key";
 }
 
 TEST_F(WidgetsTest, a_disabled_button_asks_for_nothing) {
