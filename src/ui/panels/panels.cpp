@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <string>
+#include <utility>
 
 #include "world/aids.h"
 #include "world/panels.h"
@@ -72,6 +73,16 @@ bool belongs(const Ui& ui, const Panel& panel, Column column) {
   return (panel.shows & occasions(ui)) != 0;
 }
 
+// Goes to the top when the column shows other panels, or another element, than in the frame before.
+void scroll_to_what_is_new(const Ui& ui) {
+  const world::Settings& settings = ui.session().settings;
+  const bool preview = settings.aids->show_element;
+  const int now = static_cast<int>(occasions(ui)) * 1000 + (settings.aids->circuit > 0 ? 500 : 0) +
+                  (preview ? 1 + static_cast<int>(settings.element.kind) : 0);
+  int& before = *ImGui::GetStateStorage()->GetIntRef(ImGui::GetID("##shown"), now);
+  if (std::exchange(before, now) != now) ImGui::SetScrollY(0);
+}
+
 // Scrolls down to what was built last, from `top` (px), as far as that stays in sight.
 void bring_into_sight(float top) {
   const float low = ImGui::GetWindowPos().y, high = low + ImGui::GetWindowHeight();
@@ -84,6 +95,7 @@ void bring_into_sight(float top) {
 void build_column(Ui& ui, Column column, const view::Viewport& area) {
   if (area.width < 1 || area.height < 1) return;
   if (begin_area(column == Column::left ? "##left" : "##right", {area.x, area.y}, {area.width, area.height}, 0)) {
+    scroll_to_what_is_new(ui);
     // A new lesson opens the panel of its widget and brings the widget into sight.
     const auto leads_to = [&](const Panel& panel) {
       return ui.lesson_begins && ui.state.lesson->widget.starts_with(std::string(panel.name) + "/");

@@ -6,12 +6,55 @@
 #include "edit/commands/commands_document.h"
 #include "edit/commands/commands_ride.h"
 #include "edit/commands/commands_settings.h"
+#include "edit/commands/set_setting.h"
 #include "ui/stage.h"
+#include "world/panels.h"
 
 namespace coaster::ui {
 namespace panels_test {
 
 struct PanelsTest : Stage {};
+
+// Whatever the column was scrolled to, what a click chooses is in sight: the parameters of an element, the ways home,
+// the section.
+TEST_F(PanelsTest, the_parameters_begin_with_what_was_just_chosen) {
+  resize(1280, 720);
+  ASSERT_TRUE(edit::apply(session_, files_, edit::Set<&world::Panels::workspace>{world::Workspace::build}).ok());
+  frames(3);
+  const auto scroll_down = [&] {
+    const view::Viewport& scene = host_->view().viewport;
+    hover({scene.x - 60, scene.y + scene.height - 40});
+    for (int i = 0; i < 5; ++i) frame({platform::Wheel{0, -10}});
+    frames(3);
+  };
+  const auto in_sight = [&](const std::string& path) {
+    const Widget* const widget = find(path);
+    return widget != nullptr && widget->visible;
+  };
+  select(world::Kind::knot, 2);
+  frames(3);
+  scroll_down();
+  ASSERT_FALSE(in_sight("Inspector/Selected")) << "it is scrolled away";
+  click("Elements/Climb");
+  frames(3);
+  EXPECT_TRUE(in_sight("Elements/Height"));
+  scroll_down();
+  ASSERT_FALSE(in_sight("Elements/Height"));
+  click("Elements/Complete circuit");
+  frames(3);
+  EXPECT_TRUE(in_sight("Elements"));
+  key(platform::Key::escape);
+  key(platform::Key::escape);
+  select(world::Kind::knot, 2);
+  frames(3);
+  scroll_down();
+  select(world::Kind::section, 1);
+  frames(3);
+  EXPECT_TRUE(in_sight("Section/Title"));
+  scroll_down();
+  frames(3);
+  EXPECT_FALSE(in_sight("Section/Title")) << "a panel that stays is left where it was scrolled to";
+}
 
 TEST_F(PanelsTest, every_panel_draws_and_paths_are_unique_for_every_selection) {
   edit::ActiveChallenge& challenge = session_.game.challenge.emplace();  // whose panel is there for it alone
