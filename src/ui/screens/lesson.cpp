@@ -23,15 +23,13 @@ float breath(const State& state) {
              : static_cast<float>(0.5 + 0.5 * std::cos(2 * base::kPi * kPerSecond * state.seconds));
 }
 
-void ring(const State& state, const Widget& widget, float scale, ImVec2 card) {
+void ring(const State& state, const Widget& widget, float scale, const LessonLine& line) {
   const float grow = std::floor((3 + 3 * breath(state)) * scale);
   const ImVec2 low(widget.x - grow, widget.y - grow),
       high(widget.x + widget.width + grow, widget.y + widget.height + grow);
   ImDrawList& list = *ImGui::GetForegroundDrawList();
   list.AddRect(low, high, packed(palette().warning), 5 * scale, 0, 2.5f * scale);
-  // A thin line leads from the card to it.
-  const ImVec2 nearest(std::clamp(card.x, low.x, high.x), std::clamp(card.y, low.y, high.y));
-  list.AddLine(card, nearest, packed(palette().warning, 0.55f), 1.5f * scale);
+  list.AddLine({line.from.x, line.from.y}, {line.to.x, line.to.y}, packed(palette().warning, 0.55f), 1.5f * scale);
 }
 
 }  // namespace
@@ -57,12 +55,17 @@ void LessonGuide::follow(const query::LessonCard* lesson, const std::vector<Widg
   }
 }
 
+LessonLine lesson_line(const LessonBox& card, const LessonBox& target) {
+  const glm::vec2 from = glm::clamp(0.5f * (target.low + target.high), card.low, card.high);
+  return {from, glm::clamp(from, target.low, target.high)};
+}
+
 void draw_lesson(Ui& ui, const view::Viewport& scene, const LessonGuide& guide) {
   const query::LessonCard* const lesson = ui.state.lesson;
   if (lesson == nullptr) return;
   const float width = std::min(std::floor(430 * ui.scale), scene.width - 16 * ui.scale);
   const ImVec2 middle(std::floor(scene.x + 0.5f * scene.width), std::floor(scene.y + 14 * ui.scale));
-  ImVec2 foot = middle;
+  LessonBox box;
   ImGui::PushStyleColor(ImGuiCol_Border, colour(palette().warning));
   const Card card{.id = "##lesson",
                   .panel = "Lesson",
@@ -79,10 +82,14 @@ void draw_lesson(Ui& ui, const view::Viewport& scene, const LessonGuide& guide) 
     ImGui::SameLine();
     if (button(ui, "Leave", "Leave the tutorial. The track stays as it is."))
       ui.out.lesson_answer = query::LessonAnswer::leave;
-    foot.y = ImGui::GetWindowPos().y + ImGui::GetWindowSize().y;
+    const ImVec2 low = ImGui::GetWindowPos(), size = ImGui::GetWindowSize();
+    box = {{low.x, low.y}, {low.x + size.x, low.y + size.y}};
   });
   ImGui::PopStyleColor();
-  if (guide.marked) ring(ui.state, *guide.marked, ui.scale, foot);
+  if (!guide.marked) return;
+  const Widget& at = *guide.marked;
+  const LessonBox target{{at.x, at.y}, {at.x + at.width, at.y + at.height}};
+  ring(ui.state, at, ui.scale, lesson_line(box, target));
 }
 
 }  // namespace coaster::ui

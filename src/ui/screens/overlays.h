@@ -23,6 +23,15 @@ struct LessonGuide {
   // At the end of a frame, with its widgets.
   void follow(const query::LessonCard* lesson, const std::vector<Widget>& widgets);
 };
+// A rectangle on the screen, and the line from a card to what it points at, px.
+struct LessonBox {
+  glm::vec2 low{0}, high{0};
+};
+struct LessonLine {
+  glm::vec2 from, to;
+};
+// Returns the line from the edge of the card to the target: it never crosses the card.
+LessonLine lesson_line(const LessonBox& card, const LessonBox& target);
 // A card, and a ring around what it points at.
 void draw_lesson(Ui& ui, const view::Viewport& scene, const LessonGuide& guide);
 // The score card at the end of a ride, a strip at the foot: how it ended, the challenge's verdict, the main values, and

@@ -28,6 +28,25 @@ TEST(lesson, a_closed_list_is_marked_in_place_of_what_it_holds) {
   EXPECT_TRUE(guide.begins(nullptr) == false);
 }
 
+// Targets all round the card, some above or below it, and one wider than the card.
+TEST(lesson, the_line_leads_from_the_card_to_the_target_and_never_across_the_card) {
+  const LessonBox card{{539, 37}, {969, 152}};
+  const glm::vec2 places[] = {{41, 48}, {41, 290}, {113, 248}, {700, 500}, {1170, 86}, {600, 10}, {1200, 690}};
+  for (const glm::vec2 place : places)
+    for (const glm::vec2 half : {glm::vec2(33, 18), glm::vec2(500, 20), glm::vec2(4, 4)}) {
+      const LessonBox target{place - half, place + half};
+      const LessonLine line = lesson_line(card, target);
+      for (int i = 0; i <= 100; ++i) {
+        const glm::vec2 at = glm::mix(line.from, line.to, static_cast<float>(i) / 100);
+        const bool inside =
+            glm::all(glm::lessThan(card.low + 0.01f, at)) && glm::all(glm::lessThan(at, card.high - 0.01f));
+        ASSERT_FALSE(inside) << "at " << at.x << ", " << at.y << " to " << place.x << ", " << place.y;
+      }
+      const glm::vec2 near = glm::clamp(line.to, target.low, target.high);
+      EXPECT_LT(glm::distance(near, line.to), 1e-3f);
+    }
+}
+
 struct LessonTest : Stage {};
 
 TEST_F(LessonTest, a_lesson_opens_the_panel_of_its_widget_and_scrolls_to_it) {
