@@ -179,8 +179,8 @@ void Dialogs::build(Ui& ui, const platform::Events& events, bool text_had_keyboa
                                       ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoCollapse |
                                       ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoNav;
   if (!ImGui::BeginPopupModal(kId, nullptr, kFixed)) return;
-  if (shown_ == Dialog::none) ImGui::CloseCurrentPopup();
   build_shown(ui, changed ? none : events, text_had_keyboard);
+  if (dialog_ == Dialog::none) ImGui::CloseCurrentPopup();  // at once: the next frame would show an empty card
   ImGui::EndPopup();
 }
 

@@ -1,6 +1,8 @@
 // Questions about unsaved changes, files and recovery, by mouse and keys.
 #include "ui/screens/dialogs.h"
 
+#include <imgui_internal.h>
+
 #include "base/scratch_folder.h"
 #include "edit/commands/commands_document.h"
 #include "edit/commands/commands_session.h"
@@ -36,6 +38,18 @@ TEST_F(DialogsTest, closing_asks_and_each_answer_does_what_it_says) {
   bool quit = false;
   for (const Key k : {Key::d}) quit = frame({platform::KeyPress{k, true, false, {}}}).quit;
   EXPECT_TRUE(quit);
+}
+
+TEST_F(DialogsTest, an_answer_closes_the_dialog_in_the_same_frame) {
+  frame({platform::CloseRequest{}});
+  frames(2);
+  ASSERT_EQ(ImGui::GetCurrentContext()->OpenPopupStack.Size, 1);
+  hover(middle(*find("Unsaved changes/Cancel")));
+  press();
+  release();
+  EXPECT_EQ(ImGui::GetCurrentContext()->OpenPopupStack.Size, 0) << "the next frame would show an empty card";
+  frame();
+  EXPECT_EQ(find("Unsaved changes/Cancel"), nullptr);
 }
 
 TEST_F(DialogsTest, saving_first_quits_only_when_it_was_saved) {
