@@ -32,6 +32,12 @@ void draw_emblem(ImVec2 at, float size) {
   list.AddBezierCubic(p(0.62f, 0.86f), p(0.8f, 0.86f), p(0.86f, 0.7f), p(1.0f, 0.7f), colour, thick);
 }
 
+// The track's name; that of its file where nobody has named it.
+std::string name_of(const TrackPicture& picture, const std::filesystem::path& file) {
+  static const std::string kUnnamed = world::Document{}.name;
+  return picture.name.empty() || picture.name == kUnnamed ? file.stem().string() : picture.name;
+}
+
 }  // namespace
 
 void StartScreen::build_choices(Ui& ui, float width) {
@@ -81,7 +87,7 @@ bool StartScreen::draw(Ui& ui, const Card& card, float width) {
   const ImVec2 low = ImGui::GetCursorScreenPos(), high(low.x + width, low.y + height);
   const bool clicked = ImGui::InvisibleButton(hidden(card.label).c_str(), {width, height + std::floor(1.4f * line)});
   const bool hot = ImGui::IsItemHovered();
-  const std::string name = !card.name.empty() ? card.name : picture != nullptr ? picture->name : "";
+  const std::string name = !card.name.empty() ? card.name : picture != nullptr ? name_of(*picture, card.picture) : "";
   note_item(ui, card.label, "button", picture != nullptr && !picture->problem.empty() ? picture->problem : card.help,
             true, name);
   ImDrawList& list = *ImGui::GetWindowDrawList();
