@@ -28,7 +28,8 @@ std::optional<double> parameter_field(Ui& ui, const world::ElementParameter& p, 
 
 Number parameter_number(const world::ElementParameter& p, double value) {
   const double range = p.high - p.low, step = range > 100 ? 0.1 : range > 20 ? 0.05 : 0.01;
-  return {.value = value, .unit = p.unit.data(), .step = step, .low = p.low, .high = p.high, .largest = 1e300};
+  const char* const unit = p.unit == "deg" ? "\u00B0" : p.unit.data();  // as other panels show it
+  return {.value = value, .unit = unit, .step = step, .low = p.low, .high = p.high, .largest = 1e300};
 }
 
 std::optional<std::string_view> element_fields(Ui& ui, world::Element& element, const ElementRows& rows) {

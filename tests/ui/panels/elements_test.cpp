@@ -3,6 +3,7 @@
 
 #include "edit/commands/commands_document.h"
 #include "edit/commands/commands_elements.h"
+#include "ui/panels/element_fields.h"
 #include "ui/panels/panels.h"
 #include "ui/stage.h"
 #include "world/aids.h"
@@ -24,6 +25,8 @@ TEST_F(PanelElementsTest, every_element_has_its_button_its_fields_and_its_help) 
     for (const world::ElementParameter& p : row.parameters)
       EXPECT_EQ(find("Elements/" + std::string(p.label)) != nullptr, world::counts(session_.settings.element, p))
           << row.name << " " << p.label;
+    for (const world::ElementParameter& p : row.parameters)
+      EXPECT_STRNE(parameter_number(p, 0).unit, "deg") << "other panels show \u00B0: " << p.label;
     EXPECT_EQ(find("Elements/Left") != nullptr, row.sided) << row.name;
     for (const char* path : {"Elements/Spans", "Elements/Total length", "Elements/Fit error", "Elements/Place"})
       EXPECT_NE(find(path), nullptr) << row.name << " " << path;
