@@ -66,13 +66,15 @@ void make_square(PlotArea& area) {
   widen(area.y, per_px * height);
 }
 
-int most_ticks(float room, float each) { return std::max(2, static_cast<int>(room / each)); }
+int most_ticks(float room, float each, int least) { return std::max(least, static_cast<int>(room / each)); }
+// Even a low plot gets three numbers beside it: of two there is often only one, which does not tell the scale.
+int most_beside(float room, float text) { return most_ticks(room, 1.9f * text, 3); }
 
 // The labels of the right axis take their room from the data.
 void lay_out_right(const Plot& p, const Data& data, float gap, PlotArea& area) {
   if (data.right.empty()) return;
   area.right = range_of(p.right, data.right, 0.06);
-  area.right_ticks = ticks(area.right, most_ticks(area.high.y - area.low.y, 1.9f * area.text_px));
+  area.right_ticks = ticks(area.right, most_beside(area.high.y - area.low.y, area.text_px));
   float widest = small_size(p.right.title).x;
   for (const double tick : area.right_ticks.major)
     widest = std::max(widest, small_size(tick_text(area.right, area.right_ticks, tick, area.pretty)).x);
@@ -100,7 +102,7 @@ PlotArea lay_out(const WidgetFrame& ui, const Plot& p, const Data& data, ImVec2 
   area.high = {std::max(std::floor(high.x - right), area.low.x + 1),
                std::max(std::floor(high.y - below), area.low.y + 1)};
   if (p.square) make_square(area);
-  area.y_ticks = ticks(scaled(area.y, area.y_unit.factor), most_ticks(area.high.y - area.low.y, 1.9f * line));
+  area.y_ticks = ticks(scaled(area.y, area.y_unit.factor), most_beside(area.high.y - area.low.y, line));
   float widest = p.labels;
   for (const double tick : area.y_ticks.major)
     widest =
@@ -108,10 +110,10 @@ PlotArea lay_out(const WidgetFrame& ui, const Plot& p, const Data& data, ImVec2 
   area.low.x = std::min(std::floor(low.x + widest + 2 * gap), area.high.x - 1);
   if (p.square) {
     make_square(area);
-    area.y_ticks = ticks(scaled(area.y, area.y_unit.factor), most_ticks(area.high.y - area.low.y, 1.9f * line));
+    area.y_ticks = ticks(scaled(area.y, area.y_unit.factor), most_beside(area.high.y - area.low.y, line));
   }
   lay_out_right(p, data, gap, area);
-  area.x_ticks = ticks(scaled(area.x, area.x_unit.factor), most_ticks(area.high.x - area.low.x, 4.0f * line));
+  area.x_ticks = ticks(scaled(area.x, area.x_unit.factor), most_ticks(area.high.x - area.low.x, 4.0f * line, 2));
   return area;
 }
 
