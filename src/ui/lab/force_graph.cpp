@@ -70,6 +70,13 @@ void legend_item(Ui& ui, RideValue value, std::string shown, bool& hidden, float
   ImGui::SameLine(0, std::floor(16 * ui.scale));
 }
 
+// Why there is nothing to plot, and what to do. The first element brings a train.
+const char* no_ride(const world::Document& document) {
+  return document.track.segments.empty()
+             ? "The forces of the ride are plotted here. Place an element: the first one brings a train."
+             : "No ride: the track has no train. Add a cart in the Track panel.";
+}
+
 void curves(Ui& ui, const RidePlots& plots) {
   std::vector<RideValue> left, right;
   for (std::size_t i = 0; i < kValues.size(); ++i)
@@ -108,7 +115,7 @@ void build_force_graph(Ui& ui, const view::Viewport& area) {
     if (begin_area("##curves", {area.x, area.y + bar}, {area.width, area.height - bar})) {
       if (edited.valid()) force_plot(ui, edited, plots);
       else if (plots) curves(ui, *plots);
-      else small_note("No ride: it needs a track and a cart. Add a cart in the Track panel.");
+      else small_note(no_ride(ui.session().document));
     }
     ImGui::End();
     ImGui::PopStyleVar();
