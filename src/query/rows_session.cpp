@@ -14,6 +14,10 @@ Answer selected(const Context& c, View) {
   const world::Entity e = c.session.settings.selected;
   return text(c.session.document.entities.find<world::Name>(e) ? world::label_of(c.session.document, e) : "none");
 }
+Answer selected_kind(const Context& c, View) {
+  const auto* const name = c.session.document.entities.find<world::Name>(c.session.settings.selected);
+  return text(name ? base::name_of(name->kind) : "none");
+}
 Answer selected_t(const Context& c, View) { return number(c.session.settings.selected_t); }
 Answer selected_count(const Context& c, View) {
   const std::size_t several = world::selected_knots(c.session.document, c.session.settings).size() +
@@ -53,6 +57,8 @@ Answer entities(const Context& c, View) {
 constexpr std::array kSessionRows{
     Query{"selected", "", "", "The selection, such as k4; none if nothing is selected.", selected},
     Query{"selected_t", "", "", "Picked position on the selected segment, a parameter from 0 to 1.", selected_t},
+    Query{"selected_kind", "", "", "knot, segment, cart or section: what is selected; none if nothing is.",
+          selected_kind},
     Query{"selected_count", "", "", "Number of selected knots or sections; 1 for a segment or a train.",
           selected_count},
     Query{"snapping", "", "", "Dragged knots snap to: off, grid, knots or ground.", snapping},
