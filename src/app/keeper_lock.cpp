@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "app/program.h"
+#include "edit/commands/commands_challenge.h"
 #include "edit/commands/commands_session.h"
 #include "exchange/formats.h"
 
@@ -70,7 +71,7 @@ void after_command(Program& program, const edit::Command& command, const base::S
     follow_file(program, keeper);
     if (!keeper.unasked && !edit::opens_link(command))
       exchange::remember(recent, base::canonical_path(load->path).string());
-  } else if (command.is<edit::RecoverTrack>() || command.is<edit::NewTrack>()) {
+  } else if (command.is<edit::RecoverTrack>() || command.is<edit::NewTrack>() || command.is<edit::StartChallenge>()) {
     follow_file(program, keeper);
   }
 }

@@ -2,6 +2,7 @@
 
 #include "app/program_fixture.h"
 #include "base/text.h"
+#include "edit/commands/commands_challenge.h"
 #include "edit/commands/commands_document.h"
 #include "edit/commands/commands_session.h"
 #include "edit/commands/set_setting.h"
@@ -200,6 +201,24 @@ TEST_F(Keeping, a_file_is_saved_by_the_program_that_opened_it_first) {
   EXPECT_EQ(other->keeper->state.holder, "") << "its own file now";
   stop_keeping(*program_, true);
   EXPECT_TRUE(apply(*other, edit::Save{file("shared.json")}).ok()) << "nobody edits it any more";
+}
+
+// A challenge's start track has no file: that of the track before is nobody's then.
+TEST_F(Keeping, a_challenge_leaves_the_file_to_others) {
+  const std::string challenge = std::string(COASTER_SOURCE_DIR) + "/challenges/01_first_hill.json";
+  start();
+  build_track(*program_);
+  ASSERT_TRUE(apply(*program_, edit::Save{file("shared.json")}).ok());
+  std::unique_ptr<Program> other = make();
+  start(*other);
+  ASSERT_TRUE(apply(*other, edit::Load{file("shared.json")}).ok());
+  ASSERT_NE(other->keeper->state.holder, "");
+  ASSERT_TRUE(apply(*other, edit::StartChallenge{challenge}).ok());
+  EXPECT_EQ(other->keeper->state.holder, "") << "it shows that the track's file is in use elsewhere";
+  ASSERT_TRUE(apply(*program_, edit::StartChallenge{challenge}).ok());
+  ASSERT_TRUE(apply(*other, edit::Load{file("shared.json")}).ok());
+  EXPECT_EQ(other->keeper->state.holder, "") << "the first program has left it";
+  stop_keeping(*other, true);
 }
 
 TEST_F(Keeping, recent_files_are_those_the_user_named_the_newest_first) {
