@@ -31,6 +31,8 @@ const world::Name* selected(const Act& act);
 inline constexpr Condition kAnySelected{[](const Act& act) { return selected(act) != nullptr; },
                                         "Select something first."};
 bool selected_is(const Act& act, world::Kind kind);
+inline constexpr Condition kSectionSelected{[](const Act& act) { return selected_is(act, world::Kind::section); },
+                                            "Select a section first."};
 void delete_sections(Act& act);  // the selected ones
 inline constexpr Condition kRideable{[](const Act& act) { return rideable(act.ui.session()); },
                                      "A ride needs a track and a cart."};

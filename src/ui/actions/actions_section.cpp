@@ -61,9 +61,6 @@ void step(Act& act) {
   step_section(act, on, adds);
 }
 
-constexpr Condition kSectionSelected{[](const Act& act) { return selected_is(act, world::Kind::section); },
-                                     "Select a section first."};
-
 // Emits a command for each selected section, as one step of undo.
 template <class Make>
 void for_each_section(Act& act, const Make& make) {
@@ -126,10 +123,6 @@ constexpr Action kSectionActions[] = {
      copy, kSectionSelected},
     {"Paste section", "Edit", ctrl(Key::v), 0,
      "Add the copied sections at the open end of the track, or open a copied link.", paste},
-    {"Save sections", "File", kNoKey, 0, "Save the selected sections to a file of their own.",
-     want<Want::Kind::save_sections>, kSectionSelected},
-    {"Add sections", "File", kNoKey, 0, "Add the sections of a file at the open end of the track.",
-     want<Want::Kind::open_sections>},
     {"Mirror section", "", kNoKey, 0, "Swap left and right of the selected sections.", each<edit::MirrorSection>,
      kSectionSelected},
     {"Move section before", "", ctrl(Key::page_up), 0, "Swap the selected section with the one before it.",

@@ -23,6 +23,13 @@ TEST(action_table, no_key_is_given_twice_and_every_row_is_explained) {
   }
 }
 
+TEST(action_table, the_menu_file_ends_with_quit) {
+  std::string_view last;
+  for (const Action& a : actions())
+    if (a.menu == "File") last = a.name;
+  EXPECT_EQ(last, "Quit");
+}
+
 TEST_F(ActionsTest, tab_gives_the_viewport_the_whole_window_and_back) {
   frames(2);
   ASSERT_LT(host_->view().viewport.width, 700);
