@@ -104,8 +104,10 @@ void take_photo(Program& program, bool panels) {
       panels ? write_picture(program, path) : write(program.files.root(), path, program.renderer->read_pixels());
   if (!panels) program.picture.unseen = true;  // what was drawn is not the frame
   if (wrote) program.surface->offer(path.string());
+  std::error_code ignored;  // then the path as it is
+  const std::filesystem::path whole = std::filesystem::absolute(path, ignored).lexically_normal();
   edit::notify(program.session, wrote ? edit::NoticeKind::info : edit::NoticeKind::error,
-               wrote ? fmt::format("Saved {}", path.string()) : wrote.message);
+               wrote ? fmt::format("Saved {}", whole.string()) : wrote.message);
 }
 
 base::Status write_sheet(const base::Root& root, const std::filesystem::path& path, int columns, bool half,
