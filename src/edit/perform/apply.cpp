@@ -148,15 +148,19 @@ Status carry_out(Session& session, base::Files& files, const Command& command) {
 
 }  // namespace
 
-Status perform(Session& session, Change&, const Undo&) {
+Status perform(Session& session, Change& change, const Undo&) {
   if (session.history.in_gesture) return cancel(session);
-  if (exchange_document(session, [&](world::Document& d) { return undo(session.history, d); })) return {};
-  return refused("there is nothing to undo");
+  if (!exchange_document(session, [&](world::Document& d) { return undo(session.history, d); }))
+    return refused("there is nothing to undo");
+  change.note = fmt::format("Undo: {}.", session.history.redo.back().text.sentence);
+  return {};
 }
-Status perform(Session& session, Change&, const Redo&) {
+Status perform(Session& session, Change& change, const Redo&) {
   if (session.history.in_gesture) return refused("a gesture is open");
-  if (exchange_document(session, [&](world::Document& d) { return redo(session.history, d); })) return {};
-  return refused("there is nothing to redo");
+  if (!exchange_document(session, [&](world::Document& d) { return redo(session.history, d); }))
+    return refused("there is nothing to redo");
+  change.note = fmt::format("Redo: {}.", session.history.undo.back().text.sentence);
+  return {};
 }
 Status perform(Session& session, Change&, const BeginGesture&) {
   if (session.history.in_gesture) return refused("a gesture is open already");

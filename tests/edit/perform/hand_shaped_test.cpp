@@ -1,4 +1,5 @@
 // Tests which commands leave a section as it was planned (edit/perform/hand_shaped.h).
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "edit/session_fixture.h"
@@ -67,7 +68,12 @@ TEST_F(HandShaped, editing_a_knot_frees_its_section_in_the_same_step_and_says_so
 TEST_F(HandShaped, a_joint_belongs_to_both_sides) {
   const std::string joint = name_of_knot(loop_.first);
   EXPECT_EQ(after("move " + joint + " to 31 3 1"), "free free curve");
-  EXPECT_EQ(session.notices.list[session.notices.list.size() - 1].text, "2 sections are now hand-shaped.");
+  const auto& notices = session.notices.list;
+  EXPECT_EQ(notices[notices.size() - 2].text, "2 sections are now hand-shaped.");
+  EXPECT_EQ(notices.back().text, fmt::format("Undo: Moved {}.", joint.substr(1)));
+  good("redo");
+  EXPECT_EQ(session.notices.list.back().text, fmt::format("Redo: Moved {}.", joint.substr(1)));
+  good("undo");
   EXPECT_EQ(after("spin " + joint + " to 1"), "straight loop curve") << "the spin belongs to neither";
   EXPECT_EQ(after("auto_spin " + joint), "straight loop curve");
   EXPECT_EQ(after("remove @k1"), "loop curve");

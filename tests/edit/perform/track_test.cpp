@@ -149,7 +149,9 @@ TEST_F(ChangingTrack, commands_over_the_vertex_budget_are_refused_and_name_it) {
   good("resolution 500");
   EXPECT_TRUE(apply("undo"));  // brings a segment back: the resolution gives way
   EXPECT_EQ(session.settings.evaluation->steps, 399);
-  EXPECT_NE(session.notices.list.back().text.find("limit"), std::string::npos);
+  const auto& notices = session.notices.list;
+  EXPECT_NE(notices[notices.size() - 2].text.find("limit"), std::string::npos);
+  EXPECT_EQ(notices.back().text, "Undo: Deleted k5.");
   EXPECT_LE(session.derived.vertices, 1600);
 }
 
