@@ -106,6 +106,7 @@ struct Section {
   ForceProgram force = {};  // if it is a force section; else as here
   // Not what it was planned as: files and hashes have the names of kind and parameters.
   static constexpr void fields(auto visit) { visit(Field{"title"}, &Section::title); }
+  std::size_t list_bytes() const { return force.list_bytes(); }
   friend bool operator==(const Section&, const Section&) = default;
 };
 

@@ -121,12 +121,12 @@ void exchange(Difference& difference, Document& document) {
 }
 
 std::size_t bytes_of(const Difference& difference) {
-  std::size_t bytes = sizeof(Difference) + difference.rest.name.capacity() + text_bytes(difference.rest.extra);
+  std::size_t bytes = sizeof(Difference) + difference.rest.name.capacity() + owned_bytes(difference.rest.extra);
   const auto add = [&]<class T>(const ColumnEdits<T>& edits) {
     bytes += edits.capacity() * sizeof(ColumnEdit<T>);
     for (const ColumnEdit<T>& edit : edits) {
       bytes += edit.items.capacity() * sizeof(T);
-      for (const T& item : edit.items) bytes += text_bytes(item);
+      for (const T& item : edit.items) bytes += owned_bytes(item);
     }
   };
   std::apply([&](const auto&... edits) { (add(edits), ...); }, difference.edits);

@@ -48,10 +48,11 @@ void add_fields(const T& component, Add add) {
   });
 }
 
-// Bytes that a component's texts take.
+// Returns the bytes that a component's texts take, and its lists, of which list_bytes() tells.
 template <class T>
-std::size_t text_bytes(const T& component) {
+std::size_t owned_bytes(const T& component) {
   std::size_t bytes = 0;
+  if constexpr (requires { component.list_bytes(); }) bytes += component.list_bytes();
   if constexpr (HasFields<T>)
     T::fields([&](const Field&, auto member) {
       if constexpr (std::is_same_v<std::remove_cvref_t<decltype(component.*member)>, std::string>)

@@ -59,6 +59,11 @@ struct ForceProgram {
 
   std::vector<ForceKey>& keys(ForceChannel channel) { return channels[static_cast<std::size_t>(channel)]; }
   const std::vector<ForceKey>& keys(ForceChannel channel) const { return channels[static_cast<std::size_t>(channel)]; }
+  std::size_t list_bytes() const {
+    std::size_t bytes = 0;
+    for (const std::vector<ForceKey>& keys : channels) bytes += keys.capacity() * sizeof(ForceKey);
+    return bytes;
+  }
   // Not the keys: files and hashes have them as lists.
   static constexpr void fields(auto visit) {
     visit(Field{"over"}, &ForceProgram::over);

@@ -1,68 +1,16 @@
-// Force sections in a session: their commands (force.cpp), and planning them again.
+// Force sections in a session: planning them again.
 #include "edit/perform/force_replan.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "curve/continuity.h"
-#include "edit/commands/commands_force.h"
-#include "edit/session_fixture.h"
-#include "world/sections.h"
+#include "edit/force_fixture.h"
 
 namespace coaster::edit {
 namespace force_replan_test {
 
+using test::Forces;
 using world::ForceChannel;
-
-class Forces : public test::SessionTest {
- protected:
-  Forces() : SessionTest(world::Document{}) {}
-
-  // A drop from 35 m, so that the train comes with some 24 m/s, and a force section of 60 m.
-  void drop_and_force() {
-    for (const char* const line : {"start_speed 5", "element climb height 32 equipment lift speed 5",
-                                   "element straight length 8", "element dive height 28", "force.add length 60"})
-      good(line);
-    section = world::label_of(session.document, last());
-  }
-  world::Entity last() const {
-    return world::segment(session.document, session.document.track.segments.back()).section;
-  }
-  const world::Section& value() { return world::section(session.document, entity(section.c_str())); }
-  const world::ForceProgram& program() { return value().force; }
-  const sim::ForcePlan& plan() { return *force_plan(session, entity(section.c_str())); }
-  void key(const std::string& words) { good("force @" + section + " " + words); }
-  // Largest difference between what the plan asks for and what the first train's riders feel in the simulated ride.
-  double missed() {
-    const sim::Ghost& ride = *find(session, Want::ride).ride;
-    const sim::RailTables& tables = *session.findings.tables;
-    const sim::ForcePlan& planned = plan();
-    const double start = session.derived.starts[world::run_of(session.document, entity(section.c_str())).first];
-    double most = 0;
-    std::size_t index = 0;
-    for (std::size_t i = 0; i + 1 < planned.path.points.size(); ++i) {
-      const double place = start + planned.path.curve.points[i].s;
-      const auto passing = sim::passing(ride, place);
-      if (!passing) return 1e9;
-      const double s = tables.locate(place, index);
-      const glm::vec3 felt =
-          sim::felt_at(tables.segment(index), s, static_cast<float>(passing->along / world::kGravity),
-                       static_cast<float>(passing->speed * passing->speed / world::kGravity));
-      most = std::max(
-          {most, std::abs(felt.z - planned.path.points[i].up), std::abs(felt.y - planned.path.points[i].side)});
-    }
-    return most;
-  }
-  void expect_g2() {
-    for (std::size_t i = 1; i < session.derived.order.size(); ++i) {
-      const curve::Joint joint =
-          curve::joint(session.derived.shape_at(i - 1).key.cubic, session.derived.shape_at(i).key.cubic);
-      EXPECT_EQ(joint.geometric, curve::Geometric::g2) << "knot " << i << " jumps by " << joint.curvature_jump;
-    }
-  }
-
-  std::string section;
-};
 
 TEST_F(Forces, keys_shape_the_track_and_the_simulated_ride_feels_them) {
   drop_and_force();
@@ -102,20 +50,6 @@ TEST_F(Forces, each_command_is_one_step_of_undo_and_no_change_is_none) {
   EXPECT_TRUE(session.document == with_key);
   good("section.title @" + section + " to \"Hop\"");
   EXPECT_EQ(value().kind, world::SectionKind::force);
-}
-
-TEST_F(Forces, a_drag_changes_the_keys_that_it_began_with) {
-  drop_and_force();
-  key("vertical key 2 at 25");
-  const world::Document before = session.document;
-  good("gesture.begin");
-  for (const char* const to : {"26 key 2.2", "28 key 2.6", "30 key 3"})
-    good("force.move @" + section + " from_start on vertical at 25 to " + to);
-  good("gesture.end");
-  EXPECT_EQ(program().keys(ForceChannel::vertical).size(), 1u);
-  EXPECT_EQ(program().keys(ForceChannel::vertical)[0].at, 30);
-  good("undo");
-  EXPECT_TRUE(session.document == before);
 }
 
 TEST_F(Forces, a_change_of_speed_plans_it_again) {
@@ -171,27 +105,6 @@ TEST_F(Forces, hand_shaped_track_behind_is_kept_or_the_change_is_refused) {
                    knot(end).position.z));
   ASSERT_EQ(world::section(session.document, last()).kind, world::SectionKind::free);
   refused("force @" + section + " vertical key 2 at 30", "degrees further up than what follows begins");
-}
-
-TEST_F(Forces, bad_values_are_refused_with_a_clear_word) {
-  drop_and_force();
-  const auto on = [&](const std::string& name, const std::string& rest) { return name + " @" + section + " " + rest; };
-  refused(on("force", "vertical key 20 at 10"), "has the value 20 g, expected -10 to 10");
-  refused(on("force", "vertical key 2 at 2000"), "expected 0 to 1000");
-  SetForceKey nan{Target{*world::parse_name(section)}, false, ForceChannel::lateral, std::nan(""), 10};
-  refused(Command{nan}, "has the value nan g");
-  std::swap(nan.value, nan.at);
-  refused(Command{nan}, "is at nan m");
-  key("vertical key 2 at 10");
-  refused(on("force", "vertical key 3 at 10.5"), "two keys within 1 m at 10.5 m");
-  refused(on("force.move", "vertical at 11 to 12 key 1"), "has no key at 11 m");
-  refused(on("force.remove", "lateral at 10"), "has no key at 10 m");
-  refused(on("force.length", "to 0"), "the length is 0 m, expected 3 to 1000");
-  refused(on("force.length", "to 10000"), "the length is 10000 m");
-  refused(on("force.tolerance", "to 0.001"), "the tolerance is 0.001 g");
-  refused("force @q1 vertical key 1 at 1", "@q1 is no force section");
-  refused("force @q99 vertical key 1 at 1", "there is no section @q99");
-  refused("force.add over time length 500", "the length is 500 s");
 }
 
 TEST_F(Forces, track_is_planned_up_to_the_place_where_it_must_stop) {
