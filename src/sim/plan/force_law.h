@@ -86,4 +86,18 @@ class ForceLaw {
   std::array<double, 3> missing_{};  // by channel: what is felt at the track's end less what the keys say there
 };
 
+// Goes on from a place in steps of at most `step` m that end where the curves change their formula, and calls
+// visit(x, state) at the end of each until it returns false. Returns whether it got to the section's end.
+template <class Visit>
+bool follow_law(const ForceLaw& law, double step, double x, ForceState state, Visit visit) {
+  for (const double until : law.breaks())
+    while (x < until) {
+      const double rest = until - x, wish = step / law.metres_per_unit(state);
+      const double by = rest <= wish ? rest : rest < 2 * wish ? rest / 2 : wish;
+      state = law.step(x, state, by), x = by == rest ? until : x + by;
+      if (!visit(x, state)) return false;
+    }
+  return true;
+}
+
 }  // namespace coaster::sim

@@ -22,23 +22,12 @@ class Integration {
   ForcePath run() {
     ForcePath path;
     path.ramp = law_.ramp();
-    ForceState state = law_.start();
-    add(path, state, 0);
-    const std::vector<double> breaks = law_.breaks();
-    double x = 0;
-    for (const double until : breaks) {
-      while (x < until) {
-        const double rest = until - x, wish = kForceStep / law_.metres_per_unit(state);
-        const double step = rest <= wish ? rest : rest < 2 * wish ? rest / 2 : wish;
-        const ForceState next = law_.step(x, state, step);
-        if (const std::string why = stop(path, x + step, next); !why.empty()) {
-          path.stopped = why;
-          return closed(std::move(path));
-        }
-        state = next, x = step == rest ? until : x + step;
-        add(path, state, x);
-      }
-    }
+    add(path, law_.start(), 0);
+    follow_law(law_, kForceStep, 0, law_.start(), [&](double x, const ForceState& state) {
+      path.stopped = stop(path, x, state);
+      if (path.stopped.empty()) add(path, state, x);
+      return path.stopped.empty();
+    });
     return closed(std::move(path));
   }
 

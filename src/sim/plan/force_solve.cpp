@@ -207,17 +207,12 @@ ForceTrace trace_force(const ForceTask& task) {
   constexpr double kStep = 0.25;  // m, as force_path.cpp's
   const ForceLaw law(task);
   ForceTrace trace{{0}, {law.start()}, {}, false};
-  double x = 0;
-  for (const double until : law.breaks())
-    while (x < until) {
-      const double rest = until - x, step = rest <= kStep ? rest : rest < 2 * kStep ? rest / 2 : kStep;
-      const ForceState next = law.step(x, trace.states.back(), step);
-      if (!(next.square >= world::kSlowestForce * world::kSlowestForce)) return trace;
-      x = step == rest ? until : x + step;
-      trace.at.push_back(x), trace.states.push_back(next);
-    }
-  trace.last = law.rates(x, trace.states.back());
-  trace.complete = true;
+  trace.complete = follow_law(law, kStep, 0, law.start(), [&](double x, const ForceState& state) {
+    if (!(state.square >= world::kSlowestForce * world::kSlowestForce)) return false;
+    trace.at.push_back(x), trace.states.push_back(state);
+    return true;
+  });
+  if (trace.complete) trace.last = law.rates(trace.at.back(), trace.states.back());
   return trace;
 }
 

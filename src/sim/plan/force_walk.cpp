@@ -27,18 +27,14 @@ std::optional<ForceWalk> walk_force(const ForceTask& task) {
               ahead = glm::cross(left, up);
   const auto pitch = [&] { return base::arc_tangent(state.tangent.y, glm::dot(state.tangent, ahead)); };
   const auto heading = [&] { return base::arc_tangent(glm::dot(state.tangent, left), glm::dot(state.tangent, ahead)); };
-  double last_pitch = pitch(), last_heading = heading(), x = 0;
+  double last_pitch = pitch(), last_heading = heading();
   walk.pitch = last_pitch;
-  for (const double until : law.breaks()) {
-    while (x < until) {
-      const double rest = until - x, wish = kWalkStep / law.metres_per_unit(state);
-      const double step = rest <= wish ? rest : rest < 2 * wish ? rest / 2 : wish;
-      state = law.step(x, state, step), x = step == rest ? until : x + step;
-      if (!(state.square >= world::kSlowestForce * world::kSlowestForce) || law.rates(x, state).folded)
-        return std::nullopt;
-      follow_angle(walk.pitch, last_pitch, pitch()), follow_angle(walk.heading, last_heading, heading());
-    }
-  }
+  const bool whole = follow_law(law, kWalkStep, 0, state, [&](double x, const ForceState& next) {
+    state = next;
+    follow_angle(walk.pitch, last_pitch, pitch()), follow_angle(walk.heading, last_heading, heading());
+    return state.square >= world::kSlowestForce * world::kSlowestForce && !law.rates(x, state).folded;
+  });
+  if (!whole) return std::nullopt;
   walk.shift = glm::dot(state.position - start, left), walk.off_plane = glm::dot(state.tangent, left);
   walk.bank = glm::cross(state.up, state.tangent).y;
   return walk;
