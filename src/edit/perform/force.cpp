@@ -210,8 +210,7 @@ Status perform(Session& session, Change& change, const SetForceOver& command) {
   return with_program(session, change, command.section, false, [&](ForceProgram& program) -> Status {
     if (program.over == command.to) return {};
     const world::SectionRun run = world::run_of(session.document, world::find(session.document, command.section.name));
-    const sim::ForcePlan& plan = session.findings.memory.forces.plan(
-        sim::force_task(session.document, sim::start_of(session.document, run), program));
+    const sim::ForcePlan& plan = session.findings.memory.forces.plan(sim::force_task(session.document, run, program));
     if (!plan.refusal.empty()) return refused(plan.refusal);
     program = sim::over_other_axis(plan);
     return {};
@@ -229,8 +228,8 @@ Status perform(Session& session, Change& change, const ReadForces& command) {
   const std::optional<double> speed = speed_at(session, session.derived.starts[run.first]);
   ForceProgram program;
   program.tolerance = command.tolerance, program.speed = speed.value_or(sim::kAssumedSpeed);
-  const sim::ForceReading reading = sim::read_forces({session.derived, run.first, run.count},
-                                                     sim::force_task(document, sim::start_of(document, run), program));
+  const sim::ForceReading reading =
+      sim::read_forces({session.derived, run.first, run.count}, sim::force_task(document, run, program));
   if (!reading.refusal.empty()) return refused(fmt::format("@{}: {}", label, reading.refusal));
   const sim::ForcePlan& plan = session.findings.memory.forces.plan(reading.plan.task);
   if (const Status room = room_for_spans(session, document, run, plan.spans()); !room) return room;

@@ -77,8 +77,7 @@ Status put_and_follow(Session& session, Change& change, Document& document, cons
 
 Status replan_force(Session& session, Change& change, Document& document, Entity section) {
   const SectionRun run = world::run_of(document, section);
-  const sim::ForceTask task =
-      sim::force_task(document, sim::start_of(document, run), world::section(document, section).force);
+  const sim::ForceTask task = sim::force_task(document, run, world::section(document, section).force);
   const sim::ForcePlan& plan = session.findings.memory.forces.plan(task);
   if (!plan.refusal.empty()) return refused(plan.refusal);
   if (const Status room = room_for_spans(session, document, run, plan.spans()); !room) return room;
@@ -104,7 +103,7 @@ bool follow_speeds(Session& session, Change& change) {
     world::ForceProgram program = value.force;
     const std::optional<double> speed = speed_at(session, session.derived.starts[run.first]);
     if (speed && !(std::abs(*speed - program.speed) <= kSame)) program.speed = *speed;
-    const sim::ForceTask task = sim::force_task(session.document, sim::start_of(session.document, run), program);
+    const sim::ForceTask task = sim::force_task(session.document, run, program);
     if (session.findings.memory.forces.has(task)) continue;
     Document next = session.document;
     next.entities.get<world::Section>(section).force = program;

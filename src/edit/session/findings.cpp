@@ -167,8 +167,8 @@ const sim::ForcePlan* force_plan(Session& session, world::Entity section) {
   const world::Document& document = session.document;
   const world::Section* const value = document.entities.find<world::Section>(section);
   if (value == nullptr || value->kind != world::SectionKind::force) return nullptr;
-  const sim::TrackEnd start = sim::start_of(document, world::run_of(document, section));
-  return &session.findings.memory.forces.plan(sim::force_task(document, start, value->force));
+  return &session.findings.memory.forces.plan(
+      sim::force_task(document, world::run_of(document, section), value->force));
 }
 
 }  // namespace coaster::edit

@@ -84,6 +84,7 @@ void plan_forces(const ForceTask& start, double behind, ElementPlan& plan) {
   plan.lines.insert(plan.lines.end(), element.lines.begin(), element.lines.end());
   ForceTask task = start;
   task.program = plan.forces.emplace(std::move(element.program));
+  task.equipment = element.equipment;
   ForcePlan section = plan_force(task);
   plan.refusal = section.refusal.empty() ? stop_text(section) : section.refusal;
   if (!plan.refusal.empty()) return;

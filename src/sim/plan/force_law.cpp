@@ -41,8 +41,13 @@ double parameter_at(const Piece& p, double x) {
 }
 
 ForceState moved(const ForceState& s, const ForceState& rate, double by) {
-  return {s.position + by * rate.position, s.tangent + by * rate.tangent, s.up + by * rate.up,
-          s.square + by * rate.square,     s.length + by * rate.length,   s.time + by * rate.time};
+  return {s.position + by * rate.position,
+          s.tangent + by * rate.tangent,
+          s.up + by * rate.up,
+          s.square + by * rate.square,
+          s.length + by * rate.length,
+          s.time + by * rate.time,
+          s.braking};
 }
 
 }  // namespace
@@ -91,7 +96,9 @@ ForceLaw::ForceLaw(const ForceTask& task)
 
 ForceState ForceLaw::start() const {
   const double speed = task_.program.speed;
-  return {task_.end.position, task_.end.forward, task_.end.up, speed * speed, 0, 0};
+  ForceState start{task_.end.position, task_.end.forward, task_.end.up, speed * speed};
+  settle(start, start);
+  return start;
 }
 
 std::vector<double> ForceLaw::breaks() const {
@@ -108,6 +115,45 @@ std::vector<double> ForceLaw::breaks() const {
 
 double ForceLaw::metres_per_unit(const ForceState& s) const {
   return task_.program.over == ForceOver::distance ? 1.0 : std::sqrt(std::max(s.square, 1e-6));
+}
+
+double ForceLaw::along(const ForceState& s) const {
+  const double g = world::kGravity, square = std::max(s.square, 1e-6);
+  const double free = -g * s.tangent.y - (g * task_.losses.rolling + task_.losses.drag * square);
+  return task_.equipment ? free + drive(s, free) : free;
+}
+
+// Returns what the equipment adds to the acceleration `free` of a train whose first car is there.
+double ForceLaw::drive(const ForceState& s, double free) const {
+  using world::EquipmentKind;
+  const world::Equipment& e = *task_.equipment;
+  const int on = std::min(task_.cars, 1 + static_cast<int>(s.length / task_.spacing));
+  const double push = e.acceleration, share = push * on / task_.cars, to = double{e.speed} * e.speed;
+  switch (e.kind) {
+    case EquipmentKind::lift: return s.square > to ? 0.0 : std::max((s.square < to ? push : 0.0) - free, 0.0);
+    case EquipmentKind::launch: return s.square > to ? 0.0 : s.square < to ? share : std::clamp(-free, 0.0, share);
+    case EquipmentKind::brake:
+    case EquipmentKind::block:
+      if (!s.braking) return 0;
+      return s.square > world::kSlowestForce * world::kSlowestForce ? -share : std::max(-free, 0.0);
+    case EquipmentKind::station: break;
+  }
+  return 0;
+}
+
+void ForceLaw::settle(const ForceState& before, ForceState& next) const {
+  using world::EquipmentKind;
+  if (!task_.equipment) return;
+  const world::Equipment& e = *task_.equipment;
+  const auto square = [](double speed) { return speed * speed; };
+  const double to = square(e.speed);
+  if (e.kind == EquipmentKind::lift || e.kind == EquipmentKind::launch)
+    if ((before.square < to && next.square > to) || (before.square > to && next.square < to)) next.square = to;
+  if (e.kind != EquipmentKind::brake && e.kind != EquipmentKind::block) return;
+  const double least = world::kSlowestForce, end = e.speed - e.hysteresis;
+  if (next.braking && next.square <= square(std::max(end, least)))
+    next.square = square(std::max(end, least)), next.braking = end < least;
+  if (next.square > square(e.speed + e.hysteresis)) next.braking = true;
 }
 
 ForceCurve::Value ForceLaw::asked(ForceChannel channel, double x) const {
@@ -138,7 +184,7 @@ ForceRates ForceLaw::rates(double x, const ForceState& s) const {
   const dvec3 left = glm::cross(s.up, s.tangent);
   ForceRates r;
   r.up = up.value, r.side = side.value, r.roll = roll.value;
-  r.along = -g * s.tangent.y - (g * task_.losses.rolling + task_.losses.drag * square);
+  r.along = along(s);
   r.spin = base::radians(roll.value), r.spin_slope = base::radians(roll.slope);
   if (task_.program.over == ForceOver::time) {
     const double speed = std::sqrt(square);
@@ -171,6 +217,7 @@ ForceState ForceLaw::step(double x, const ForceState& s, double by) const {
   ForceState next = moved(moved(moved(moved(s, k1, by / 6), k2, by / 3), k3, by / 3), k4, by / 6);
   next.tangent = glm::normalize(next.tangent);
   next.up = curve::perpendicular(next.tangent, next.up);
+  settle(s, next);
   return next;
 }
 

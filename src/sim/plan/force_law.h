@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <vector>
 
 #include "sim/plan/element_shapes.h"
@@ -28,12 +29,15 @@ class ForceCurve {
 // Adds a key at a place of the section where the channel's curve passes; the curve keeps its shape (de Casteljau).
 void insert_on_curve(world::ForceProgram& program, world::ForceChannel channel, double at);
 
-// Where and how a force section begins, and the train that it is planned for: one car.
+// Where and how a force section begins, and the train that it is planned for: the mass of its first car.
 struct ForceTask {
   TrackEnd end;
-  world::ForceProgram program;   // within its limits (world::broken)
-  world::Resistance losses;      // of that train
-  double rails = 0, riders = 0;  // m above the curve
+  world::ForceProgram program;                     // within its limits (world::broken)
+  world::Resistance losses;                        // of that train
+  double rails = 0, riders = 0;                    // m above the curve
+  std::optional<world::Equipment> equipment = {};  // of all of the section
+  int cars = 1;                                    // of the train: launches and brakes act on those on the section
+  double spacing = 3;                              // m between them
   friend bool operator==(const ForceTask&, const ForceTask&) = default;
 };
 
@@ -42,6 +46,7 @@ struct ForceState {
   glm::dvec3 position{0}, tangent{1, 0, 0}, up{0, 1, 0};  // m, unit, unit
   double square = 0;                                      // m^2/s^2, the speed squared
   double length = 0, time = 0;                            // m, s since the start
+  bool braking = false;                                   // by the section's brakes
 };
 
 struct ForceRates {
@@ -71,12 +76,19 @@ class ForceLaw {
   // Where the asked curves change their formula: ascending, the section's end last.
   std::vector<double> breaks() const;
   double metres_per_unit(const ForceState& state) const;
+  // Returns the acceleration along the track by gravity, losses and the section's equipment, m/s^2. Lifts, launches,
+  // brakes and free blocks act as in sim/ride/equipment.h on trains that move, but brakes not below
+  // world::kSlowestForce; stations do nothing.
+  double along(const ForceState& state) const;
+  // After a step: a train that equipment brings to its speed in between is at that speed, and brakes change over.
+  void settle(const ForceState& before, ForceState& next) const;
   ForceRates rates(double x, const ForceState& state) const;
   // Takes a step of classical Runge-Kutta, order 4; the frame stays orthonormal.
   ForceState step(double x, const ForceState& state, double by) const;
 
  private:
   ForceCurve::Value asked(world::ForceChannel channel, double x) const;
+  double drive(const ForceState& state, double free) const;
   void set_ramp();
 
   const ForceTask& task_;

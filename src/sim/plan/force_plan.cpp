@@ -58,10 +58,23 @@ TrackEnd start_of(const world::Document& document, const world::SectionRun& run)
   return start;
 }
 
+ForceTask force_task(const world::Document& document, const world::SectionRun& run,
+                     const world::ForceProgram& program) {
+  ForceTask task = force_task(document, start_of(document, run), program);
+  const auto equipment = [&](std::size_t i) {
+    return document.entities.find<world::Equipment>(document.track.segments[i]);
+  };
+  bool all = equipment(run.first) != nullptr;
+  for (std::size_t i = run.first + 1; all && i < run.end(); ++i)
+    all = equipment(i) != nullptr && *equipment(i) == *equipment(run.first);
+  if (all) task.equipment = *equipment(run.first);
+  return task;
+}
+
 ForceTask force_task(const world::Document& document, const TrackEnd& end, const world::ForceProgram& program) {
   ForceTask task{end, program, document.resistance, world::rails_height(document), world::riders_height(document)};
   if (const world::Cart* const cart = document.entities.find<world::Cart>(world::first_cart(document)))
-    task.losses = resistance_of(document, cart->mass);
+    task.losses = resistance_of(document, cart->mass), task.cars = cart->cars, task.spacing = cart->spacing;
   return task;
 }
 

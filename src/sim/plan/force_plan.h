@@ -44,6 +44,9 @@ ForcePlan plan_force(const ForceTask& task);
 // circuit before it follows its curvature, not the other way.
 TrackEnd start_of(const world::Document& document, const world::SectionRun& run);
 
+// Returns the task of a section of the document with that program: from start_of(), with the equipment of all of it.
+ForceTask force_task(const world::Document& document, const world::SectionRun& run, const world::ForceProgram& program);
+
 // Returns the task of a section with that program at an end of the document's track, for its first train.
 ForceTask force_task(const world::Document& document, const TrackEnd& end, const world::ForceProgram& program);
 

@@ -28,8 +28,8 @@ Readings readings_of(const TrackRun& run, const ForceTask& start) {
   const auto steps = static_cast<std::size_t>(std::ceil(run.length() / kReadStep));
   Readings readings;
   readings.step = run.length() / static_cast<double>(steps);
-  ForceState state;
-  state.square = start.program.speed * start.program.speed;
+  const ForceLaw law(start);
+  ForceState state = law.start();
   for (std::size_t i = 0; i <= steps; ++i) {
     const double s = readings.step * static_cast<double>(i);
     const ElementPoint here = run.at(s);
@@ -37,8 +37,7 @@ Readings readings_of(const TrackRun& run, const ForceTask& start) {
     constexpr double kBeside = 0.05;  // m
     const double before = std::max(s - kBeside, 0.0), after = std::min(s + kBeside, run.length());
     ForceRates track{here.curvature, here.spin, (run.at(after).spin - run.at(before).spin) / (after - before)};
-    track.along =
-        -world::kGravity * here.tangent.y - (world::kGravity * start.losses.rolling + start.losses.drag * state.square);
+    track.along = law.along(state);
     const FeltG felt = felt_on(state, track, start.riders);
     const std::array<double, 3> values{felt.up, felt.side, base::degrees(here.spin)};
     for (std::size_t c = 0; c < 3; ++c) {
@@ -49,7 +48,9 @@ Readings readings_of(const TrackRun& run, const ForceTask& start) {
             fmt::format("{} would be {:.1f} {} at {:.1f} m, and keys allow {}", row.name, values[c],
                         world::unit_of(world::ForceOver::distance, static_cast<world::ForceChannel>(c)), s, row.limit);
     }
-    state.square += 2 * readings.step * track.along;
+    const ForceState former = state;
+    state.square += 2 * readings.step * track.along, state.length += readings.step;
+    law.settle(former, state);
     if (i < steps && !(state.square >= world::kSlowestForce * world::kSlowestForce))
       readings.refusal = fmt::format("the train falls below {} m/s at {:.1f} m", world::kSlowestForce, s);
     if (!readings.refusal.empty()) break;

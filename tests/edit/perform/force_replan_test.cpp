@@ -84,6 +84,21 @@ TEST_F(Forces, a_change_of_speed_plans_it_again) {
   EXPECT_EQ(world::hash(session.document), hash_before);
 }
 
+TEST_F(Forces, its_own_equipment_counts_in_its_speed) {
+  drop_and_force();
+  key("vertical key 1 at 0"), key("vertical key 2.4 at 20"), key("vertical key 0.8 at 45");
+  const double free = plan().end_speed;
+  for (const char* const as : {"launch speed 34 acceleration 8", "brake speed 16 acceleration 5", "lift speed 30"}) {
+    good("section.equip @" + section + " as " + as);
+    EXPECT_EQ(value().kind, world::SectionKind::force);
+    EXPECT_GT(std::abs(plan().end_speed - free), 1) << as;
+    EXPECT_LT(missed(), 0.06) << as;
+    expect_g2();
+  }
+  good("section.unequip @" + section);
+  EXPECT_NEAR(plan().end_speed, free, 1e-9);
+}
+
 TEST_F(Forces, planned_sections_behind_follow_an_end_that_turns) {
   drop_and_force();
   key("vertical key 1.6 at 30");

@@ -130,6 +130,44 @@ TEST(force_path, the_start_continues_the_curvature_and_the_spin_of_the_track) {
   }
 }
 
+// On a level straight without losses equipment adds its acceleration: v^2 = v0^2 + 2 a s.
+TEST(force_path, equipment_of_the_section_counts_in_its_speed) {
+  const auto with = [](world::EquipmentKind kind, float speed, float acceleration, double from, int cars = 1) {
+    ForceTask task = level(from, 100);
+    world::Equipment& e = task.equipment.emplace(world::Equipment{kind});
+    e.speed = speed, e.acceleration = acceleration, e.hysteresis = 0.5f;
+    task.cars = cars, task.spacing = 3;
+    return task;
+  };
+  const auto square_at = [](const ForceTask& task, double s) {
+    const ForcePath path = force_path(task);
+    EXPECT_EQ(path.stopped, "");
+    const auto at = std::ranges::lower_bound(path.points, s - 1e-9, {}, &ForcePoint::at);
+    EXPECT_NEAR(at->at, s, 1e-6);
+    return at->square;
+  };
+  using world::EquipmentKind;
+  const ForceTask launch = with(EquipmentKind::launch, 28, 5, 10);
+  EXPECT_NEAR(square_at(launch, 60), 100 + 2 * 5 * 60, 1e-6);
+  EXPECT_NEAR(square_at(launch, 69), 28 * 28, 1e-6);
+  EXPECT_NEAR(force_path(launch).points.back().time, 18 / 5.0 + (100 - (784 - 100) / 10.0) / 28, 2e-3);
+  // Of five cars, three metres apart, one more is pushed each three metres.
+  EXPECT_NEAR(square_at(with(EquipmentKind::launch, 28, 5, 10, 5), 60), 100 + 10 * (3 * (0.2 + 0.4 + 0.6 + 0.8) + 48),
+              1.0);
+  EXPECT_NEAR(square_at(with(EquipmentKind::brake, 8, 6, 20), 20), 400 - 12 * 20, 1e-6);
+  EXPECT_NEAR(square_at(with(EquipmentKind::brake, 8, 6, 20), 50), 7.5 * 7.5, 1e-6);
+  EXPECT_NEAR(square_at(with(EquipmentKind::brake, 1, 6, 20), 50), 3 * 3, 1e-6) << "not below 3 m/s";
+  EXPECT_NEAR(square_at(with(EquipmentKind::station, 4, 3, 20), 50), 400, 1e-6);
+  // A lift on a slope keeps its speed, and lets faster trains climb freely down to it.
+  ForceTask lift = with(EquipmentKind::lift, 5, 3, 5);
+  lift.end.forward = {0.8, 0.6, 0}, lift.end.up = {-0.6, 0.8, 0};
+  lift.program.keys(ForceChannel::vertical) = {{0, 0.8}};
+  EXPECT_NEAR(square_at(lift, 100), 25, 1e-9);
+  lift.program.speed = 12;
+  EXPECT_NEAR(square_at(lift, 5), 144 - 2 * 9.81 * 0.6 * 5, 1e-6);
+  EXPECT_NEAR(square_at(lift, 100), 25, 1e-9);
+}
+
 TEST(force_path, stops_with_the_reason) {
   ForceTask task = level(8, 200);
   task.end.forward = glm::normalize(dvec3(1, 1, 0)), task.end.up = glm::normalize(dvec3(-1, 1, 0));
