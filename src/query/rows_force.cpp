@@ -36,12 +36,7 @@ base::Result<ForcePlace> force_place(View word) {
 
 // Returns a value of the plan's points at a place: linear between them.
 double asked_at(const sim::ForcePlan& plan, const ForcePlace& spot) {
-  const auto value = [&](std::size_t i) {
-    const sim::ForcePoint& point = plan.path.points[i];
-    return spot.channel == world::ForceChannel::vertical  ? point.up
-           : spot.channel == world::ForceChannel::lateral ? point.side
-                                                          : point.roll;
-  };
+  const auto value = [&](std::size_t i) { return plan.path.points[i].asked(spot.channel); };
   return sim::between_points(plan, spot.at, value);
 }
 
@@ -119,6 +114,13 @@ constexpr std::array kForceRows{
           of_force<&sim::ForcePlan::fit, &sim::ForceFit::felt_error>},
     Query{"force.shape_error", "@section", "m", "Largest distance of its spans from the path with those forces.",
           of_force<&sim::ForcePlan::fit, &sim::ForceFit::spans, &sim::ElementFit::error>},
+    Query{"force.hold", "@section", "", "Whether both ends of a force section stay.",
+          of_program<&world::ForceProgram::hold>},
+    Query{"force.unmet", "@section", "g",
+          "Most that riders feel more or less than the keys say, vertical or lateral, because both ends stay.",
+          of_force<&sim::ForcePlan::unmet>},
+    Query{"force.unmet_at", "@section", "", "Where that is, m or s from its start.",
+          of_force<&sim::ForcePlan::unmet_at>},
     Query{"force.ramp", "@section", "",
           "Length of the ramp at its start from what is felt there to what the keys say, m or s.",
           of_force<&sim::ForcePlan::path, &sim::ForcePath::ramp>},

@@ -54,6 +54,7 @@ struct ForceProgram {
   double length = 40;       // m or s
   double tolerance = 0.05;  // g, of what is felt against what the keys say
   double speed = 10;        // m/s of the train at the section's start, for which it was planned
+  bool hold = false;  // its end stays where the track that follows begins, and the keys are met as far as possible
   // Ascending, kKeyGap apart. Before the first key and after the last one the value stays.
   std::array<std::vector<ForceKey>, base::count_of<ForceChannel>()> channels = {};
 
@@ -70,6 +71,7 @@ struct ForceProgram {
     visit(Field{"length", kShortestForce_s, kLongestForce_m}, &ForceProgram::length);
     visit(Field{"tolerance", kLeastTolerance, kMostTolerance}, &ForceProgram::tolerance);
     visit(Field{"speed", 0, 1000}, &ForceProgram::speed);
+    visit(Field{"hold", 0, 0, InFile::unusual, 1}, &ForceProgram::hold);
   }
   friend bool operator==(const ForceProgram&, const ForceProgram&) = default;
 };

@@ -26,10 +26,15 @@ class ForceOracle {
   Vector position, forward, up;
   Long square, length = 0, time = 0, at = 0;
 
-  // Returns the value that a channel's keys ask for; keys' curves alone, without the ramp at the start.
+  // Returns the value that a channel's keys ask for, with what is added to them; without the ramp at the start.
   Long asked(world::ForceChannel channel, Long x) const {
-    const auto& keys = task_.program.keys(channel);
-    if (keys.empty()) return channel == world::ForceChannel::vertical ? 1 : 0;
+    const Long usual = channel == world::ForceChannel::vertical ? 1 : 0;
+    return of_keys(task_.program.keys(channel), usual, x) +
+           (task_.added ? of_keys(task_.added->keys(channel), 0, x) : Long{0});
+  }
+
+  static Long of_keys(const std::vector<world::ForceKey>& keys, Long usual, Long x) {
+    if (keys.empty()) return usual;
     if (x <= keys.front().at) return keys.front().value;
     for (std::size_t i = 1; i < keys.size(); ++i)
       if (x < keys[i].at) return on_curve(keys[i - 1], keys[i], x);

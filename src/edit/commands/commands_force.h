@@ -115,6 +115,16 @@ struct SetForceOver {
   COASTER_FIELDS(visit("", self.section), visit("to", self.to))
 };
 
+struct HoldForces {
+  Target section;
+  bool on{};
+  COASTER_COMMAND(HoldForces, "force.hold",
+                  "Let both ends of a force section stay when its keys change: riders then feel what the keys say as "
+                  "nearly as that allows, and force.unmet is what they miss.",
+                  Effect::document, "Set whether both ends of {} stay");
+  COASTER_FIELDS(visit("", self.section), visit("", self.on))
+};
+
 struct ReadForces {
   Target section;
   double tolerance = 0.05;
@@ -134,6 +144,6 @@ struct FreeForces {
 
 using ForceCommands =
     CommandList<AddForce, SetForceKey, InsertForceKey, MoveForceKey, RemoveForceKey, ShapeForceKey, CopyForceKeys,
-                PasteForceKeys, SetForceLength, SetForceTolerance, SetForceOver, ReadForces, FreeForces>;
+                PasteForceKeys, SetForceLength, SetForceTolerance, SetForceOver, HoldForces, ReadForces, FreeForces>;
 
 }  // namespace coaster::edit

@@ -217,6 +217,13 @@ Status perform(Session& session, Change& change, const SetForceOver& command) {
   });
 }
 
+Status perform(Session& session, Change& change, const HoldForces& command) {
+  return with_program(session, change, command.section, false, [&](ForceProgram& program) -> Status {
+    program.hold = command.on;
+    return {};
+  });
+}
+
 Status perform(Session& session, Change& change, const ReadForces& command) {
   const auto section = require(session, command.section, world::Kind::section);
   if (!section) return section.status();

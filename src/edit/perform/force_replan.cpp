@@ -83,6 +83,11 @@ Status replan_force(Session& session, Change& change, Document& document, Entity
   if (const Status room = room_for_spans(session, document, run, plan.spans()); !room) return room;
   if (const std::string stopped = sim::stop_text(plan); !stopped.empty())
     change.clamped.push_back(base::sentence(stopped));
+  if (task.held) {
+    if (const std::string unmet = sim::unmet_text(plan); !unmet.empty() && !session.history.in_gesture)
+      change.clamped.push_back(unmet);
+    return reshape(document, section, plan.fit.spans, SectionEnd::stays), Status{};
+  }
   const sim::ElementFit fit = plan.fit.spans;  // the memory may move while what follows is planned
   return put_and_follow(session, change, document, run, fit);
 }

@@ -41,6 +41,7 @@ world::Element mirrored(world::Element element) {
 
 // Returns the program with left and right swapped.
 world::ForceProgram mirrored(world::ForceProgram program) {
+  program.hold = false;  // its end moves to the other side
   for (const auto channel : {world::ForceChannel::lateral, world::ForceChannel::roll})
     for (world::ForceKey& key : program.keys(channel)) key.value = 0.0 - key.value, key.slope = 0.0 - key.slope;
   return program;

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "curve/arc_length.h"
+#include "curve/continuity.h"
 #include "edit/perform/replan.h"
 #include "world/motion.h"
 #include "world/sections.h"
@@ -21,16 +22,20 @@ using world::SectionRun;
 // What the track beside a section demands of its ends.
 struct Ends {
   Knot start, end;
-  curve::Cubic before, after;
-  friend bool operator==(const Ends&, const Ends&) = default;
+  glm::dvec3 before, after;  // 1/m, the curvature of the track beside them
 };
+bool alike(const Ends& a, const Ends& b) {
+  return a.start == b.start && a.end == b.end && glm::distance(a.before, b.before) <= sim::kElementJump &&
+         glm::distance(a.after, b.after) <= sim::kElementJump;
+}
 Ends ends_of(const Document& document, const SectionRun& run) {
   const auto& segments = document.track.segments;
   const auto cubic = [&](std::size_t i) { return world::cubic_of(document, segments[i % segments.size()]); };
-  Ends ends{nth_knot(document, run.first), nth_knot(document, run.end()), cubic(run.first + segments.size() - 1),
-            cubic(run.end())};
-  // The section's own.
-  ends.start.out_length = ends.end.in_length = 0;
+  Ends ends{nth_knot(document, run.first), nth_knot(document, run.end()),
+            curve::curvature_vector(cubic(run.first + segments.size() - 1), 1.0),
+            curve::curvature_vector(cubic(run.end()), 0.0)};
+  // The section's own, and what the curvatures tell of the track beside it.
+  ends.start.out_length = ends.end.in_length = ends.start.in_length = ends.end.out_length = 0;
   ends.start.joint = ends.end.joint = world::JointKind::aligned;
   return ends;
 }
@@ -71,7 +76,7 @@ Status take_up(Session& session, Change& change, const Document& former, Documen
   if (!run || !former.entities.find<world::Section>(run->section)) return {};
   if (run->count == count) return refused("a circuit has a section besides the one that completes it");
   const SectionRun was = world::run_of(former, run->section);
-  if (ends_of(former, was) == ends_of(next, *run)) return {};
+  if (alike(ends_of(former, was), ends_of(next, *run))) return {};
   const world::WayHome& way = world::section(next, run->section).way;
   const Document opened = stretch_of(next, run->end() % count, count - run->count);
   const double risen = driven_between(former, was, next, *run) ? 0.0

@@ -153,7 +153,10 @@ Attempt attempt(const ForceTask& task, const ForcePath& path, std::vector<std::s
     const world::Knot &from = now.spans.knots[k], &to = now.spans.knots[k + 1];
     now.errors.push_back(error_of(task, path, now.at[k], now.at[k + 1], from, to));
     const SpanError& error = now.errors.back();
-    if (!(error.felt.error <= kAtPoints * task.program.tolerance) || (k == 0 && now.spans.jumps[0] > kElementJump) ||
+    const bool last = k + 2 == now.at.size();
+    const double jump =
+        std::max(k == 0 ? now.spans.jumps.front() : 0.0, last && task.held ? now.spans.jumps.back() : 0.0);
+    if (!(error.felt.error <= kAtPoints * task.program.tolerance) || jump > kElementJump ||
         error.check.roll_error > base::radians(kElementRoll_deg))
       now.failing.push_back(k);
   }

@@ -91,6 +91,8 @@ ForceLaw::ForceLaw(const ForceTask& task)
     : task_(task),
       curves_{ForceCurve(task.program, ForceChannel::vertical), ForceCurve(task.program, ForceChannel::lateral),
               ForceCurve(task.program, ForceChannel::roll)} {
+  for (const ForceChannel channel : {ForceChannel::vertical, ForceChannel::lateral, ForceChannel::roll})
+    if (task.added) added_.emplace_back(*task.added, channel);
   set_ramp();
 }
 
@@ -102,12 +104,16 @@ ForceState ForceLaw::start() const {
 }
 
 std::vector<double> ForceLaw::breaks() const {
-  const double length = task_.program.length;
+  const double length = task_.length();
   std::vector<double> places{length};
   if (ramp_ > 0 && ramp_ < length) places.push_back(ramp_);
-  for (const auto& keys : task_.program.channels)
-    for (const world::ForceKey& key : keys)
-      if (key.at > 0 && key.at < length) places.push_back(key.at);
+  const auto add = [&](const world::ForceProgram& program) {
+    for (const auto& keys : program.channels)
+      for (const world::ForceKey& key : keys)
+        if (key.at > 0 && key.at < length) places.push_back(key.at);
+  };
+  add(task_.program);
+  if (task_.added) add(*task_.added);
   std::sort(places.begin(), places.end());
   places.erase(std::unique(places.begin(), places.end()), places.end());
   return places;
@@ -178,11 +184,16 @@ FeltG felt_on(const ForceState& s, const ForceRates& track, double d) {
 
 // Inverts felt g = (s'' h' + s'^2 h'')/g + up (sim/shape/rail_tables.h) for the curvature towards up and left.
 ForceRates ForceLaw::rates(double x, const ForceState& s) const {
-  const auto up = asked(ForceChannel::vertical, x), side = asked(ForceChannel::lateral, x),
-             roll = asked(ForceChannel::roll, x);
+  auto up = asked(ForceChannel::vertical, x), side = asked(ForceChannel::lateral, x),
+       roll = asked(ForceChannel::roll, x);
   const double g = world::kGravity, d = task_.riders, square = std::max(s.square, 1e-6);
   const dvec3 left = glm::cross(s.up, s.tangent);
   ForceRates r;
+  for (std::size_t c = 0; c < added_.size(); ++c) {
+    const ForceCurve::Value by = added_[c].at(x);
+    ForceCurve::Value& to = c == 0 ? up : c == 1 ? side : roll;
+    to.value += by.value, to.slope += by.slope, r.added[c] = by.value;
+  }
   r.up = up.value, r.side = side.value, r.roll = roll.value;
   r.along = along(s);
   r.spin = base::radians(roll.value), r.spin_slope = base::radians(roll.slope);
@@ -239,7 +250,7 @@ void ForceLaw::set_ramp() {
   const double most = std::max(std::abs(missing_[0]), std::abs(missing_[1])), turn = std::abs(missing_[2]) * per_second;
   if (std::max(most, turn) <= kSame) return;
   const double seconds = std::max({kShortest, kPerG * most, kPerDegree * turn});
-  ramp_ = std::min(seconds * (by_time ? 1.0 : speed), task_.program.length);
+  ramp_ = std::min(seconds * (by_time ? 1.0 : speed), task_.length());
 }
 
 }  // namespace coaster::sim

@@ -35,9 +35,13 @@ struct ForceTask {
   world::ForceProgram program;                     // within its limits (world::broken)
   world::Resistance losses;                        // of that train
   double rails = 0, riders = 0;                    // m above the curve
+  std::optional<TrackEnd> held = {};               // where it must end
   std::optional<world::Equipment> equipment = {};  // of all of the section
   int cars = 1;                                    // of the train: launches and brakes act on those on the section
   double spacing = 3;                              // m between them
+  // What is added to what the keys ask for so that it ends there (force_hold.h), over the length that this takes.
+  std::optional<world::ForceProgram> added = {};
+  double length() const { return added ? added->length : program.length; }  // m or s
   friend bool operator==(const ForceTask&, const ForceTask&) = default;
 };
 
@@ -50,13 +54,14 @@ struct ForceState {
 };
 
 struct ForceRates {
-  glm::dvec3 curvature{0};  // 1/m
-  double spin = 0;          // rad/m
-  double spin_slope = 0;    // rad/m^2
-  double along = 0;         // m/s^2 along the track
-  double up = 1, side = 0;  // g asked for, with the ramp
-  double roll = 0;          // deg/m or deg/s asked for, with the ramp
-  bool folded = false;      // no curvature makes riders at their height feel that
+  glm::dvec3 curvature{0};        // 1/m
+  double spin = 0;                // rad/m
+  double spin_slope = 0;          // rad/m^2
+  double along = 0;               // m/s^2 along the track
+  double up = 1, side = 0;        // g asked for, with the ramp
+  double roll = 0;                // deg/m or deg/s asked for, with the ramp
+  std::array<double, 3> added{};  // by channel: the part of these three that is not asked for but added to end as held
+  bool folded = false;            // no curvature makes riders at their height feel that
 };
 
 // What riders `riders` m above the curve feel at a place of track, in g: what rates() below solves for the curvature.
@@ -93,6 +98,7 @@ class ForceLaw {
 
   const ForceTask& task_;
   std::array<ForceCurve, 3> curves_;
+  std::vector<ForceCurve> added_;  // by channel, or none
   double ramp_ = 0;
   std::array<double, 3> felt_{};
   std::array<double, 3> missing_{};  // by channel: what is felt at the track's end less what the keys say there

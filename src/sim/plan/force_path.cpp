@@ -37,7 +37,7 @@ class Integration {
   void add(ForcePath& path, const ForceState& s, double x) const {
     const ForceRates r = law_.rates(x, s);
     path.curve.points.push_back({s.length, s.position, s.tangent, r.curvature, s.up, r.spin});
-    path.points.push_back({x, s.time, s.square, r.along, r.up, r.side, r.roll});
+    path.points.push_back({x, s.time, s.square, r.along, r.up, r.side, r.roll, r.added});
   }
 
   static ForcePath closed(ForcePath path) {

@@ -11,12 +11,17 @@ namespace coaster::sim {
 
 // A place of the path; arc length, position and frame are those of the curve's point with the same index.
 struct ForcePoint {
-  double at = 0;            // m or s: what the keys count in
-  double time = 0;          // s since the section's start
-  double square = 0;        // m^2/s^2, the speed squared
-  double along = 0;         // m/s^2 along the track
-  double up = 1, side = 0;  // g asked for, as ramped from what is felt at the track's end
-  double roll = 0;          // deg/m or deg/s asked for, likewise
+  double at = 0;                  // m or s: what the keys count in
+  double time = 0;                // s since the section's start
+  double square = 0;              // m^2/s^2, the speed squared
+  double along = 0;               // m/s^2 along the track
+  double up = 1, side = 0;        // g asked for, as ramped from what is felt at the track's end
+  double roll = 0;                // deg/m or deg/s asked for, likewise
+  std::array<double, 3> added{};  // by channel: what of these three is added so that the section ends as held
+  double asked(world::ForceChannel channel) const {
+    const auto c = static_cast<std::size_t>(channel);
+    return std::array{up, side, roll}[c] - added[c];
+  }
 };
 
 struct ForcePath {

@@ -8,6 +8,7 @@
 #include "curve/continuity.h"
 #include "curve/frames.h"
 #include "sim/plan/elements.h"
+#include "sim/plan/force_hold.h"
 #include "sim/ride/train.h"
 
 namespace coaster::sim {
@@ -37,11 +38,21 @@ ForcePlan plan_force(const ForceTask& task) {
                                world::kSlowestForce);
     return plan;
   }
-  plan.path = force_path(task);
+  std::optional<ForceTask> held;
+  if (task.held && !(held = hold_end(task))) {
+    plan.refusal = "its ends stay, and no forces near those of its keys lead from the one to the other";
+    return plan;
+  }
+  const ForceTask& as = held ? *held : task;
+  plan.path = force_path(as);
   plan.length = plan.path.curve.length();
   plan.end_speed = std::sqrt(plan.path.points.back().square);
-  if (plan.length < kShortestPlan) plan.refusal = plan.path.stopped + " at once";
-  else plan.fit = fit_force(task, plan.path);
+  if (held && !plan.path.stopped.empty()) plan.refusal = fmt::format("its ends stay, and {}", stop_text(plan));
+  else if (plan.length < kShortestPlan) plan.refusal = plan.path.stopped + " at once";
+  else plan.fit = fit_force(as, plan.path);
+  for (const ForcePoint& point : plan.path.points)
+    if (const double most = std::max(std::abs(point.added[0]), std::abs(point.added[1])); most > plan.unmet)
+      plan.unmet = most, plan.unmet_at = point.at;
   return plan;
 }
 
@@ -58,9 +69,19 @@ TrackEnd start_of(const world::Document& document, const world::SectionRun& run)
   return start;
 }
 
+std::optional<TrackEnd> held_end(const world::Document& document, const world::SectionRun& run) {
+  const std::vector<world::Entity>& segments = document.track.segments;
+  if (!document.track.closed && run.end() == segments.size()) return std::nullopt;
+  TrackEnd end = end_at(document, run.end() % document.track.knots.size());
+  const curve::Cubic next = world::cubic_of(document, segments[run.end() % segments.size()]);
+  end.curvature = curve::across(curve::curvature_vector(next, 0.0), end.forward);
+  return end;
+}
+
 ForceTask force_task(const world::Document& document, const world::SectionRun& run,
                      const world::ForceProgram& program) {
   ForceTask task = force_task(document, start_of(document, run), program);
+  if (program.hold) task.held = held_end(document, run);
   const auto equipment = [&](std::size_t i) {
     return document.entities.find<world::Equipment>(document.track.segments[i]);
   };
@@ -104,6 +125,15 @@ world::ForceProgram over_other_axis(const ForcePlan& plan) {
       key.before = std::min(key.before * unit, longest), key.after = std::min(key.after * unit, longest);
     }
   return to;
+}
+
+std::string unmet_text(const ForcePlan& plan) {
+  if (plan.unmet < 0.005) return {};
+  const std::array<double, 3>& added = plan.path.points[plan.point_at(plan.unmet_at)].added;
+  const bool vertical = std::abs(added[0]) >= std::abs(added[1]);
+  return fmt::format("Both ends stay: at {:.1f} {} riders feel {:.2f} g {} than the {} keys say.", plan.unmet_at,
+                     world::unit_of(plan.task.program.over), plan.unmet, added[vertical ? 0 : 1] > 0 ? "more" : "less",
+                     vertical ? "vertical" : "lateral");
 }
 
 std::string stop_text(const ForcePlan& plan) {

@@ -17,6 +17,8 @@ struct ForcePlan {
   ForceTask task;
   std::string refusal;       // why there is no track at all; empty if there is some
   ForcePath path;            // path.stopped says why it is shorter than the program
+  double unmet = 0;          // g, the most that is added to what the keys ask for, vertical or lateral: 0 if not held
+  double unmet_at = 0;       // m or s from the start, where that is
   ForceFit fit;              // fit.spans.knots.front() is the track's end, with its new outgoing handle
   double length = 0;         // m
   double end_speed = 0;      // m/s
@@ -44,7 +46,11 @@ ForcePlan plan_force(const ForceTask& task);
 // circuit before it follows its curvature, not the other way.
 TrackEnd start_of(const world::Document& document, const world::SectionRun& run);
 
-// Returns the task of a section of the document with that program: from start_of(), with the equipment of all of it.
+// Returns where a section of which both ends stay must end: at the knot behind it, with the bend of the track that
+// follows. Nothing where no track follows.
+std::optional<TrackEnd> held_end(const world::Document& document, const world::SectionRun& run);
+
+// Returns the task of a section of the document with that program: from start_of(), and to held_end() if it holds it.
 ForceTask force_task(const world::Document& document, const world::SectionRun& run, const world::ForceProgram& program);
 
 // Returns the task of a section with that program at an end of the document's track, for its first train.
@@ -52,6 +58,10 @@ ForceTask force_task(const world::Document& document, const TrackEnd& end, const
 
 // Returns the program with its keys, length and handles over the other axis: they stay at the same places of the plan.
 world::ForceProgram over_other_axis(const ForcePlan& plan);
+
+// Returns "Both ends stay: at 30.5 m riders feel 0.42 g more than the vertical keys say."; empty if not held, or for
+// less than 0.005 g.
+std::string unmet_text(const ForcePlan& plan);
 
 // Returns "the section ends at 41.2 m: the train falls below 3 m/s there"; empty if it reaches its end.
 std::string stop_text(const ForcePlan& plan);

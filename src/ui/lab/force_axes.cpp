@@ -49,10 +49,7 @@ double ForceAxes::reach(ForceChannel channel, std::size_t key, int side) const {
   return own > 0 ? own : gap / 3;
 }
 
-double ForceAxes::asked(std::size_t point) const {
-  const sim::ForcePoint& p = plan_.path.points[point];
-  return channel_ == ForceChannel::vertical ? p.up : channel_ == ForceChannel::lateral ? p.side : p.roll;
-}
+double ForceAxes::asked(std::size_t point) const { return plan_.path.points[point].asked(channel_); }
 
 void fill_curves(const sim::Derived& derived, const ForceAxes& axes, ForceKeys& state) {
   state.place.clear(), state.asked.clear(), state.actual.clear();
@@ -70,7 +67,7 @@ void fill_curves(const sim::Derived& derived, const ForceAxes& axes, ForceKeys& 
 
 std::array<double, 4> shown_ends(const ForceAxes& axes, const std::optional<RidePlots>& ride, const ForceKeys& state) {
   constexpr double kMargin = 0.05;
-  const double from = axes.start(), to = axes.x_of(axes.program().length), margin = kMargin * (to - from);
+  const double from = axes.start(), to = axes.x_of(axes.end()), margin = kMargin * (to - from);
   const bool roll = axes.channel() == ForceChannel::roll;
   double low = roll ? -5 : -0.5, high = roll ? 5 : 2;
   const auto take = [&](double value) {

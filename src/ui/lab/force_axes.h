@@ -1,6 +1,7 @@
 // The curves, axes and limits of a force section's plot. Private to force_keys.cpp.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <optional>
 #include <vector>
@@ -27,6 +28,8 @@ class ForceAxes {
   // Returns how far the handle of a key reaches to that side; 0 where no key is there.
   double reach(world::ForceChannel channel, std::size_t key, int side) const;
   double asked(std::size_t point) const;
+  // m or s: where the keys end, or the track, if its held end is farther.
+  double end() const { return std::max(program().length, plan_.path.points.back().at); }
 
  private:
   const sim::ForcePlan& plan_;

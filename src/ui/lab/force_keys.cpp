@@ -181,7 +181,9 @@ void force_channels(Ui& ui, float bar) {
 void force_plot(Ui& ui, Entity section, const std::optional<RidePlots>& ride) {
   ForceKeys& state = state_of(ui, section);
   const sim::ForcePlan* const plan = ui.state.find.force(section);
-  if (plan == nullptr || plan->path.points.empty()) return small_note("The section has no track.");
+  if (plan == nullptr || plan->path.points.empty())
+    return small_note(plan == nullptr || plan->refusal.empty() ? "The section has no track."
+                                                               : base::sentence(plan->refusal));
   const double start = ui.session().derived.starts[world::run_of(ui.session().document, section).first];
   const ForceAxes axes(*plan, state.channel, start);
   fill_curves(ui.session().derived, axes, state);

@@ -86,6 +86,16 @@ void force_parameters(Ui& ui, const Chosen& chosen) {
     ui.emit(edit::SetForceTolerance{{chosen.name()}, *to});
   if (const auto to = combo_of(ui, "Keys over", program.over, "What the keys count in. They stay at their places."))
     ui.emit(edit::SetForceOver{{chosen.name()}, *to});
+  if (const auto on = checkbox(ui, "Keep both ends", program.hold,
+                               "Neither end moves when keys change. Riders feel what the keys say as nearly as that "
+                               "allows."))
+    ui.emit(edit::HoldForces{{chosen.name()}, *on});
+  if (!program.hold) return;
+  const sim::ForcePlan* const plan = ui.state.find.force(chosen.runs.front().section);
+  if (plan == nullptr || !plan->refusal.empty()) return;
+  read_out(ui, "Not met", plan->unmet, 2, "g", "Most that riders feel more or less than the keys say.");
+  read_out(ui, "Not met at", plan->unmet_at, 1, world::unit_of(program.over),
+           "Where that is, from the section's start.");
 }
 
 void section_equipment(Ui& ui, const Chosen& chosen) {

@@ -1,4 +1,4 @@
-// Commands of force sections: their keys, and the memory of their steps. No header of its own.
+// Commands of force sections: their keys, both ends kept, and the memory of their steps. No header of its own.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -30,6 +30,93 @@ TEST_F(Forces, keys_count_in_the_memory_of_the_history) {
     key(std::string("vertical key ") + to + " at 0");
   EXPECT_GT(session.history.dropped, 0u);
   EXPECT_LE(session.history.bytes, session.history.limit);
+}
+
+// What follows is what it was to the bit, and the joint at the held end is G2 with continuous spin.
+TEST_F(Forces, both_ends_stay_while_the_keys_are_met_as_far_as_possible) {
+  drop_and_force();
+  key("vertical key 1 at 0"), key("vertical key 1.5 at 20"), key("vertical key 1 at 40");
+  good("element straight length 20");
+  const std::string straight = world::label_of(session.document, last());
+  good("element curve left radius 40 angle 30");
+  good("section.join @" + straight);
+  refused("force @" + section + " vertical key 1.9 at 20", "than what follows begins");
+  good("force.hold @" + section + " on");
+  EXPECT_LT(plan().unmet, 0.02);
+  const auto followers = [&] {
+    std::vector<world::Knot> knots;
+    const world::SectionRun run = world::run_of(session.document, entity(section.c_str()));
+    for (std::size_t i = run.end(); i < session.document.track.knots.size(); ++i)
+      knots.push_back(world::knot(session.document, session.document.track.knots[i]));
+    knots.front().in_length = 0;
+    return knots;
+  };
+  const std::vector<world::Knot> behind = followers();
+  const world::Document before = session.document;
+  const std::size_t steps = session.history.undo.size();
+  key("vertical key 1.9 at 20"), key("lateral key 0.3 at 25"), key("lateral key 0 at 5"), key("lateral key 0 at 45");
+  EXPECT_EQ(followers(), behind);
+  EXPECT_EQ(session.history.undo.size(), steps + 4);
+  EXPECT_EQ(value().kind, world::SectionKind::force);
+  EXPECT_GT(plan().unmet, 0.1);
+  EXPECT_LT(missed(), 0.06) << "riders feel the keys and what is added";
+  expect_g2();
+  const std::string& notice = session.notices.list.back().text;
+  EXPECT_EQ(notice, sim::unmet_text(plan()));
+  EXPECT_NE(notice.find(" riders feel 0."), std::string::npos) << notice;
+  // A change of speed, a file and the way back.
+  good("section.equip @q1 as lift speed 8");
+  EXPECT_EQ(followers(), behind);
+  EXPECT_LT(missed(), 0.06);
+  const auto loaded = exchange::parse_track(exchange::print_track(session.document), "text");
+  ASSERT_TRUE(loaded) << loaded.status().message;
+  EXPECT_EQ(world::hash(loaded->document), hash());
+  EXPECT_TRUE(world::section(loaded->document, world::find(loaded->document, *world::parse_name(section))).force.hold);
+  const std::uint64_t same = hash();
+  session.findings.memory.forces = {};
+  good("section.title @" + section + " to \"Same\""), good("section.title @" + section + " to \"\"");
+  EXPECT_EQ(hash(), same) << "planned again to the bit";
+  for (int i = 0; i < 7; ++i) good("undo");
+  EXPECT_TRUE(session.document == before);
+  EXPECT_EQ(exchange::print_track(session.document).find("\"hold\": false"), std::string::npos);
+}
+
+// The way home that follows keeps its knots to the bit, too.
+TEST_F(Forces, a_circuit_is_closed_by_the_same_way_home_while_both_ends_stay) {
+  drop_and_force();
+  key("vertical key 1 at 0"), key("vertical key 1.8 at 15"), key("vertical key 0.9 at 32");
+  good("complete 1");
+  good("force.hold @" + section + " on");
+  const auto way_home = [&] {
+    std::vector<world::Knot> knots;
+    const world::SectionRun run = world::run_of(session.document, entity(section.c_str()));
+    for (std::size_t i = run.end(); i < session.document.track.knots.size(); ++i)
+      knots.push_back(world::knot(session.document, session.document.track.knots[i]));
+    knots.front().in_length = 0;
+    return knots;
+  };
+  const std::vector<world::Knot> before = way_home();
+  key("vertical key 2.1 at 15");
+  EXPECT_TRUE(session.document.track.closed);
+  EXPECT_EQ(way_home(), before);
+  EXPECT_EQ(world::section(session.document, last()).kind, world::SectionKind::complete);
+  EXPECT_GT(plan().unmet, 0.05);
+  EXPECT_LT(missed(), 0.06);
+  expect_g2();
+}
+
+TEST_F(Forces, an_open_end_is_free_until_track_follows) {
+  drop_and_force();
+  good("force.hold @" + section + " on");
+  key("vertical key 1.5 at 20");
+  EXPECT_EQ(plan().unmet, 0) << "nothing follows";
+  good("element straight length 20");
+  refused("force @" + section + " vertical key -3 at 20", "its ends stay, and no forces near those of its keys");
+  key("vertical key 1 at 2"), key("vertical key 1 at 40"), key("vertical key 0 at 20");
+  EXPECT_GT(plan().unmet, 0.3) << "met as far as possible";
+  EXPECT_NEAR(glm::distance(plan().path.curve.points.back().position, plan().task.held->position), 0, 1e-5);
+  good("section.mirror @" + section);
+  EXPECT_FALSE(program().hold);
 }
 
 TEST_F(Forces, bad_values_are_refused_with_a_clear_word) {

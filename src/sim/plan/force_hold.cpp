@@ -1,0 +1,295 @@
+// Sequential linear least squares: a step goes to the least sum of squares among the additions that, to first order,
+// lead to the end. The problem without bounds has the KKT equations  W c = J^T m,  J dx = -h,  with W diagonal.
+#include "sim/plan/force_hold.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "base/parallel.h"
+#include "base/portable_math.h"
+#include "sim/plan/force_bridge.h"
+
+namespace coaster::sim {
+namespace {
+
+using glm::dvec3;
+
+constexpr std::size_t kEnd = 9;  // conditions: place (3), direction (2), bend (2), roll, spin
+using End = std::array<double, kEnd>;
+
+constexpr double kNodeGap = 5;  // m between keys of what is added, about
+constexpr std::size_t kFewestNodes = 6, kMostNodes = 24;
+constexpr double kCoarse = 1, kFine = 0.25;  // m, steps of the slopes and of the path itself (force_path.cpp)
+constexpr double kMostStep = 5;              // g, changes by more in one step lead nowhere
+
+double size_of(const End& end) {
+  double square = 0;
+  for (const double value : end) square += value * value;
+  return std::sqrt(square);
+}
+
+// Returns the rotation from one frame to the other as axis times angle, rad; nothing near half a turn, where the axis
+// is any. Unlike the products of single axes it is 0 for no other frame.
+std::optional<dvec3> turn_between(const TrackEnd& from, const ForceState& to) {
+  constexpr double kOpposite = -0.98;
+  const dvec3 left = glm::cross(from.up, from.forward), to_left = glm::cross(to.up, to.tangent);
+  const dvec3 twice = glm::cross(from.forward, to.tangent) + glm::cross(from.up, to.up) + glm::cross(left, to_left);
+  const double cos = (glm::dot(from.forward, to.tangent) + glm::dot(from.up, to.up) + glm::dot(left, to_left) - 1) / 2,
+               sin = glm::length(twice) / 2;
+  if (!(cos > kOpposite)) return std::nullopt;
+  return sin > 0 ? base::arc_tangent(sin, cos) / (2 * sin) * twice : dvec3(0);
+}
+
+// Solves A x = b by Gauss's elimination with row pivots; false where A is singular. b becomes x.
+template <std::size_t n>
+bool solve_linear(std::array<std::array<double, n>, n> a, std::array<double, n>& b) {
+  for (std::size_t k = 0; k < n; ++k) {
+    std::size_t pivot = k;
+    for (std::size_t i = k + 1; i < n; ++i)
+      if (std::abs(a[i][k]) > std::abs(a[pivot][k])) pivot = i;
+    if (!(std::abs(a[pivot][k]) > 1e-13)) return false;
+    std::swap(a[k], a[pivot]), std::swap(b[k], b[pivot]);
+    for (std::size_t i = k + 1; i < n; ++i) {
+      const double by = a[i][k] / a[k][k];
+      for (std::size_t j = k; j < n; ++j) a[i][j] -= by * a[k][j];
+      b[i] -= by * b[k];
+    }
+  }
+  for (std::size_t k = n; k-- > 0;) {
+    for (std::size_t j = k + 1; j < n; ++j) b[k] -= a[k][j] * b[j];
+    b[k] /= a[k][k];
+  }
+  return true;
+}
+
+// The unknowns: what is added at each node but the first, by channel, and the length.
+struct Additions {
+  std::vector<double> nodes;  // in g, or what counts as much; channel by channel
+  double length = 0;          // m or s
+};
+
+class Holding {
+ public:
+  explicit Holding(const ForceTask& task)
+      : task_(task), metres_(task.program.over == world::ForceOver::distance ? 1.0 : task.program.speed) {
+    const double length = task.program.length * metres_;
+    nodes_ = std::clamp(static_cast<std::size_t>(length / kNodeGap), kFewestNodes, kMostNodes);
+  }
+
+  std::optional<ForceTask> run() {
+    if (const auto found = led_from({std::vector<double>(3 * nodes_, 0.0), task_.program.length})) return exact(*found);
+    const std::optional<Additions> bridge = of_bridge();
+    const std::optional<Additions> found = bridge ? led_from(*bridge) : std::nullopt;
+    return found ? exact(*found) : std::nullopt;
+  }
+
+ private:
+  static constexpr double kShortestStage = 1.0 / 64;
+  static constexpr double kNear = 0.01, kThere = 1e-6;  // of the conditions, in about metres
+
+  // Returns what a bridge needs more than the keys ask for (force_bridge.h).
+  std::optional<Additions> of_bridge() const {
+    const std::optional<ForceBridge> bridge = force_bridge(task_, nodes_);
+    if (!bridge) return std::nullopt;
+    Additions x{{}, bridge->length};
+    for (std::size_t c = 0; c < 3; ++c)
+      for (std::size_t i = 1; i <= nodes_; ++i)
+        x.nodes.push_back(bridge->more[i][c] / (c < 2 ? 1.0 : kRollPerG * metres_));
+    return x;
+  }
+
+  // Leads the end from where these additions take it to where it is held, and the additions to the least ones, in as
+  // few stages as go well.
+  std::optional<Additions> led_from(Additions now) {
+    const std::optional<End> first = missed(now, kFine);
+    if (!first) return std::nullopt;
+    first_ = *first, from_ = now.nodes;
+    double done = 0;
+    for (double by = 1; done < 1;) {
+      const double share = std::min(done + by, 1.0);
+      if (std::optional<Additions> next = led(now, 1 - share)) now = std::move(*next), done = share, by *= 2;
+      else if ((by /= 2) < kShortestStage) return std::nullopt;
+    }
+    return now;
+  }
+
+  // Returns the stage at which `rest` of the first misses and of the first additions is left, from one near to it.
+  std::optional<Additions> led(Additions x, double rest) {
+    const bool last = rest == 0;
+    const int rounds = last ? 30 : 6;
+    const double settled = last ? 5e-4 : 0.02, near = last ? kNear : 0.2;  // g, m
+    std::vector<double> towards = from_;
+    for (double& value : towards) value *= rest;
+    std::optional<End> off = left_of(x, rest);
+    for (int round = 0; off && round < rounds; ++round) {
+      set_slopes(x);
+      const std::optional<Additions> by = step_from(x, *off, towards);
+      if (!by) return std::nullopt;
+      const double most = add(x, *by);
+      if (!(most < kMostStep)) return std::nullopt;
+      off = left_of(x, rest);
+      if (off && most < settled && size_of(*off) < near) return x;
+    }
+    return std::nullopt;
+  }
+  std::optional<End> left_of(const Additions& x, double rest) const {
+    std::optional<End> off = missed(x, kFine);
+    for (std::size_t e = 0; off && e < kEnd; ++e) (*off)[e] -= rest * first_[e];
+    return off;
+  }
+
+  // Returns the task whose path ends in place, with additions within 0.001 g of those.
+  std::optional<ForceTask> exact(Additions x) const {
+    for (int round = 0; round < 20; ++round) {
+      const std::optional<End> off = missed(x, kFine);
+      if (!off) return std::nullopt;
+      if (size_of(*off) <= kThere) return with(x);
+      const std::optional<Additions> by = step_from(x, *off, x.nodes);
+      if (!by || !(add(x, *by) < kMostStep)) return std::nullopt;
+    }
+    return std::nullopt;
+  }
+
+  // Adds a step and returns the largest change of a node.
+  static double add(Additions& x, const Additions& by) {
+    double most = 0;
+    for (std::size_t k = 0; k < x.nodes.size(); ++k)
+      x.nodes[k] += by.nodes[k], most = std::max(most, std::abs(by.nodes[k]));
+    x.length += by.length;
+    return most;
+  }
+
+  // Returns the task with these additions: keys at equal distances with the slopes of parabolas, level at both ends.
+  ForceTask with(const Additions& x) const {
+    ForceTask task = task_;
+    world::ForceProgram& added = task.added.emplace();
+    added.over = task.program.over, added.length = x.length, added.speed = task.program.speed;
+    const double gap = x.length / static_cast<double>(nodes_);
+    for (std::size_t c = 0; c < 3; ++c) {
+      const double unit = c < 2 ? 1.0 : kRollPerG * metres_;
+      std::vector<world::ForceKey>& keys = added.channels[c];
+      keys.resize(nodes_ + 1);
+      for (std::size_t i = 1; i <= nodes_; ++i)
+        keys[i].at = i == nodes_ ? x.length : gap * static_cast<double>(i),
+        keys[i].value = unit * x.nodes[c * nodes_ + i - 1];
+      for (std::size_t i = 1; i < nodes_; ++i) keys[i].slope = (keys[i + 1].value - keys[i - 1].value) / (2 * gap);
+    }
+    return task;
+  }
+
+  // Returns by what a path misses the end, in units of about a metre.
+  std::optional<End> missed_by(const ForceLaw& law, double x, const ForceState& last) const {
+    constexpr double kAngle = 10, kBend = 100;  // m per rad, m per 1/m
+    const TrackEnd& to = *task_.held;
+    const ForceRates rates = law.rates(x, last);
+    const dvec3 left = glm::cross(to.up, to.forward), by = last.position - to.position,
+                bend = rates.curvature - to.curvature;
+    const std::optional<dvec3> turn = turn_between(to, last);
+    if (!turn || rates.folded) return std::nullopt;
+    return End{by.x,
+               by.y,
+               by.z,
+               kAngle * glm::dot(*turn, to.forward),
+               kAngle * glm::dot(*turn, to.up),
+               kAngle * glm::dot(*turn, left),
+               kBend * glm::dot(bend, to.up),
+               kBend * glm::dot(bend, left),
+               kBend * (rates.spin - to.spin)};
+  }
+  std::optional<End> missed_from(const ForceLaw& law, double step, double at, const ForceState& state) const {
+    ForceState last = state;
+    double end = at;
+    const bool whole = follow_law(law, step, at, state, [&](double x, const ForceState& there) {
+      last = there, end = x;
+      return there.square >= world::kSlowestForce * world::kSlowestForce;
+    });
+    return whole ? missed_by(law, end, last) : std::nullopt;
+  }
+  std::optional<End> missed(const Additions& x, double step) const {
+    if (!(x.length > 0 && x.length <= world::longest_of(task_.program.over))) return std::nullopt;
+    const ForceTask task = with(x);
+    const ForceLaw law(task);
+    return missed_from(law, step, 0, law.start());
+  }
+
+  // Sets how the misses change with each unknown, the length last: by differences, along what a node changes only.
+  void set_slopes(const Additions& now) {
+    constexpr double kBy = 1e-6;  // g; of the length
+    const ForceTask task = with(now);
+    const ForceLaw law(task);
+    std::vector<std::pair<double, ForceState>> at_node{{0, law.start()}};
+    const std::vector<world::ForceKey>& keys = task.added->channels[0];
+    follow_law(law, kCoarse, 0, law.start(), [&](double x, const ForceState& state) {
+      if (at_node.size() < keys.size() && x == keys[at_node.size()].at) at_node.emplace_back(x, state);
+      return true;
+    });
+    const std::optional<End> base = missed_from(law, kCoarse, 0, law.start());
+    slopes_.assign(3 * nodes_ + 1, End{});
+    if (!base || at_node.size() != keys.size()) return;
+    base::in_parts(slopes_.size(), 1, base::cores(), [&](std::size_t begin, std::size_t end) {
+      for (std::size_t k = begin; k < end; ++k) {
+        Additions beside = now;
+        const bool of_length = k == 3 * nodes_;
+        const double by = of_length ? kBy * now.length : kBy;
+        (of_length ? beside.length : beside.nodes[k]) += by;
+        const ForceTask tried = with(beside);
+        const ForceLaw bent(tried);
+        const std::size_t node = k % nodes_ + 1, from = of_length || node < 2 ? 0 : node - 2;
+        const auto there = missed_from(bent, kCoarse, at_node[from].first, at_node[from].second);
+        for (std::size_t e = 0; there && e < kEnd; ++e) slopes_[k][e] = ((*there)[e] - (*base)[e]) / by;
+      }
+    });
+  }
+
+  // The weight of a node: the length that it stands for.
+  double weight(std::size_t k) const { return k % nodes_ + 1 == nodes_ ? 0.5 : 1.0; }
+
+  // Returns the step that, to first order, leads to the end, and to the additions nearest to those of `towards`.
+  std::optional<Additions> step_from(const Additions& now, const End& off, const std::vector<double>& towards) const {
+    std::array<std::array<double, kEnd + 1>, kEnd + 1> a{};
+    std::array<double, kEnd + 1> b{};
+    for (std::size_t e = 0; e < kEnd; ++e) {
+      b[e] = -off[e];
+      for (std::size_t k = 0; k < 3 * nodes_; ++k) {
+        b[e] += slopes_[k][e] * (now.nodes[k] - towards[k]);
+        for (std::size_t f = 0; f < kEnd; ++f) a[e][f] += slopes_[k][e] * slopes_[k][f] / weight(k);
+      }
+      a[e][kEnd] = a[kEnd][e] = slopes_.back()[e];
+    }
+    if (!solve_linear(a, b)) return std::nullopt;
+    Additions by{towards, b[kEnd]};
+    for (std::size_t k = 0; k < 3 * nodes_; ++k) {
+      by.nodes[k] -= now.nodes[k];
+      for (std::size_t e = 0; e < kEnd; ++e) by.nodes[k] += slopes_[k][e] * b[e] / weight(k);
+    }
+    return by;
+  }
+
+  ForceTask task_;
+  double metres_;  // per unit of the axis, at the start
+  std::size_t nodes_ = 0;
+  std::vector<End> slopes_;
+  End first_{};               // missed by the additions that a way began with
+  std::vector<double> from_;  // and those
+};
+
+}  // namespace
+
+std::optional<ForceTask> hold_end(const ForceTask& task) { return Holding(task).run(); }
+
+double added_square(const ForceTask& task) {
+  if (!task.added) return 0;
+  const double metres = task.program.over == world::ForceOver::distance ? 1.0 : task.program.speed;
+  double sum = 0;
+  for (std::size_t c = 0; c < 3; ++c) {
+    const std::vector<world::ForceKey>& keys = task.added->channels[c];
+    for (std::size_t i = 0; i < keys.size(); ++i) {
+      const double value = keys[i].value / (c < 2 ? 1.0 : kRollPerG * metres);
+      sum += (i + 1 == keys.size() ? 0.5 : 1.0) * value * value;
+    }
+  }
+  return sum;
+}
+
+}  // namespace coaster::sim
