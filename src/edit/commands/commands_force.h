@@ -126,14 +126,14 @@ struct HoldForces {
 };
 
 struct ReadForces {
-  Target section;
+  Sections sections;
   double tolerance = 0.05;
   COASTER_COMMAND(
       ReadForces, "force.read",
-      "Make a section a force section of its shape, within 1 cm: its g and roll at the present speed become "
-      "keys. What follows stays.",
+      "Make a section, or neighbouring ones together, a force section of their shape, within 1 cm: their g and roll at "
+      "the present speed become keys. What follows stays.",
       Effect::document, "Made {} a force section");
-  COASTER_FIELDS(visit("", self.section), visit("tolerance?", self.tolerance))
+  COASTER_FIELDS(visit("", self.sections), visit("tolerance?", self.tolerance))
 };
 struct FreeForces {
   Target section;

@@ -10,7 +10,6 @@
 #include "edit/perform/replan.h"
 #include "exchange/own/force_text.h"
 #include "sim/plan/force_law.h"
-#include "sim/plan/force_reading.h"
 #include "world/sections.h"
 #include "world/topology.h"
 
@@ -176,7 +175,7 @@ Status perform(Session& session, Change& change, const CopyForceKeys& command) {
 
 Status perform(Session& session, Change& change, const PasteForceKeys& command) {
   auto copied = exchange::parse_keys(command.text.empty() ? session.copied : command.text);
-  if (!copied) return refused(session.copied.empty() ? "nothing was copied" : copied.status().message);
+  if (!copied) return refused((command.text + session.copied).empty() ? "nothing was copied" : copied.status().message);
   return with_program(session, change, command.section, false, [&](ForceProgram& program) -> Status {
     if (program.over != copied->over)
       return refused(fmt::format("the copied keys count in {}, those of the section in {}",
@@ -222,35 +221,6 @@ Status perform(Session& session, Change& change, const HoldForces& command) {
     program.hold = command.on;
     return {};
   });
-}
-
-Status perform(Session& session, Change& change, const ReadForces& command) {
-  const auto section = require(session, command.section, world::Kind::section);
-  if (!section) return section.status();
-  const Document& document = session.document;
-  const world::SectionRun run = world::run_of(document, *section);
-  const std::string label = world::label_of(document, *section);
-  if (world::section(document, *section).kind == world::SectionKind::force)
-    return refused(fmt::format("@{} is a force section", label));
-  const std::optional<double> speed = speed_at(session, session.derived.starts[run.first]);
-  ForceProgram program;
-  program.tolerance = command.tolerance, program.speed = speed.value_or(sim::kAssumedSpeed);
-  const sim::ForceReading reading =
-      sim::read_forces({session.derived, run.first, run.count}, sim::force_task(document, run, program));
-  if (!reading.refusal.empty()) return refused(fmt::format("@{}: {}", label, reading.refusal));
-  const sim::ForcePlan& plan = session.findings.memory.forces.plan(reading.plan.task);
-  if (const Status room = room_for_spans(session, document, run, plan.spans()); !room) return room;
-  Document next = document;
-  world::Section& value = next.entities.get<world::Section>(*section);
-  value = {value.title, world::SectionKind::force, {}, {}, plan.task.program};
-  const bool follows = document.track.closed || run.end() < document.track.segments.size();
-  reshape(next, *section, plan.fit.spans, follows ? SectionEnd::stays : SectionEnd::open);
-  if (!speed) change.clamped.push_back(sim::assumed_text());
-  std::size_t keys = 0;
-  for (const auto& channel : plan.task.program.channels) keys += channel.size();
-  change.note =
-      fmt::format("{} keys keep the shape within {:.1f} mm, in {} spans.", keys, 1000 * reading.error, plan.spans());
-  return adopt(session, change, session.document, std::move(next));
 }
 
 Status perform(Session& session, Change&, const FreeForces& command) {

@@ -121,6 +121,19 @@ void section_equipment(Ui& ui, const Chosen& chosen) {
   if (const auto changed = equipment_rows(ui, *now.equipment)) to = *changed, equip();
 }
 
+// True if the selected sections are neighbours.
+bool in_a_row(const Chosen& chosen) {
+  for (std::size_t i = 1; i < chosen.runs.size(); ++i)
+    if (chosen.runs[i].first != chosen.runs[i - 1].end()) return false;
+  return true;
+}
+
+std::vector<world::Name> names_of(const Chosen& chosen) {
+  std::vector<world::Name> names;
+  for (const world::SectionRun& run : chosen.runs) names.push_back(chosen.name(run));
+  return names;
+}
+
 // Buttons in pairs: what is done with whole sections.
 void section_buttons(Ui& ui, const Chosen& chosen) {
   const edit::Session& session = ui.session();
@@ -160,9 +173,10 @@ void section_buttons(Ui& ui, const Chosen& chosen) {
   if (of_forces && pressed("By hand###Shape by hand", "Make the section hand-shaped. Its knots stay, its keys go.", "",
                            chosen.single()))
     ui.emit(edit::FreeForces{{chosen.name()}});
-  if (!of_forces && pressed("Read forces", "Make it a force section of the same shape. What is felt becomes keys.", "",
-                            chosen.single()))
-    ui.emit(edit::ReadForces{{chosen.name()}});
+  if ((!of_forces || !chosen.single()) &&
+      pressed("Read forces", "Make it a force section of the same shape. What is felt becomes keys.", "",
+              in_a_row(chosen)))
+    ui.emit(edit::ReadForces{edit::Sections(names_of(chosen))});
   if (pressed("Delete", "Delete the sections. What follows moves to where they began.", "Delete", movable(end)))
     each([](world::Name name) { return edit::DeleteSection{{name}}; });
 }
