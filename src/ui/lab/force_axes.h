@@ -12,7 +12,7 @@
 
 namespace coaster::ui {
 
-inline constexpr std::uint32_t kForceColour = 0xFF8A1F, kActualColour = 0x4C9AFF;
+inline constexpr std::uint32_t kForceColour = 0xFF8A1F, kActualColour = 0x4C9AFF, kRampColour = 0x39424D;
 
 // Between a program's axis (m or s from the section's start) and the track's (m).
 class ForceAxes {

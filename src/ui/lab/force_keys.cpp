@@ -199,6 +199,8 @@ void force_plot(Ui& ui, Entity section, const std::optional<RidePlots>& ride) {
   for (const std::array<double, 4>& line : knobs.lines)
     series.push_back({"", {line.data(), 2}, {line.data() + 2, 2}, kForceColour, SeriesKind::line, 1.0f});
   const std::array<double, 4> ends = state.gesture ? state.axes : shown_ends(axes, ride, state);
+  const std::array ramp{start, axes.x_of(plan->path.ramp)}, bottom{ends[2], ends[2]}, top{ends[3], ends[3]};
+  if (plan->path.ramp > 0) series.push_back({"ramp", ramp, bottom, kRampColour, SeriesKind::line, 1.0f, top});
   std::vector<Level> levels = limits_of(ui.session().limits.envelope, state.channel);
   std::erase_if(levels, [&](const Level& level) { return level.y < ends[2] || level.y > ends[3]; });
   KnobTouch touch;
