@@ -86,6 +86,7 @@ class Holding {
 
  private:
   static constexpr double kShortestStage = 1.0 / 64;
+  static constexpr int kMostRounds = 120;               // in all: some 0.2 s for 100 m
   static constexpr double kNear = 0.01, kThere = 1e-6;  // of the conditions, in about metres
 
   // Returns what a bridge needs more than the keys ask for (force_bridge.h).
@@ -122,7 +123,7 @@ class Holding {
     std::vector<double> towards = from_;
     for (double& value : towards) value *= rest;
     std::optional<End> off = left_of(x, rest);
-    for (int round = 0; off && round < rounds; ++round) {
+    for (int round = 0; off && round < rounds && rounds_ < kMostRounds; ++round, ++rounds_) {
       set_slopes(x);
       const std::optional<Additions> by = step_from(x, *off, towards);
       if (!by) return std::nullopt;
@@ -272,6 +273,7 @@ class Holding {
   std::vector<End> slopes_;
   End first_{};               // missed by the additions that a way began with
   std::vector<double> from_;  // and those
+  int rounds_ = 0;            // taken in all
 };
 
 }  // namespace

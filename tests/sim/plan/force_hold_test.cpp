@@ -186,6 +186,28 @@ TEST(force_hold, the_end_is_upright) {
   EXPECT_GT(glm::dot(last.tangent, task.held->forward), 0.999999);
 }
 
+// Of a float of 26 m at 0 g the end is moved to other g; with 1 g the keys alone lead 30 m away and fold the track.
+// Nothing that is asked for leads aside, and nothing that is added does.
+TEST(force_hold, a_hill_stays_in_its_plane) {
+  ForceTask task;
+  task.end.position = {0, 60, 0}, task.riders = 1.1, task.losses = {0.02f, 2e-5f};
+  task.program.speed = 24.5, task.program.length = 110;
+  auto& keys = task.program.keys(world::ForceChannel::vertical);
+  keys = {{0, 1}, {14, 2.5}, {20, 2.5}, {34, 0}, {60, 0}, {74, 2.5}, {80, 2.5}, {94, 1}};
+  ASSERT_EQ(force_path(task).stopped, "");
+  task.held = end_of(task);
+  double before = 0;
+  for (const double to : {0.15, 0.5, 1.0}) {
+    keys[4].value = to;
+    const auto held = hold_end(task);
+    ASSERT_TRUE(held) << to;
+    for (const ElementPoint& point : force_path(*held).curve.points) EXPECT_NEAR(point.position.z, 0, 1e-4);
+    EXPECT_GT(added_square(*held), before);
+    EXPECT_LT(added_square(*held), 2);
+    before = added_square(*held);
+  }
+}
+
 TEST(force_hold, gives_nothing_where_no_path_leads_there) {
   test::RandomForces programs(3);
   ForceTask task = programs.next(60);
