@@ -136,7 +136,7 @@ void build_palette(Act& act, CommandPalette& palette) {
   const float width = std::floor(std::min(620 * ui.scale, ImGui::GetIO().DisplaySize.x - 20)),
               top = act.scene.y + 40 * ui.scale;
   const ImVec2 at(std::floor(act.scene.x + (act.scene.width - width) * 0.5f), std::floor(top));
-  const Card card{.id = "##palette",
+  const Card card{.id = "##commands",
                   .panel = "Palette",
                   .at = at,
                   .width = width,
