@@ -33,6 +33,11 @@ class Trial {
   const std::vector<SeekNumber>& numbers() const { return numbers_; }
   base::Result<GoalState> measure() { return session_.game.referee.measure(session_, goal_); }
   world::Document document() const { return session_.document; }
+  Values start_values() const {
+    Values values;
+    for (const SeekNumber& number : numbers_) values.push_back(number.unknown.start);
+    return values;
+  }
 
   // One for each number, or the one amount by which all change.
   std::vector<base::Unknown> unknowns() const {
@@ -96,7 +101,7 @@ base::Result<Sought> run(Trial& trial, const Seek& command, base::Progress* prog
   const auto is_now = [&](double value) {
     return fmt::format("{} is {}", before->name, with_unit(value, before->unit));
   };
-  if (before->met) return Sought{trial.document(), is_now(before->found) + " already."};
+  if (before->met) return Sought{trial.start_values(), is_now(before->found) + " already."};
 
   base::Equation equation{.unknowns = trial.unknowns(),
                           .wanted = before->wanted,
@@ -108,16 +113,14 @@ base::Result<Sought> run(Trial& trial, const Seek& command, base::Progress* prog
     return state ? std::optional(state->found) : std::nullopt;
   };
   equation.goes_on = [&](double done) {
-    if (progress) progress->done = done;
+    if (progress) progress->report(done);
     return !progress || !progress->cancelled;
   };
   const base::Solution solution = base::solve_by_least_change(equation);
   if (solution.end != base::SolutionEnd::met) return refused(failure(command, solution, *before));
   const Values values = trial.values_of(solution.unknowns);
-  if (const Status set = trial.set(values); !set) return set;
-  return Sought{trial.document(),
-                fmt::format("{}, was {}. {}", is_now(solution.value), with_unit(before->found, before->unit),
-                            changed_text(command.by.text, trial.numbers(), values))};
+  return Sought{values, fmt::format("{}, was {}. {}", is_now(solution.value), with_unit(before->found, before->unit),
+                                    changed_text(command.by.text, trial.numbers(), values))};
 }
 
 // Returns the sections whose parameters, or whose way home, the search has changed.
@@ -130,25 +133,33 @@ std::vector<world::Entity> planned_again(const world::Document& before, const wo
   return planned;
 }
 
+base::Result<std::shared_ptr<Trial>> trial_for(const Session& session, const Seek& command) {
+  if (!session.game.referee.measure) return refused("this program cannot measure goals");
+  base::Result<std::vector<SeekNumber>> numbers = seek_numbers(session, command);
+  if (!numbers) return numbers.status();
+  return std::make_shared<Trial>(session, command, std::move(*numbers));
+}
+
 }  // namespace
 
 Search search_for(const Session& session, const Seek& command) {
-  const auto fails = [](const Status& status) -> Search { return [status](base::Progress*) { return status; }; };
-  if (!session.game.referee.measure) return fails(refused("this program cannot measure goals"));
-  base::Result<std::vector<SeekNumber>> numbers = seek_numbers(session, command);
-  if (!numbers) return fails(numbers.status());
-  const auto trial = std::make_shared<Trial>(session, command, std::move(*numbers));
-  return [trial, command](base::Progress* progress) { return run(*trial, command, progress); };
+  return [trial = trial_for(session, command), command](base::Progress* progress) {
+    return trial ? run(**trial, command, progress) : base::Result<Sought>(trial.status());
+  };
 }
 
 Status perform(Session& session, Change& change, const Seek& command) {
   if (session.history.in_gesture) return refused("a gesture is open");
   const std::optional<SoughtAhead> ahead = std::exchange(session.sought, std::nullopt);
   const bool fits = ahead && ahead->edits == session.edits && ahead->command == print(command);
-  base::Result<Sought> found = fits ? base::Result<Sought>(ahead->found) : search_for(session, command)(nullptr);
+  const base::Result<std::shared_ptr<Trial>> trial = trial_for(session, command);
+  if (!trial) return trial.status();
+  base::Result<Sought> found = fits ? base::Result<Sought>(ahead->found) : run(**trial, command, nullptr);
   if (!found) return found.status();
-  change.planned = planned_again(session.document, found->document);
-  session.document = std::move(found->document);
+  if (const Status set = (*trial)->set(found->values); !set) return set;
+  world::Document document = (*trial)->document();
+  change.planned = planned_again(session.document, document);
+  session.document = std::move(document);
   change.note = std::move(found->note);
   return {};
 }

@@ -62,10 +62,10 @@ struct ReadAhead {
   exchange::LoadedTrack track;
 };
 
-// What a search (command seek) found.
+// What a search (command seek) found: with these values the goal is met.
 struct Sought {
-  world::Document document;
-  std::string note;  // "ride.lap_time is 40 s, from 43.2 s. ..."
+  std::vector<double> values;  // of the numbers that the command names, in their order
+  std::string note;            // "ride.lap_time is 40 s, from 43.2 s. ..."
 };
 // What a thread has found in advance, for the next search with that text.
 struct SoughtAhead {

@@ -55,7 +55,7 @@ struct Work {
   // Reports progress within the present pass, 0..1. The passes take about the same time, the rest little.
   void tell(double part) const {
     const double all = (rows.size() > kEvenedRows ? 1 : 1 + kEvenings) + 0.2;
-    if (progress) progress->done = std::max(progress->done.load(), std::min(1.0, (passes + part) / all));
+    if (progress) progress->report(std::max(progress->done.load(), std::min(1.0, (passes + part) / all)));
   }
 
   SpanBounds bounds() const {
@@ -288,7 +288,7 @@ FittedTrack fit_track(std::span<const FitRow> rows, bool closed, base::Progress*
     if (next.size() == w.spans.size()) break;
     w.spans = std::move(next);
   }
-  if (progress) progress->done = 1;
+  if (progress) progress->report(1);
   return fitted;
 }
 
