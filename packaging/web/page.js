@@ -21,7 +21,7 @@ function note(text) {
 
 // What the program keeps is in a folder that the browser stores: settings, medals, autosaves and saved tracks.
 const kept = '/home/coaster';
-let keeps = true, keeping = false, again = false;
+let keeps = true, keeping = true, again = false;  // keeping: also while what was kept is read
 function keepsNothing(why) {
   if (keeps) note('The browser stores nothing more (' + why + '), so settings and unsaved work end with this page.');
   keeps = false;
@@ -70,12 +70,21 @@ function pick() {
   return 1;
 }
 
-function download(path) {
+function offer(blob, name) {
   const link = document.createElement('a');
-  link.href = URL.createObjectURL(new Blob([Module.FS.readFile(path)]));
-  link.download = path.slice(path.lastIndexOf('/') + 1);
+  link.href = URL.createObjectURL(blob);
+  link.download = name;
   link.click();
   setTimeout(() => URL.revokeObjectURL(link.href), 60000);
+}
+
+const download = (path) => offer(new Blob([Module.FS.readFile(path)]), path.slice(path.lastIndexOf('/') + 1));
+
+function fullScreen() {
+  const page = document.documentElement;
+  if (document.fullscreenElement) document.exitFullscreen();
+  else if (page.requestFullscreen) page.requestFullscreen({ navigationUI: 'hide' }).catch((why) => note('No full screen: ' + why.message));
+  else note('This browser shows no page in full screen.');
 }
 
 let last = '';  // what the program said last
@@ -102,6 +111,7 @@ var Module = {
       }
       Module.FS.mount(Module.IDBFS, {}, kept);
       Module.FS.syncfs(true, (failed) => {
+        keeping = false;
         if (failed) keepsNothing(failed);
         begin();
       });
@@ -130,6 +140,7 @@ var Module = {
     last = text.replace(/^\r/, '').replace(/\.$/, '');
     console.warn(last);
   },
+  coasterFullScreen: fullScreen,
   coasterPick: pick,
   coasterPicked: () => picked,
   coasterDownload: download,

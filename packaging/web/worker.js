@@ -1,7 +1,7 @@
 // Keeps the page for use without a network. Each build has a name of its own (@version@), and files of others go.
 'use strict';
 const name = 'coaster-@version@';
-const files = ['./', 'index.html', 'page.js', 'coaster.js', 'coaster.wasm', 'coaster.data'];
+const files = ['./', @files@];
 
 addEventListener('install', (event) => {
   event.waitUntil(caches.open(name).then((kept) => kept.addAll(files.map((file) => new Request(file, { cache: 'reload' })))));

@@ -84,6 +84,8 @@ void apply_output(Program& program, const ui::Output& output) {
   if (output.wants_paste || output.wants_link) paste(program, !output.wants_paste, output.keys_to);
   program.picture.hovered = output.hovered;
   program.quit = program.quit || output.quit;
+  if (output.toggles_full_screen) program.surface->toggle_full_screen();
+  program.surface->take_text(output.takes_text);
   answer_keeping(program, output);
 }
 

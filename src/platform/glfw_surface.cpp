@@ -123,9 +123,22 @@ class WindowSurface final : public Surface {
     return text ? text : "";
   }
   void set_clipboard(const std::string& text) override { glfwSetClipboardString(window_, text.c_str()); }
+  void toggle_full_screen() override {
+    if (windowed_) {
+      const Placement before = *std::exchange(windowed_, std::nullopt);
+      glfwSetWindowMonitor(window_, nullptr, before.x, before.y, before.width, before.height, GLFW_DONT_CARE);
+      if (before.maximised) glfwMaximizeWindow(window_);
+      return;
+    }
+    GLFWmonitor* const monitor = monitor_of_window();
+    const GLFWvidmode* const mode = monitor ? glfwGetVideoMode(monitor) : nullptr;
+    if (!mode || !(windowed_ = placement())) return;
+    glfwSetWindowMonitor(window_, monitor, 0, 0, mode->width, mode->height, mode->refreshRate);
+  }
   bool is_window() const override { return true; }
   std::string library() const override { return window_library(); }
   std::optional<Placement> placement() const override {
+    if (windowed_) return windowed_;
     if (glfwGetWindowAttrib(window_, GLFW_ICONIFIED)) return std::nullopt;
     Placement now;
     glfwGetWindowPos(window_, &now.x, &now.y);
@@ -151,6 +164,21 @@ class WindowSurface final : public Surface {
  private:
   static WindowSurface& of(GLFWwindow* window) {
     return *static_cast<WindowSurface*>(glfwGetWindowUserPointer(window));
+  }
+  // Returns the monitor that shows the window's middle, else the first; null without monitors.
+  GLFWmonitor* monitor_of_window() const {
+    int x = 0, y = 0, width = 0, height = 0, count = 0;
+    glfwGetWindowPos(window_, &x, &y);
+    glfwGetWindowSize(window_, &width, &height);
+    x += width / 2, y += height / 2;
+    GLFWmonitor** const monitors = glfwGetMonitors(&count);
+    for (int i = 0; i < count; ++i) {
+      int left = 0, top = 0;
+      glfwGetMonitorPos(monitors[i], &left, &top);
+      const GLFWvidmode* const mode = glfwGetVideoMode(monitors[i]);
+      if (mode && x >= left && x < left + mode->width && y >= top && y < top + mode->height) return monitors[i];
+    }
+    return glfwGetPrimaryMonitor();
   }
   // Cursor positions are in screen coordinates; on some systems these are not pixels.
   MouseMove in_pixels(double x, double y) const {
@@ -185,6 +213,7 @@ class WindowSurface final : public Surface {
   GamepadAxes pad_axes_;
   std::array<bool, kPadButtonNames.size()> pad_down_{};
   std::string title_;
+  std::optional<Placement> windowed_;  // before it filled the screen
   PFNGLBINDFRAMEBUFFERPROC bind_framebuffer_ = nullptr;
   PFNGLBLITFRAMEBUFFERPROC blit_ = nullptr;
 };

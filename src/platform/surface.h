@@ -37,6 +37,10 @@ class Surface {
   virtual void set_clipboard(const std::string& text) = 0;
   // Gives a file that was written to the user: a browser downloads it. Elsewhere it already is where the user wants it.
   virtual void offer(const std::string& path) { (void)path; }
+  // Fills the screen, or returns from that. Where there is no window it does nothing.
+  virtual void toggle_full_screen() {}
+  // Whether what is typed goes to a text. A touch screen shows its keyboard while it does.
+  virtual void take_text(bool wanted) { (void)wanted; }
   virtual bool is_window() const = 0;
   virtual std::string library() const = 0;  // that made its context: "GLFW 3.3.8", "OSMesa", "EGL"
   // Returns the window's position; nothing for memory and while minimised. A maximised window has the size of the

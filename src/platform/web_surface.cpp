@@ -2,7 +2,9 @@
 #include <GL/glcorearb.h>
 #include <emscripten.h>
 #include <emscripten/html5.h>
+#include <malloc.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdlib>
@@ -12,6 +14,7 @@
 
 #include "platform/surface.h"
 #include "platform/touch.h"
+#include "platform/web_keys.h"
 
 extern "C" void* emscripten_webgl_get_proc_address(const char* name);
 
@@ -32,36 +35,6 @@ void* map_range(GLenum target, GLintptr offset, GLsizeiptr length, GLbitfield) {
 GLboolean unmap(GLenum) {
   std::free(std::exchange(mapped, nullptr));
   return GL_TRUE;
-}
-
-struct NamedKey {
-  const char* code;
-  Key key;
-};
-// clang-format off
-constexpr NamedKey kNamedKeys[] = {
-    {"Space", Key::space}, {"Quote", Key::apostrophe}, {"Comma", Key::comma}, {"Minus", Key::minus},
-    {"Period", Key::period}, {"Slash", Key::slash}, {"Semicolon", Key::semicolon}, {"Equal", Key::equal},
-    {"BracketLeft", Key::left_bracket}, {"Backslash", Key::backslash}, {"BracketRight", Key::right_bracket},
-    {"Backquote", Key::grave}, {"Escape", Key::escape}, {"Enter", Key::enter}, {"Tab", Key::tab},
-    {"Backspace", Key::backspace}, {"Insert", Key::insert}, {"Delete", Key::del}, {"ArrowRight", Key::right},
-    {"ArrowLeft", Key::left}, {"ArrowDown", Key::down}, {"ArrowUp", Key::up}, {"PageUp", Key::page_up},
-    {"PageDown", Key::page_down}, {"Home", Key::home}, {"End", Key::end}, {"Numpad1", Key::keypad_1},
-    {"Numpad3", Key::keypad_3}, {"Numpad5", Key::keypad_5}, {"Numpad7", Key::keypad_7},
-    {"NumpadEnter", Key::keypad_enter}};
-// clang-format on
-
-Key key_of(const EmscriptenKeyboardEvent& event) {
-  for (const NamedKey& named : kNamedKeys)
-    if (std::strcmp(named.code, event.code) == 0) return named.key;
-  const std::string_view code = event.code, typed = event.key;
-  if (typed.size() == 1 && ((typed[0] | 32) >= 'a' && (typed[0] | 32) <= 'z')) return Key{typed[0] & ~32};
-  if (code.starts_with("Digit")) return Key{code[5]};
-  if (code.size() >= 2 && code[0] == 'F') {
-    const int number = std::atoi(event.code + 1);
-    if (number >= 1 && number <= 12) return Key{static_cast<int>(Key::f1) + number - 1};
-  }
-  return Key::unknown;
 }
 
 class WebSurface;
@@ -85,6 +58,10 @@ class WebSurface final : public Surface {
     if (lost_ && emscripten_is_webgl_context_lost(context_)) lost_();
     if (window_) fit();
     for (Event& event : std::exchange(pending_, {})) events.push_back(std::move(event));
+    if (!typed_.empty()) {
+      for (Event& event : typed_.front()) events.push_back(std::move(event));
+      typed_.pop_front();
+    }
     follow_fingers(events);
     const double now = clock();
     const double passed = now - std::exchange(last_, now);
@@ -124,6 +101,17 @@ class WebSurface final : public Surface {
     if (window_) EM_ASM({ Module.coasterDownload(UTF8ToString($0)); }, path.c_str());
     // clang-format on
   }
+  void toggle_full_screen() override {
+    // clang-format off
+    if (window_) EM_ASM({ Module.coasterFullScreen(); });
+    // clang-format on
+  }
+  void take_text(bool wanted) override {
+    if (!window_ || wanted == std::exchange(takes_text_, wanted)) return;
+    // clang-format off
+    EM_ASM({ Module.coasterTakesText($0); }, wanted ? 1 : 0);
+    // clang-format on
+  }
   bool is_window() const override { return window_; }
   std::string library() const override { return "WebGL 2"; }
   std::optional<Placement> placement() const override { return std::nullopt; }
@@ -134,6 +122,21 @@ class WebSurface final : public Surface {
   void paste(const char* text) {
     clipboard_ = text;
     for (const bool down : {true, false}) pending_.push_back(KeyPress{Key::v, down, false, {false, true, false}});
+  }
+
+  // From a keyboard on the screen: characters to remove, then a text to type, in which a line break is Enter. A key
+  // that is pressed again has to be seen released, so each press has a frame and a pause.
+  void type(int removed, std::string_view text) {
+    const auto press = [&](Key key) {
+      typed_.push_back({KeyPress{key, true, false, {}}, KeyPress{key, false, false, {}}});
+      typed_.push_back({});
+    };
+    for (int i = 0; i < removed; ++i) press(Key::backspace);
+    for (std::size_t end = 0; !text.empty(); text.remove_prefix(std::min(end + 1, text.size()))) {
+      end = std::min(text.find('\n'), text.size());
+      if (end > 0) typed_.push_back({TextInput{std::string(text.substr(0, end))}});
+      if (end < text.size()) press(Key::enter);
+    }
   }
 
  private:
@@ -202,7 +205,7 @@ class WebSurface final : public Surface {
     const bool is_character = typed.size() == 1 || (!typed.empty() && (typed[0] & 0x80) != 0);
     if (down && is_character && !held.ctrl && !held.alt) pending_.push_back(TextInput{std::string(typed)});
     const std::string_view code = event.code;
-    return code != "F11" && code != "F12" && code != "F5";
+    return code != "F12" && code != "F5";
   }
   void listen() {
     const auto on_mouse = [](int type, const EmscriptenMouseEvent* e, void* w) {
@@ -240,6 +243,8 @@ class WebSurface final : public Surface {
   Size size_;
   std::function<void()> lost_;
   Events pending_;
+  std::deque<Events> typed_;  // one a frame
+  bool takes_text_ = false;
   struct Fingers {
     std::vector<Finger> down;
     double time = 0;
@@ -272,6 +277,11 @@ EMSCRIPTEN_KEEPALIVE void coaster_open(const char* path) {
 EMSCRIPTEN_KEEPALIVE void coaster_paste(const char* text) {
   if (of_page != nullptr) of_page->paste(text);
 }
+EMSCRIPTEN_KEEPALIVE void coaster_type(int removed, const char* text) {
+  if (of_page != nullptr) of_page->type(removed, text);
+}
+// Bytes that the program has allocated.
+EMSCRIPTEN_KEEPALIVE double coaster_allocated() { return static_cast<double>(::mallinfo().uordblks); }
 }
 
 base::Result<std::unique_ptr<Surface>> make_window(const SurfaceOptions& options) {

@@ -42,6 +42,7 @@ void next_conflict(Act& act) { show_next_conflict(act.ui); }
 constexpr Condition kRidden{[](const Act& act) { return !act.ui.find(edit::Want::jolts).jolts.empty(); },
                             "A ride needs a track and a cart."};
 void worst_jolt(Act& act) { show_worst_jolt(act.ui); }
+void fill_screen(Act& act) { act.ui.out.toggles_full_screen = true; }
 void open_palette(Act& act) { toggle_palette(act.palette); }
 
 // What is framed is framed for the orbit camera.
@@ -168,6 +169,7 @@ constexpr Action kViewActions[] = {
      press_graph<true>, kBuilding, graph_shows<true>},
     {"All panels", "Window", kNoKey, kInDrag, "Show the panels of every workspace.", go_to<Workspace::all>, kAlways,
      is<kWorkspace, Workspace::all>},
+    {"Full screen", "Window", key(Key::f11), kInDrag, "Fill the screen, or return to the window.", fill_screen},
     {"Frame all", "View", key(Key::f), kInDrag, "Show the whole track.", frame_all},
     {"Frame selection", "View", shift(Key::f), kInDrag, "Show the selection.", frame_selection, kAnySelected},
     {"Command palette", "View", ctrl(Key::p), 0, "Find an action or a command.", open_palette},

@@ -38,6 +38,8 @@ struct Output {
   // Where keys of forces go instead, if the clipboard has some, or they were copied here last.
   std::optional<KeysPlace> keys_to = {};
   bool wants_link = false;  // of the clipboard, if that is one
+  bool toggles_full_screen = false;
+  bool takes_text = false;  // what is typed goes to a text
   PhotoWish photo = PhotoWish::none;
   bool cancel_job = false;
   MovieWish movie = MovieWish::none;

@@ -248,6 +248,7 @@ Output Host::build(const platform::Events& events, const State& state, int width
   p.list.finish();  // now the order of the windows and which of them were used is settled
   p.guide.follow(state.lesson, p.list.widgets());
   out.view = p.view;
+  out.takes_text = text_has_keyboard();
   out.hovered = p.hovered;
   return out;
 }
