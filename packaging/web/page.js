@@ -87,6 +87,21 @@ function fullScreen() {
   else note('This browser shows no page in full screen.');
 }
 
+// Keeps the compiled program, for workers (beside.js).
+function instantiate(imports, done) {
+  const begin = ({ module, instance }) => {
+    Module.program = module;
+    done(instance, module);
+  };
+  const fetched = () => fetch('coaster.wasm', { credentials: 'same-origin' });
+  const inOne = (bytes) => WebAssembly.instantiate(bytes, imports).then(begin);
+  const begun = Module.wasmBinary ? inOne(Module.wasmBinary)
+    // A host that sends another type than application/wasm is served, too.
+    : WebAssembly.instantiateStreaming(fetched(), imports).then(begin, () => fetched().then((sent) => sent.arrayBuffer()).then(inOne));
+  begun.catch((why) => { if (!(why instanceof Error) || why.name !== 'ExitStatus') say('coaster cannot start: ' + (why.message || why), 'Reload', () => location.reload()); });
+  return {};
+}
+
 let last = '';  // what the program said last
 let begun = false;
 const here = location.href.replace(/#.*/, '');
@@ -140,6 +155,7 @@ var Module = {
     last = text.replace(/^\r/, '').replace(/\.$/, '');
     console.warn(last);
   },
+  instantiateWasm: instantiate,
   coasterFullScreen: fullScreen,
   coasterPick: pick,
   coasterPicked: () => picked,

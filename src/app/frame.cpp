@@ -32,7 +32,7 @@ void read_input(Program& program, const platform::Events& events, platform::Size
 ui::Output build_panels(Program& program, const platform::Events& events, platform::Size size) {
   ui::State state{program.session,          program.stats,        program.time.seconds,
                   program.stats.hide_times, &program.picture.rig, program.keeper ? &program.keeper->state : nullptr};
-  if (const LongJob* const job = shown_job(program)) state.job = {&job->progress, job->panel, job->title};
+  if (const LongJob* const job = shown_job(program)) state.job = {&job->work->progress, job->panel, job->title};
   state.lesson = program.tutorial.card ? &*program.tutorial.card : nullptr;
   state.pictures = &program.pictures.made();
   state.movie = program.filming && program.filming->by_hand ? &program.filming->shown : nullptr;
@@ -52,7 +52,7 @@ void ask_for_tutorial(Program& program) {
 void apply_commands(Program& program, const std::vector<edit::Command>& commands) {
   program.by_hand = true;
   for (const edit::Command& command : commands) {
-    // While a thread works for a command, actions that would lose its result are not started.
+    // While work goes on for a command, actions that would lose its result are not started.
     if (program.job && edit::info(command).effect != edit::Effect::settings) continue;
     if (!begin_job(program, command)) (void)apply(program, command);  // a rejected command shows a notice
   }
@@ -75,7 +75,7 @@ void paste(Program& program, bool link_alone, const std::optional<ui::KeysPlace>
 
 // All that the panels decided.
 void apply_output(Program& program, const ui::Output& output) {
-  if (output.cancel_job && program.job) program.job->progress.cancelled = true;
+  if (output.cancel_job && program.job) program.job->work->progress.cancelled = true;
   if (output.lesson_answer != query::LessonAnswer::none) program.tutorial.answer = output.lesson_answer;
   if (output.wants_tutorial) ask_for_tutorial(program);
   program.pictures.update(program.gl, *program.renderer, output.wanted_pictures, program.session.settings.look->style);

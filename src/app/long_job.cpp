@@ -1,10 +1,9 @@
 #include "app/long_job.h"
 
-#include <chrono>
 #include <utility>
+#include <variant>
 
 #include "app/program.h"
-#include "base/parallel.h"
 #include "edit/commands/codec.h"
 #include "edit/commands/commands_seek.h"
 #include "edit/commands/commands_session.h"
@@ -16,43 +15,46 @@ namespace {
 
 constexpr double kBarAfter = 0.15;  // s: shorter jobs show no bar
 
-using Work = std::function<base::Result<HandOver>(base::Progress*)>;
-
-Work reading(const std::string& path) {
-  return [path](base::Progress* progress) -> base::Result<HandOver> {
+Beside::Work reading(const std::string& path) {
+  return [path](base::Progress* progress) -> base::Result<Found> {
     base::Files files;
     base::Result<exchange::LoadedTrack> read = exchange::load_track(files, path, progress);
-    if (!read) return read.status();
-    return HandOver([path, track = std::move(*read)](edit::Session& to) {
-      to.file.read_ahead = edit::ReadAhead{path, track};
-    });
+    return read ? base::Result<Found>(std::move(*read)) : read.status();
   };
 }
 
-Work searching(const edit::Session& session, const edit::Seek& command) {
-  return [search = edit::search_for(session, command), text = edit::print(command),
-          edits = session.edits](base::Progress* progress) -> base::Result<HandOver> {
-    const base::Result<edit::Sought> found = search(progress);
-    if (!found) return found.status();
-    return HandOver([ahead = edit::SoughtAhead{text, edits, *found}](edit::Session& to) { to.sought = ahead; });
+Beside::Work searching(const edit::Session& session, const edit::Seek& command) {
+  return [search = edit::search_for(session, command)](base::Progress* progress) -> base::Result<Found> {
+    base::Result<edit::Sought> sought = search(progress);
+    return sought ? base::Result<Found>(std::move(*sought)) : sought.status();
   };
 }
 
-// Returns what a thread can do for a command; nothing for most commands.
-Work work_for(const Program& program, const edit::Command& command, LongJob& job) {
+// Begins what can be done beside the frames for a command; false for most commands.
+bool begin_work(const Program& program, const edit::Command& command, LongJob& job) {
   if (const auto* const load = command.as<edit::Load>()) {
     const exchange::Format* const format = exchange::format_of(load->path);
-    if (!format || !format->parse_watched) return {};
+    if (!format || !format->parse_watched) return false;
     job.panel = "Import", job.title = "Fitting a track to the imported points";
     job.cancelled = "Cancelled the import of " + load->path;
-    return reading(load->path);
+    job.work = std::make_unique<Beside>(reading(load->path), load->path);
+    return true;
   }
   if (const auto* const seek = command.as<edit::Seek>()) {
     job.panel = "Search", job.title = "Searching for " + seek->goal.text;
     job.cancelled = "Cancelled the search";
-    return searching(program.session, *seek);
+    job.work = std::make_unique<Beside>(searching(program.session, *seek), "");
+    return true;
   }
-  return {};
+  return false;
+}
+
+// Hands what was found to the session, for the command.
+void hand_over(edit::Session& session, const LongJob& job, Found found) {
+  if (auto* const track = std::get_if<exchange::LoadedTrack>(&found))
+    session.file.read_ahead = edit::ReadAhead{job.command.as<edit::Load>()->path, std::move(*track)};
+  else
+    session.sought = edit::SoughtAhead{edit::print(job.command), job.edits, std::get<edit::Sought>(std::move(found))};
 }
 
 }  // namespace
@@ -61,11 +63,9 @@ bool begin_job(Program& program, const edit::Command& command) {
   const bool slow = program.job_delay > 0;
   if (!program.by_hand || (!program.surface->is_window() && !slow) || program.job) return false;
   auto job = std::make_unique<LongJob>();
-  Work work = work_for(program, command, *job);
-  if (!work) return false;
-  job->command = command, job->since = program.time.seconds;
+  if (!begin_work(program, command, *job)) return false;
+  job->command = command, job->since = program.time.seconds, job->edits = program.session.edits;
   job->slow = slow, job->frames_left = std::exchange(program.job_delay, 0);
-  job->result = std::async(base::beside(), std::move(work), &job->progress);
   program.job = std::move(job);
   return true;
 }
@@ -78,21 +78,15 @@ const LongJob* shown_job(const Program& program) {
 void finish_job(Program& program) {
   if (!program.job) return;
   LongJob& running = *program.job;
-  if (running.slow) {
-    // Counts frames only, however fast the thread is.
-    if (!running.progress.cancelled && running.frames_left-- > 0) return;
-    running.result.wait();
-  }
-  const std::future_status now = running.result.wait_for(std::chrono::seconds(0));
-  if (now == std::future_status::timeout) return;
-  // Without threads it is done here, once its bar has been seen.
-  if (now == std::future_status::deferred && program.time.seconds - running.since < 2 * kBarAfter) return;
+  // A slow job counts frames only, however fast the work is.
+  if (running.slow && !running.work->progress.cancelled && running.frames_left-- > 0) return;
+  if (!running.slow && !running.work->done()) return;
   const std::unique_ptr<LongJob> job = std::move(program.job);
-  const base::Result<HandOver> found = job->result.get();
-  // A cancelled job is dropped, even if the thread was faster.
-  if (job->progress.cancelled) return edit::notify(program.session, edit::NoticeKind::info, job->cancelled);
+  base::Result<Found> found = job->work->take();
+  // A cancelled job is dropped, even if the work was faster.
+  if (job->work->progress.cancelled) return edit::notify(program.session, edit::NoticeKind::info, job->cancelled);
   if (!found) return edit::notify(program.session, found.status());
-  (*found)(program.session);
+  hand_over(program.session, *job, std::move(*found));
   (void)apply(program, job->command);
 }
 

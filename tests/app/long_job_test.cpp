@@ -1,5 +1,8 @@
 #include "app/long_job.h"
 
+#include <chrono>
+#include <thread>
+
 #include "app/program_fixture.h"
 #include "edit/commands/commands_session.h"
 #include "exchange/formats.h"
@@ -18,7 +21,9 @@ class LongJobs : public ProgramTest {
   }
   edit::Command load(const std::string& name) { return edit::Load{file(name)}; }
   // The thread has come to its end.
-  void wait() { program_->job->result.wait(); }
+  void wait() {
+    while (!program_->job->work->done()) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
 };
 
 TEST_F(LongJobs, begins_for_a_slow_format_by_hand_in_a_window_alone) {
@@ -79,7 +84,7 @@ TEST_F(LongJobs, a_cancelled_one_changes_nothing_however_quick_the_reader_was) {
   program_->job_delay = 5;
   ASSERT_TRUE(begin_job(*program_, load("rows.csv")));
   wait();
-  program_->job->progress.cancelled = true;
+  program_->job->work->progress.cancelled = true;
   finish_job(*program_);
   EXPECT_FALSE(program_->job) << "it does not wait for its frames any more";
   EXPECT_EQ(world::hash(program_->session.document), before);

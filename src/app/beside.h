@@ -1,0 +1,35 @@
+// A long job beside the frames: in a thread; in a page in a worker, which has a copy of the page's memory.
+#pragma once
+
+#include <functional>
+#include <future>
+#include <memory>
+#include <string>
+
+#include "app/found.h"
+#include "base/progress.h"
+
+namespace coaster::app {
+
+class Beside {
+ public:
+  using Work = std::function<base::Result<Found>(base::Progress* progress)>;
+
+  // Begins. `file` is what the work reads; empty: nothing. Where a page has no worker, take() does the work.
+  Beside(Work work, const std::string& file);
+  ~Beside();  // cancels; waits for a thread
+  Beside(const Beside&) = delete;
+  Beside& operator=(const Beside&) = delete;
+
+  bool done();                 // without waiting: take() returns at once, or does the work
+  base::Result<Found> take();  // once; waits for a thread
+
+  base::Progress progress;
+
+ private:
+  std::unique_ptr<Work> work_;  // of a page
+  bool in_worker_ = false;      // of a page
+  std::future<base::Result<Found>> result_;
+};
+
+}  // namespace coaster::app

@@ -1,0 +1,22 @@
+// What a long job finds for the command that follows it: a file's track, or the values of a search. Also as text, in
+// which a page's worker hands it over.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <variant>
+
+#include "edit/session/session.h"
+#include "exchange/own/track_file.h"
+
+namespace coaster::app {
+
+using Found = std::variant<exchange::LoadedTrack, edit::Sought>;
+
+// parse_found(print_found(f)) equals f: documents by hash, numbers exactly. Tracks have no SharedView: links are read
+// at once.
+std::string print_found(const base::Result<Found>& found);
+// Code::io for a text that print_found() does not print.
+base::Result<Found> parse_found(std::string_view text);
+
+}  // namespace coaster::app
