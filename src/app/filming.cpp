@@ -52,14 +52,27 @@ std::int64_t ticks_of_lap(edit::Session& session) {
   return ghost && ghost->samples.size() > 1 ? static_cast<std::int64_t>(ghost->samples.size() - 1) : 0;
 }
 
+base::Status begin_filming(Program& program, base::Result<std::unique_ptr<Movie>> movie, bool scene_alone) {
+  if (!movie) return movie.status();
+  program.filming = std::make_unique<Filming>();
+  program.filming->movie = std::move(*movie);
+  program.filming->scene_alone = scene_alone;
+  program.stats.movie_frames = 0;
+  return {};
+}
+
 void start_by_hand(Program& program) {
-  base::Status begun = begin_lap(program);
+  const bool in_page = platform::Encoder::in_page();
   const std::filesystem::path folder = movie_folder(program);
-  if (begun) begun = start_movie(program, {folder, script::kUsualMovieRate, false, program.files.root()}, true);
+  const std::string file = folder.filename().string() + ".webm";
+  base::Status begun = begin_lap(program);
+  if (begun && in_page) begun = begin_filming(program, Movie::start_in_page(file), true);
+  else if (begun) begun = start_movie(program, {folder, script::kUsualMovieRate, false, program.files.root()}, true);
   if (!begun) return edit::notify(program.session, begun);
   program.filming->by_hand = true;
   edit::notify(program.session, edit::NoticeKind::info,
-               find_program("ffmpeg").empty()
+               in_page ? fmt::format("Recording one lap as {}, which will be downloaded.", file)
+               : find_program("ffmpeg").empty()
                    ? fmt::format("Recording one lap as pictures in {}. Without ffmpeg "
                                  "there is no movie file.",
                                  folder.string())
@@ -88,13 +101,7 @@ bool lap_is_done(const edit::Session& session) {
 
 base::Status start_movie(Program& program, const MovieOrder& order, bool scene_alone) {
   if (program.filming) return {base::Code::refused, "a movie is already being made"};
-  auto movie = Movie::start(order);
-  if (!movie) return movie.status();
-  program.filming = std::make_unique<Filming>();
-  program.filming->movie = std::move(*movie);
-  program.filming->scene_alone = scene_alone;
-  program.stats.movie_frames = 0;
-  return {};
+  return begin_filming(program, Movie::start(order), scene_alone);
 }
 
 void film(Program& program, int ticks, const std::function<void(int)>& step) {
@@ -120,12 +127,18 @@ void film(Program& program, int ticks, const std::function<void(int)>& step) {
   if (ticks > 0 || !stepped) step(ticks);
 }
 
+int ticks_to_film(const Program& program) {
+  const Movie& movie = *program.filming->movie;
+  return movie.ready() ? movie.ticks_a_frame() : 0;
+}
+
 base::Status stop_movie(Program& program) {
   if (!recording(program)) return {};
   Filming& filming = *program.filming;
   const base::Status written = filming.movie->finish();
   if (filming.failed) filming.failed = written;
-  filming.encoder = std::make_unique<MovieEncoder>(filming.movie->order(), filming.movie->frames());
+  filming.encoder =
+      std::make_unique<MovieEncoder>(filming.movie->order(), filming.movie->frames(), filming.movie->take_encoder());
   filming.movie.reset();
   filming.shown.encoding = true;
   filming.shown.done = 0;

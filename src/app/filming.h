@@ -35,6 +35,10 @@ base::Status start_movie(Program& program, const MovieOrder& order, bool scene_a
 // notice.
 void film(Program& program, int ticks, const std::function<void(int)>& step);
 
+// Returns the ticks of a window's frame while a movie is recorded: those to the next picture, or none while the
+// browser has others to encode.
+int ticks_to_film(const Program& program);
+
 // Stops taking pictures: finishes those in progress and starts encoding. Ok if nothing is recorded; else the first
 // failure of the pictures.
 base::Status stop_movie(Program& program);

@@ -195,7 +195,8 @@ void play_frame(Program& program) {
   const std::uint64_t commands = program.commands;
   const platform::Events seen = events;
   // While a movie is recorded, time advances with its pictures, however long each takes.
-  film(program, recording(program) ? program.filming->movie->ticks_a_frame() : take_ticks(time, events), [&](int some) {
+  const int ticks = recording(program) ? ticks_to_film(program) : take_ticks(time, events);
+  film(program, ticks, [&](int some) {
     run_frame(program, events, some);
     events.clear();
   });

@@ -85,6 +85,16 @@ base::Result<std::unique_ptr<Movie>> Movie::start(const MovieOrder& order) {
   return std::unique_ptr<Movie>(new Movie(below));
 }
 
+base::Result<std::unique_ptr<Movie>> Movie::start_in_page(const std::string& name) {
+  MovieOrder order;
+  order.folder = name;
+  auto encoder = platform::Encoder::start(order.fps);
+  if (!encoder) return encoder.status();
+  std::unique_ptr<Movie> movie(new Movie(order));
+  movie->page_ = std::move(*encoder);
+  return movie;
+}
+
 // Waits for the oldest writers until at most `room` are left.
 void Movie::collect(std::size_t room) {
   while (writers_.size() > room) {
@@ -104,14 +114,15 @@ base::Status Movie::add(gfx::Image picture) {
   if (failed_ && frames_ >= kMost)
     failed_ = {base::Code::refused, fmt::format("a movie has at most {} pictures", kMost)};
   if (!failed_) return failed_;
+  wait_ = ticks_a_frame();
+  ++frames_;
+  if (page_) return failed_ = page_->add(picture.width, picture.height, picture.rgba);
   collect(most_writers_ - 1);
-  writers_.push_back(std::async(base::beside(), [root = order_.root, path = order_.folder / picture_name(frames_),
+  writers_.push_back(std::async(base::beside(), [root = order_.root, path = order_.folder / picture_name(frames_ - 1),
                                                  image = std::move(picture)] {
     base::Files files(root);  // pictures bypass the program's file handling: injected faults are meant for documents
     return files.write_atomic(path, gfx::encode_png(image));
   }));
-  ++frames_;
-  wait_ = ticks_a_frame();
   return failed_;
 }
 
@@ -120,9 +131,10 @@ base::Status Movie::finish() {
   return failed_;
 }
 
-MovieEncoder::MovieEncoder(const MovieOrder& order, int frames)
-    : order_(order), frames_(frames), program_(find_program("ffmpeg")) {
-  if (program_.empty() || frames < 1) return;
+MovieEncoder::MovieEncoder(const MovieOrder& order, int frames, std::unique_ptr<platform::Encoder> page)
+    : order_(order), frames_(frames), program_(find_program("ffmpeg")), page_(std::move(page)) {
+  if (page_ && frames > 0) page_->finish(order.folder.string());
+  if (page_ || program_.empty() || frames < 1) return;
   files_ = {"movie.mp4"};
   if (order.gif) files_.emplace_back("movie.gif");
   all_ = files_.size();
@@ -166,6 +178,7 @@ void MovieEncoder::read_progress() {
 
 std::optional<std::string> MovieEncoder::poll() {
   if (frames_ < 1) return "The movie has no pictures because no time passed.";
+  if (page_) return page_->poll();
   const std::string pictures = fmt::format("Saved {} picture{}", frames_, frames_ == 1 ? "" : "s"),
                     folder = order_.folder.string();
   if (program_.empty()) return fmt::format("{} in {}. Install ffmpeg to make a movie of them.", pictures, folder);

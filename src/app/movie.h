@@ -1,5 +1,5 @@
-// A movie as numbered pictures at a fixed rate of ride time, and as MP4 and GIF if ffmpeg is installed. app/filming.h
-// takes the pictures.
+// A movie as numbered pictures at a fixed rate of ride time, and as MP4 and GIF if ffmpeg is installed; in a page as
+// WebM by the browser. app/filming.h takes the pictures.
 #pragma once
 
 #include <deque>
@@ -13,6 +13,7 @@
 #include "app/process.h"
 #include "base/files.h"
 #include "gfx/renderer.h"
+#include "platform/encoder.h"
 #include "script/movie_rates.h"
 #include "world/motion.h"
 
@@ -32,6 +33,10 @@ class Movie {
   // there: files named as its own, no others. Code::io with the reason.
   static base::Result<std::unique_ptr<Movie>> start(const MovieOrder& order);
 
+  // A page's: the browser encodes the pictures while they are taken, and downloads a file of this name. Code::refused
+  // with the reason if it cannot.
+  static base::Result<std::unique_ptr<Movie>> start_in_page(const std::string& name);
+
   const MovieOrder& order() const { return order_; }  // its root is the folder
   int frames() const { return frames_; }              // pictures taken
   int ticks_a_frame() const { return world::kTicksPerSecond / order_.fps; }
@@ -41,8 +46,12 @@ class Movie {
   // kMostWriters. Code::io if an earlier one could not be written, Code::refused for a picture of another size than the
   // first; both are final.
   base::Status add(gfx::Image picture);
+  // False while the browser has to encode others first.
+  bool ready() const { return !page_ || page_->ready(); }
   // Waits until all are written. Returns the first failure, in every call.
   base::Status finish();
+  // Returns the browser's encoder; null but for a page's movie.
+  std::unique_ptr<platform::Encoder> take_encoder() { return std::move(page_); }
 
   static constexpr std::size_t kMostWriters = 8;
   static std::string picture_name(int number);
@@ -56,18 +65,20 @@ class Movie {
   std::size_t most_writers_;
   std::deque<std::future<base::Status>> writers_;
   base::Status failed_;
+  std::unique_ptr<platform::Encoder> page_;
 };
 
 // Makes FOLDER/movie.mp4 and FOLDER/movie.gif from the pictures, by ffmpeg in a separate process.
 class MovieEncoder {
  public:
   // Begins, with the order of Movie::order(): ffmpeg writes new files, which get their names when they are whole.
-  // Without ffmpeg, and for a movie without pictures, there is nothing to do.
-  MovieEncoder(const MovieOrder& order, int frames);
+  // Without ffmpeg, and for a movie without pictures, there is nothing to do. A page's encoder finishes the file.
+  MovieEncoder(const MovieOrder& order, int frames, std::unique_ptr<platform::Encoder> page = nullptr);
 
   // Returns a line about the result once everything is made or failed, without waiting.
   std::optional<std::string> poll();
-  double done() const { return done_; }  // 0..1
+  double done() const { return page_ ? page_->done() : done_; }  // 0..1
+
  private:
   void read_progress();
   void next();
@@ -80,6 +91,7 @@ class MovieEncoder {
   double done_ = 0;
   std::optional<base::NewFile> making_;
   Process process_;
+  std::unique_ptr<platform::Encoder> page_;
 };
 
 }  // namespace coaster::app

@@ -1,0 +1,16 @@
+#include "platform/encoder.h"
+
+#include <gtest/gtest.h>
+
+namespace coaster::platform {
+namespace encoder_test {
+
+TEST(encoder, only_a_page_has_one) {
+  EXPECT_FALSE(Encoder::in_page());
+  const auto started = Encoder::start(30);
+  ASSERT_FALSE(started.ok());
+  EXPECT_EQ(started.status().code, base::Code::refused);
+}
+
+}  // namespace encoder_test
+}  // namespace coaster::platform
