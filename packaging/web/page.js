@@ -26,6 +26,15 @@ function keepsNothing(why) {
   if (keeps) note('The browser stores nothing more (' + why + '), so settings and unsaved work end with this page.');
   keeps = false;
 }
+// IDBFS waits forever for a transaction that ends because the store is full.
+if (window.IDBDatabase) {
+  const begin = IDBDatabase.prototype.transaction;
+  IDBDatabase.prototype.transaction = function (...words) {
+    const begun = begin.apply(this, words);
+    begun.addEventListener('abort', () => keepsNothing(begun.error ? begun.error.message : 'interrupted'));
+    return begun;
+  };
+}
 // One tab at a time keeps: two would overwrite each other's files.
 function whenAlone(begin) {
   if (!navigator.locks) return begin(true);
