@@ -1,6 +1,6 @@
-# Tests of the build for browsers, label web: the page in Chromium, its scripts, and the core's tests, compiled by
-# Emscripten and run by node with the same expected hashes. Those that use RapidCheck, processes or threads run natively alone: RapidCheck is installed for this machine, and
-# a page has none of the others.
+# Tests of the build for browsers, label web: the page in Chromium, its scripts, and the core's tests, compiled by Emscripten and run by node with
+# the same expected hashes. Those that use RapidCheck, processes or threads run natively alone: RapidCheck is installed for this machine, and a page
+# has none of the others.
 find_program(NODE node REQUIRED)
 set(sources)
 foreach(room base curve world sim exchange edit view query)
@@ -17,39 +17,59 @@ add_executable(core_tests ${sources})
 target_include_directories(core_tests PRIVATE ${CMAKE_CURRENT_SOURCE_DIR})
 target_compile_definitions(core_tests PRIVATE COASTER_SOURCE_DIR="${CMAKE_SOURCE_DIR}")
 target_link_libraries(core_tests PRIVATE coaster_query GTest::gtest_main)
-target_compile_options(core_tests PRIVATE -O1)
+target_compile_options(core_tests PRIVATE -O0)  # tests compile fast; the rooms keep their own options
 if(COASTER_UNITY)
   coaster_unity(core_tests 16)
 endif()
 # The machine's own files and a stack as on Linux.
-target_link_options(core_tests PRIVATE -sNODERAWFS=1 -sEXIT_RUNTIME=1 -sALLOW_MEMORY_GROWTH=1 -sTOTAL_STACK=8MB)
+target_link_options(core_tests PRIVATE -O1 -sNODERAWFS=1 -sEXIT_RUNTIME=1 -sALLOW_MEMORY_GROWTH=1 -sTOTAL_STACK=8MB)
 
 # Not run: for node a name of a file is text, not any bytes, and it follows links and pipes in another way (TrackFile,
 # folders, root); an oracle of quadrature has other digits in a long double of 128 bits.
 string(JOIN ":" unlike TrackFile.a_name_from_a_files_name_can_be_kept_in_any_file folders.folders_come_first* root.*
        quadrature.gauss_legendre_is_exact*)
-# Emscripten 3.1 expects another fetch than that of new versions of node.
-add_test(NAME web.core COMMAND ${NODE} --no-experimental-fetch --stack-size=4000 $<TARGET_FILE:core_tests> --gtest_filter=-${unlike})
-set_tests_properties(web.core PROPERTIES LABELS web TIMEOUT 600)
+# Tests run side by side (ctest -j): those of the core and the scripts in parts.
+set(parts 4)
+foreach(part RANGE 1 ${parts})
+  math(EXPR index "${part} - 1")
+  # Emscripten 3.1 expects another fetch than that of new versions of node.
+  add_test(NAME web.core.${part} COMMAND ${NODE} --no-experimental-fetch --stack-size=4000 $<TARGET_FILE:core_tests> --gtest_filter=-${unlike})
+  set_tests_properties(web.core.${part} PROPERTIES LABELS web TIMEOUT 600 ENVIRONMENT "GTEST_TOTAL_SHARDS=${parts};GTEST_SHARD_INDEX=${index}")
+endforeach()
 
 if(COASTER_APP)
   # The page, and one that runs scripts: files.data holds the files that they read, in /src.
   set(page $<TARGET_FILE_DIR:coaster>)
   set(files)
-  foreach(folder tests/scripts tests/tracks tests/exchange tracks tutorials challenges envelopes docs)
+  foreach(folder tests/scripts tests/tracks tests/exchange tracks tutorials challenges envelopes)
     list(APPEND files ${CMAKE_SOURCE_DIR}/${folder}@/src/${folder})
   endforeach()
   add_custom_target(web_tests
     COMMAND ${CMAKE_COMMAND} -E rm -rf ${CMAKE_BINARY_DIR}/test_page
     COMMAND ${CMAKE_COMMAND} -E copy_directory ${page} ${CMAKE_BINARY_DIR}/test_page
-    COMMAND ${CMAKE_COMMAND} -E copy ${CMAKE_CURRENT_SOURCE_DIR}/web/script.html ${CMAKE_BINARY_DIR}/test_page
+    COMMAND ${CMAKE_COMMAND} -E copy ${CMAKE_CURRENT_SOURCE_DIR}/web/script.html ${CMAKE_CURRENT_SOURCE_DIR}/web/scripts.html ${CMAKE_BINARY_DIR}/test_page
     COMMAND ${CMAKE_COMMAND} -E chdir ${CMAKE_BINARY_DIR}/test_page /usr/bin/python3 ${EMSCRIPTEN_ROOT_PATH}/tools/file_packager.py files.data
             --preload ${files} --js-output=files.js
     VERBATIM)
   add_dependencies(web_tests coaster)
-  foreach(test scripts page)
-    # Debian's Python: it has Selenium.
-    add_test(NAME web.${test} COMMAND /usr/bin/python3 ${CMAKE_CURRENT_SOURCE_DIR}/web/${test}_test.py ${CMAKE_BINARY_DIR}/test_page ${CMAKE_SOURCE_DIR})
-    set_tests_properties(web.${test} PROPERTIES LABELS web TIMEOUT 900)
+  # coaster_web_test(NAME FILE [argument ...]): a test in Chromium. Debian's Python: it has Selenium.
+  function(coaster_web_test name file)
+    add_test(NAME web.${name} COMMAND /usr/bin/python3 ${CMAKE_CURRENT_SOURCE_DIR}/web/${file}_test.py ${CMAKE_BINARY_DIR}/test_page ${CMAKE_SOURCE_DIR} ${ARGN})
+    set_tests_properties(web.${name} PROPERTIES LABELS web TIMEOUT 600)
+  endfunction()
+  foreach(part RANGE 1 ${parts})
+    coaster_web_test(scripts.${part} scripts ${part}/${parts})
+  endforeach()
+  # Each test of a page has its own browser.
+  foreach(file page work limits)
+    file(STRINGS ${CMAKE_CURRENT_SOURCE_DIR}/web/${file}_test.py lines REGEX "^(class|    def test_)")
+    foreach(line ${lines})
+      if(line MATCHES "^class ([A-Za-z]+)")
+        set(class ${CMAKE_MATCH_1})
+      elseif(line MATCHES "def test_([a-z0-9_]+)")
+        coaster_web_test(${file}.${CMAKE_MATCH_1} ${file} ${class}.test_${CMAKE_MATCH_1})
+      endif()
+    endforeach()
+    set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/web/${file}_test.py)
   endforeach()
 endif()

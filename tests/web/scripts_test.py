@@ -1,15 +1,14 @@
 #!/usr/bin/python3
-"""Runs the scripts of tests/scripts in pages, several side by side: PAGE_FOLDER SOURCE_FOLDER [NAME...].
+"""Runs scripts of tests/scripts in a page, one after the other: PAGE_FOLDER SOURCE_FOLDER PART/PARTS, or NAME... instead.
 
 Each has to end with exit code 0, as natively; those in SKIPPED with 77, at a line that says what they need, and those in
 DIFFERS at the picture that is named there.
 """
-import concurrent.futures
-import os
 import pathlib
 import sys
 import time
-import urllib.parse
+
+from selenium.common.exceptions import WebDriverException
 
 import browser
 
@@ -19,40 +18,56 @@ SKIPPED = {"gpu_evaluators"}  # geometry shaders
 DIFFERS = {"looks": "look_dusk_rider.png in"}
 
 
-def run(address, script):
-    page = browser.open_browser(800, 600)
-    try:
-        words = ["--headless", "--script", f"tests/scripts/{script}.coaster", "--out", f"/tmp/out/{script}"]
-        page.get(f"{address}/script.html?" + urllib.parse.urlencode([("arg", word) for word in words]))
-        until = time.monotonic() + LONGEST
-        code = None
-        while code is None and time.monotonic() < until:
-            time.sleep(0.1)
-            code = page.execute_script("return window.exitCode")
-        return code, page.execute_script("return window.lines.join('\\n')")
-    except Exception as wrong:  # a page that hangs
-        return None, str(wrong)
-    finally:
-        page.quit()
+class Runner:
+    """A browser with the page of scripts; a new one after a script that hangs."""
+
+    def __init__(self, address):
+        self.address = address
+        self.page = None
+
+    def run(self, name):
+        """Returns a script's exit code, None if it has none, and what it says."""
+        arguments = ["--headless", "--script", f"tests/scripts/{name}.coaster", "--out", f"/tmp/out/{name}"]
+        try:
+            if not self.page:
+                self.page = browser.open_browser(800, 600)
+                self.page.set_script_timeout(LONGEST)
+                self.page.get(f"{self.address}/scripts.html")
+            return self.page.execute_async_script("run(arguments[0]).then(arguments[1]);", arguments)
+        except WebDriverException as wrong:
+            self.close()
+            return None, str(wrong)
+
+    def close(self):
+        if self.page:
+            self.page.quit()
+        self.page = None
+
+
+def chosen(source, words):
+    every = sorted(path.stem for path in source.glob("tests/scripts/*.coaster"))
+    if words and "/" in words[0]:
+        part, parts = map(int, words[0].split("/"))
+        return every[part - 1::parts]
+    return words or every
 
 
 def main():
-    address = browser.serve(sys.argv[1])
-    source = pathlib.Path(sys.argv[2])
-    names = sys.argv[3:] or sorted(p.stem for p in source.glob("tests/scripts/*.coaster"))
+    names = chosen(pathlib.Path(sys.argv[2]), sys.argv[3:])
+    runner = Runner(browser.serve(sys.argv[1]))
     wrong, skipped = 0, 0
-    with concurrent.futures.ThreadPoolExecutor(max(1, (os.cpu_count() or 2) - 1)) as pool:
-        started = {pool.submit(run, address, name): name for name in names}
-        for done in concurrent.futures.as_completed(started):
-            name = started[done]
-            code, said = done.result()
-            good = code == (77 if name in SKIPPED else 1 if name in DIFFERS else 0) and DIFFERS.get(name, "") in said
-            wrong += not good
-            skipped += good and code == 77
-            print(f"{'FAILED' if not good else 'skipped' if code == 77 else 'passed'} ({code}): {name}", flush=True)
-            if code != 0:
-                print(said[said.rfind("tests/scripts"):], flush=True)
-    print(f"{len(names)} scripts in pages: {wrong} failed, {skipped} skipped")
+    for name in names:
+        began = time.monotonic()
+        code, said = runner.run(name)
+        good = code == (77 if name in SKIPPED else 1 if name in DIFFERS else 0) and DIFFERS.get(name, "") in said
+        wrong += not good
+        skipped += good and code == 77
+        word = "FAILED" if not good else "skipped" if code == 77 else "passed"
+        print(f"{word} ({code}): {name}, {time.monotonic() - began:.1f} s", flush=True)
+        if code != 0:
+            print(said[said.rfind("tests/scripts"):], flush=True)
+    runner.close()
+    print(f"{len(names)} scripts in a page: {wrong} failed, {skipped} skipped")
     return 1 if wrong else 0
 
 

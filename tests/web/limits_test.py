@@ -1,0 +1,134 @@
+#!/usr/bin/python3
+"""The page in bad times and its limits: no network, no storage, no WebGL 2, a lost context, a second tab, a new version, size, memory:
+PAGE_FOLDER SOURCE_FOLDER [CLASS.TEST...]."""
+import gzip
+import pathlib
+import shutil
+import subprocess
+import sys
+import tempfile
+import time
+
+import browser
+from page import Page, main, source
+
+WITHOUT_WEBGL = "HTMLCanvasElement.prototype.getContext = () => null;"
+WITHOUT_STORAGE = "Object.defineProperty(window, 'indexedDB', { get() { throw new DOMException('denied', 'SecurityError'); } });"
+
+
+class Limits(Page):
+    width, height = 800, 600
+
+    def note(self):
+        return self.js("document.getElementById('note').hidden ? '' : document.getElementById('note').innerText")
+
+    def before_load(self, script):
+        self.page.execute_cdp_cmd("Page.addScriptToEvaluateOnNewDocument", {"source": script})
+
+    def worker_is_ready(self):
+        self.until(lambda: self.page.execute_async_script(
+            "const done = arguments[0]; navigator.serviceWorker.ready.then(() => caches.keys()).then((all) => done(all.length === 1));"), "the worker")
+
+    def test_it_works_without_a_network_after_the_first_visit(self):
+        self.open()
+        self.worker_is_ready()
+        self.page.execute_cdp_cmd("Network.enable", {})
+        self.page.execute_cdp_cmd("Network.emulateNetworkConditions", {"offline": True, "latency": 0, "downloadThroughput": 0, "uploadThroughput": 0})
+        self.open()
+        self.assertEqual(self.title(), "Red Comet - coaster")
+
+    def test_a_lost_context_is_told(self):
+        self.open()
+        self.page.execute_script("canvas.getContext('webgl2').getExtension('WEBGL_lose_context').loseContext()")
+        self.until(lambda: self.js("said.textContent").startswith("The display is gone."), "what it says: " + self.js("said.textContent"))
+        self.assertEqual(len(browser.complaints(self.page)), 1)
+
+    def test_it_is_small(self):
+        tests = ("script.html", "scripts.html", "files.js", "files.data")
+        sent = sum(len(gzip.compress(path.read_bytes(), 9)) for path in pathlib.Path(sys.argv[1]).iterdir() if path.name not in tests)
+        self.open()
+        memory = self.js("Module.HEAPU8.length + performance.memory.usedJSHeapSize")
+        print(f"{sent} bytes with gzip, {memory / 1e6:.0f} MB of memory", file=sys.stderr)
+        self.assertLess(sent, 1.8e6)
+        self.assertLess(memory, 200e6)
+
+    def test_a_second_tab_keeps_nothing_and_says_so(self):
+        self.open()
+        first = self.page.current_window_handle
+        self.page.switch_to.new_window("tab")
+        self.open()
+        self.assertIn("open in another tab", self.note())
+        self.key("Escape")
+        self.command("element straight length 40")
+        time.sleep(7)  # longer than until an autosave
+        self.page.close()
+        self.page.switch_to.window(first)
+        self.open()
+        self.assertEqual(self.note(), "")
+        self.assertFalse(self.js("Module.FS.analyzePath(arguments[0]).exists", "/home/coaster/.local/state/coaster/recovery/42-1.info.json"))
+    def test_a_new_version_is_offered(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        shutil.copytree(sys.argv[1], folder.name, dirs_exist_ok=True, ignore=shutil.ignore_patterns("files.*"))
+        self.address = browser.serve(folder.name)
+        self.open()
+        self.worker_is_ready()
+        self.assertTrue(self.js("document.getElementById('update').hidden"))
+        index, worker = pathlib.Path(folder.name, "index.html"), pathlib.Path(folder.name, "worker.js")
+        index.write_text(index.read_text().replace("<title>coaster", "<meta name=version content=new><title>coaster"))
+        worker.write_text(worker.read_text().replace("const name = 'coaster-", "const name = 'coaster-new-"))
+        self.open()
+        self.assertTrue(self.js("document.querySelector('meta[name=version]') === null"), "the old one goes on until the user takes the new one")
+        self.until(lambda: not self.js("document.getElementById('update').hidden"), "the offer")
+        self.page.execute_script("document.getElementById('update').click()")
+        self.until(lambda: self.js("document.querySelector('meta[name=version]') !== null"), "the new version")
+
+    def test_a_browser_without_webgl_2_is_told(self):
+        self.before_load(WITHOUT_WEBGL)
+        self.page.get(self.address + "/index.html")
+        self.until(lambda: "no WebGL 2" in self.js("said.textContent"), "what it says")
+        self.assertTrue(any("WebGL 2" in line for line in browser.complaints(self.page)))
+
+    def test_a_browser_that_stores_nothing_is_told(self):
+        self.before_load(WITHOUT_STORAGE)
+        self.open()
+        self.assertIn("stores nothing more", self.note())
+        self.assertEqual(self.title(), "Red Comet - coaster")
+
+    def test_a_full_store_is_told(self):
+        self.open()
+        self.page.execute_script("const put = IDBObjectStore.prototype.put;"
+                                 "IDBObjectStore.prototype.put = function (...words) { const put_ = put.apply(this, words); this.transaction.abort(); return put_; };"
+                                 "Module.FS.writeFile('/home/coaster/large', new Uint8Array(1000))")
+        self.until(lambda: "stores nothing more" in self.note(), "the note")
+        self.frames(2)
+        self.assertTrue(self.js("said.hidden"), "the program goes on")
+        browser.complaints(self.page)
+
+    def test_a_tab_hidden_for_an_hour_goes_on(self):
+        self.open()
+        self.key("Escape")
+        self.command("ride start")
+        self.page.execute_script("const now = performance.now.bind(performance); performance.now = () => now() + 3600e3;")
+        began = time.monotonic()
+        self.frames(4)
+        self.assertLess(time.monotonic() - began, 20, "the hour is not ridden")
+        self.assertTrue(self.js("said.hidden"))
+
+    def test_one_file_opens_from_disk(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        file = pathlib.Path(folder.name, "coaster.html")
+        subprocess.run([sys.executable, source("packaging/web/one_file"), sys.argv[1], file], check=True)
+        self.page.get(f"file://{file}")
+        self.until(lambda: self.js("said.hidden"), "the program has started", 60)
+        self.frames(4)
+        self.assertEqual(self.title(), "Red Comet - coaster")
+        self.key("Escape")
+        self.command('save "rows.csv"')
+        self.command('load "rows.csv"')
+        self.until(lambda: self.title() != "Red Comet - coaster", "an import by a worker")
+
+
+if __name__ == "__main__":
+    main()
