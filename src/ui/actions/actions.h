@@ -16,11 +16,11 @@ struct Act {
   Ui& ui;
   ViewportTool& tool;
   const view::Viewport& scene;
-  const view::Pick& hovered;  // in the frame before
+  const view::Pick& hovered;  // under the mouse in the previous frame
   CommandPalette& palette;
 };
 
-// When an action can run, and the sentence that its key shows when it cannot.
+// When an action can run, and the sentence shown when it cannot.
 struct Condition {
   bool (*holds)(const Act& act);
   std::string_view otherwise;
@@ -28,9 +28,9 @@ struct Condition {
 inline constexpr Condition kAlways{[](const Act&) { return true; }, ""};
 
 struct Action {
-  std::string_view name;  // in the menu
-  std::string_view menu;  // "" when it is in none
-  platform::Chord chord;  // its default key; Key::unknown for none (the user's settings may name others: key_map.h)
+  std::string_view name;  // shown in the menu
+  std::string_view menu;  // "" if it is in none
+  platform::Chord chord;  // default key; Key::unknown for none (the user's settings may replace it: key_map.h)
   unsigned keys;          // kRepeats while the key is held, kInDrag: allowed while the mouse drags something
   std::string_view help;
   void (*run)(Act& act);
@@ -41,12 +41,12 @@ struct Action {
 inline constexpr unsigned kRepeats = 1, kInDrag = 2;
 
 std::span<const Action> actions();
-// Their names and default keys, in the order of actions().
+// Returns the names and default keys of the actions, in the order of actions().
 std::vector<KeyRow> key_rows();
 
 // Runs the actions of the pressed keys. Do not call it while a text field has the keyboard.
 void run_keys(Act& act, const platform::Events& events);
-// The same during a transform: handles its keys, and those of actions that may interrupt it (undo, Escape).
+// Runs the keys of an active transform, and those of actions that may interrupt it (undo, Escape).
 void run_transform_keys(Act& act, const platform::Events& events);
 void build_menu(Act& act);
 

@@ -17,7 +17,7 @@ std::span<const Action> section_actions();
 std::span<const Action> view_actions();
 std::span<const Action> ride_actions();
 
-// Opens the laboratory's pages, too, where that is chosen.
+// Switches the workspace. In the laboratory it also opens the pages.
 void choose_workspace(Ui& ui, world::Workspace to);
 
 constexpr platform::Chord key(platform::Key k) { return {k, {}}; }
@@ -46,7 +46,7 @@ void emit(Act& act) {
   act.ui.emit(Command{});
 }
 
-// A setting that is on or off, and one that is one of several values.
+// Actions that turn a setting on or off, and actions that select one of its values.
 template <auto Member>
 bool on(const Act& act) {
   return world::value_in<Member>(act.ui.session().settings);

@@ -10,7 +10,7 @@ namespace coaster::ui {
 struct CommandPalette {
   bool open = false, appearing = false;
   std::array<char, 512> text{};
-  int row = 0;          // the chosen one of those that match
+  int row = 0;          // the highlighted row among the matches
   bool filled = false;  // the text was completed: the cursor goes to its end
 };
 

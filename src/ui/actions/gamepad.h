@@ -10,11 +10,11 @@ namespace coaster::ui {
 glm::vec2 shaped_stick(glm::vec2 stick);
 float shaped_trigger(float trigger);
 
-// Sticks, triggers and buttons held over frames.
+// State of sticks, triggers and buttons between frames.
 class Gamepad {
  public:
-  // One frame: moves the current camera by sticks and triggers over the time of the events' ticks, and runs the actions
-  // of pressed buttons. `asking`: a dialog is open; input is ignored.
+  // Runs once a frame: moves the current camera by sticks and triggers over the time of the events' ticks, and runs the
+  // actions of pressed buttons. `asking`: a dialog is open; input is ignored.
   void work(Act& act, const platform::Events& events, bool asking);
 
  private:

@@ -1,4 +1,4 @@
-// Which keys do what: those of the table of actions, changed by the user's settings.
+// The key map: the default keys of the table of actions, changed by the user's settings.
 #pragma once
 
 #include <span>
@@ -19,15 +19,15 @@ struct KeyRow {
 
 class KeyMap {
  public:
-  // The default keys of `rows`, replaced by `choices`. Adds a line to `problems` for each name that no action has, each
-  // unknown key and each key chosen twice, which leave the row unchanged; also for each default key that moved to
+  // Returns the default keys of `rows`, replaced by `choices`. Adds a line to `problems` for each unknown action, each
+  // unknown key and each key assigned twice, which leave the row unchanged; also for each default key that moved to
   // another action.
   static KeyMap make(std::span<const KeyRow> rows, std::span<const exchange::KeyChoice> choices,
                      std::vector<std::string>& problems);
 
-  // The keys of an action: none, one or two.
+  // Returns the keys of an action: none, one or two.
   std::span<const platform::Chord> chords(std::string_view action) const;
-  // The first of them, "" without one.
+  // Returns the text of the action's first key; "" if it has none.
   std::string shown(std::string_view action) const;
 
  private:
@@ -35,10 +35,10 @@ class KeyMap {
   std::vector<std::vector<platform::Chord>> rows_;
 };
 
-// "F Ctrl+Z" for `between` " ".
+// Returns the keys as text: "F Ctrl+Z" for `between` " ".
 std::string chords_text(std::span<const platform::Chord> chords, std::string_view between);
 
-// "HELP Key C.", "HELP Keys Ctrl+Y, Ctrl+Shift+Z.", or the help alone.
+// Returns "HELP Key C.", "HELP Keys Ctrl+Y, Ctrl+Shift+Z.", or the help alone.
 std::string with_keys(const KeyMap& keys, std::string_view help, std::string_view action);
 
 }  // namespace coaster::ui

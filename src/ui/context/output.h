@@ -1,4 +1,4 @@
-// What a frame of the UI decides: commands, the view, and wishes that the program fulfils.
+// The output of a frame of the UI: commands, the view, and requests that the program carries out.
 #pragma once
 
 #include <optional>
@@ -22,11 +22,11 @@ struct SystemDialogRequest {
   std::string folder, name;
 };
 
-// A place for copied keys of forces.
+// The section, channel and position at which copied force keys are pasted.
 struct KeysPlace {
   world::Name section;
   world::ForceChannel channel{};
-  double at = 0;  // m or s, as the section's program
+  double at = 0;  // m or s, the unit of the section's program
 };
 
 struct Output {
@@ -34,8 +34,8 @@ struct Output {
   view::View view;  // of the scene
   view::Pick hovered;
   bool quit = false;
-  bool wants_paste = false;  // of sections: of the clipboard, or those that were copied here; or of a link
-  // Where keys of forces go instead, if the clipboard has some, or they were copied here last.
+  bool wants_paste = false;  // paste sections or a link from the clipboard, or else the sections copied last
+  // Where force keys are pasted instead, if the clipboard holds some or they were copied last.
   std::optional<KeysPlace> keys_to = {};
   bool wants_link = false;  // of the clipboard, if that is one
   bool toggles_full_screen = false;
@@ -43,13 +43,13 @@ struct Output {
   PhotoWish photo = PhotoWish::none;
   bool cancel_job = false;
   MovieWish movie = MovieWish::none;
-  std::optional<exchange::UserSettings> settings;  // to keep instead of the present ones
+  std::optional<exchange::UserSettings> settings;  // new settings to keep
   std::optional<Recovery> recovery;                // the answer to the first offer
   query::LessonAnswer lesson_answer = query::LessonAnswer::none;
   bool wants_tutorial = false;
-  std::vector<std::string> wanted_pictures;          // files of tracks, the most wanted first
-  std::optional<std::string> new_folder;             // to make
-  std::optional<SystemDialogRequest> system_dialog;  // to open
+  std::vector<std::string> wanted_pictures;          // track files, most wanted first
+  std::optional<std::string> new_folder;             // folder to create
+  std::optional<SystemDialogRequest> system_dialog;  // dialog to open
 };
 
 }  // namespace coaster::ui

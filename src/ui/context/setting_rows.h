@@ -1,4 +1,4 @@
-// Rows that show a setting and set it. Its member pointer says where it is kept and what its limits are.
+// Rows that show and change a setting. Its member pointer gives the place of the value and its limits.
 #pragma once
 
 #include "edit/commands/set_setting.h"

@@ -1,4 +1,4 @@
-// What panels, tools, actions and screens work with during one build.
+// The context of panels, tools, actions and screens during one build.
 #pragma once
 
 #include <array>
@@ -22,7 +22,7 @@ namespace coaster::ui {
 
 struct LabCache;
 
-// A screen that a panel or an action asks for. The first six first ask about unsaved changes.
+// A screen that a panel or an action requests. The first six ask about unsaved changes first.
 struct Want {
   enum class Kind {
     nothing,
@@ -40,64 +40,63 @@ struct Want {
     challenges,
     start_screen
   } kind = Kind::nothing;
-  std::string path;  // of load and challenge
+  std::string path;  // for load and challenge
 };
 
-// The last change of a section that was asked for, to show below its field why it was refused.
+// The last requested change of a section. If it is refused, the reason shows below its field.
 struct AskedChange {
   world::Name section;
   std::string parameter;
-  std::uint64_t after = 0;  // number of the newest notice before it
+  std::uint64_t after = 0;  // number of the newest notice before the request
   bool answered = true;
   std::string refusal;
 };
 
-// The cell of the table of sections that is typed in.
+// The cell of the table of sections that is being edited.
 struct EditedCell {
   world::Name section;
-  std::optional<world::SectionColumn> column;  // nothing: the first of its row that can be typed in
-  bool begins = true;                          // it has yet to take the keyboard
+  std::optional<world::SectionColumn> column;  // nothing: the first editable cell of its row
+  bool begins = true;                          // it does not have the keyboard yet
 };
 
-// What panels keep between frames.
-// Of the panel Goal.
+// State of panels between frames. Of the panel Goal:
 struct GoalInputs {
-  int goal = 0, relation = 0, by = 0;  // rows of its lists
-  std::optional<double> value;         // in the query's unit; nothing: the present one
+  int goal = 0, relation = 0, by = 0;  // selected rows of its lists
+  std::optional<double> value;         // in the query's unit; nothing: the present value
   bool together = false;
 };
 
 struct Inputs {
   std::string file;                      // the path in Track/File
   double radius = 20;                    // m, the number in Shape/Radius
-  std::string waits_for_key, keys_note;  // of the settings: the action whose key is to be pressed, what was changed
+  std::string waits_for_key, keys_note;  // settings window: the action that waits for a key press, and what was changed
   std::array<world::Element, base::count_of<world::ElementKind>()> elements =
-      world::usual_elements();                                    // the palette's, by kind
-  world::ElementKind of_forces = world::ElementKind::force_hill;  // the palette's last one of forces
+      world::usual_elements();                                    // the elements of the palette, by kind
+  world::ElementKind of_forces = world::ElementKind::force_hill;  // the force element used last in the palette
   AskedChange asked;
   std::optional<EditedCell> cell;
   GoalInputs goal;
-  // Rows of the table of sections as they are shown, by the table's serial and the sorting.
+  // Rows of the table of sections in their order on screen, by the table's serial and the sorting.
   base::Kept<std::tuple<std::uint64_t, world::SectionColumn, bool>, std::vector<std::size_t>> section_order;
 };
 
-// A part of Build that folds where there is little room, unless the user opened or closed it.
+// A part of Build that folds where space is short, unless the user opened or closed it.
 struct Drawer {
-  std::optional<bool> wanted;  // by the user
-  bool open = true;            // in this frame
+  std::optional<bool> wanted;  // the user's choice, if any
+  bool open = true;            // state in this frame
   void toggle() { wanted = !open; }
 };
 struct Drawers {
   Drawer parameters, graph;
-  bool table = false;  // the graph's area shows the table of sections
-  // Opens graph or table, or folds the one that shows.
+  bool table = false;  // true: the area shows the table of sections instead of the graph
+  // Opens graph or table, or folds the open one.
   void press(bool of_table) {
     if (!graph.open || table == of_table) graph.toggle();
     table = of_table;
   }
 };
 
-// Is a WidgetFrame, so that panels hand it to widgets as it is.
+// Derives from WidgetFrame, so that panels can pass it to widgets.
 struct Ui : WidgetFrame {
   const State& state;
   Output& out;
@@ -105,12 +104,12 @@ struct Ui : WidgetFrame {
   Inputs& inputs;
   const KeyMap& keys;
   std::string_view renderer;  // GL_RENDERER
-  const view::Pick& hovered;  // what the mouse pointed at in the frame before, in the viewport or a plot
+  const view::Pick& hovered;  // under the mouse in the previous frame, in the viewport or a plot
   Drawers& drawers;
-  Want want = {};                         // taken by the host in the same frame
-  bool lesson_begins = false;             // a lesson's first frames
-  const Widget* lesson_widget = nullptr;  // what it points at, as last drawn, in sight or not
-  view::Pick pointed = {};                // a place on the track that a plot under the mouse shows
+  Want want = {};                         // handled by the host in the same frame
+  bool lesson_begins = false;             // true in the first frames of a lesson
+  const Widget* lesson_widget = nullptr;  // the widget that the lesson points at, as last drawn, visible or not
+  view::Pick pointed = {};                // the position on the track under the mouse in a plot
 
   const edit::Session& session() const { return state.session; }
   const edit::Findings& find(edit::Want wanted) const { return state.find(wanted); }
@@ -118,7 +117,7 @@ struct Ui : WidgetFrame {
   void emit(C command) {
     out.commands.push_back(edit::Command(std::move(command)));
   }
-  // Calls emit_one for each, as one step of undo; a drag is one already.
+  // Calls emit_one for each, as one undo step; a drag is one already.
   template <class List, class EmitOne>
   void emit_each(const List& all, const EmitOne& emit_one) {
     const bool step = all.size() > 1 && !gesture.open;

@@ -1,21 +1,21 @@
-// What panels and keys do with the ways that complete a circuit.
+// Functions of panels and keys for the proposals that complete a circuit ("ways home").
 #pragma once
 
 #include "ui/context/ui.h"
 
 namespace coaster::ui {
 
-// Whether a track is open and has a segment.
+// True if a track is open and has a segment.
 bool completable(const world::Document& document);
-// Returns the index of the way that shows.
+// Returns the index of the proposal on display.
 std::size_t shown_way_home(const world::Aids& aids, const sim::CircuitProposals& found);
-// Shows the first way and hides the palette's element.
+// Shows the first proposal and hides the palette's element.
 void show_ways_home(Ui& ui);
 void toggle_ways_home(Ui& ui);
 inline constexpr std::string_view kCircuitHelp =
     "Show up to three ways from the open end of the track to its first knot.";
 void next_way_home(Ui& ui);
-// Closes the track by the way that shows, if there is one, and ends the preview.
+// Closes the track with the displayed proposal, if there is one, and ends the preview.
 void place_way_home(Ui& ui);
 
 }  // namespace coaster::ui

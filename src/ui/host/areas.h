@@ -1,4 +1,4 @@
-// The panels in the areas of the layout: what each workspace shows, and how its parts are open.
+// Builds the panels in the areas of the layout, for each workspace.
 #pragma once
 
 #include "ui/context/ui.h"
@@ -7,7 +7,7 @@
 namespace coaster::ui {
 
 LayoutWish wish_of(const Ui& ui);
-// Everything but the menu. Areas without size are left out.
+// Builds everything except the menu. Empty areas are skipped.
 void build_areas(Ui& ui, const Layout& layout);
 
 }  // namespace coaster::ui

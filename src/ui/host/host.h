@@ -22,25 +22,25 @@ class Host {
   Host(const Host&) = delete;
   Host& operator=(const Host&) = delete;
 
-  // One frame: feeds the events, builds menu, panels, viewport tool and status bar. width, height >= 1.
+  // Builds one frame: feeds the events, builds menu, panels, viewport tool and status bar. width, height >= 1.
   Output build(const platform::Events& events, const State& state, int width, int height);
-  // Draws what build() laid out into the bound framebuffer of that size.
+  // Draws the layout of the last build() into the bound framebuffer of that size.
   void draw(int width, int height);
 
-  // Keys in place of the table's; returns what could not be done, a line each.
+  // Replaces the default keys. Returns the problems, one a line.
   std::vector<std::string> set_keys(std::span<const exchange::KeyChoice> choices);
-  // The start screen: over everything until something is chosen.
+  // Shows the start screen over everything until the user selects something.
   void show_start();
-  // Opens a file or a shared link in the next frame, as if it was dropped: asks first about unsaved changes.
+  // Opens a file or a shared link in the next frame, as if it was dropped: first asks about unsaved changes.
   void open(std::string path);
-  // Columns, headers and the laboratory's strip as at the first start.
+  // Restores the initial columns, headers and laboratory strip.
   void reset_layout();
 
-  const std::vector<Widget>& widgets() const;  // of the last build
-  const view::View& view() const;              // of the last build
-  std::string toast() const;                   // text of the newest notice still shown
-  // Returns for how long the panels stay as they are without events, s, from the time `seconds` on: while a notice
-  // shows until it fades, in a text field until the caret blinks, in a list of files until it is read again.
+  const std::vector<Widget>& widgets() const;  // those of the last build
+  const view::View& view() const;              // that of the last build
+  std::string toast() const;                   // text of the newest notice that still shows
+  // Returns how long the panels stay unchanged without events, s, from the time `seconds` on: until a notice fades, the
+  // caret of a text field blinks, or a list of files is read again.
   double still_for(double seconds) const;
   // True while a text field or a popup has the keyboard.
   bool wants_keyboard() const;

@@ -1,4 +1,4 @@
-// Draws Dear ImGui's draw lists with the program's GL table, the same on every surface. No gamma.
+// Draws Dear ImGui's draw lists with the program's GL table, the same on every surface. No gamma correction.
 #pragma once
 
 #include <imgui.h>
@@ -13,9 +13,10 @@ namespace coaster::ui {
 
 class ImGuiRenderer {
  public:
-  // `gl` must outlive it and its context be current in every call. Code::graphics with the compiler's log on failure.
+  // `gl` must outlive the renderer, and its context must be current in every call. Code::graphics with the compiler's
+  // log on failure.
   static base::Result<ImGuiRenderer> make(const gfx::Gl& gl);
-  // Into the bound framebuffer of that size. Leaves blending, scissor and depth test off and no program, array or
+  // Draws into the bound framebuffer of that size. Leaves blending, scissor and depth test off and no program, array or
   // texture bound.
   void draw(const ImDrawData& data, int width, int height);
 
@@ -27,7 +28,7 @@ class ImGuiRenderer {
   const gfx::Gl* gl_;
   gfx::Program program_;
   gfx::Object array_, vertices_, indices_;
-  std::map<std::uintptr_t, gfx::Object> textures_;  // by kOwnTexture and more
+  std::map<std::uintptr_t, gfx::Object> textures_;  // by texture id, from kOwnTexture on
 };
 
 }  // namespace coaster::ui

@@ -1,5 +1,5 @@
-// Where menu, panels, status bar and viewport lie in a window, for each workspace. Nothing overlaps; the viewport gets
-// the rest.
+// The layout of menu, panels, status bar and viewport in a window, for each workspace. Areas do not overlap; the
+// viewport gets the rest.
 #pragma once
 
 #include <optional>
@@ -13,20 +13,20 @@ namespace coaster::ui {
 inline constexpr view::Viewport kNothing{0, 0, 0, 0};
 
 struct Layout {
-  // kNothing where the workspace does not show them.
+  // Areas are kNothing in workspaces that do not show them.
   view::Viewport menu = kNothing, status = kNothing;
-  view::Viewport left = kNothing, right = kNothing, strip = kNothing;  // columns, and the laboratory's strip
-  // Of Build; the drawer is the button that opens and closes the parameters where there is little room.
+  view::Viewport left = kNothing, right = kNothing, strip = kNothing;  // columns, and the strip of the laboratory
+  // The areas of Build. The drawer is the button that opens and closes the parameters where space is short.
   view::Viewport palette = kNothing, drawer = kNothing, parameters = kNothing, graph = kNothing;
   view::Viewport ride = kNothing;  // the bar of Ride
   view::Viewport scene = kNothing;
-  PaletteGrid grid;  // of the palette
+  PaletteGrid grid;  // the palette's grid
 };
 
-// Pixels per design pixel: the user's scale times the screen's, somewhat smaller in windows below 1000 x 560.
+// Returns pixels per design pixel: the user's scale times the screen's, reduced in windows below 1000 x 560.
 float fitted_scale(int width, int height, float ui_scale, float content_scale);
 
-// A part that folds to a bar, and its share of the height between menu and status bar (0: chosen by the layout).
+// A part that folds to a bar, and its share of the height between menu and status bar (0: default).
 struct Strip {
   bool open = false;
   float share = 0;
@@ -36,10 +36,10 @@ struct LayoutWish {
   bool panels = true;
   world::Workspace workspace = world::Workspace::all;
   Strip strip = {};
-  std::optional<bool> parameters = {}, graph = {};  // of Build, whether they are open; none: by the room
-  float graph_share = 0;                            // 0: chosen by the layout
-  int elements = 0;                                 // buttons of the palette
-  float label_width = 0;                            // px, of the widest of them with a label
+  std::optional<bool> parameters = {}, graph = {};  // Build: whether they are open; nothing: if there is space
+  float graph_share = 0;                            // 0: default
+  int elements = 0;                                 // number of buttons of the palette
+  float label_width = 0;                            // px, of the widest button with a label
 };
 
 // `bar` is the height of menu bar and status bar, px.

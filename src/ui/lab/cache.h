@@ -20,7 +20,7 @@ namespace coaster::ui {
 struct JointRow {
   world::Entity knot;
   world::Name name;
-  std::size_t index;  // of the knot in the track
+  std::size_t index;  // index of the knot in the track
   curve::Joint joint;
 };
 struct JointList {
@@ -28,7 +28,7 @@ struct JointList {
   std::vector<std::size_t> by_jump;  // indices of rows, largest curvature jump first
 };
 
-// Bends of one segment by arc length.
+// Curvature and torsion of one segment by arc length.
 struct BendStudy {
   std::vector<double> s, curvature, torsion;  // m, 1/m, 1/m (NaN where there is no Frenet frame)
   std::vector<double> flips;                  // m, where the normal flips
@@ -36,16 +36,16 @@ struct BendStudy {
 
 struct BasisStudy {
   std::vector<double> t;
-  std::vector<std::vector<double>> y;  // of B_0 .. B_n
+  std::vector<std::vector<double>> y;  // values of B_0 .. B_n
 };
 struct ErrorStudy {
   std::vector<double> t, mm;
   double bound = 0, largest = 0, seam = 0;  // mm
 };
 
-// One arc-length method on the segment and on the track.
+// Results of one arc-length method for the segment and the track.
 struct LengthRow {
-  double length = 0, error = 0;  // m, of the segment
+  double length = 0, error = 0;  // m, for the segment
   std::int64_t evaluations = 0;
   double microseconds = 0;  // 0: not measured
   std::vector<double> work = {}, relative_error = {};
@@ -59,49 +59,49 @@ struct TrackLengths {
   std::size_t next = 0;
 };
 
-// Which key of a force section is edited in the force graph, and how the mouse holds it.
+// The edited key of a force section in the force graph, and its state during a drag.
 struct ForceKeys {
-  world::Name section;  // the choices are about this one
+  world::Name section;  // the section that these choices belong to
   world::ForceChannel channel = world::ForceChannel::vertical;
-  std::optional<std::size_t> key;  // chosen
-  std::optional<double> inserted;  // place of a key that is chosen as soon as it is there
-  int side = 0;                    // held: the key, below 0 its handle before it, above 0 the one after it
+  std::optional<std::size_t> key;  // selected
+  std::optional<double> inserted;  // position of a new key, selected once it exists
+  int side = 0;                    // held part: 0 the key, below 0 its handle before it, above 0 its handle after it
   bool gesture = false;
-  world::ForceKey from;                             // when it was taken
-  std::array<double, 4> axes{};                     // m, m, and the values at both ends, while it is held
-  std::vector<double> place, asked, actual, knobs;  // what the plot shows
+  world::ForceKey from;                             // the key at the start of the drag
+  std::array<double, 4> axes{};                     // m, m, and the values at both ends, during a drag
+  std::vector<double> place, asked, actual, knobs;  // data of the plot
 };
 
 struct LabCache {
-  int degree = 3;  // of the basis shown
+  int degree = 3;  // degree of the basis functions shown
   base::Kept<int, BasisStudy> basis;
-  int compared = -1;  // row of the evaluator to compare with; -1: none
-  // By the segment's build, evaluator and steps.
+  int compared = -1;  // row of the second evaluator; -1: none
+  // Keyed by the segment's build, evaluator and steps.
   base::Kept<std::tuple<std::uint64_t, int, int>, ErrorStudy> error, other_error;
-  base::Kept<std::tuple<std::uint64_t, int>, LengthStudy> lengths;  // by the segment's build, and steps
+  base::Kept<std::tuple<std::uint64_t, int>, LengthStudy> lengths;  // by the segment's build and steps
   base::Kept<std::tuple<std::uint64_t, std::vector<world::Entity>, int>, TrackLengths>
       track_lengths;  // by the last build, order and steps
   bool lengths_of_track = false;
-  bool show_errors = false;  // else times, where there is no room for both
+  bool show_errors = false;  // where there is no space for both: errors instead of times
   std::string csv = "measurements.csv";
 
-  // By the last build, the order of the segments and whether the track is closed.
+  // Keyed by the last build, the order of the segments and whether the track is closed.
   base::Kept<std::tuple<std::uint64_t, std::vector<world::Entity>, bool>, JointList> joints;
   bool joints_by_jump = true;
-  // By the segment's build, the last build of all, steps and speed (m/s).
+  // Keyed by the segment's build, the last build of all, steps and speed (m/s).
   base::Kept<std::tuple<std::uint64_t, std::uint64_t, int, double>, std::array<sim::Erratum, sim::kErrata.size()>>
       errata;
   base::Kept<std::uint64_t, BendStudy> bend;  // by the segment's build
 
-  // By the ride's serial, the envelope's, the first and the last car, and whether it is over time.
+  // Keyed by the serials of ride and envelope, the first and the last car, and whether it is over time.
   base::Kept<std::tuple<std::uint64_t, std::uint64_t, int, int, bool>, SeatStudy> seat;
   std::array<sim::RideValue, 2> force_plots{sim::RideValue::vertical, sim::RideValue::speed};
   bool forces_over_time = false;
-  std::array<bool, 4> graph_hidden{};  // curves of the force graph
+  std::array<bool, 4> graph_hidden{};  // hidden curves of the force graph
   ForceKeys keys;
   int red_chosen = -1;
-  std::optional<sim::Advice> advice;  // for the chosen overload
-  bool advised = false;               // it was asked for
+  std::optional<sim::Advice> advice;  // for the selected overload
+  bool advised = false;               // true once it was requested
 };
 
 }  // namespace coaster::ui

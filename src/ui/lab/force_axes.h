@@ -14,7 +14,7 @@ namespace coaster::ui {
 
 inline constexpr std::uint32_t kForceColour = 0xFF8A1F, kActualColour = 0x4C9AFF, kRampColour = 0x39424D;
 
-// Between a program's axis (m or s from the section's start) and the track's (m).
+// Converts between a program's axis (m or s from the section's start) and the track's (m).
 class ForceAxes {
  public:
   ForceAxes(const sim::ForcePlan& plan, world::ForceChannel channel, double start)
@@ -25,7 +25,7 @@ class ForceAxes {
   double start() const { return start_; }
   double x_of(double at) const;
   double at_of(double x) const;
-  // Returns how far the handle of a key reaches to that side; 0 where no key is there.
+  // Returns the length of a key's handle on that side; 0 if there is no key.
   double reach(world::ForceChannel channel, std::size_t key, int side) const;
   double asked(std::size_t point) const;
   // m or s: where the keys end, or the track, if its held end is farther.
@@ -37,7 +37,7 @@ class ForceAxes {
   double start_;
 };
 
-// A step of a key's place and of its value.
+// Steps of a key's position and value.
 struct KeySteps {
   double at, value;
 };
@@ -45,11 +45,11 @@ KeySteps steps_of(const world::ForceProgram& program, world::ForceChannel channe
 // Returns the value rounded to a multiple of the step.
 double to_step(double value, double step);
 
-// Fills the places and values of what is asked, and for the roll of what there is.
+// Fills the positions and values of the target curve and, for roll, of the actual one.
 void fill_curves(const sim::Derived& derived, const ForceAxes& axes, ForceKeys& state);
-// Returns the ends of both axes: the section with a margin, and what is asked and felt there.
+// Returns the ends of both axes: the section with a margin, and the range of target and actual values.
 std::array<double, 4> shown_ends(const ForceAxes& axes, const std::optional<RidePlots>& ride, const ForceKeys& state);
-// The limits of a channel for the shortest overloads that count, and for lasting ones.
+// Returns the limits of a channel for the shortest overloads that count, and for lasting ones.
 std::vector<Level> limits_of(const sim::Envelope& envelope, world::ForceChannel channel);
 
 }  // namespace coaster::ui

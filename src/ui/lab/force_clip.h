@@ -7,9 +7,9 @@
 
 namespace coaster::ui {
 
-// Ctrl+C copies the chosen key, Ctrl+Shift+C all keys of the channel. Ctrl+V pastes behind the chosen key, half-way to
-// the next one, or without one at the section's start; if sections were copied, it pastes those. Returns whether the
-// press was one of these.
+// Handles a key press. Ctrl+C copies the selected key, Ctrl+Shift+C all keys of the channel. Ctrl+V pastes behind the
+// selected key, half-way to the next one, or without one at the section's start; if sections were copied, it pastes
+// those. Returns true if the press was one of these.
 bool copy_or_paste(Ui& ui, ForceKeys& state, const world::ForceProgram& program, const platform::KeyPress& press);
 
 }  // namespace coaster::ui

@@ -6,8 +6,8 @@
 
 namespace coaster::ui {
 
-// A bar with tabs for the graph and the table of sections, and the values where the mouse points, else at the train.
-// Below it the plot, unless the table is chosen; the bar alone where the area is no higher.
+// Builds a bar with tabs for the graph and the table of sections, and the values at the mouse or else at the train.
+// Below it is the plot, unless the table is selected; only the bar if the area is no higher.
 void build_force_graph(Ui& ui, const view::Viewport& area);
 
 }  // namespace coaster::ui

@@ -1,4 +1,4 @@
-// The force graph of Build while a force section is selected: its keys, to be dragged, inserted and deleted.
+// The force graph of Build while a force section is selected: drag, insert and delete its keys.
 #pragma once
 
 #include <optional>
@@ -8,19 +8,19 @@
 
 namespace coaster::ui {
 
-// The force section that the graph edits: selected alone in Build, with the graph open; kNone for none.
+// Returns the force section that the graph edits: the only selected one, in Build, with the graph open; kNone for none.
 world::Entity edited_forces(const Ui& ui);
 
-// The channels as buttons, in the graph's bar.
+// Shows the channels as buttons in the graph's bar.
 void force_channels(Ui& ui, float bar);
 
-// The plot of the section's stretch of the ride: the chosen channel's keys and asked curve over what is felt, with the
-// limits. A drag of a key or of a handle of the chosen key is one undo step and snaps (Ctrl: not), a double click
-// inserts a key.
+// Plots the section's part of the ride: keys and target curve of the selected channel over the actual values, with the
+// limits. Dragging a key or a handle of the selected key is one undo step and snaps (Ctrl: not); a double click inserts
+// a key.
 void force_plot(Ui& ui, world::Entity section, const std::optional<RidePlots>& ride);
 
-// Works the keys of the keyboard that edit forces, and returns the other events: Tab and Shift+Tab choose a key, arrows
-// move it by a step (Ctrl: a tenth), Insert adds one behind it, Delete removes it, Escape leaves it; also force_clip.h.
+// Handles the keyboard for editing forces and returns the other events. Tab and Shift+Tab select a key, arrows move it
+// by a step (Ctrl: a tenth), Insert adds one behind it, Delete removes it, Escape deselects it; see also force_clip.h.
 platform::Events without_force_keys(Ui& ui, const platform::Events& events);
 
 }  // namespace coaster::ui

@@ -10,19 +10,20 @@
 
 namespace coaster::ui {
 
-// The segment and position that the pages show: the selected segment; else the segment that the selected knot starts
-// (at an end: ends) or the selected cart is on; else the first one. Nothing on a track without segments.
+// The segment and position that the pages show: the selected segment; else the segment that starts at the selected knot
+// (at the last knot: ends there) or that the selected cart is on; else the first one. Nothing on a track without
+// segments.
 struct Probe {
   world::Entity segment;
   world::Name name;
   const sim::SegmentShape* shape = nullptr;
   double t = 0.5;
 };
-// Without one, draws a line that says how to create a segment.
+// Returns the probe. Without one, draws a line that says how to create a segment.
 std::optional<Probe> need_probe(Ui& ui);
-// Puts the probe at t, clamped to [0,1], by selecting the segment.
+// Moves the probe to t, clamped to [0,1], by selecting the segment.
 void move_probe(Ui& ui, const Probe& probe, double t);
-// A slider over t, labelled "t", and a plot over t, whose cursor is the probe.
+// Draws a slider labelled "t", and a plot over t whose cursor is the probe.
 void probe_slider(Ui& ui, const Probe& probe);
 void plot_over_t(Ui& ui, const Probe& probe, std::string_view label, Plot picture, std::string_view tooltip);
 
@@ -37,9 +38,9 @@ class Page {
   Page& operator=(const Page&) = delete;
   // Begins the second part and returns the height of its pictures, px.
   float pictures();
-  // Whether the parts are one below the other.
+  // True if the parts are one below the other.
   bool stacked() const { return stacked_; }
-  // The width of the second part, px.
+  // Returns the width of the second part, px.
   float pictures_width() const { return pictures_width_; }
 
  private:
@@ -49,35 +50,34 @@ class Page {
   bool stacked_, compact_, in_side_ = true;
 };
 
-// The upper edge of an area at the foot of the window, "Panel/Edge", over the area's first pixels; draw it before the
-// content. Returns the area's new share of the height between menu and status bar, at most `tallest`, while it is
-// dragged; 0 on a double click. `bar` is the height of those two, px.
+// Draws the upper edge of an area at the foot of the window, "Panel/Edge", over the area's first pixels; call it before
+// the content. During a drag returns the area's new share of the height between menu and status bar, at most `tallest`;
+// 0 on a double click. `bar` is the height of each of the two, px.
 std::optional<float> height_edge(Ui& ui, const view::Viewport& area, float bar, float tallest,
                                  std::string_view tooltip);
 
-// A value with the colour of its curve, in the small font.
+// Shows a value in the colour of its curve, in the small font.
 void colour_value(Ui& ui, std::uint32_t colour, std::string_view path, std::string_view shown, std::string_view value,
                   std::string_view tooltip);
-// A checkbox for one of the layers over the scene, "Laboratory/View/label".
+// Shows a checkbox for one of the layers over the scene, "Laboratory/View/label".
 void layer_box(Ui& ui, world::Layer layer);
 
-// Three components in small figures under a common heading, registered as "Laboratory/path" with the value "x y z
-// unit".
+// Shows three components in the small font under a common heading, registered as "Laboratory/path" with the value
+// "x y z unit".
 void triple_heading(Ui& ui, std::string_view unit);
 void triple(Ui& ui, std::string_view path, std::string_view shown, std::uint32_t colour, glm::dvec3 value, int decimals,
             std::string_view unit, std::string_view tooltip);
 
-// A line of small, dimmed text, wrapped.
+// Shows a line of small, dimmed text, wrapped.
 void small_note(std::string_view words);
 
-// Two radio buttons beside each other: whether the second one is on.
 struct Side {
   std::string_view label, tooltip;
 };
+// Shows two radio buttons side by side. `second`: the second one is on.
 void choose_side(Ui& ui, bool& second, const Side& off, const Side& on);
 
-// Two pictures beside each other, or where there is little room one below the other. Each is called with its width and
-// height, px.
+// Draws two pictures side by side, or one below the other in a narrow area. Each function gets width and height, px.
 using Picture = std::function<void(float width, float height)>;
 void two_pictures(Ui& ui, Page& page, const Picture& first, const Picture& second);
 
@@ -85,7 +85,7 @@ void two_pictures(Ui& ui, Page& page, const Picture& first, const Picture& secon
 inline constexpr std::uint32_t kCurveColour = 0xFFFFFF, kPolygonColour = 0xF2B84B, kConstructionColour = 0x7FD1B9,
                                kTangentColour = 0xE5534B;
 inline constexpr std::uint32_t kPointColour = 0xFF8A1F;
-// Colours that can be told apart on the plots' ground, for rows of a table.
+// Returns a colour for a row of a table; colours of different rows are easy to distinguish on the plots' background.
 std::uint32_t row_colour(std::size_t row);
 
 }  // namespace coaster::ui

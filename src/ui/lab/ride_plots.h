@@ -1,5 +1,5 @@
-// Plots of the whole ride for the chosen seat, over distance or time, with one cursor: the place of the seat on the
-// track, which the train, the view and all plots share.
+// Plots of the whole ride for the selected seat, over distance or time, with one cursor: the seat's position on the
+// track, shared by the train, the view and all plots.
 #pragma once
 
 #include <optional>
@@ -13,33 +13,32 @@
 
 namespace coaster::ui {
 
-// The ride of the chosen seat, and what of it exceeds the force limits.
+// The ride of the selected seat, and its parts that exceed the force limits.
 struct SeatStudy {
   sim::SeatCurves curves;
-  // Of vertical, lateral and longitudinal g: the value, NaN where no car of the seat is overloaded.
+  // Vertical, lateral and longitudinal g; NaN where no car of the seat is overloaded.
   std::array<std::vector<double>, 3> beyond;
-  sim::Extreme jerk, roll_rate, roll_acceleration;  // the largest, of the seat's cars
+  sim::Extreme jerk, roll_rate, roll_acceleration;  // the largest values of the seat's cars
 };
 
 class RidePlots {
  public:
-  // Nothing without a train.
+  // Returns nothing without a train.
   static std::optional<RidePlots> make(Ui& ui, bool over_time);
 
   // Draws a plot of a value and registers it as "Panel/label". Dragging in it moves the train; the mouse over it marks
-  // the place in the view and in every plot.
+  // the position in the view and in every plot.
   void plot(Ui& ui, sim::RideValue value, std::string_view label, float width, float height) const;
-  // The same for several values in one plot: those of `left`, of one unit, on the axis at the left, those of `right` on
-  // one at the right.
+  // Draws several values in one plot: those of `left`, in one unit, use the left axis, those of `right` the right axis.
   void plot_all(Ui& ui, std::span<const sim::RideValue> left, std::span<const sim::RideValue> right,
                 std::string_view label) const;
-  // Adds the curve of a value over the axis, and its stretches beyond the limits.
+  // Adds the curve of a value over the axis, and its parts beyond the limits.
   void add_curves(sim::RideValue value, std::string label, std::vector<Series>& series) const;
-  // Draws a picture over the axis with the cursor, and hands on what the mouse does there.
+  // Draws a plot over the axis with the cursor, and handles the mouse in it.
   void show(Ui& ui, std::string_view label, Plot& picture, std::string_view tooltip) const;
-  // The value where the mouse points, else at the train; "--" where neither is.
+  // Returns the value at the mouse, or else at the train; "--" without either.
   std::string shown(const Ui& ui, sim::RideValue value) const;
-  // The colour of a value's curve.
+  // Returns the colour of a value's curve.
   static std::uint32_t colour_of(sim::RideValue value);
   const sim::Ghost& ride() const { return *ride_; }
   const SeatStudy& study() const { return *study_; }
@@ -55,11 +54,11 @@ class RidePlots {
   const sim::Ghost* ride_ = nullptr;
   const SeatStudy* study_ = nullptr;
   bool over_time_ = false;
-  double behind_ = 0;                   // m, of the seat's car behind the first one
+  double behind_ = 0;                   // m, distance of the seat's car behind the first one
   std::optional<double> train_, mark_;  // on the x axis
 };
 
-// The choices of the seat, in a train of `cars` cars, and of the x axis.
+// Selects the seat, in a train of `cars` cars, and the x axis.
 void choose_seat(Ui& ui, int cars);
 void choose_x_axis(Ui& ui);
 

@@ -8,7 +8,7 @@
 
 namespace coaster::ui {
 
-// A plane of the picture: right and up are perpendicular unit vectors.
+// A plane to draw in: right and up are perpendicular unit vectors.
 struct Sheet {
   glm::dvec3 origin{0}, right{1, 0, 0}, up{0, 1, 0};
   glm::dvec2 at(glm::dvec3 p) const { return {glm::dot(p - origin, right), glm::dot(p - origin, up)}; }
@@ -20,7 +20,7 @@ struct Sheet {
 // plane that contains them.
 Sheet sheet_of(std::span<const glm::dvec3> points);
 
-// Points as the coordinates of a plot's series.
+// Points as coordinates of a plot's series.
 struct Trace {
   std::vector<double> x, y;
   void add(glm::dvec2 p) {

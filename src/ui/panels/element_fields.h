@@ -1,4 +1,4 @@
-// The parameters of an element, as rows of a panel: of the palette's and of a section's.
+// The parameters of an element as rows of a panel, for the palette and for sections.
 #pragma once
 
 #include <functional>
@@ -10,16 +10,16 @@
 
 namespace coaster::ui {
 
-// Which of the rows show, and what is drawn below each; by the parameter's name, "side" for left and right.
+// The rows to show and the content below each, by the parameter's name; "side" is left or right.
 struct ElementRows {
   std::function<bool(std::string_view name)> shown = nullptr;  // null: all
   std::function<void(std::string_view name)> below = nullptr;  // null: nothing
 };
 
-// A parameter with its unit and limits, as fields show it.
+// Returns a parameter with its unit and limits, for a field.
 Number parameter_number(const world::ElementParameter& parameter, double value);
 
-// Changes a value of `element` as the user does. Returns the name of what was changed.
+// Shows the rows and applies the user's changes to `element`. Returns the name of the changed parameter.
 std::optional<std::string_view> element_fields(Ui& ui, world::Element& element, const ElementRows& rows = {});
 
 }  // namespace coaster::ui

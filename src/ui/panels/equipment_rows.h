@@ -1,4 +1,4 @@
-// Equipment as rows of a panel: of segments and of sections.
+// Equipment as rows of a panel, for segments and sections.
 #pragma once
 
 #include <optional>
@@ -9,20 +9,20 @@
 
 namespace coaster::ui {
 
-// The equipment of several segments; nothing where they differ.
+// The equipment of several segments; nothing if they differ.
 struct Equipped {
   bool mixed = false;
   const world::Equipment* equipment = nullptr;  // null: plain track, or mixed
 };
 Equipped equipped(const world::Document& document, const std::vector<world::Entity>& segments);
 
-// A button for each kind and one for none, "Equipment/Lift"; the present one has a frame.
+// A button for each kind and one for none, "Equipment/Lift"; the current one has a frame.
 struct EquipmentChoice {
   std::optional<world::EquipmentKind> kind;  // nothing: plain track
 };
 std::optional<EquipmentChoice> equipment_buttons(Ui& ui, const Equipped& now, bool enabled);
 
-// Shows the numbers that the kind has. Returns the equipment with the one that the user changed.
+// Shows the numbers of the kind. Returns the equipment with the number that the user changed.
 std::optional<world::Equipment> equipment_rows(Ui& ui, world::Equipment now);
 
 }  // namespace coaster::ui

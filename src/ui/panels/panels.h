@@ -1,4 +1,4 @@
-// The columns of panels beside the scene, and the status bar.
+// The columns of panels next to the scene, and the status bar.
 #pragma once
 
 #include <span>
@@ -10,8 +10,8 @@ namespace coaster::ui {
 
 enum class Column { left, right };
 
-// When a panel shows in a workspace other than `all`, which shows every panel: in Build while an element is chosen, a
-// section or something else is selected, or neither; in the laboratory.
+// When a panel shows in a workspace other than `all`, which shows every panel. In Build: while an element is selected,
+// a section or something else is selected, or neither; in the laboratory.
 enum Occasion : unsigned {
   kElement = 1,
   kSelection = 2,
@@ -23,21 +23,21 @@ enum Occasion : unsigned {
 
 struct Panel {
   std::string_view name;  // first part of its widgets' paths
-  Column column;          // in `all`
-  unsigned shows;         // occasions, beside `all`
+  Column column;          // its column in `all`
+  unsigned shows;         // occasions, in addition to `all`
   std::string_view help;
   void (*build)(Ui& ui);
-  bool open = true;                       // at first
+  bool open = true;                       // initially
   bool (*shown)(const Ui& ui) = nullptr;  // null: always
 };
 std::span<const Panel> panels();
 
-// The panels of one column, one under the other, in one scrolling window over `area`. In Build and in the laboratory
-// there is only one column, with all that belongs there.
+// Builds the panels of one column, one below the other, in a scrolling window over `area`. Build and the laboratory
+// have only one column, with all their panels.
 void build_column(Ui& ui, Column column, const view::Viewport& area);
 void build_status_bar(Ui& ui, const view::Viewport& area);
 
-// Parts of the panel Evaluation that the status bar's list has, too.
+// Parts of the panel Evaluation that also show in the list of the status bar.
 void evaluator_choice(Ui& ui);
 void steps_slider(Ui& ui);
 

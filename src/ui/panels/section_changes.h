@@ -1,4 +1,4 @@
-// Changes of the selected sections' parameters, by panel and table, and why the last one was refused.
+// Changes of the selected sections' parameters, by panel and table, and the reason if the last one was refused.
 #pragma once
 
 #include <string_view>
@@ -21,18 +21,17 @@ struct Chosen {
 };
 Chosen chosen_sections(const edit::Session& session);
 
-// Returns the parameter of a planned section that has it; nothing for others.
+// Returns the parameter of a planned section that has it; nothing for other sections.
 std::optional<double> planned_value(const world::Section& section, std::string_view parameter);
 
-// Gives those of the selected sections that have the parameter its value in `to`; "side" is left or right.
+// Sets the parameter of the selected sections that have it to its value in `to`; "side" is left or right.
 void change_sections(Ui& ui, const Chosen& chosen, std::string_view parameter, const world::Element& to);
 
-// Remembers which field asks for a change, for refusal_of().
+// Records the field that requests a change, for refusal_of().
 void ask_change(Ui& ui, world::Name section, std::string_view parameter);
-// Takes the answer to the last change that was asked for: the notice that came with it. Each frame, before
-// refusal_of().
+// Reads the answer to the last requested change: the notice that followed it. Call it each frame, before refusal_of().
 void take_answer(Ui& ui);
-// Returns why the last change was refused, if it was one of this parameter of this section; else "".
+// Returns the reason if the last change was refused and was one of this parameter of this section; else "".
 std::string_view refusal_of(const Ui& ui, world::Name section, std::string_view parameter);
 
 }  // namespace coaster::ui

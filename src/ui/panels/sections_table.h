@@ -6,7 +6,7 @@
 
 namespace coaster::ui {
 
-// Over `area`, in Build.
+// Builds the table over `area`, in Build.
 void build_sections_table(Ui& ui, const view::Viewport& area);
 
 }  // namespace coaster::ui

@@ -1,4 +1,4 @@
-// What the drawing steps of a plot share: the axes and where they lie on the screen. Private to plot*.cpp.
+// Shared state of the drawing steps of a plot: the axes and their positions on the screen. Private to plot*.cpp.
 #pragma once
 
 #include <imgui.h>
@@ -9,20 +9,21 @@ namespace coaster::ui {
 
 struct PlotArea {
   AxisRange x, y, right;
-  base::ShownUnit x_unit, y_unit;  // that the axes are in
+  base::ShownUnit x_unit, y_unit;  // units of the axes
   Ticks x_ticks, y_ticks;          // round in these units
-  Ticks right_ticks;               // none without series of the right axis
-  ImVec2 low, high;                // px, of the data
-  float scale = 1;                 // px a design px
+  Ticks right_ticks;               // none without series on the right axis
+  ImVec2 low, high;                // px, corners of the data area
+  float scale = 1;                 // px per design px
   float text_px = 13;              // height of a line of small text
   bool pretty = true;              // the font has superscripts
-  bool title_beside = false;       // the x axis' title stands in the row of its ticks
+  bool title_beside = false;       // the x axis' title is in the row of its ticks
 
-  // NaN where a value has no place.
+  // Returns the pixel of a point; NaN for values that cannot be drawn.
   ImVec2 at(double x_value, double y_value) const;
 };
 
-std::string axis_title(const PlotAxis& axis, const base::ShownUnit& unit);  // "title (unit)", or one
+std::string axis_title(const PlotAxis& axis,
+                       const base::ShownUnit& unit);  // returns "title (unit)", or the one that is not empty
 AxisRange scaled(const AxisRange& axis, double factor);
 void draw_grid(ImDrawList& list, const PlotArea& area, const Plot& plot, ImVec2 outer_low);
 void draw_series(ImDrawList& list, const PlotArea& area, const Series& series);

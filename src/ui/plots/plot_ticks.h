@@ -37,19 +37,19 @@ double part_of(const AxisRange& axis, double value);
 double value_at(const AxisRange& axis, double part);
 
 struct Ticks {
-  std::vector<double> major;  // with a text; ascending, within the range
+  std::vector<double> major;  // with labels; ascending, within the range
   std::vector<double> minor;  // grid only: 2..9 times each power of ten
   double step = 0;            // between linear majors; 0 on a logarithmic axis
 };
-// At most max(2, most) majors: multiples of 1, 2 or 5 times a power of ten; on a logarithmic axis powers of ten (every
-// k-th where there are many; with 2 and 5 times them where there are few).
+// Returns at most max(2, most) majors: multiples of 1, 2 or 5 times a power of ten; on a logarithmic axis powers of ten
+// (every k-th if there are many; with 2 and 5 times them if there are few).
 Ticks ticks(const AxisRange& axis, int most);
 
-// The text of a tick: as many decimals as the step asks for; very large and very small numbers, and powers of ten
-// beyond 0.01..1000 on a logarithmic axis, as 10 to a power, in superscripts when `pretty`, else as 1e-7.
+// Returns the label of a tick: as many decimals as the step needs; very large and very small numbers, and powers of ten
+// beyond 0.01..1000 on a logarithmic axis, as 10 to a power, in superscripts if `pretty`, else as 1e-7.
 std::string tick_text(const AxisRange& axis, const Ticks& ticks, double value, bool pretty);
 
-// A number with `digits` significant digits, without an exponent from 1e-4 to 1e6; "--" for NaN, "0" for zero.
+// Returns a number with `digits` significant digits, without an exponent from 1e-4 to 1e6; "--" for NaN, "0" for zero.
 std::string significant(double value, int digits, bool pretty = true);
 
 }  // namespace coaster::ui

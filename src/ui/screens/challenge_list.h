@@ -14,19 +14,19 @@ namespace coaster::ui {
 struct ChallengeEntry {
   std::filesystem::path path;
   std::string name, teaches;
-  std::filesystem::path track;  // its start track's file; empty when that is in the challenge itself
-  std::string problem;          // why it cannot be begun; empty when it can
+  std::filesystem::path track;  // file of its start track; empty if the challenge itself contains it
+  std::string problem;          // why it cannot start; empty if it can
   const std::string& help() const { return problem.empty() ? teaches : problem; }
 };
 
-// The files of a folder that end in .json, by name; none where there is no such folder.
+// Returns the .json files of a folder, by name; none if the folder does not exist.
 std::vector<std::filesystem::path> json_files(const std::filesystem::path& folder);
 
-// The program's own challenges (base::data_folder()), then the user's, each by file name. Reads the files.
+// Returns the program's challenges (base::data_folder()), then the user's, each by file name. Reads the files.
 std::vector<ChallengeEntry> read_challenges(const Ui& ui);
 
-// A row for each challenge in `height` px, scrolling; ui.panel names the widgets. What was clicked, or chosen by the
-// arrow keys and Enter. `current`: the row that the keys are at.
+// Draws a scrolling list, `height` px high, with a row for each challenge; ui.panel names the widgets. Returns the one
+// clicked, or selected with the arrow keys and Enter. `current`: the row that the keys are at.
 std::optional<std::filesystem::path> draw_challenge_list(Ui& ui, std::span<const ChallengeEntry> challenges,
                                                          int& current, float height);
 

@@ -15,11 +15,11 @@ class Dialogs {
  public:
   bool open() const { return dialog_ != Dialog::none; }
 
-  // Does it, or first asks about unsaved changes. Want::Kind::save writes to the document's own file; it asks for one
-  // where there is none, or where somebody else edits it.
+  // Carries out a request, or first asks about unsaved changes. Want::Kind::save writes to the document's own file; it
+  // asks for a file if there is none, or if another program has it open.
   void take(Ui& ui, Want want);
 
-  // `text_had_keyboard`: a field did at the start of the frame. width, height: of the window, px.
+  // `text_had_keyboard`: a text field had it at the start of the frame. width, height: size of the window, px.
   void build(Ui& ui, const platform::Events& events, bool text_had_keyboard, float width, float height);
 
  private:
@@ -44,30 +44,30 @@ class Dialogs {
   void build_recovery(Ui& ui);
   void build_challenges(Ui& ui);
   std::pair<float, float> wanted_size()
-      const;  // design px; a height below 0: at least so much, and as high as what is in it
+      const;  // design px; a height below 0: as high as the content, at least that much
 
   Dialog dialog_ = Dialog::none, shown_ = Dialog::none;
   Want want_;
-  bool saving_ = false;       // a save was asked for so that `want_` can follow
-  bool asked_later_ = false;  // about recovery
-  bool system_ = false;       // the system's dialog is awaited
+  bool saving_ = false;       // a save is in progress; `want_` follows
+  bool asked_later_ = false;  // the user postponed the question about recovery
+  bool system_ = false;       // the system's dialog is open
   FileBrowser browser_;
-  bool sections_ = false;  // the browser is about a file of sections, not about the track's
-  std::optional<std::vector<ChallengeEntry>> challenges_;  // read when the dialog is built first
-  int challenge_ = 0;                                      // the row that the keys are at
+  bool sections_ = false;                                  // the browser shows files of sections, not of tracks
+  std::optional<std::vector<ChallengeEntry>> challenges_;  // read when the dialog is first built
+  int challenge_ = 0;                                      // the highlighted row
   std::filesystem::path chosen_;
   std::string folder_name_;
 };
 
-// Whether one of the keys was pressed; repeats do not count.
+// True if one of the keys was pressed; repeats do not count.
 bool pressed(const platform::Events& events, platform::Key a, platform::Key b = platform::Key::unknown);
-// Whether Ctrl+V was, which opens a copied link also where a dialog has the keys.
+// True if Ctrl+V was pressed; it opens a copied link even while a dialog has the keyboard.
 bool pasted(const platform::Events& events);
 
-// The name of the file that a track of this name is first saved to.
+// Returns the default file name of a track with this name.
 std::string file_name_for(const std::string& track);
 
-// The content of the settings window (settings_window.cpp); true when it is to be closed.
+// Builds the content of the settings window (settings_window.cpp). Returns true when it is to be closed.
 bool build_settings(Ui& ui, const platform::Events& events);
 
 }  // namespace coaster::ui

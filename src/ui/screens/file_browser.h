@@ -16,17 +16,16 @@ class FileBrowser {
   enum class Mode { open, save };
   enum class Answer { none, cancel, chosen, make_folder, system };
 
-  // `folder` need not exist: the nearest one above it that does is shown. `name` is what saving begins with.
+  // `folder` need not exist: its nearest existing parent is shown. `name` is the initial name when saving.
   void start(Mode mode, std::filesystem::path folder, std::string name);
 
-  // The whole content of the current window, as wide and high as it is. `system`: whether the system's own dialog can
-  // be asked for.
+  // Builds the content of the current window, in its size. `system`: the system's own dialog is available.
   Answer build(Ui& ui, const platform::Events& events, bool text_had_keyboard, bool system);
 
   Mode mode() const { return mode_; }
   const std::filesystem::path& folder() const { return folder_; }
   std::filesystem::path chosen() const { return chosen_; }
-  // Shows a folder, or reads the same one again.
+  // Shows a folder, or reads the current one again.
   void go(std::filesystem::path folder);
 
  private:
@@ -48,13 +47,13 @@ class FileBrowser {
 
   Mode mode_ = Mode::open;
   std::filesystem::path folder_, chosen_;
-  std::string words_;      // opening: what names must contain, or a path; saving: the file's name
-  std::string marked_;     // name of the entry that is marked
-  bool by_key_ = false;    // marked by an arrow: Enter then means the mark, not the name
-  bool scroll_ = false;    // to the mark
-  bool all_ = false;       // also files that no format is known for
+  std::string words_;      // opening: a part of names, or a path; saving: the file's name
+  std::string marked_;     // name of the highlighted entry
+  bool by_key_ = false;    // highlighted by an arrow key: Enter then uses the entry, not the name
+  bool scroll_ = false;    // to the highlighted entry
+  bool all_ = false;       // also files of unknown formats
   bool untouched_ = true;  // typing replaces the name
-  double read_at_ = -1;    // s, of State::seconds
+  double read_at_ = -1;    // s, as State::seconds
   std::string problem_;    // why the folder cannot be shown
   std::vector<base::FolderEntry> entries_;
 };

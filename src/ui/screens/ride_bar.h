@@ -1,4 +1,4 @@
-// The bar of the workspace Ride: running the ride, its values, scrubbing, seat, camera and recording.
+// The bar of the workspace Ride: playback, values, scrubbing, seat, camera and recording.
 #pragma once
 
 #include "ui/context/ui.h"
@@ -6,7 +6,7 @@
 
 namespace coaster::ui {
 
-// In one row, or in two where the area is high enough for them.
+// Builds it in one row, or in two if the area is high enough.
 void build_ride_bar(Ui& ui, const view::Viewport& area);
 
 }  // namespace coaster::ui

@@ -16,23 +16,23 @@ class StartScreen {
   void show() { open_ = true, samples_.clear(), challenges_.clear(); }
   void hide() { open_ = false; }
 
-  // width, height: of the window, px. Nothing is drawn while it is closed.
+  // width, height: size of the window, px. Draws nothing while closed.
   void build(Ui& ui, const platform::Events& events, float width, float height);
 
  private:
   void build_choices(Ui& ui, float width);
   void build_tracks(Ui& ui);
   void build_challenges(Ui& ui, float width, float gap);
-  // A picture of a track with a name below it.
+  // A picture of a track with its name below it.
   struct Card {
-    std::string label, picture, help;  // of the widget; the track's file
-    std::string name;                  // "": the track's own
+    std::string label, picture, help;  // widget label, track file, tooltip
+    std::string name;                  // "": the name in the track
     int medal = 0;                     // drawn over the picture
   };
   bool draw(Ui& ui, const Card& card, float width);
 
   bool open_ = false;
-  std::vector<std::filesystem::path> samples_;  // found when it was opened, and the challenges, too
+  std::vector<std::filesystem::path> samples_;  // listed when the screen opens, as are the challenges
   std::vector<ChallengeEntry> challenges_;
 };
 

@@ -1,4 +1,4 @@
-// The newest notice, shown at the bottom of the viewport for some seconds; in scripts (no clock) until the next one.
+// The newest notice, shown at the bottom of the viewport for a few seconds; in scripts (no clock) until the next one.
 // Above it are the warnings of the same command, such as those of a file above the note about its start speed.
 #pragma once
 
@@ -12,17 +12,17 @@
 namespace coaster::ui {
 
 struct Toasts {
-  std::string shown;  // "" when none is
+  std::string shown;  // "" if there is none
   edit::NoticeKind kind = edit::NoticeKind::info;
   double since = 0;  // s
-  double lasts = 0;  // s
+  double lasts = 0;  // s, time on screen
   std::uint64_t serial = 0;
 
-  // Takes the newest notices of the session and drops those whose time is over.
+  // Takes the newest notices of the session and drops the expired ones.
   void update(const edit::Session& session, double seconds, bool scripted);
-  // Shows a notice of the UI about input that makes no command.
+  // Shows a notice of the UI about input that causes no command.
   void show(edit::NoticeKind what, std::string text, double seconds);
-  // Returns the time from `seconds` until it begins to fade; 0 then, infinity without a notice.
+  // Returns the time from `seconds` until the notice begins to fade; afterwards 0, without a notice infinity.
   double still_for(double seconds) const;
   void draw(const Ui& ui, const view::Viewport& viewport) const;
 };

@@ -1,4 +1,4 @@
-// Places under the cursor that are no marks: where a click appends a knot, and the track in front of the gizmo.
+// Positions under the cursor other than marks: where a click appends a knot, and the track in front of the gizmo.
 #pragma once
 
 #include <optional>
@@ -8,8 +8,8 @@
 
 namespace coaster::ui {
 
-// Returns the position under a pixel, m, at the height at which tracks begin. In an orthographic view: in its plane
-// through the last knot, and at least so high. Nothing where the pixel shows no ground.
+// Returns the position of a new knot under a pixel, m, at the default height of new tracks. In an orthographic view: in
+// its plane through the last knot, at least at that height. Nothing if the pixel shows no ground.
 std::optional<glm::vec3> append_place(const world::Document& document, const view::View& view, glm::vec2 pixel);
 
 // Returns the track or train under the cursor if it is in front of the whole gizmo at `gizmo`, m.

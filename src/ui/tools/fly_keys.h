@@ -8,11 +8,11 @@
 
 namespace coaster::ui {
 
-// Which of them are held, over frames.
+// The held keys, between frames.
 class FlyKeys {
  public:
-  // One frame: moves the free camera, if it is selected, over the time of the events' ticks. Ignores keys pressed while
-  // a text field has the keyboard, or with Ctrl or Alt.
+  // Moves the free camera, if it is selected, over the time of the events' ticks. Call it once a frame. Ignores keys
+  // pressed while a text field has the keyboard, or with Ctrl or Alt.
   void fly(Ui& ui, const platform::Events& events, bool text_has_keyboard);
 
  private:
@@ -20,19 +20,20 @@ class FlyKeys {
   bool fast_ = false;
 };
 
-// Whether the key belongs to the free camera while that is chosen.
+// True if the key moves the free camera while that is selected.
 bool is_fly_key(const platform::KeyPress& press);
 
-// The cameras as this frame's commands have left them.
+// Returns the camera after this frame's commands.
 world::Camera camera_now(const Ui& ui);
 world::FlyCamera fly_now(const Ui& ui);
 
-// Moved by `by` (right, up, forward; m) seen from it: up is the world's. Stays over the ground and within coordinates.
+// Returns the camera moved by `by` (right, up, forward; m) in its own axes, except that up is the world's. It stays
+// above the ground and within the coordinate limits.
 world::FlyCamera flown(world::FlyCamera fly, glm::vec3 by);
-// The head turned by a drag of `pixels`: to the right and down with the mouse.
+// Returns the camera turned by a drag of `pixels`, to the right and down with the mouse.
 world::FlyCamera looked(world::FlyCamera fly, glm::vec2 pixels, float scale);
 
-// Chooses a camera; the free one begins where the eye is.
+// Selects a camera; the free one starts at the present eye.
 void choose_camera(Ui& ui, world::CameraMode mode);
 
 }  // namespace coaster::ui

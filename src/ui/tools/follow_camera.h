@@ -1,5 +1,5 @@
-// Keeps what is being built in view: when the open end or the palette's preview has moved out of the picture, the orbit
-// camera moves until it shows, damped. Never while the mouse or a number drags something.
+// Keeps new track in view: when the open end or the palette's preview leaves the picture, the orbit camera moves,
+// damped, until it is visible. Never while the mouse or a number field drags something.
 #pragma once
 
 #include <optional>
@@ -12,7 +12,8 @@ namespace coaster::ui {
 
 class FollowCamera {
  public:
-  // Once a frame, after the tools: emits the camera of this frame while it moves. `busy`: the user drags something.
+  // Call it once a frame, after the tools: emits the camera of this frame while it moves. `busy`: the user drags
+  // something.
   void update(Ui& ui, const view::View& view, bool busy);
 
  private:
@@ -22,12 +23,12 @@ class FollowCamera {
     std::vector<glm::vec3> preview;  // preview_points()
     friend bool operator==(const Seen&, const Seen&) = default;
   };
-  std::optional<Seen> seen_;         // what was last looked at; nothing before the first frame
-  std::optional<world::Camera> to_;  // where the camera goes
+  std::optional<Seen> seen_;         // the last state; nothing before the first frame
+  std::optional<world::Camera> to_;  // target of the camera's motion
   world::Camera sent_;               // its last step
 };
 
-// The knots of the shown way home, or else of the palette's preview, m; empty where none shows.
+// Returns the knots of the displayed way home, or else of the palette's preview, m; empty if neither shows.
 std::vector<glm::vec3> preview_points(const Ui& ui);
 
 }  // namespace coaster::ui

@@ -1,4 +1,4 @@
-// Places along the track that the program takes the user to: where a ride failed, where the track lacks clearance,
+// Positions along the track that the program shows to the user: where a ride failed, where the track lacks clearance,
 // where riders are jolted.
 #pragma once
 
@@ -8,17 +8,17 @@
 
 namespace coaster::ui {
 
-// Whether there are carts on a track.
+// True if a track has carts.
 bool rideable(const edit::Session& session);
-// Whether the score card of the last ride is open.
+// True if the score card of the last ride is open.
 bool card_shows(const edit::Session& session);
-// Where the last ride or its challenge failed, m along the track; nothing where neither has a place.
+// Returns where the last ride or its challenge failed, m along the track; nothing if the failure has no position.
 std::optional<double> failed_place(const edit::Session& session);
 // Selects the segment at `distance` (m along the track), points the orbit camera there, and closes the score card.
 void show_place(Ui& ui, double distance);
 // Selects the next conflict after the selected place and points the orbit camera there; no-op without conflicts.
 void show_next_conflict(Ui& ui);
-// The same for folds of the rails.
+// Selects the next fold of the rails in the same way.
 void show_next_fold(Ui& ui);
 // Selects the knot and points the orbit camera there.
 void show_knot(Ui& ui, world::Entity knot);

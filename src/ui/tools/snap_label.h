@@ -1,4 +1,4 @@
-// What a drag snaps to, beside the cursor.
+// Shows what a drag snaps to, next to the cursor.
 #pragma once
 
 #include "ui/context/ui.h"

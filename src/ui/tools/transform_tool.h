@@ -19,13 +19,13 @@ class TransformTool {
   void begin(Ui& ui, TransformKind kind, Constraint constraint, std::optional<int> button);
   // Handles X Y Z, Shift+axis, digits, Tab, Backspace, Enter and G R S. Escape comes through cancel().
   void take_keys(const platform::Events& events);
-  // Once a frame, after the keys: follows the mouse, emits at most one command; ends on a click or the button's
-  // release. Returns true where it ends as a click that moved nothing.
+  // Follows the mouse and emits at most one command; ends on a click or the button's release. Call it once a frame,
+  // after the keys. Returns true if it ends as a click without movement.
   bool update(Ui& ui, const view::View& view);
   // Reverts the transform. Returns false if none is active.
   bool cancel(Ui& ui);
 
-  // "Move along X: 2.50 m"; empty when inactive.
+  // Returns "Move along X: 2.50 m"; empty when inactive.
   std::string status() const;
 
  private:
@@ -33,7 +33,7 @@ class TransformTool {
   void emit(Ui& ui, const view::View& view);
   void refuse(Ui& ui, const std::string& mistake);
   std::optional<double> typed(std::size_t field) const;
-  std::string mistyped() const;  // what is wrong with the typed numbers; empty if nothing
+  std::string mistyped() const;  // the error in the typed numbers; empty if there is none
   bool any_typed() const;
   std::size_t fields() const;
   edit::Command command(const Ui& ui, const view::View& view);
@@ -44,13 +44,13 @@ class TransformTool {
   Constraint constraint_;
   std::optional<int> button_;
   edit::Knots knots_;
-  glm::vec3 pivot_{0}, active_start_{0};  // m: the mean, and the active knot, when it began
+  glm::vec3 pivot_{0}, active_start_{0};  // m: mean position and active knot at the start
   glm::vec2 start_{0}, last_{0};          // px
-  double angle_ = 0;                      // radians, gathered over more than half a turn
-  base::ShownUnit length_;                // of typed distances
-  std::array<std::string, 3> text_;       // what is typed
+  double angle_ = 0;                      // radians, accumulated beyond half a turn
+  base::ShownUnit length_;                // unit of typed distances
+  std::array<std::string, 3> text_;       // the typed numbers
   std::size_t field_ = 0;
-  std::string sent_, shown_;  // the last command, and what the status says of it
+  std::string sent_, shown_;  // the last command, and its text for the status
 };
 
 }  // namespace coaster::ui

@@ -12,7 +12,8 @@ namespace coaster::ui {
 
 class ViewportTool {
  public:
-  // After the panels: reads the mouse from ImGui, emits commands, returns what is under the cursor (or dragged).
+  // Reads the mouse from ImGui, emits commands, and returns the item under the cursor (or the dragged one). Call it
+  // after the panels.
   view::Pick update(Ui& ui, const view::View& view);
   bool dragging() const { return drag_.what != What::nothing || transform_.active(); }
   TransformTool& transform() { return transform_; }
@@ -20,27 +21,27 @@ class ViewportTool {
   // The next left drag draws a box that selects the knots in it.
   void wait_for_box() { box_waits_ = true; }
   bool box_waits() const { return box_waits_ || drag_.what == What::box; }
-  // Cancels the drag and what it changed. Returns false if there was none.
+  // Reverts the current drag. Returns false if there was none.
   bool cancel(Ui& ui);
 
  private:
   enum class What : std::uint8_t { nothing, item, spin, section, place, cart, orbit, pan, box };
-  enum class Along : std::uint8_t { screen, vertical, ground };  // where a dragged item moves
+  enum class Along : std::uint8_t { screen, vertical, ground };  // direction of a drag
   struct Drag {
     What what = What::nothing;
     int button = 0;
     view::Pick pick;
     glm::vec2 start{0}, last{0};       // px
-    bool moved = false;                // 3 px or more: else it is a click
+    bool moved = false;                // by 3 px or more; otherwise it is a click
     bool click_acts = false;           // pressed on empty ground: a click appends or deselects
     bool shift = false, ctrl = false;  // held at the press
     BoxMode box = BoxMode::replace;
     bool gesture = false;  // BeginGesture was emitted
     Along along = Along::screen;
     bool grabbed = false;
-    glm::vec3 anchor{0}, offset{0};  // m: the item when grabbed, and its distance from the ray's hit
+    glm::vec3 anchor{0}, offset{0};  // m: position of the item at the press, and its offset from the ray's hit
     glm::vec3 sent{0};               // m: the position of the last command
-    // Of a section's handle when grabbed: its value by that under the cursor, or its angle less that (deg).
+    // For a section's handle: its value divided by that under the cursor at the press, or its angle minus that (deg).
     std::optional<double> grip;
   };
 
@@ -61,21 +62,21 @@ class ViewportTool {
 
   Drag drag_;
   TransformTool transform_;
-  std::optional<view::Pick> in_front_;              // of the gizmo's part that is pressed: a click selects it
+  std::optional<view::Pick> in_front_;              // in front of the pressed part of the gizmo: a click selects it
   bool box_waits_ = false, chose_section_ = false;  // the last press chose a section
 };
 
-// The camera that is shown, whatever is chosen.
+// Returns the mode of the camera on display, which may differ from the selected one.
 world::CameraMode shown_camera(const Ui& ui);
-// Return the camera after a drag by `pixels`, rotated about its target or moved with it, and after a turn of the wheel.
-// The scene follows the mouse; a drag about the target leaves an orthographic view, whose point under the cursor stays
-// when the wheel turns.
+// Return the camera after a drag by `pixels` that rotates it about its target or moves it with the target, and after a
+// turn of the wheel. The scene follows the mouse. Rotating leaves an orthographic view; the wheel zooms an orthographic
+// view about the point under the cursor.
 world::Camera orbited(world::Camera camera, glm::vec2 pixels, float scale);
 world::Camera panned(world::Camera camera, const view::View& view, glm::vec2 pixels);
 world::Camera zoomed(world::Camera camera, const view::View& view, glm::vec2 cursor, float notches);
 // Sets the orbit camera and its projection.
 void set_camera(Ui& ui, const world::Camera& camera);
-// Sets the distance of the chase camera.
+// Changes the distance of the chase camera.
 void zoom_chase(Ui& ui, float notches);
 
 }  // namespace coaster::ui

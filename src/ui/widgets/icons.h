@@ -1,4 +1,4 @@
-// Icons of simple strokes, drawn in the colour of the text beside them.
+// Icons of simple strokes, drawn in the colour of the text next to them.
 #pragma once
 
 #include <span>
@@ -27,11 +27,11 @@ struct Icon {
 };
 extern const Icon kPlayIcon, kPauseIcon, kStepIcon, kResetIcon, kPencilIcon, kCircuitIcon, kForcesIcon, kRecordIcon,
     kStopIcon;
-const Icon& icon_of(world::ElementKind kind);  // one icon for all of forces
+const Icon& icon_of(world::ElementKind kind);  // one icon for all force elements
 
-// Where a button's icon is: before its label, above it with the label in the small font, or without a drawn label.
+// Position of a button's icon: before its label, above it with the label in the small font, or without a visible label.
 enum class IconPlace { before, above, alone };
-// A button as in widgets.h with an icon. width: px; alone 34 design px high, above its label 36.
+// Shows a button as in widgets.h with an icon. width: px; height: 34 design px alone, 36 above the label.
 bool icon_button(WidgetFrame& ui, const Icon& icon, std::string_view label, std::string_view tooltip, bool enabled,
                  float width, IconPlace place = IconPlace::before);
 

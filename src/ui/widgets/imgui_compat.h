@@ -1,4 +1,4 @@
-// All that differs between versions of Dear ImGui. Tried with 1.86, 1.90.1 and 1.92.9.
+// All differences between versions of Dear ImGui. Tested with 1.86, 1.90.1 and 1.92.9.
 #pragma once
 
 #include <imgui.h>
@@ -15,27 +15,27 @@ inline constexpr ImGuiKey kKeypadEnter = ImGuiKey_KeypadEnter;
 inline constexpr ImGuiKey kKeypadEnter = ImGuiKey_KeyPadEnter;
 #endif
 
-// Prepares a new current context: textures are made by upload_textures(), and a frame sees all input that is set before
-// it.
+// Prepares a new current context: textures are created by upload_textures(), and a frame gets all input set before it.
 void set_up_context();
 
-// Input of the current context as the next frame sees it; set all of it before each frame.
+// Input of the current context for the next frame; set all of it before each frame.
 void set_mouse(ImVec2 position, ImVec2 wheel);  // pixels; notches since the last frame
 void set_button(int button, bool down);
 void set_key(ImGuiKey key, bool down);
 void set_modifiers(bool ctrl, bool shift, bool alt);
 
-// Height of the lines of a font, px.
+// Returns the line height of a font, px.
 float pixels_of(const ImFont& font);
 bool has_glyph(ImFont& font, ImWchar character);
 
-// Empties the atlas; then add fonts, then finish. Digits get the width of the widest, so that numbers stand still.
+// Empties the atlas; then add fonts, then finish. All digits get the width of the widest, so that changing numbers do
+// not move.
 void begin_fonts(ImFontAtlas& atlas);
 void finish_fonts(ImFontAtlas& atlas);
 
 // Calls `upload` for each texture of the current context that is new, changed or no longer used since the last call.
-// Draw commands name these textures by `id`, from kOwnTexture on, and others by their OpenGL names, which are smaller.
-// RGBA, 8 bits each; no pixels: delete it.
+// Draw commands identify these textures by `id`, from kOwnTexture on, and others by their OpenGL names, which are
+// smaller. RGBA, 8 bits each; without pixels: delete it.
 inline constexpr std::uintptr_t kOwnTexture = 0x8000'0000;
 using Upload = std::function<void(std::uintptr_t id, int width, int height, const void* pixels)>;
 void upload_textures(const Upload& upload);

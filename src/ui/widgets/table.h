@@ -1,4 +1,4 @@
-// Tables in the small font with fixed headings, units, and rows that scripts can read and click; a heading may sort.
+// Tables in the small font with fixed headings, units, and rows that scripts can read and click; a heading can sort.
 #pragma once
 
 #include <imgui.h>
@@ -19,36 +19,36 @@ struct TableColumn {
   std::string_view title, unit;  // unit: metric. A heading too narrow for both has the unit in its tooltip.
   float weight = 1;              // share of the width
   std::string_view tooltip;
-  bool words = false;  // on the left, as its cells
+  bool words = false;  // left-aligned text, as are its cells
 };
 
 struct Cell {
   std::string text;
   std::uint32_t colour = kPlainColour;
-  bool left = false;         // words on the left, numbers on the right
-  std::uint32_t ground = 0;  // 0xRRGGBB behind it; 0: none
-  std::uint32_t swatch = 0;  // a square of colour before it: the colour of its curve; 0: none
+  bool left = false;         // left-aligned text; numbers are right-aligned
+  std::uint32_t ground = 0;  // background, 0xRRGGBB; 0: none
+  std::uint32_t swatch = 0;  // a coloured square before the text: the colour of its curve; 0: none
 };
 
-// What every table is drawn with: the small font and `gap` design px above and below a row.
+// Style of every table: the small font and `gap` design px above and below a row.
 inline constexpr ImGuiTableFlags kTableFlags =
     ImGuiTableFlags_ScrollY | ImGuiTableFlags_RowBg | ImGuiTableFlags_SizingStretchProp | ImGuiTableFlags_PadOuterX;
 void push_table_style(const WidgetFrame& ui, float gap);
 void pop_table_style();
 
-// The column that the rows are sorted by, marked by a triangle that points up where values rise downwards.
+// The column that sorts the rows, marked by a triangle that points up for ascending values.
 struct Sorting {
   int column = 0;
   bool descending = false;
-  std::optional<int> clicked;  // by begin_table(): the heading that the user clicked
+  std::optional<int> clicked;  // set by begin_table(): the heading that the user clicked
 };
 
-// Begins a table of `height` px with scrolling rows. Returns false if it is out of sight: do not call end_table() then.
+// Begins a table of `height` px with scrolling rows. Returns false if it is not visible; then do not call end_table().
 // With `sorting` its headings are buttons.
 bool begin_table(WidgetFrame& ui, std::string_view label, std::span<const TableColumn> columns, float height,
                  Sorting* sorting = nullptr);
-// Adds a row, registered as "Panel/label" (kind "item") with `value`. Returns true if it is clicked. While one of its
-// cells is typed in it is not `clickable`.
+// Adds a row, registered as "Panel/label" (kind "item") with `value`. Returns true if it is clicked. It is not
+// `clickable` while one of its cells is edited.
 bool table_row(WidgetFrame& ui, std::string_view label, std::span<const Cell> cells, bool selected, std::string value,
                std::string_view tooltip, bool clickable = true);
 void end_table();

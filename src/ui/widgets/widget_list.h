@@ -1,4 +1,4 @@
-// The widgets of a frame and where they are, for scripts and lessons.
+// The widgets of a frame and their positions, for scripts and lessons.
 #pragma once
 
 #include <string>
@@ -11,14 +11,15 @@ struct ImGuiWindow;
 
 namespace coaster::ui {
 
-// A label "Shown###Id" shows its first part and keeps the second as its id; others are their own id.
+// Returns the visible part of a label: a label "Shown###Id" shows its first part and has the second as id; others are
+// their own id.
 std::string_view shown(std::string_view label);
 std::string_view id_of(std::string_view label);
 
 // A widget as last drawn, for scripts: path "Panel/Label" or "Panel/Group/Label".
 struct Widget {
-  std::string path;   // of what the labels show
-  std::string alias;  // of their ids, where that differs: the path before a label changed
+  std::string path;   // made of the visible parts of labels
+  std::string alias;  // made of the ids, if different: the path before a label changed
   std::string kind;   // button, radio, checkbox, slider, number, text, cell, combo, header, menu, item, label
   float x = 0, y = 0, width = 0, height = 0;  // px
   bool visible = true;                        // inside its clip rectangle
@@ -34,8 +35,8 @@ struct Widget {
 class WidgetList {
  public:
   void clear();
-  // A widget over [low, high) of the window being built; `path` is made of labels. Whether it can be seen follows from
-  // the window's clip rectangle.
+  // Adds a widget over [low, high) of the window being built; `path` is made of labels. The window's clip rectangle
+  // decides whether it is visible.
   void add(std::string_view path, std::string_view kind, glm::vec2 low, glm::vec2 high, bool enabled,
            std::string value);
   // Of the widget added last: its label does not fit.
