@@ -1,4 +1,5 @@
-// Tries a graphics driver that may crash, in a child process: Mesa dies by a signal on an unknown software driver.
+// Tries a graphics driver in a child process first if it may crash: Mesa ends with a signal on an unknown software
+// driver.
 #pragma once
 
 #include <filesystem>
@@ -9,24 +10,25 @@
 
 namespace coaster::app {
 
-// Returns the set variables that override Mesa's choice of driver or version: "GALLIUM_DRIVER=swr"; empty without any.
+// Returns the set variables that override Mesa's choice of driver or version, as "GALLIUM_DRIVER=swr"; empty without
+// any.
 std::string driver_overrides();
 
 // Runs `start` in a child process, without its output. Returns its status; Code::graphics with `overrides` in the
-// message if it crashed. For a process without threads.
+// message if it crashed. Only for a process without threads.
 base::Status try_driver(const std::function<base::Status()>& start, const std::string& overrides);
 
-// A file that is there while a window starts. If it is there before, the last start crashed.
+// A file that exists while a window starts. If it already exists then, the last start crashed.
 class StartMark {
  public:
-  // `folder`: of the user's state; nothing is marked if it is empty or cannot be written.
+  // `folder`: the user's state folder. No file is written if it is empty or read-only.
   explicit StartMark(const std::filesystem::path& folder);
   ~StartMark() { remove(); }
   StartMark(const StartMark&) = delete;
   StartMark& operator=(const StartMark&) = delete;
 
   bool last_crashed() const { return last_crashed_; }
-  // The window has started.
+  // Removes the file. Call it when the window has started.
   void remove();
 
  private:

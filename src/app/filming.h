@@ -1,4 +1,4 @@
-// Records a movie while the program runs: takes each picture when its tick is due, whoever advances the ticks.
+// Records a movie while the program runs: takes each picture when its tick is due, whatever advances the ticks.
 #pragma once
 
 #include <filesystem>
@@ -17,7 +17,7 @@ struct Program;
 
 struct Filming {
   std::unique_ptr<Movie> movie;           // null once all pictures are taken
-  std::unique_ptr<MovieEncoder> encoder;  // from then on
+  std::unique_ptr<MovieEncoder> encoder;  // null until all pictures are taken
   bool scene_alone =
       false;             // without panels and selection, in the size of the first picture even if the window changes
   bool by_hand = false;  // started in a window: panels show it, and it ends with the lap
@@ -47,15 +47,16 @@ base::Status stop_movie(Program& program);
 // there and is no error.
 base::Status finish_movie(Program& program);
 
-// In a window, once a frame before its ticks: what the panels asked for, the end of the lap, the end of the movie file.
+// Handles a movie in a window: the panels' request, the end of the lap, the end of the movie file. Call it once a
+// frame, before the frame's ticks.
 void follow_movie(Program& program, ui::MovieWish wish);
 
-// Without a window: rides from the start for a lap or for `pictures`, with the chosen camera; measures the ride. Waits
-// for the movie file.
+// Records a movie without a window: rides from the start for a lap or for `pictures`, with the selected camera;
+// measures the ride. Waits for the movie file.
 base::Status film_ride(Program& program, const MovieOrder& order, std::optional<std::int64_t> pictures,
                        RideSummary& summary);
 
-// True while a movie's pictures are taken.
+// True while a movie takes pictures.
 bool recording(const Program& program);
 
 // Starts the ride at its start, so that the lap is complete.

@@ -12,8 +12,8 @@ void run_frame(Program& program, const platform::Events& events, int ticks);
 // Runs one frame of a window with its player's input, in real time.
 void play_frame(Program& program);
 
-// Whole ticks of 1/120 s in the time that passed by `events`; what is left over waits in `time`. A pause over 0.25 s
-// counts as that.
+// Returns the whole ticks of 1/120 s that passed by `events`; the rest is carried over in `time`. A pause over 0.25 s
+// counts as 0.25 s.
 int take_ticks(FrameClock& time, const platform::Events& events);
 
 // True if the last frame shows the present ticks and commands.

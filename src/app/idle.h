@@ -1,4 +1,4 @@
-// A window that shows nothing new draws nothing: it waits for events.
+// Idle windows: a window whose picture would not change waits for events instead of drawing.
 #pragma once
 
 #include "platform/events.h"
@@ -7,17 +7,17 @@ namespace coaster::app {
 
 struct Program;
 
-inline constexpr double kIdleAfter = 1;        // s without an event or a movement; a tooltip needs less
-inline constexpr double kIdleWait = 1 / 30.0;  // s that an idle window waits for events at most; gamepads are polled
+inline constexpr double kIdleAfter = 1;        // s without an event or a movement; tooltips need less
+inline constexpr double kIdleWait = 1 / 30.0;  // s, longest wait of an idle window for events; gamepads are polled
 
-// Returns whether the next frame would show what the last one did, unless an event comes. Never without a window, nor
+// Returns whether the next frame would equal the last one, unless an event arrives. Always false without a window, and
 // with a number of frames or a log of hashes.
 bool is_idle(const Program& program);
 
-// Returns whether there is anything but the passing of time.
+// Returns whether the events contain anything but elapsed time.
 bool has_input(const platform::Events& events);
 
-// After a frame with these events: decides from when the window is idle, and when it has to show something by itself.
+// Decides, after a frame with these events, from when the window is idle, and when it must draw without an event.
 void plan_idle(Program& program, const platform::Events& events, bool commanded);
 
 }  // namespace coaster::app

@@ -22,10 +22,10 @@ struct LongJob {
   std::unique_ptr<Beside> work;
 };
 
-// Starts a command given by hand, if it may take long; returns false for every other command.
+// Starts a command of the user in a thread if it may take long; returns false for every other command.
 bool begin_job(Program& program, const edit::Command& command);
 
-// Returns the job for the panels; null while it has not taken long yet.
+// Returns the job for the panels; null until it has taken long enough to show.
 const LongJob* shown_job(const Program& program);
 
 // Once per frame: carries out the command when what it needs is found, or reports the error.

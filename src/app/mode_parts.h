@@ -1,4 +1,4 @@
-// What several modes do, and the modes that draw nothing.
+// Functions shared by several modes, and the modes that draw nothing.
 #pragma once
 
 #include "app/options.h"
@@ -13,13 +13,13 @@ int finish(const base::Status& status);
 // Returns the script in a file, or all its errors, one a line.
 base::Result<script::Script> read_script(const std::string& path);
 
-// Prints the notices of a file that was opened: without a window nobody sees them.
+// Prints the notices of a file that was opened, because without a window no panel shows them.
 void print_notices(const edit::Session& session);
 
-// Loads the force limits that the options name.
+// Loads the force limits named by the options.
 base::Status open_envelope(edit::Session& session, base::Files& files, const Options& options);
 
-// Returns the track that the options name, else the default one.
+// Returns the track named by the options, else the default one.
 std::filesystem::path track_of(const Options& options);
 
 // Check files, and print the report of the whole ride.

@@ -23,14 +23,14 @@ struct MovieOrder {
   std::filesystem::path folder;
   int fps = script::kUsualMovieRate;  // one of script::kMovieRates
   bool gif = false;                   // also movie.gif
-  base::Root root;                    // that the folder lies below
+  base::Root root;                    // contains the folder
 };
 
 // Takes pictures, in order, and writes them to FOLDER/frame-00000.png and so on.
 class Movie {
  public:
-  // Makes the folder, below which all is written without following links, and removes the pictures of an earlier movie
-  // there: files named as its own, no others. Code::io with the reason.
+  // Creates the folder and removes the pictures of an earlier movie from it, and no other files. Nothing follows links
+  // below it. Code::io with the reason.
   static base::Result<std::unique_ptr<Movie>> start(const MovieOrder& order);
 
   // A page's: the browser encodes the pictures while they are taken, and downloads a file of this name. Code::refused
@@ -42,9 +42,9 @@ class Movie {
   int ticks_a_frame() const { return world::kTicksPerSecond / order_.fps; }
   int wait() const { return wait_; }        // ticks until the next picture is due; 0: now
   void pass(int ticks) { wait_ -= ticks; }  // at most wait()
-  // Adds the picture that is due. It is written in the background by as many threads as there are processors, at most
-  // kMostWriters. Code::io if an earlier one could not be written, Code::refused for a picture of another size than the
-  // first; both are final.
+  // Adds the picture that is due. Background threads write it, as many as there are processors, at most kMostWriters.
+  // Code::io if an earlier one could not be written, Code::refused for a picture of another size than the first; both
+  // are final.
   base::Status add(gfx::Image picture);
   // False while the browser has to encode others first.
   bool ready() const { return !page_ || page_->ready(); }
@@ -86,7 +86,7 @@ class MovieEncoder {
   MovieOrder order_;
   int frames_;
   std::string program_, error_;
-  std::vector<std::string> files_, made_;  // names in the folder; files_: still to be made, the first is in progress
+  std::vector<std::string> files_, made_;  // names in the folder; files_: still to do, the first is in progress
   std::size_t all_ = 0;
   double done_ = 0;
   std::optional<base::NewFile> making_;

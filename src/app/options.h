@@ -25,13 +25,13 @@ struct Options {
   int fps = script::kUsualMovieRate;
   bool gif = false;
   bool update_goldens = false, validate = false, json = false, hash_log = false, report = false;
-  std::string address = "coaster:";  // before the fragments of shared links
-  std::string config;                // folder of settings and autosaves; empty: the user's, only for windows
+  std::string address = "coaster:";  // prefix of shared links
+  std::string config;                // folder of settings and autosaves; empty: the user's, only with a window
   bool reset_layout = false;
   bool help_script = false, help_man = false, help_completion = false;
 };
 
-// The kind of a word of the command line, for completion.
+// The kind of a word on the command line, for completion.
 enum class Word : std::uint8_t { nothing, track, script, json, folder, camera, rate, other };
 
 struct OptionRow {

@@ -1,4 +1,4 @@
-// Other programs in separate processes that no frame waits for: found in PATH, started by an argument vector, so that
+// Other programs in separate processes that no frame waits for: found in PATH, started with an argument vector, so that
 // no shell interprets names, with output read through a pipe.
 #pragma once
 
@@ -21,8 +21,8 @@ class Process {
   Process(const Process&) = delete;
   Process& operator=(const Process&) = delete;
 
-  // Starts words[0], a full path, in an open folder (-1: the current one), after ending the one before. Its standard
-  // output is read here, its errors, too, when `errors`; there is no input. Code::io with the reason.
+  // Starts words[0], a full path, in an open folder (-1: the current one), after ending the previous process. Reads its
+  // standard output and, with `errors`, its standard error; it gets no input. Code::io with the reason.
   base::Status start(std::vector<std::string> words, int folder = -1, bool errors = false);
   bool running() const { return pid_ > 0; }
   // Reads the available output without waiting; returns the exit status once it has ended, 128 + N if signal N ended

@@ -24,27 +24,27 @@
 
 namespace coaster::app {
 
-// Time that goes by, s.
+// Clocks of the frames, s.
 struct FrameClock {
   double seconds = 0;                    // since the start, by the events
-  double tick_debt = 0;                  // that passed and is not ticked yet
+  double tick_debt = 0;                  // elapsed time that is less than a tick
   double last_frame = 0;                 // of a window, by the surface's clock
-  double smoothed_frame = 0;             // how long a window's frames take
+  double smoothed_frame = 0;             // smoothed duration of a window's frames
   double idle_from = 1, idle_until = 0;  // a window is idle between them (idle.h)
 };
 
-// The picture that was drawn last.
+// The last picture that was drawn.
 struct Picture {
   view::CameraRig rig;                   // camera of the picture; updated after every command and tick
-  view::View view;                       // that it was drawn with
-  view::Pick hovered;                    // what was under the cursor
-  std::uint64_t tick = 0, commands = 0;  // of the session and of Program::commands, in it
-  bool unseen = false;                   // it has no pixels: they are drawn when they are asked for (scene.h)
+  view::View view;                       // view of the picture
+  view::Pick hovered;                    // under the cursor
+  std::uint64_t tick = 0, commands = 0;  // of the session and of Program::commands, at the picture
+  bool unseen = false;                   // true while its pixels are not drawn: they are drawn on demand (scene.h)
   std::string title;                     // of the window
-  std::string toast;                     // that the panels show
+  std::string toast;                     // notice shown by the panels
 };
 
-// The script that teaches the player of a window (tutorial.cpp).
+// The script that teaches the player (tutorial.cpp).
 struct TutorialRun;
 
 struct Tutorial {
@@ -56,10 +56,11 @@ struct Tutorial {
 
 struct Program {
   Options options;
-  base::Files files;  // of a script: below its folder alone
+  base::Files files;  // a script's files: only below its folder
   edit::Session session;
   std::uint64_t commands = 0;  // applied since the start
-  bool by_hand = false;        // commands come from panels, keys and mouse: a camera change is eased; a script's cuts
+  bool by_hand =
+      false;  // commands come from panels, keys and mouse: camera changes are eased; those of a script are cuts
   bool quit = false;
   FrameClock time;
 
@@ -75,24 +76,25 @@ struct Program {
   base::Status recorded;                       // why a recording ended early
   std::unique_ptr<Keeper> keeper;              // null: keeps no user data
   std::unique_ptr<Filming> filming;            // a movie in progress; null: none
-  Sounds sounds;                               // of a window
+  Sounds sounds;                               // only in a window
   TrackPictures pictures;                      // for the start screen
   std::unique_ptr<LongJob> job;                // an import or a search in progress; null: none
   int job_delay = 0;                           // frames by which a script delays the next one
   Tutorial tutorial;
-  // Nothing is saved when memory ends after the program has.
+  // Disables saving at the end of memory once the program is destroyed.
   struct MemoryWatch {
     ~MemoryWatch() { base::on_memory_end({}); }
   } memory_watch{};
 };
 
-// Creates a window, or memory if `headless`, with renderer and panels. Code::graphics if that is impossible. Where the
-// driver may crash, because the environment overrides it or the last start crashed, a child process tries it first.
+// Creates a window, or an off-screen surface if `headless`, with renderer and panels. Code::graphics if that is
+// impossible. Where the driver may crash, because the environment overrides it or the last start crashed, a child
+// process tries it first.
 base::Result<std::unique_ptr<Program>> make_program(const Options& options, platform::Size size, int samples,
                                                     bool last_crashed = false);
 
 // Applies a command and records it. Errors also show as a notice. After opening or creating a track, the camera frames
-// all of it, with the viewport of the last frame, so one must have been drawn.
+// all of it, with the viewport of the last frame, so a frame must have been drawn.
 base::Status apply(Program& program, const edit::Command& command);
 
 // Ends the recording, if there is one. Returns the error because of which it is not complete.
@@ -101,7 +103,7 @@ base::Status finish_recording(Program& program);
 // Advances the ride by whole ticks; prints the hashes of each if requested.
 void advance(Program& program, int ticks);
 
-// Returns the state that the camera looks at.
+// Returns the state that the camera shows.
 view::Watched watched(const Program& program);
 
 query::Context context_of(Program& program);

@@ -7,7 +7,7 @@
 
 namespace coaster::app {
 
-inline constexpr std::int64_t kMostRideTicks = 120 * world::kTicksPerSecond;  // of a ride without a window
+inline constexpr std::int64_t kMostRideTicks = 120 * world::kTicksPerSecond;  // limit of a ride without a window
 
 struct RideSummary {
   std::string name;
@@ -19,7 +19,7 @@ struct RideSummary {
   double top_speed = 0;                             // m/s
   double highest = 0, lowest = 0;                   // m
   double most_up = 1, least_up = 1, most_side = 0;  // g
-  double worst_drift = 0;                           // of the energy, relative
+  double worst_drift = 0;                           // relative drift of the energy
   std::string end = "The track has no train.";      // why the ride stopped
 };
 
@@ -27,8 +27,8 @@ RideSummary begin_summary(const edit::Session& session);
 // Adds the state after a tick.
 void measure(const edit::Session& session, RideSummary& summary);
 
-// Returns why the ride of the first train has stopped, or, if it still runs, that it was stopped after the summary's
-// time. There must be a train.
+// Returns why the ride of the first train has stopped, or, if it is still running, that it was stopped after the
+// summary's time. There must be a train.
 std::string end_of_ride(const edit::Session& session, const RideSummary& summary);
 
 std::string to_text(const RideSummary& summary);

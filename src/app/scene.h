@@ -1,4 +1,4 @@
-// The scene of a frame: what of the findings it shows, and its picture.
+// The scene of a frame: the findings that it needs, and its picture.
 #pragma once
 
 #include <vector>
@@ -7,23 +7,23 @@
 
 namespace coaster::app {
 
-// How the session is looked at.
+// The view of a picture and the settings it is drawn with.
 struct Look {
   const world::Settings& settings;  // those of the session, or a copy without the selection
   const view::View& view;
   view::Pick hovered;
   bool alone = false;   // without marks of knots
-  bool unseen = false;  // everything of a picture but its pixels, which nobody is going to look at
+  bool unseen = false;  // everything except the pixels, because nobody will look at them
 };
 
-// What has to be found before the scene can be drawn.
+// Returns the findings that are needed before the scene can be drawn.
 edit::Want wanted_by(const Look& look, const Program& program);
 
-// Draws it with what was found; its numbers about supports and colours go to program.stats.
+// Draws the scene with its findings; the numbers of supports and colours go to program.stats.
 gfx::DrawStats draw_scene(Program& program, const Look& look, const edit::Findings& found, platform::Size size);
 
 // Draws the pixels of the last frame. Without a window most frames are never looked at, so pixels are drawn on demand;
-// everything else of a frame is done.
+// the rest of a frame is always done.
 void draw_pixels(Program& program);
 
 // Draws the present scene without panels, marks of knots and selection into the renderer's picture, outside any frame

@@ -12,12 +12,13 @@ struct Program;
 
 struct Sounds {
   std::unique_ptr<platform::SoundDevice> device;  // null: sound is off, or there is no device
-  bool refused = false;                           // tried again when sound is turned off and on
-  int refusals = 0;                               // the first one, at the start, is not reported: sound is optional
+  bool refused = false;                           // no device; tried again when sound is turned off and on
+  int refusals = 0;                               // the first refusal, at the start, is not reported: sound is optional
   view::RideVoice voice;
 };
 
-// Once per frame of a window. Silent while a movie is recorded, because its time is not the clock's.
+// Updates the sound; call it once per frame of a window. Silent while a movie is recorded, because its time is not real
+// time.
 void keep_sounding(Program& program);
 
 }  // namespace coaster::app

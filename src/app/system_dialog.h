@@ -1,5 +1,5 @@
-// The desktop's file dialog: zenity or kdialog, if installed, in a separate process that no frame waits for. In a page
-// the browser's (web_dialog.cpp).
+// The desktop's file dialog: zenity or kdialog, if installed, in a separate process that no frame waits for. A web page
+// uses the browser's dialog (web_dialog.cpp).
 #pragma once
 
 #include <optional>

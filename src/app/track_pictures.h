@@ -1,4 +1,5 @@
-// Small pictures of tracks for the start screen, drawn by a sibling of the scene's renderer, one per frame on demand.
+// Small pictures of tracks for the start screen, drawn by a second renderer next to the scene's, one per frame on
+// demand.
 #pragma once
 
 #include <map>
@@ -15,8 +16,8 @@ namespace coaster::app {
 
 class TrackPictures {
  public:
-  // Draws the first requested file without an up-to-date picture. When nothing is requested any more, frees the
-  // renderer; the pictures stay.
+  // Draws the first requested file whose picture is missing or out of date. When nothing is requested any more, frees
+  // the renderer; the pictures stay.
   void update(const gfx::Gl& gl, const gfx::Renderer& scenes, std::span<const std::string> wanted, world::Style style);
 
   // Returns whether the last update drew one, so that another may be due.

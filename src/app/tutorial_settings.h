@@ -1,4 +1,4 @@
-// The kept settings that the tutorial changes. They are not kept while it runs, and are as before after it.
+// The kept settings that the tutorial changes. The changes are not saved, and are reverted when it ends.
 #pragma once
 
 #include <type_traits>
