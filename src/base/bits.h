@@ -1,4 +1,4 @@
-// Comparison and copies of plain data bit by bit.
+// Bitwise comparison and copying of plain data.
 #pragma once
 
 #include <cstring>
@@ -8,8 +8,8 @@
 
 namespace coaster::base {
 
-// True if both have the same size and the same bits, padding included: 0 is not -0, and a NaN is itself. Values that
-// are equal may differ in bits. About as fast as memory is read.
+// True if both have the same size and the same bits, padding included: 0 differs from -0, and a NaN equals itself.
+// Equal values may differ in bits. About as fast as reading memory.
 template <class T>
 bool same_bits(std::span<const T> a, std::span<const T> b) {
   static_assert(std::is_trivially_copyable_v<T>);
@@ -20,7 +20,7 @@ bool same_bits(const std::vector<T>& a, const std::vector<T>& b) {
   return same_bits(std::span<const T>(a), std::span<const T>(b));
 }
 
-// Copies a value with its padding, which an assignment may leave as it was.
+// Copies a value with its padding, which an assignment may not copy.
 template <class T>
 void copy_bits(const T& from, T& to) {
   static_assert(std::is_trivially_copyable_v<T>);

@@ -1,17 +1,18 @@
-// The crashes that libraries end in which do not check their allocations: OpenGL drivers and the compilers in them.
+// Handles crashes of libraries that do not check their allocations: OpenGL drivers and their compilers.
 #pragma once
 
 #include <cstddef>
 
 namespace coaster::base {
 
-inline constexpr std::size_t kLeastSpace = 64u << 20;  // bytes of address space: less is the end of memory
+inline constexpr std::size_t kLeastSpace = 64u << 20;  // bytes of address space; less counts as out of memory
 
-// From now on a crash (SIGSEGV, SIGBUS, SIGABRT) prints "Out of memory." and ends the program with kMemoryExitCode
-// where less than kLeastSpace is left. Other crashes go to whoever handled them before.
+// Installs handlers: a crash (SIGSEGV, SIGBUS, SIGABRT) prints "Out of memory." and ends the program with
+// kMemoryExitCode if less than kLeastSpace is left. Other crashes go to the previous handlers.
 void guard_crashes();
 
-// Ends the program so where that little is left: before a failure is told that lack of memory explains.
+// Ends the program in the same way if less than kLeastSpace is left. Call it before reporting a failure that lack of
+// memory would explain.
 void end_if_out_of_memory();
 
 }  // namespace coaster::base

@@ -1,5 +1,5 @@
-// A lock beside a file, so that two running programs do not overwrite each other's work. The system frees the lock of a
-// process that has ended.
+// A lock file next to a file, so that two running programs do not overwrite each other's work. The system releases the
+// lock of a process that has ended.
 #pragma once
 
 #include <filesystem>
@@ -20,7 +20,7 @@ class FileLock {
 
   bool held() const { return fd_.valid(); }
   const std::filesystem::path& target() const { return target_; }  // canonical; empty if no lock is held
-  bool covers(const std::filesystem::path& path) const;            // under any name: links are followed
+  bool covers(const std::filesystem::path& path) const;            // by any path to it: links are followed
   void release();
 
  private:

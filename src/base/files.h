@@ -50,9 +50,9 @@ class NewFile {
 // link.
 class Files {
  public:
-  // Without faults.
+  // Creates an object without injected faults.
   explicit Files(Root root = {}) : root_(std::move(root)) {}
-  // With the faults of this object.
+  // Returns a copy with another root and the same injected faults.
   Files with(Root root) const;
   const Root& root() const { return root_; }
 
@@ -63,13 +63,14 @@ class Files {
   // over `limit` (message: "PATH: reason"); Code::io if reading fails. Reads anywhere.
   Result<std::string> read(const std::filesystem::path& path, std::size_t limit = kMaxFileBytes);
 
-  // Writes a temporary file beside the target, fsync, rename over it, fsync of the folder. Without a limited root a
-  // symbolic link is followed; with one it is refused. An existing file keeps its mode; read-only and non-regular files
-  // are refused. Removes leftovers of killed runs first. On an error the temporary file is removed and the old file is
-  // unchanged; but if the last step fails (fsync of the folder, the second fsync), the complete new file is in place
-  // and may not survive a power cut. Code::io with "PATH: operation: reason"; Code::refused outside the limit.
+  // Writes a temporary file in the target's folder, calls fsync, renames it over the target, and calls fsync on the
+  // folder. Without a limited root a symbolic link is followed; with one it is refused. An existing file keeps its
+  // mode; read-only and non-regular files are refused. Removes leftovers of killed runs first. On an error the
+  // temporary file is removed and the old file is unchanged; but if the last step fails (the second fsync, on the
+  // folder), the complete new file is in place and may not survive a power cut. Code::io with "PATH: operation:
+  // reason"; Code::refused outside the limit.
   Status write_atomic(const std::filesystem::path& path, std::string_view bytes);
-  // Does the first half of write_atomic: for files that are written in pieces, or by another process.
+  // Creates the temporary file of write_atomic, for files that are written in pieces or by another process.
   Result<NewFile> create(const std::filesystem::path& path);
 
   // Removes a file, or a link itself. Returns false if there is none or it cannot be removed.
@@ -83,19 +84,19 @@ class Files {
   // Removes the temporary files of write_atomic(`target`) whose processes, on this machine, have ended. Returns their
   // number.
   int remove_leftovers(const std::filesystem::path& target);
-  // The same for every target in a folder.
+  // Does the same for every target in a folder.
   int remove_leftovers_in(const std::filesystem::path& folder);
 
  private:
-  using Faults = std::array<int, kIoOperationNames.size()>;  // calls until one fails
+  using Faults = std::array<int, kIoOperationNames.size()>;  // calls until the injected failure
   bool fails(IoOperation operation);
 
   Root root_;
   std::shared_ptr<Faults> faults_ = std::make_shared<Faults>();
 };
 
-// True if a process of this machine is running (or has not been waited for), also one of another user.
+// True if a process of this machine is running (or has not been waited for), even if another user owns it.
 bool process_runs(std::int64_t pid);
-std::string host_name();  // of this machine; empty if it has none
+std::string host_name();  // name of this machine; empty if it has none
 
 }  // namespace coaster::base

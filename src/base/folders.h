@@ -1,4 +1,4 @@
-// Folders: the program's own, and the contents of a folder.
+// The program's and the user's folders, and the contents of a folder.
 #pragma once
 
 #include <cstdint>
@@ -10,8 +10,8 @@
 
 namespace coaster::base {
 
-// By the XDG base directory specification (freedesktop.org), "coaster" below each; a variable that is not an absolute
-// path is ignored, as specified. Without HOME both are empty.
+// The user's folders by the XDG base directory specification (freedesktop.org), each with "coaster" appended; a
+// variable that is not an absolute path is ignored, as specified. Without HOME both are empty.
 struct UserFolders {
   std::filesystem::path config;  // $XDG_CONFIG_HOME, else ~/.config
   std::filesystem::path state;   // $XDG_STATE_HOME, else ~/.local/state

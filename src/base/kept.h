@@ -1,4 +1,4 @@
-// A value that follows from a key, kept while the key is the same.
+// A value that depends on a key, cached while the key is the same.
 #pragma once
 
 #include <optional>
@@ -9,7 +9,7 @@ template <class Key, class Value>
 struct Kept {
   std::optional<Key> key;
   Value value{};
-  // The value for `wanted`: the kept one, or what `make()` returns, which is kept from now on.
+  // Returns the cached value for `wanted`; if the key differs, calls `make()` and caches its result.
   template <class Make>
   const Value& get(const Key& wanted, Make make) {
     if (!key || !(*key == wanted)) {

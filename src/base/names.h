@@ -38,13 +38,13 @@ constexpr std::size_t count_of() {
   return rows_of(E{}).size();
 }
 
-// False for numbers that are no value of the enumeration, such as a cast from a number that came from outside.
+// False for numbers that are not a value of the enumeration, such as a cast from untrusted input.
 template <Named E>
 constexpr bool has_row(E value) {
   return static_cast<std::size_t>(value) < count_of<E>();
 }
 
-// The row of a value that has one (COASTER_CHECK).
+// Returns the row of a value; the value must be valid (COASTER_CHECK).
 template <Named E>
 constexpr const auto& row_of(E value) {
   COASTER_CHECK(has_row(value), "every value of a named enumeration has its row");
@@ -55,7 +55,7 @@ constexpr std::string_view name_of(E value) {
   return row_of(value).name;
 }
 
-// The value with this name; nothing for any other word.
+// Returns the value with this name; nothing for any other word.
 template <Named E>
 std::optional<E> value_named(std::string_view name) {
   for (std::size_t i = 0; i < count_of<E>(); ++i)
@@ -63,13 +63,13 @@ std::optional<E> value_named(std::string_view name) {
   return std::nullopt;
 }
 
-// The value after this one; after the last one, the first.
+// Returns the value after this one; after the last one, the first.
 template <Named E>
 constexpr E next_of(E value) {
   return static_cast<E>((static_cast<std::size_t>(value) + 1) % count_of<E>());
 }
 
-// The names of a table, in the order of its rows.
+// Returns the names of a table, in the order of its rows.
 template <class Rows>
 std::vector<std::string> names_in(const Rows& rows) {
   std::vector<std::string> names;
@@ -81,7 +81,7 @@ std::vector<std::string> names_of() {
   return names_in(rows_of(E{}));
 }
 
-// "a, b or c"; with quote '"': "\"a\", \"b\" or \"c\"".
+// Returns "a, b or c"; with quote '"': "\"a\", \"b\" or \"c\"".
 std::string alternatives(std::span<const std::string> names, std::string_view quote = {});
 template <Named E>
 std::string alternatives_of(std::string_view quote = {}) {

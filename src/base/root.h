@@ -1,4 +1,4 @@
-// The limit of where a run may write: anywhere, or only below one folder. A limited run opens every folder on the path
+// The limit on where a run may write: anywhere, or only below one folder. A limited run opens every folder on the path
 // by descriptor and follows no link, so a prepared link gives an error and never leads out of the folder.
 #pragma once
 
@@ -27,7 +27,7 @@ class Descriptor {
   int fd_ = -1;
 };
 
-// A file as its open folder and its name there, which need not exist. `name` has no slash; it is "." for a folder
+// A file as its open folder and its name there, which need not exist. `name` contains no slash; it is "." for a folder
 // itself.
 struct Place {
   Descriptor folder;

@@ -9,7 +9,7 @@
 
 namespace coaster::base {
 
-// The numbers are the program's exit codes (docs/script.md), except for `refused`; base/memory_guard.h has one more.
+// The values are the program's exit codes (docs/script.md), except `refused`; base/memory_guard.h has one more.
 enum class Code {
   ok = 0,
   expectation = 1,  // a script's expectation failed
@@ -19,10 +19,10 @@ enum class Code {
   io = 5,           // the operating system could not read or write
   timeout = 6,
   refused = 7,   // a command that exceeds a limit or names a missing entity; exit code 2
-  skipped = 77,  // a script needs what this driver lacks; test programs count it as skipped
+  skipped = 77,  // this driver cannot run a script; test programs count it as skipped
 };
 
-// One line with what is wrong, where, and what was expected; empty if ok.
+// One line that says what is wrong, where, and what was expected; empty if ok.
 struct Status {
   Code code = Code::ok;
   std::string message;
@@ -32,7 +32,7 @@ struct Status {
   friend bool operator==(const Status&, const Status&) = default;
 };
 
-// Returns the program's exit code for a code: `refused` counts as `usage`.
+// Returns the program's exit code: `refused` counts as `usage`.
 inline int exit_code(Code code) { return code == Code::refused ? 2 : static_cast<int>(code); }
 
 // A value, or the Status with the reason why there is none.

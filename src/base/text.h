@@ -33,7 +33,7 @@ bool tokenise(std::string_view line, std::vector<Token>& tokens, TextError& erro
 
 // Returns the text in quotes with escapes, so that tokenise reads it back.
 std::string quoted(std::string_view text);
-// The same for messages: truncates to 40 bytes, followed by "...".
+// Returns quoted text for messages, truncated to 40 bytes, followed by "...".
 std::string quoted_start(std::string_view text);
 
 // Parses the whole text as a finite number (rejects "1e39" as float, nan and inf, blanks and a leading '+').

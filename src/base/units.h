@@ -1,5 +1,5 @@
-// The units that lengths and speeds are shown and typed in. Everything else is metric: documents, files, scripts,
-// queries, and what panels pass to widgets.
+// The units in which lengths and speeds are shown and typed. Everything else is metric: documents, files, scripts,
+// queries, and the values that panels pass to widgets.
 #pragma once
 
 #include <cstdint>
@@ -17,22 +17,21 @@ inline constexpr NameRow kUnitSystems[] = {{"m_s", "Metres, m/s", "Lengths in me
                                            {"feet", "Feet, mph", "Lengths in feet, speeds in miles per hour."}};
 constexpr std::span<const NameRow> rows_of(Units) { return kUnitSystems; }
 
-// How values of a metric unit are shown.
+// Converts values of a metric unit to the shown one.
 struct ShownUnit {
-  std::string_view name;  // ends in a null
+  std::string_view name;  // null-terminated
   double factor = 1;      // shown = factor * metric
-  int more_decimals = 0;  // that keep the precision of the metric value
+  int more_decimals = 0;  // additional decimals that keep the precision of the metric value
 };
-// The unit that shows values of a metric one: "m", "mm", "m/s", "1/m" and their like. Other units are shown as they
-// are.
+// Returns the unit that shows values of a metric one: "m", "mm", "m/s", "1/m" and similar. Other units are unchanged.
 ShownUnit shown_in(Units units, std::string_view metric);
 
 // Returns the metric value of a shown one, rounded to 15 digits, so that 33 ft is 10.0584 m.
 double metric_value(double shown, const ShownUnit& unit);
 
-// Rewrites the lengths and speeds of a sentence: "Rolled back 2 m." becomes "Rolled back 6.56 ft.", "0 to 20 m/s"
-// becomes "0 to 44.7 mph", "Position (m)" becomes "Position (ft)". Keeps the decimals, and at least three digits that
-// are not zeros at the end. Leaves text in double quotes as it is.
+// Returns a sentence with converted lengths and speeds: "Rolled back 2 m." becomes "Rolled back 6.56 ft.", "0 to 20
+// m/s" becomes "0 to 44.7 mph", "Position (m)" becomes "Position (ft)". Keeps the decimals, and at least three digits
+// that are not zeros at the end. Text in double quotes is unchanged.
 std::string in_units(std::string_view text, Units units);
 
 }  // namespace coaster::base

@@ -1,4 +1,4 @@
-// Reads the words of one line for a grammar (commands, scripts, conditions); keeps the first failure with its column.
+// Reads the words of one line for a grammar (commands, scripts, conditions); stores the first failure with its column.
 #pragma once
 
 #include <optional>
