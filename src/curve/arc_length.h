@@ -65,7 +65,7 @@ LengthEstimate measure_arc_length(const Cubic& cubic, double t0 = 0.0, double t1
 // arc_length() measures segments again whose error estimate fails.
 void arc_lengths(std::span<const Cubic> cubics, double relative_tolerance, std::span<double> lengths);
 
-// Parameters of the minima of |B'|: at most two, ascending.
+// The parameters of the minima of |B'|: at most two, ascending.
 struct SlowPoints {
   std::array<double, 2> t{};
   int count = 0;

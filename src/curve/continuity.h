@@ -22,7 +22,7 @@ struct Joint {
   double curvature_jump;  // 1/m, length of the difference of the curvature vectors
   Geometric geometric;
   Parametric parametric;
-  glm::dvec3 curvature_before, curvature_after;  // 1/m, towards the centre, with the curvature as length
+  glm::dvec3 curvature_before, curvature_after;  // 1/m, towards the centre; the length is the curvature
   double second_jump;                            // m, length of C''(0) - B''(1): 0 for C2
 };
 

@@ -26,7 +26,7 @@ Differences<V> start_differences(V c0, V c1, V c2, V c3, float e) {
   const V cube = e * e * e * c3, square = e * e * c2;
   return {c0, cube + square + e * c1, 6.0f * cube + 2.0f * square, 6.0f * cube};
 }
-// One step: three vector additions.
+// Advances by one step: three vector additions.
 template <class V>
 void step(Differences<V>& d) {
   d.value = d.value + d.first;
@@ -34,7 +34,7 @@ void step(Differences<V>& d) {
   d.second = d.second + d.third;
 }
 
-// The same for the tangent c1 + 2 c2 t + 3 c3 t^2: a parabola, so two additions per step.
+// The same for the tangent c1 + 2 c2 t + 3 c3 t^2: a parabola, so only two additions per step.
 template <class V>
 struct TangentDifferences {
   V value, first, second;

@@ -15,8 +15,8 @@ struct G2Side {
   glm::dvec3 direction{1, 0, 0};  // unit, from the anchor to its own handle
   double length = 1;              // m, > 0
   bool length_fixed = true;       // false: the handle may change its length along `direction`
-  // What must not change at the far end. curvature: its curvature vector stays `curvature` (the far joint is G2 and
-  // stays G2). handle: the joint's handle on this side does not move (the far joint is C2 and stays C2).
+  // The constraint at the far end. curvature: the curvature vector stays `curvature` (the far joint is G2 and stays
+  // G2). handle: the joint's handle on this side does not move (the far joint is C2 and stays C2).
   enum class Keep : std::uint8_t { nothing, curvature, handle } keep = Keep::nothing;
   glm::dvec3 curvature{0};  // 1/m, perpendicular to `direction`
 };

@@ -1,4 +1,4 @@
-// The paper's wrong claims about single curves beside the correct values, in numbers. Claims that need a track or a
+// The paper's wrong claims about single curves next to the correct values, in numbers. Claims that need a track or a
 // ride are in sim/study/live_errata.h.
 #pragma once
 
