@@ -1,15 +1,16 @@
-// How roll that an end of a way home has, and the way itself has not, fades out along it.
+// The fade of roll along a way home: roll that an end has and the way itself does not.
 #pragma once
 
 #include <array>
 
 namespace coaster::sim {
 
-// Over the first of its cubics what an end's roll does changes to the fade's own, over a sixth of the length at most.
+// The first cubic of a fade takes this length, at most a sixth of the whole, to change from the end's roll to the
+// fade's own.
 inline constexpr double kFadeTaper = 2.0;  // m
 
-// An angle, its rate and the slope of its rate, of which all three are 0 after a length. Three cubics whose second
-// derivatives join: a span for each represents it (sim/shape/roll.h).
+// An angle, its rate and the slope of its rate, all of which are 0 after a length. Three cubics whose second
+// derivatives join: one span for each represents it (sim/shape/roll.h).
 class RollFade {
  public:
   // Begins with an angle (rad), a spin (rad/m) and a slope (rad/m^2). `length`: m, positive.
@@ -33,10 +34,11 @@ class RollFade {
   std::array<Node, 4> nodes_;
 };
 
-// Returns the length in m of a fade at a squared speed (m^2/s^2): it rolls by at most about 1 rad/s, and pushes by at
-// most about 3 rad/s^2, without what the end's own slope pushes over the first cubic. At least 12 m.
+// Returns the length in m of a fade at a squared speed (m^2/s^2): it rolls by at most about 1 rad/s, with an angular
+// acceleration of at most about 3 rad/s^2, not counting that of the end's own slope over the first cubic. At least 12
+// m.
 double fade_length(double angle, double slope, double square);
-// Returns the slope in rad/m^2 that takes that length.
+// Returns the slope in rad/m^2 for which fade_length() returns that length.
 double fade_slope(double length, double square);
 
 }  // namespace coaster::sim

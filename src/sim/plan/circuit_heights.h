@@ -9,7 +9,7 @@
 namespace coaster::sim {
 
 // The slope (m per metre in plan) goes from one value to another as 35v^4 - 84v^5 + 70v^6 - 20v^7 over the length, so
-// that the curvature, its rate and the slope of that are 0 at both ends: the roll in a turn follows it smoothly.
+// that the curvature, its rate and the slope of that are 0 at both ends, and the roll in a turn follows it smoothly.
 struct HeightPiece {
   double length = 0, from = 0, to = 0;
 };
@@ -19,7 +19,7 @@ struct Heights {
   std::array<HeightPiece, 7> pieces{};
   std::size_t count = 0;
 
-  // Leaves out pieces of no length.
+  // Ignores pieces of zero length.
   void add(double length, double from, double to);
   double length() const;
   std::vector<double> breaks() const;  // m from the start, ascending
@@ -40,9 +40,11 @@ struct HeightEnds {
   double slope_from, slope_to;
 };
 
-// Returns one slope all the way; nothing if it would be steeper than the limit or the bends have no room.
+// Returns heights of one constant slope; nothing if it would be steeper than the limit or there is no space for the
+// bends.
 std::optional<Heights> steady_heights(const HeightEnds& ends, const HeightLimits& limits);
-// Climbs or descends to a height, stays level there, and goes on to the end; nothing if that has no room.
+// Returns heights that climb or descend to a level, stay there, and go on to the end; nothing if there is no space for
+// that.
 std::optional<Heights> heights_by_way_of(double level, const HeightEnds& ends, const HeightLimits& limits);
 
 }  // namespace coaster::sim

@@ -17,7 +17,7 @@ struct PlanPose {
 
 struct Turns {
   double before = 0, between = 0, after = 0;  // m, of the straights
-  Bend first{0, 0, 1}, second{0, 0, 1};       // of the heading
+  Bend first{0, 0, 1}, second{0, 0, 1};       // turns of the heading
   double length() const { return before + first.length() + between + second.length() + after; }
   // Ends of the pieces, and of the parts of each turn: m from the start, ascending.
   std::vector<double> breaks() const;
@@ -30,16 +30,16 @@ struct Turns {
 // A choice of turns; the first turn's angle lies between `low` and `high`.
 struct TurnChoice {
   int first = 1, second = 1;                 // 1: to the right, -1: to the left
-  int more_first = 0, more_second = 0;       // whole turns more
+  int more_first = 0, more_second = 0;       // additional whole turns
   double radius = 1, before = 0, after = 0;  // m
   double shortest = Bend::kShortest;         // m, of a turn
   double low = 0, high = 0;                  // rad
-  // The turns to about a centimetre, from interpolated displacements.
+  // The turns, accurate to about a centimetre, from interpolated displacements.
   Turns rough;
 };
 
 // Returns every way from one pose to the other with one of these radii and lengths of the outer straights, with up to
-// one whole turn more. Turns are no shorter than `shortest` m. About 0.1 ms per radius and pair of lengths.
+// one additional whole turn. Turns are at least `shortest` m long. About 0.1 ms per radius and pair of lengths.
 std::vector<TurnChoice> turn_choices(const PlanPose& from, const PlanPose& to, std::span<const double> radii,
                                      std::span<const double> straights, double shortest = Bend::kShortest);
 // Returns the turns of a choice, exact to rounding; nothing if the straight between them would be negative.

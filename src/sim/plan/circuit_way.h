@@ -11,23 +11,23 @@
 
 namespace coaster::sim {
 
-// Where a track is to be completed, and by which train.
+// The ends between which a track is to be completed, and the train.
 struct CircuitTask {
   TrackEnd from;  // the open end
   TrackEnd home;  // the first knot, in the train's direction, with the curvature and spin of its own segment
-  double from_slope = 0, home_slope = 0;  // rad/m^2, of the roll's rate just before `from` and just behind `home`
+  double from_slope = 0, home_slope = 0;  // rad/m^2, of the roll's rate just before `from` and just after `home`
   double speed = 10;                      // m/s at the open end
-  bool coasts = true;                     // the speed follows from the energy; false: it is kept all the way
+  bool coasts = true;                     // the speed follows from the energy; false: it is constant
   world::Resistance losses;               // of that train
   double rails = 0, riders = 0;           // m above the curve
   friend bool operator==(const CircuitTask&, const CircuitTask&) = default;
 };
 
-// Limits of a way home. What riders feel stays within them; longer than 4 s they are the strictest (docs/ride.md).
+// Limits for what riders feel on a way home: the strictest, for durations over 4 s (docs/ride.md).
 inline constexpr double kMostUp = 4.0, kLeastUp = -0.3, kMostSide = 1.2;  // g
-// g, lateral, which rolling causes: ways home with less are preferred.
+// g, lateral, caused by rolling: ways home with less are preferred.
 inline constexpr double kGentleSide = 0.55;
-inline constexpr double kSlowestHome = 2;     // m/s, anywhere on the way; less for a train that comes slower
+inline constexpr double kSlowestHome = 2;     // m/s, anywhere on the way; less for a train that arrives slower
 inline constexpr double kSteepestHome = 0.7;  // m per metre in plan, between the bends
 inline constexpr double kLowestRails = 1;     // m above the ground, or the lower end's height if that is less
 
@@ -51,22 +51,21 @@ double square_speed(const CircuitTask& task, double rise, double length);
 // Returns the lowest height of the curve between the leads, m.
 double lowest_of(const Heights& heights);
 
-// Returns what is felt on the curve between the leads, from `steps` places of it; nothing where the train would be
+// Returns what is felt on the curve between the leads, from `steps` positions on it; nothing if the train would be
 // slower than slowest(). Lateral g is that of rolling with the bank. About 5 us for 48 steps.
 std::optional<FeltRange> estimate(const CircuitTask& task, const CircuitWay& way, int steps);
 
-// Returns places of the rails about `step` m apart, with their up, for a first look at the room: within 5 cm.
+// Returns positions of the rails about `step` m apart, with their up, for a first check of clearance: accurate to 5 cm.
 struct WayPlace {
   double s;  // m
   glm::dvec3 rails, up;
 };
 std::vector<WayPlace> rough_line(const CircuitTask& task, const CircuitWay& way, double step);
 
-// Returns the ideal curve. Its up is the direction of what is felt, so lateral g is 0 on the curve itself; the roll of
-// both ends, with its rate and the slope of that, fades into it (circuit_fade.h). Its last point is `task.home` to the
-// bit.
+// Returns the ideal curve. Its up is the felt direction, so lateral g is 0 on the curve itself; the roll of both ends,
+// with its rate and the slope of that, fades into it (circuit_fade.h). Its last point is exactly `task.home`.
 ElementCurve way_curve(const CircuitTask& task, const CircuitWay& way);
-// Returns what riders feel on it, without the lateral g that the roll of both ends brings along.
+// Returns what riders feel on it, without the lateral g caused by the roll of both ends.
 FeltRange felt_on(const CircuitTask& task, const ElementCurve& curve);
 
 }  // namespace coaster::sim

@@ -1,4 +1,4 @@
-// Cubic Bezier spans through the ideal curve of an element: as few as stay within the tolerances, with continuous
+// Fits cubic Bezier spans to the ideal curve of an element: as few as stay within the tolerances, with continuous
 // curvature at every joint (G2).
 #pragma once
 
@@ -18,7 +18,7 @@ inline constexpr double kElementRoll_deg = 1.0;
 inline constexpr double kElementJump = 2e-4, kElementEnd = 3e-5;  // 1/m
 
 struct ElementFit {
-  // From the start of the curve to its end: one more than there are spans. The first has the start's position and
+  // From the start of the curve to its end: one more than the number of spans. The first has the start's position and
   // tangent, and an outgoing length; the last ends straight. Joints are aligned (G1 by construction, G2 by their
   // shape). No segment needs whole turns of roll.
   std::vector<world::Knot> knots;
@@ -36,8 +36,8 @@ struct ElementFit {
 // curvature that torsion leaves at the joints is removed by turning the inner tangents: a block-tridiagonal Newton
 // iteration. Needs at least 2 points. Takes a few ms; the same bits everywhere.
 ElementFit fit_element(const ElementCurve& curve);
-// The same, but first tries one span for each of the lengths, m, of which the longest takes up what is too much or
-// missing, and halves those that are beyond the tolerances, up to twice. Where that suffices, it takes a millisecond.
+// Does the same, but first tries one span for each of the lengths, m, of which the longest absorbs the difference from
+// the curve's length, and halves spans beyond the tolerances, up to twice. If that suffices, it takes a millisecond.
 ElementFit fit_element(const ElementCurve& curve, std::span<const double> lengths);
 
 }  // namespace coaster::sim

@@ -21,8 +21,9 @@ struct ElementPoint {
   glm::dvec3 curvature{0};      // 1/m, derivative of the tangent by length: towards the centre
   glm::dvec3 up{0, 1, 0};       // unit, perpendicular to the tangent
   double spin = 0;              // rad/m, rate of `up` about the tangent against the rotation-minimising frame
-  // rad/m^2, by how much the slope of the roll's rate may differ in a span that ends here, and by 1.5 times as much the
-  // slope of its curvature towards up (1/m^2): for a rider above the rails both are pushes, to the side and along.
+  // rad/m^2, allowed error of the slope of the roll's rate in a span that ends here; 1.5 times as much is allowed for
+  // the slope of its curvature towards up (1/m^2). Both cause an acceleration of a rider above the rails: lateral and
+  // longitudinal.
   double slope_error = std::numeric_limits<double>::infinity();
 };
 
@@ -30,20 +31,21 @@ struct ElementPoint {
 struct ElementCurve {
   std::vector<ElementPoint> points;
   std::vector<std::size_t> breaks;  // indices into `points` where pieces begin, and the last point
-  std::size_t lead = 0;  // start of the element proper; in the lead-in the end's curvature and slope fade out
+  std::size_t lead =
+      0;  // index where the element proper begins; in the lead-in before it the end's curvature and slope fade
   double length() const { return points.empty() ? 0 : points.back().s; }
 };
 
 // Sets the spin of every point: the derivative of its angle against the rotation-minimising frame, by four points of
 // its piece; at a break the mean of both sides. Pieces need 4 points.
 void measure_spins(ElementCurve& curve);
-// The derivatives by length of the spin and the curvature at a point, from two more on one side of it.
+// The derivatives by length of the spin and the curvature at a point, from two more points on one side of it.
 struct EndSlopes {
   double spin;           // rad/m^2
   glm::dvec3 curvature;  // 1/m^2
 };
 EndSlopes slopes_at(const ElementPoint& at, const ElementPoint& near, const ElementPoint& far);
-// Merges pieces too short for a span of their own with a neighbour.
+// Merges pieces too short for a separate span with a neighbour.
 void merge_short_pieces(ElementCurve& curve);
 
 // A piece at its parameter u, in the axes of the builder: first and second derivative by u, and the up vector.
@@ -57,9 +59,9 @@ using ElementPiece = std::function<ElementRate(double u)>;
 // Returns the rate by arc length of a curve in the plane of forward and up, from its angle and curvature there.
 ElementRate upright_rate(double angle, double bend);
 
-// From 0 to 1 for v in [0, 1], with derivative 0 at both ends.
+// Returns a value from 0 to 1 for v in [0, 1], with derivative 0 at both ends.
 inline double smooth_step(double v) { return v * v * (3.0 - 2.0 * v); }
-// The same with a second derivative of 0 there, too, and its integral from 0: 1/2 at 1.
+// The same with a second derivative of 0 at both ends, and its integral from 0: 1/2 at 1.
 inline double soft_step(double v) { return v * v * v * (10.0 - 15.0 * v + 6.0 * v * v); }
 inline double soft_step_integral(double v) { return v * v * v * v * (2.5 - 3.0 * v + v * v); }
 
@@ -71,7 +73,7 @@ struct Bend {
   double radius = 1;                      // m
   double ramp_length = 0;                 // m, at most radius times angle; 0: a quarter of the angle
   bool soft = false;                      // the curvature rises as soft_step()
-  // No shorter than `shortest` m.
+  // Makes the bend at least `shortest` m long.
   Bend(double from_angle, double to_angle, double least_radius, double length_of_ramp = 0, double shortest = kShortest);
   double ramp_angle() const;
   double ramp() const { return 2.0 * radius * ramp_angle(); }  // m, length of each ramp
@@ -97,11 +99,11 @@ class ElementPath {
   // Starts at a position with a tangent, a curvature, an up vector and a spin (rad/m).
   ElementPath(glm::dvec3 position, glm::dvec3 tangent, glm::dvec3 curvature, glm::dvec3 up, double spin = 0);
   void set_axes(glm::dvec3 forward, glm::dvec3 up, glm::dvec3 left) { forward_ = forward, up_ = up, left_ = left; }
-  // Leaves out pieces shorter than 1e-9 m.
+  // Appends a piece; ignores pieces shorter than 1e-9 m.
   void add(double length, const ElementPiece& piece);
   // Adds a curve in parts of these lengths, with breaks between them.
   void add(std::initializer_list<double> lengths, const ElementPiece& whole);
-  // A bend in the plane of forward and up, angles from forward.
+  // Adds a bend in the plane of forward and up, with angles from forward.
   void add(const Bend& bend);
   // Marks the end of the lead-in.
   void begin_element() { curve_.lead = curve_.points.size() - 1; }

@@ -10,7 +10,7 @@
 
 namespace coaster::sim {
 
-// The open end of a track, where an element continues.
+// The open end of a track, at which an element begins.
 struct TrackEnd {
   glm::dvec3 position{0, 2, 0}, forward{1, 0, 0}, up{0, 1, 0};  // m, unit, unit and perpendicular
   glm::dvec3 curvature{0};                                      // 1/m, at the end of the track's last segment
@@ -18,7 +18,7 @@ struct TrackEnd {
   friend bool operator==(const TrackEnd&, const TrackEnd&) = default;
 };
 
-// Equipment of an element, from where the one before it ends, else from the start of the lead-in.
+// Equipment of an element, from the end of the previous part, or else from the start of the lead-in.
 struct EquippedPart {
   std::size_t to = 0;  // index of the curve's point where it ends
   world::Equipment equipment;
@@ -32,7 +32,7 @@ struct ElementShape {
   std::string refusal;  // empty: there is a curve
 };
 
-// Steeper ends have no heading for a curve to turn; only a straight continues them.
+// Steeper ends have no heading for a curve to turn; only a straight can continue them.
 inline constexpr double kSteepestEnd_deg = 80;
 // 1/m: an end that bends less than the first counts as straight, well within the tolerance of G2 (curve/continuity.h:
 // 1e-3); an end that bends more than the second accepts no element.
@@ -41,8 +41,8 @@ inline constexpr double kSharpestEnd = 0.5;
 // The easing of curvature turns by at most this angle, over at most kLongestEase.
 inline constexpr double kEaseAngle = 0.175, kLongestEase = 12;  // rad, m
 
-// Returns the curve of an element whose values are within the limits of its table. It begins at the end with its
-// direction and curvature, and ends straight.
+// Returns the curve of an element whose values are within the limits of its table. It begins with the end's direction
+// and curvature, and ends straight.
 ElementShape element_shape(world::Element& element, const TrackEnd& end, std::vector<std::string>& lines);
 
 // Returns "Raised height from 3 m to the limit of 5.2 m".

@@ -1,5 +1,5 @@
-// The spans between chosen points of an element's ideal curve, and their errors. For element_fit.cpp; switch_curve.cpp
-// and force_fit.cpp take parts of it.
+// The spans between selected points of an element's ideal curve, and their errors. For element_fit.cpp;
+// switch_curve.cpp and force_fit.cpp use parts of it.
 #pragma once
 
 #include <span>
@@ -12,9 +12,9 @@ namespace coaster::sim {
 struct SpanCheck {
   double error = 0;       // m
   double roll_error = 0;  // rad
-  double roll = 0;        // rad, of the second knot's `up` against the frame there
+  double roll = 0;        // rad, of the second knot's `up` relative to the frame there
   bool sound = true;      // sensible handle lengths and less than half a turn of roll
-  bool slopes = true;     // those of roll and curvature at both ends are as ElementPoint::slope_error asks
+  bool slopes = true;     // slopes of roll and curvature at both ends are within ElementPoint::slope_error
 };
 
 struct Spans {
@@ -27,13 +27,14 @@ struct Spans {
 inline constexpr double kMostShift = 0.5 * kElementDistance;
 Spans make_spans(const ElementCurve& curve, std::span<const std::size_t> at, double most_shift = kMostShift);
 
-// Where a span is next to a point of the curve: its parameter, and its rotation-minimising frame from the first knot.
+// The position on a span next to a point of the curve: its parameter, and its rotation-minimising frame from the first
+// knot.
 struct SpanPlace {
   double t = 0;
   curve::Frame frame;
 };
 
-// Checks the span between two neighbouring knots against the points between them. `places` gets one place per point.
+// Checks the span between two neighbouring knots against the points between them. `places` gets one entry per point.
 SpanCheck check_span(std::span<const ElementPoint> points, const world::Knot& from, const world::Knot& to,
                      std::vector<SpanPlace>* places = nullptr);
 

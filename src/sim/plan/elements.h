@@ -14,7 +14,7 @@
 
 namespace coaster::sim {
 
-// Equipment of consecutive spans, from the first one on.
+// Equipment of consecutive spans, starting with the first.
 struct EquippedSpans {
   std::size_t spans = 0;
   world::Equipment equipment;
@@ -27,7 +27,7 @@ struct ElementPlan {
   ElementCurve ideal;
   ElementFit fit;  // fit.knots.front() is the track's end, with its new outgoing handle
   std::vector<EquippedSpans> equipment;
-  std::optional<world::ForceProgram> forces;  // of an element of forces: the keys of the section
+  std::optional<world::ForceProgram> forces;  // for a force element: the keys of the section
   double length = 0;                          // m, of the ideal curve with its lead-in
   double lead = 0;                            // m, of the lead-in: easing and levelling
   double lowest = 0;                          // m, least height of the rails above the ground; negative: below it
@@ -38,20 +38,20 @@ struct ElementPlan {
 // Returns the end of an open track: its last knot, and the curvature of the last segment there. An empty track starts
 // at (0, 2, 0) along +X. Nothing for a closed track.
 std::optional<TrackEnd> open_end(const world::Document& document);
-// Returns the same of the knot with that index, as if the track ended there.
+// Returns the same for the knot with that index, as if the track ended there.
 TrackEnd end_at(const world::Document& document, std::size_t knot);
 
 // Plans an element. Values beyond the limits of its table are clamped; values that are not numbers become the defaults.
 // Takes a few ms.
 ElementPlan plan_element(const world::Element& element, const TrackEnd& end);
-// The same at the end of that document's track; refused if it has no open end. An element of forces is planned for a
-// train that is at `speed` m/s there; without one for kAssumedSpeed, with a line that says so.
+// Plans an element at the end of the document's track; refused if it has no open end. A force element is planned for a
+// train that passes the end at `speed` m/s; without one for kAssumedSpeed, with a line that says so.
 ElementPlan plan_element(const world::Element& element, const world::Document& document,
                          std::optional<double> speed = std::nullopt);
-inline constexpr double kAssumedSpeed = 10;  // m/s, where no train reaches the open end
+inline constexpr double kAssumedSpeed = 10;  // m/s, if no train reaches the open end
 std::string assumed_text();
 
-// Caches the last plan while the element, the track's end and, for an element of forces, the train are unchanged.
+// Caches the last plan while the element, the track's end and, for a force element, the train are unchanged.
 class ElementMemo {
  public:
   const ElementPlan& plan(const world::Element& element, const world::Document& document,

@@ -1,4 +1,4 @@
-// Rows that a track is fitted to: measured positions with frames, and properties that follow from them alone.
+// The rows that a track is fitted to: measured positions with frames, and properties derived from them alone.
 #pragma once
 
 #include <span>
@@ -13,8 +13,8 @@ struct FitRow {
   glm::dvec3 position{0}, forward{1, 0, 0}, up{0, 1, 0};
 };
 
-// The rows jump where the frame turns by over kJumpAngle and by over kJumpRate from one row to the next: no smooth rail
-// turns so fast.
+// The rows jump where the frame turns by more than kJumpAngle and more than kJumpRate from one row to the next: no
+// smooth rail turns so fast.
 inline constexpr double kJumpReach = 0.5;   // m along the rows
 inline constexpr double kJumpAngle = 5.0;   // degrees
 inline constexpr double kJumpRate = 100.0;  // degrees per m
@@ -25,7 +25,7 @@ double frame_angle_deg(const curve::Frame& a, const curve::Frame& b);
 // Returns the angle by which the frame jumps from one row to the next, degrees; 0 if it does not jump.
 double jump_deg(const FitRow& a, const FitRow& b);
 
-// True if the last row leads back to the first: a step that is no longer than the others, ahead and in about the same
+// True if the last row leads back to the first: a step no longer than the others, forwards and in about the same
 // direction.
 bool rows_close(std::span<const FitRow> rows);
 
@@ -49,12 +49,11 @@ struct RowRolls {
 inline constexpr double kSpinReach = 0.6;  // m
 RowRolls row_rolls(std::span<const FitRow> rows, bool closed);
 
-// Returns the curvature vector at each row, 1/m, perpendicular to its `forward`. On each side the row and the nearest
-// one at least kCurvatureReach away, their places and directions, give that of a curve whose curvature changes
-// linearly; the row's is the mean of both, corrected to that of the polynomial of degree 5 through all three. Of the
-// correction only a part counts where it is over twice that of those neighbours in its direction (a limiter as in van
-// Leer 1979, J. Comput. Phys. 32, 101-136): a bend may begin or end between two rows. At an open track's ends one side
-// counts.
+// Returns the curvature vector at each row, 1/m, perpendicular to its `forward`. On each side, the positions and
+// directions of the row and of the nearest one at least kCurvatureReach away give that of a curve whose curvature
+// changes linearly; the row's is the mean of both sides, corrected to that of the polynomial of degree 5 through all
+// three. It is limited to twice the corrections of those neighbours in its direction (a limiter as in van Leer 1979, J.
+// Comput. Phys. 32, 101-136): a bend may begin or end between two rows. At an open track's ends one side is used.
 inline constexpr double kCurvatureReach = 1.0;  // m
 std::vector<glm::dvec3> row_curvatures(std::span<const FitRow> rows, bool closed);
 

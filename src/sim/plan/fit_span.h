@@ -9,18 +9,18 @@
 
 namespace coaster::sim {
 
-// The tolerances of a fit, and the rows whose frames do not count.
+// The tolerances of a fit, and the rows whose frames are ignored.
 struct SpanBounds {
-  double distance = 0.0095;        // m, of a row from the curve
+  double distance = 0.0095;        // m, distance of a row from the curve
   double angle = 0.0083;           // radians between the frames
-  std::span<const char> free;      // per row: its frame does not count (near a jump)
+  std::span<const char> free;      // per row: its frame is ignored (near a jump)
   std::span<const double> bends;   // per step from a row to the next: largest curvature, 1/m
   std::span<const double> spins;   // per row: spin of a knot there, rad/m
   std::span<const double> slopes;  // per row: rate of change of a smooth roll's spin there, rad/m^2
   double felt = 0.2;               // g: what riders may feel more or less than on the rows, after a low-pass of 5 Hz
   double heartline = 0;            // m above the rails, of the riders
   std::span<const double> speeds;  // per row: squared speed of the train over g, m
-  std::span<const glm::dvec3> curvatures;  // per row: of a smooth curve there, 1/m
+  std::span<const glm::dvec3> curvatures;  // per row: that of a smooth curve, 1/m
 };
 
 // The additional rolls (a, b) of the first and the second knot, radians, that keep all frames within the bound: a
@@ -30,7 +30,7 @@ using RollWindow = std::vector<glm::dvec2>;
 struct SpanFit {
   bool within = false;                   // both bounds can be met; if false, only the handles are set
   double out_length = 0, in_length = 0;  // m, of the first knot's and the second knot's handle
-  // Radians that the rows turn about the curve relative to its rotation-minimising frame, including whole turns.
+  // Radians by which the rows turn about the curve relative to its rotation-minimising frame, including whole turns.
   double roll = 0;
   RollWindow window;
 };

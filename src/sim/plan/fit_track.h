@@ -1,4 +1,4 @@
-// A track through measured rows: as few knots as stay within the bounds. Knots are at rows; joints are G1.
+// Fits a track to measured rows: as few knots as stay within the bounds. Knots are at rows; joints are G1.
 #pragma once
 
 #include <cmath>
@@ -27,9 +27,9 @@ struct MeanSquare {
 struct FitReport {
   double max_error = 0;    // m, the largest distance of a row from the curve
   double frame_error = 0;  // degrees, the largest angle between a row's frame and the track's, except near jumps
-  double jump_error = 0;   // degrees, the same near jumps, where frames do not count
+  double jump_error = 0;   // degrees, the same near jumps, where frames are ignored
   int knots = 0;
-  MeanSquare distances, angles;  // m and degrees, of the rows whose largest are `max_error` and `frame_error`
+  MeanSquare distances, angles;  // m and degrees, of the rows that `max_error` and `frame_error` are the largest of
 };
 
 // Returns the error of each segment of a track. Segment i covers rows ends[i] to ends[i + 1] (ends.size() is the number

@@ -1,4 +1,4 @@
-// The elements of the palette that are made of forces: each a program of few keys at the open end, to be edited then.
+// The palette's elements made of forces: each is a program of few keys at the open end, for further editing.
 #pragma once
 
 #include <optional>
@@ -13,15 +13,15 @@ namespace coaster::sim {
 
 struct ForceElement {
   std::string refusal;             // why there is none; empty if there is one
-  std::vector<std::string> lines;  // what is less than asked for
+  std::vector<std::string> lines;  // values that were reduced
   world::ForceProgram program;
-  std::optional<world::Equipment> equipment;  // of all of it
+  std::optional<world::Equipment> equipment;  // of the whole element
 };
 
-// Returns the program of an element of forces (world::is_of_forces) whose values are within their limits. `start` has
-// the open end, the train, and in its program the speed; `behind`: m from the train's first car to its last. Keys are
-// symmetric in time where they can be. Where the track has to end level, or at an angle, the one or two durations that
-// decide it are found by trial of the whole program. Takes some 10 ms; the same bits everywhere.
+// Returns the program of a force element (world::is_of_forces) whose values are within their limits. `start` has the
+// open end, the train, and in its program the speed; `behind`: m from the train's first car to its last. Keys are
+// symmetric in time where possible. If the track must end level, or at an angle, trials of the whole program find the
+// one or two durations that decide it. Takes some 10 ms; the same bits everywhere.
 ForceElement force_element(const world::Element& element, const ForceTask& start, double behind);
 
 }  // namespace coaster::sim

@@ -1,4 +1,4 @@
-// Bezier spans through the path of a force section: as few as keep what riders feel within the program's tolerance.
+// Fits Bezier spans to the path of a force section: as few as keep what riders feel within the program's tolerance.
 #pragma once
 
 #include "sim/plan/element_fit.h"
@@ -8,18 +8,18 @@ namespace coaster::sim {
 
 struct ForceFit {
   ElementFit spans;
-  double felt_error = 0;  // g, the largest difference between what is felt on the spans and what was asked for
-  double felt_at = 0;     // m from the section's start, where that is
-  bool within = false;    // that is within the tolerance, and the spans are within those of every element
+  double felt_error = 0;  // g, the largest difference between what is felt on the spans and the program
+  double felt_at = 0;     // m from the section's start, position of that difference
+  bool within = false;    // felt_error is within the tolerance, and the spans are within those of every element
 };
 
-// Fits spans to the path. Each reaches as far as one span can: farther, its distance from the path, its roll or what is
-// felt on it would be beyond the tolerances. Then the joints are made G2 as for elements (element_fit.h), and spans
-// that no longer hold are halved. Takes about 20 us per metre; the same bits everywhere.
+// Fits spans to the path. Each is as long as its distance from the path, its roll and what is felt on it stay within
+// the tolerances. Then the joints are made G2 as for elements (element_fit.h), and spans that no longer do are halved.
+// Takes about 20 us per metre; the same bits everywhere.
 ForceFit fit_force(const ForceTask& task, const ForcePath& path);
 
 // Returns the largest difference in g, vertical or lateral, between what riders feel on the span between two knots and
-// what was asked for at the path's points `first` to `last` beside it; a huge one if the span does not follow the path.
+// the program at the path's points `first` to `last` next to it; a huge one if the span does not follow the path.
 struct FeltError {
   double error = 0;
   std::size_t at = 0;  // index of the point

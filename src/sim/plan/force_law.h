@@ -1,5 +1,5 @@
-// What a force section's program asks of the track at a place: its curvature and roll, from what riders should feel
-// there. For force_path.h, which integrates it. Formulas: docs/forces.md.
+// The curvature and roll that a force section's program requires of the track, from what riders should feel. For
+// force_path.h, which integrates them. Formulas: docs/forces.md.
 #pragma once
 
 #include <array>
@@ -11,7 +11,7 @@
 
 namespace coaster::sim {
 
-// One channel of a program as a function of the place.
+// One channel of a program as a function of the position.
 class ForceCurve {
  public:
   struct Value {
@@ -22,11 +22,11 @@ class ForceCurve {
   Value at(double x) const;
 
  private:
-  double before_, after_;  // the values beside the pieces
+  double before_, after_;  // the values before and after the pieces
   std::vector<std::array<glm::dvec2, 4>> pieces_;
 };
 
-// Adds a key at a place of the section where the channel's curve passes; the curve keeps its shape (de Casteljau).
+// Adds a key at a position of the section on the channel's curve; the curve keeps its shape (de Casteljau).
 void insert_on_curve(world::ForceProgram& program, world::ForceChannel channel, double at);
 
 // Where and how a force section begins, and the train that it is planned for: the mass of its first car.
@@ -64,7 +64,8 @@ struct ForceRates {
   bool folded = false;            // no curvature makes riders at their height feel that
 };
 
-// What riders `riders` m above the curve feel at a place of track, in g: what rates() below solves for the curvature.
+// What riders `riders` m above the curve feel at a position of the track, in g: rates() below solves it for the
+// curvature.
 struct FeltG {
   double up = 1, side = 0;
 };
@@ -74,11 +75,11 @@ class ForceLaw {
  public:
   explicit ForceLaw(const ForceTask& task);
   ForceState start() const;
-  // m or s: how long the start takes to reach what the keys say; 0 where it fits them.
+  // Returns over which distance or time (m or s) the start reaches the values of the keys; 0 if it has them already.
   double ramp() const { return ramp_; }
-  // By channel: what is felt at the track's end. Keys with these values there need no ramp.
+  // Returns by channel what is felt at the track's end. Keys with these values there need no ramp.
   const std::array<double, 3>& felt_at_start() const { return felt_; }
-  // Where the asked curves change their formula: ascending, the section's end last.
+  // Returns where the required curves change their formula: ascending, the section's end last.
   std::vector<double> breaks() const;
   double metres_per_unit(const ForceState& state) const;
   // Returns the acceleration along the track by gravity, losses and the section's equipment, m/s^2. Lifts, launches,
@@ -101,7 +102,7 @@ class ForceLaw {
   std::vector<ForceCurve> added_;  // by channel, or none
   double ramp_ = 0;
   std::array<double, 3> felt_{};
-  std::array<double, 3> missing_{};  // by channel: what is felt at the track's end less what the keys say there
+  std::array<double, 3> missing_{};  // by channel: what is felt at the track's end minus the keys there
 };
 
 // Goes on from a place in steps of at most `step` m that end where the curves change their formula, and calls

@@ -1,5 +1,5 @@
-// What the elements of forces are made with: keys one behind the other, and the walk to their end. Private to
-// force_elements.cpp and force_turns.cpp.
+// Parts of the force elements: consecutive keys, and the walk to their end. Private to force_elements.cpp and
+// force_turns.cpp.
 #pragma once
 
 #include <functional>
@@ -12,11 +12,11 @@
 
 namespace coaster::sim {
 
-inline constexpr double kForceHold = 0.06;                            // s, a bend stays at its g at least so long
+inline constexpr double kForceHold = 0.06;  // s, shortest time for which a bend stays at its g
 inline constexpr double kSecondsPerG = 0.12, kLeastForceRamp = 0.25;  // s, from one g to the next
 inline constexpr double kForceAngle = 1e-5;                           // rad, tolerance of directions
 
-// What an element is made from.
+// The input of an element's program.
 struct ForceMaker {
   const world::Element& element;
   ForceTask task;    // its program is empty: 0 s long
@@ -38,7 +38,7 @@ inline ForceElement made(world::ForceProgram program, std::vector<std::string> l
   return {{}, std::move(lines), std::move(program), {}};
 }
 
-// Writes the vertical keys one behind the other; the program is as long as they are.
+// Writes the vertical keys one after the other; the program is as long as they are.
 class VerticalKeys {
  public:
   VerticalKeys(world::ForceProgram& program, double first) : program_(program) { put(first); }
@@ -67,12 +67,12 @@ struct ForcePull {
   }
 };
 
-// Returns the strength with which a program ends at that pitch, rad; nothing if there is none.
 using ForcePrograms = std::function<world::ForceProgram(double strength)>;
+// Returns the strength with which a program ends at that pitch, rad; nothing if there is none.
 std::optional<double> strength_for(const ForceMaker& maker, double pitch, const ForcePrograms& program);
 
-// Rolls by `turns` to the element's side: a quarter of the time to the full rate, a quarter from it. Rails beside the
-// riders' path wind about it, and so need a little more or less than one turn to be upright again.
+// Rolls by `turns` to the element's side: a quarter of the time to the full rate, a quarter from it. Rails at a
+// distance from the riders' path wind about it, and so need slightly more or less than one turn to be upright again.
 void add_roll(const ForceMaker& maker, world::ForceProgram& program, double from, double seconds, double turns);
 
 // In force_turns.cpp.

@@ -1,5 +1,5 @@
-// The ideal path of a force section: the track on which riders feel what its program asks for, by integration.
-// Formulas and sources: docs/forces.md.
+// The ideal path of a force section: the track on which riders feel what its program requires, by integration. Formulas
+// and sources: docs/forces.md.
 #pragma once
 
 #include <string>
@@ -9,7 +9,7 @@
 
 namespace coaster::sim {
 
-// A place of the path; arc length, position and frame are those of the curve's point with the same index.
+// A point of the path; arc length, position and frame are those of the curve's point with the same index.
 struct ForcePoint {
   double at = 0;                  // m or s: what the keys count in
   double time = 0;                // s since the section's start
@@ -27,17 +27,18 @@ struct ForcePoint {
 struct ForcePath {
   ElementCurve curve;
   std::vector<ForcePoint> points;
-  double ramp = 0;      // m or s: how long the start takes to reach what the keys say; 0 where it fits them
+  double ramp = 0;      // m or s, over which the start reaches the values of the keys; 0 if it has them already
   std::string stopped;  // why the path ends before its program does: "the train falls below 3 m/s"; else empty
 };
 
 // A turn tighter than this folds rails and cars.
 inline constexpr double kTightestForce = 2;  // m, radius
-// Nearer to its own earlier rails, a path runs through itself.
+// A path closer than this to its earlier rails collides with itself.
 inline constexpr double kOwnRails = 1;  // m
 
 // Integrates by Runge-Kutta 4 in steps of at most 0.25 m that end at each key: position, direction, up, speed, length
-// and time. Positions are within a millimetre after 300 m. The same bits everywhere. Takes about a microsecond a step.
+// and time. Positions are accurate to a millimetre after 300 m. The same bits everywhere. Takes about a microsecond a
+// step.
 ForcePath force_path(const ForceTask& task);
 
 }  // namespace coaster::sim

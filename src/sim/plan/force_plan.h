@@ -1,4 +1,4 @@
-// A force section as planned: its path, the spans that follow it, and what is asked for and felt along it.
+// The plan of a force section: its path, the spans that follow it, and the required and felt values along it.
 #pragma once
 
 #include <algorithm>
@@ -15,7 +15,7 @@ namespace coaster::sim {
 
 struct ForcePlan {
   ForceTask task;
-  std::string refusal;       // why there is no track at all; empty if there is some
+  std::string refusal;       // why there is no track at all; empty if there is any
   ForcePath path;            // path.stopped says why it is shorter than the program
   double unmet = 0;          // g, the most that is added to what the keys ask for, vertical or lateral: 0 if not held
   double unmet_at = 0;       // m or s from the start, where that is
@@ -28,8 +28,8 @@ struct ForcePlan {
   std::size_t point_at(double at) const;
 };
 
-// Returns a value of the plan's points, by index, at a place `at` m or s from the start: linear between them, as at the
-// ends beyond them, 0 without a path.
+// Returns a value of the plan's points, by index, at a position `at` m or s from the start: linear between points,
+// constant beyond the ends, 0 without a path.
 template <class Value>
 double between_points(const ForcePlan& plan, double at, Value value) {
   const std::vector<ForcePoint>& points = plan.path.points;
@@ -42,8 +42,8 @@ double between_points(const ForcePlan& plan, double at, Value value) {
 // Plans a force section. Takes about 40 us per metre.
 ForcePlan plan_force(const ForceTask& task);
 
-// Returns where a section begins: the track's end as it would be without it and what follows. One that completes the
-// circuit before it follows its curvature, not the other way.
+// Returns where a section begins: the track's end without the section and those after it. A section before it that
+// completes the circuit adapts to its curvature, not the other way round.
 TrackEnd start_of(const world::Document& document, const world::SectionRun& run);
 
 // Returns where a section of which both ends stay must end: at the knot behind it, with the bend of the track that
@@ -56,7 +56,7 @@ ForceTask force_task(const world::Document& document, const world::SectionRun& r
 // Returns the task of a section with that program at an end of the document's track, for its first train.
 ForceTask force_task(const world::Document& document, const TrackEnd& end, const world::ForceProgram& program);
 
-// Returns the program with its keys, length and handles over the other axis: they stay at the same places of the plan.
+// Returns the program with its keys, length and handles on the other axis: they stay at the same positions of the plan.
 world::ForceProgram over_other_axis(const ForcePlan& plan);
 
 // Returns "Both ends stay: at 30.5 m riders feel 0.42 g more than the vertical keys say."; empty if not held, or for
@@ -66,19 +66,19 @@ std::string unmet_text(const ForcePlan& plan);
 // Returns "the section ends at 41.2 m: the train falls below 3 m/s there"; empty if it reaches its end.
 std::string stop_text(const ForcePlan& plan);
 
-// What a train does where its first car passes a place.
+// The state of a train when its first car passes a position.
 struct Passing {
   double speed = 0, along = 0;  // m/s, m/s^2 along the track
 };
-// Returns it for the first time that the ride gets there; nothing if it does not.
+// Returns the state at the first pass; nothing if the ride does not reach the position.
 std::optional<Passing> passing(const Ghost& ride, double distance);
 
-// Keeps the plans of the last tasks.
+// Caches the plans of the last tasks.
 class ForceMemo {
  public:
-  // Good until the next call.
+  // The result is valid until the next call.
   const ForcePlan& plan(const ForceTask& task);
-  // True if the task's plan is kept.
+  // True if the task's plan is cached.
   bool has(const ForceTask& task) const;
 
  private:

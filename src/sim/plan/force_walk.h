@@ -1,5 +1,5 @@
-// Where a force program leads, without spans and without asking whether there is room: for searches that try many.
-// And a Newton search for a few unknowns.
+// The end of a force program, without spans and without checking clearance: for searches that try many programs. And a
+// Newton search for a few unknowns.
 #pragma once
 
 #include <algorithm>
@@ -12,11 +12,10 @@
 
 namespace coaster::sim {
 
-// The end of a walk. Angles are those turned through since the horizon or since the start: a loop ends at a pitch of 2
-// pi more.
+// The end of a walk. Angles accumulate from the horizon or from the start: a loop adds 2 pi to the pitch.
 struct ForceWalk {
   ForceState end;
-  double pitch = 0;      // rad above the horizon, turned about the start's left
+  double pitch = 0;      // rad above the horizon, about the start's left
   double heading = 0;    // rad, to the left, about the vertical
   double shift = 0;      // m, to the left of the start's heading
   double off_plane = 0;  // of the direction, to the left of the start's heading: -1 to 1
@@ -25,12 +24,12 @@ struct ForceWalk {
 };
 
 // Follows the task's program to its end in steps of about a third of a metre; positions are within a centimetre of
-// force_path's. Nothing where the train falls below the least speed (world::kSlowestForce), no curve would do, or the
-// program is longer than one may be.
+// force_path's. Nothing if the train falls below the least speed (world::kSlowestForce), if no curvature gives the
+// required g, or if the program exceeds the largest length.
 std::optional<ForceWalk> walk_force(const ForceTask& task);
 
 // Returns x with every component of f(x) within `tolerance` of 0, by Newton's method with differences of `step` and
-// steps that are halved where they do not help; nothing if there is none near or f returns nothing.
+// steps that are halved if they do not help; nothing if there is no such x nearby or f returns nothing.
 template <int N, class Function>
 std::optional<glm::vec<N, double>> newton(glm::vec<N, double> x, double step, double tolerance, const Function& f) {
   using Vector = glm::vec<N, double>;
