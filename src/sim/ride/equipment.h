@@ -17,8 +17,8 @@ struct EquipmentSpan {
   world::Equipment equipment;
   friend bool operator==(const EquipmentSpan&, const EquipmentSpan&) = default;
 };
-// Returns the spans in track order. Neighbouring segments of one section that are equal stations are one span, at whose
-// end trains stop once.
+// Returns the spans in track order. Neighbouring segments of one section that are equal stations form one span, at
+// whose end trains stop once.
 std::vector<EquipmentSpan> equipment_spans(const world::Document& document, const Derived& derived);
 
 // The data of a train that equipment uses.
@@ -38,7 +38,7 @@ struct ControlState {
 
 struct Drive {
   double acceleration = 0;  // m/s^2 during the tick
-  bool held = false;        // held still in this tick, by station, block or ratchet
+  bool held = false;        // does not move in this tick: held by a station, block or ratchet
 };
 
 struct Rails {

@@ -38,9 +38,9 @@ struct Force {
 };
 inline constexpr int kForceEvery = 2;  // ticks between two entries of Ghost::forces: 60 a second
 
-// A car's passage of a joint: what the jumps of curvature and roll there change at once, on the seat's axes. Both
-// follow from the ends of the tables beside the joint: for riders on h(s), the velocity steps by s' (h'(s+) - h'(s-)),
-// felt g by (s'' (h'(s+) - h'(s-)) + s'^2 (h''(s+) - h''(s-))) / g.
+// A car's passage of a joint: the sudden changes caused by the jumps of curvature and roll there, on the seat's axes.
+// Both follow from the ends of the tables next to the joint: for riders on h(s), the velocity steps by s' (h'(s+) -
+// h'(s-)), felt g by (s'' (h'(s+) - h'(s-)) + s'^2 (h''(s+) - h''(s-))) / g.
 struct Passage {
   std::size_t knot = 0;  // index in the track
   int car = 0;
@@ -54,18 +54,18 @@ struct Ghost {
   GhostStart start;
   double track_length = 0;
   bool closed = false;
-  double heartline = 0;                               // m above the rails, of the riders
+  double heartline = 0;                               // m, of the riders above the rails
   std::vector<GhostSample> samples;                   // one per tick of 1/120 s, the first at the start
   std::vector<Force> forces;                          // entry k of car c at [k * cars + c], at tick k * kForceEvery
-  std::vector<Passage> passages;                      // of all joints by all cars, in order
-  world::FailureKind end = world::FailureKind::none;  // none: a whole lap, or the time limit
+  std::vector<Passage> passages;                      // of all cars over all joints, in order
+  world::FailureKind end = world::FailureKind::none;  // none: a whole lap, or the time limit was reached
   bool lap = false;                                   // completed a lap
   std::uint64_t serial = 0;                           // number of the simulation, from 1: a new ride has a new number
-  double lap_time = 0;                                // s, from the start to the start again, if `lap`
+  double lap_time = 0;                                // s, duration of the lap, if `lap`
 
   double seconds() const { return samples.empty() ? 0.0 : static_cast<double>(samples.size() - 1) * world::kTick; }
   // Returns the track distance (m) of car `car` (0: the first) after the train has travelled that far from its start,
-  // less whole laps on a closed track.
+  // minus whole laps on a closed track.
   double place(double travelled, int car = 0) const {
     return within_lap(start.front + travelled - car * start.spacing, track_length, closed);
   }
@@ -83,7 +83,7 @@ struct GhostLimits {
 Ghost simulate(const RailTables& tables, std::span<const EquipmentSpan> equipment, const world::Document& document,
                const GhostStart& start, const GhostLimits& limits = {}, Ghost memory = {});
 
-// Returns the start of a designed train as it moves, and at its start position.
+// Return the start of a designed train: with its present motion, and at its start position.
 GhostStart start_at(const Derived& derived, const world::Cart& design, double front, double speed,
                     ControlState control);
 GhostStart start_of(const world::Document& document, const Derived& derived, const world::Cart& design);
@@ -99,7 +99,7 @@ class GhostMemo {
   // Returns the same ride as a table of one lap, valid as long as from()'s result. The table is invalid if laps do not
   // repeat (with losses or equipment) or none is completed.
   const LapTable& lap(const world::Document& document, const Derived& derived, const GhostStart& start);
-  // Keeps at least as many rides (up to kMostEntries * 16), so that many trains do not evict each other's.
+  // Caches at least as many rides (up to kMostEntries * 16), so that many trains do not evict each other's.
   void keep(std::size_t rides);
   // Returns the tables, up to date.
   const RailTables& tables(const world::Document& document, const Derived& derived);

@@ -1,4 +1,4 @@
-// What the ghost looks up at every tick: the train's mean slope, and what riders feel. For ghost.cpp.
+// Tables that the ghost reads at every tick: the train's mean slope, and what riders feel. For ghost.cpp.
 #pragma once
 
 #include <algorithm>
@@ -12,7 +12,7 @@
 namespace coaster::sim {
 
 // The train's mean slope as a function of its first car's position, on a uniform grid. Within a cell the slope is the
-// derivative of a cubic Hermite height, so that the ride's gains and losses add up to the heights.
+// derivative of a cubic Hermite height, so that the ride's gains and losses of energy add up to the heights.
 class Landscape {
  public:
   Landscape(const RailTables& tables, std::span<const SegmentTable* const> segments, int cars, double spacing);
@@ -49,15 +49,15 @@ inline Float4 four(const float* from) {
   return values;
 }
 
-// FeltEntry::felt() in the first three lanes.
+// Returns FeltEntry::felt() in the first three lanes.
 inline Float4 felt_lanes(const FeltEntry& entry, Float4 a, Float4 v2) {
   static_assert(sizeof(FeltEntry) == 9 * sizeof(float), "along, bend, weight");
   const float* const from = reinterpret_cast<const float*>(&entry);
-  const Float4 weight = four(from + 5);  // ends with the entry
+  const Float4 weight = four(from + 5);  // the last four floats of the entry
   return a * four(from) + v2 * four(from + 3) + __builtin_shufflevector(weight, weight, 1, 2, 3, 3);
 }
 
-// felt_at(), to the bit, in less time: a lap with 8 cars takes 75,000 of them.
+// Returns felt_at(), bit for bit, in less time: a lap with 8 cars takes 75,000 of them.
 inline Force force_at(const SegmentTable& table, double s, Float4 a, Float4 v2) {
   Float4 felt;
   if (table.step > 0) {

@@ -1,5 +1,5 @@
 // One lap as a table over time: the ride of the paper's conclusion, computed once and looked up afterwards. Trains of
-// the same energy and length share a table, each at its own phase.
+// the same energy and length share a table, each at a different phase.
 #pragma once
 
 #include <span>
@@ -30,7 +30,7 @@ class LapTable {
   // Returns the time, in ticks, at which the train is `along` m into its lap, in [0, length()]: bisection to the last
   // bit.
   double phase_at(double along) const;
-  // One per tick, the last two at and after the end of the lap.
+  // Returns one entry per tick, the last two at and after the end of the lap.
   std::span<const LapEntry> entries() const { return entries_; }
 
  private:

@@ -62,14 +62,14 @@ double energy(const world::Document& document, const Derived& derived, world::En
 double energy_drift(const world::Document& document, const Derived& derived, world::Entity entity,
                     const world::CartMotion& cart);
 
-// Position on the rails and orientation of a car, by one of the methods of sim/shape/frame_methods.h; where that is
-// undefined another frame is used and `defined` is false.
+// Position on the rails and orientation of a car, by one of the methods of sim/shape/frame_methods.h; where the method
+// is undefined another frame is used and `defined` is false.
 struct Pose {
   glm::dvec3 position{0};
   curve::Frame frame;
   bool defined = true;
   double length = world::kCarLength;  // m, of the car
-  bool leads = true;                  // the first of its train
+  bool leads = true;                  // the first car of its train
 };
 Pose pose(const Derived& derived, const world::CartMotion& cart, world::FrameMethod method);
 // Return the pose at a position on the track, and of all cars of a train, first to last.

@@ -19,7 +19,7 @@ std::vector<TrackPlace> places_of(const world::Document& document, const Derived
                                   const world::CartMotion& motion);
 // Returns a train's acceleration along the rails at x = 0 and this speed.
 double acceleration_of(TrainContext context, double speed);
-// Stops a train where it is; the energy removed counts as work.
+// Stops a train at its position; the energy removed counts as work.
 void halt(world::CartMotion& cart);
 // Writes position, length and distance to the motion.
 void settle_on(const Derived& derived, TrackPlace front, world::CartMotion& cart);
@@ -43,8 +43,8 @@ struct TrainLoad {
 };
 
 // Advances by the paper's conclusion: from vertex to vertex of the polyline, each chord / speed after the last. The
-// speed follows from the energy at the vertex, with the cars' mean height, losses and equipment. At rest it stays, as
-// in the paper, unless equipment pushes. The remaining time is kept in cart.carry. Returns false at an open end.
+// speed follows from the energy at the vertex, with the cars' mean height, losses and equipment. A train at rest stays,
+// as in the paper, unless equipment pushes it. The remaining time is kept in cart.carry. Returns false at an open end.
 bool advance_by_vertices(const RideInput& input, const TrainLoad& load, double dt, world::CartMotion& cart);
 
 }  // namespace coaster::sim

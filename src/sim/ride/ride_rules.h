@@ -1,4 +1,4 @@
-// What the ride and the ghost compute alike: losses, and when a ride ends by itself.
+// Rules shared by the ride and the ghost: losses, and when a ride ends by itself.
 #pragma once
 
 #include <cmath>
@@ -9,7 +9,7 @@ namespace coaster::sim {
 
 inline constexpr double kRollback = 2.0;     // m that a train may lose before it counts as rolling back
 inline constexpr double kStillSpeed = 0.01;  // m/s, slower is at rest
-inline constexpr int kStillTicks = 2 * world::kTicksPerSecond;  // at rest, held by nothing, until a train is stalled
+inline constexpr int kStillTicks = 2 * world::kTicksPerSecond;  // at rest, not held, until a train is stalled
 
 // Returns the deceleration by friction and drag, m/s^2.
 inline double loss(const world::Resistance& resistance, double speed) {
@@ -26,7 +26,7 @@ double direction_of(double speed, const world::Resistance& resistance, const Pul
   return acceleration > 0 ? 1.0 : -1.0;
 }
 
-// Returns true if a train has lost too much of the distance that it had travelled.
+// Returns true if a train has rolled back too far from the farthest point that it reached.
 inline bool rolls_back(const world::Document& document, double speed, double travelled, double furthest) {
   return document.rollback_fails && furthest > kRollback && speed < 0 && travelled < furthest - kRollback;
 }

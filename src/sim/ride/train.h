@@ -34,7 +34,7 @@ struct TrainState {
   double speed = 0;  // m/s
   double work = 0;   // J/kg done by everything except gravity
 };
-// Its derivative by time.
+// The derivative of the state by time.
 struct TrainRates {
   double speed, acceleration, power;
 };
