@@ -1,5 +1,5 @@
-// Everything derived from document and settings: curves, lengths, frames, polylines. Rebuilt where the key differs;
-// never saved, never edited.
+// All data derived from document and settings: curves, lengths, frames, polylines. Rebuilt where the key differs; never
+// saved, never edited.
 #pragma once
 
 #include <array>
@@ -27,7 +27,7 @@ struct ShapeKey {
   curve::Cubic cubic;
   glm::vec3 up_from{0}, up_to{0};
   std::int32_t turns = 0;
-  // The knots' own: rounding of the control points loses a little.
+  // The knots' own tangents: the rounded control points are slightly less accurate.
   glm::vec3 tangent_from{1, 0, 0}, tangent_to{1, 0, 0};
   float spin_from = 0, spin_to = 0;  // rad/m
   double rails = 0;                  // m, of the rails above the curve (sim/shape/rails.h)
@@ -43,7 +43,7 @@ struct PolylineKey {
 inline constexpr int kFrameIntervals = 32;
 
 // One segment's derived data. Each rebuild gives `shape_build` and `polyline_build` a new number, which caches compare.
-// Of frames and polyline it holds what cannot be had again at once.
+// Frames and polyline are stored only as far as they cannot be recomputed quickly.
 struct SegmentShape {
   ShapeKey key;
   curve::PreparedCubic curve;
@@ -52,7 +52,7 @@ struct SegmentShape {
   curve::ArcLengthId measured_by{};
   int measured_steps = 0;
   Roll roll;
-  std::array<glm::dvec3, kFrameIntervals + 1> ups{};  // of the frames at uniform t
+  std::array<glm::dvec3, kFrameIntervals + 1> ups{};  // up vectors of the frames at uniform t
   std::uint64_t shape_build = 0;
   std::optional<world::EquipmentKind> fitted;  // the segment's equipment; not part of its shape
 
@@ -70,38 +70,38 @@ struct SegmentShape {
 struct Polyline {
   std::vector<glm::vec3> points, tangents;
 };
-// Evaluates it as polyline_key says; about 3 ns a vertex. Without steps it is empty.
+// Evaluates the polyline described by polyline_key; about 3 ns a vertex. Without steps it is empty.
 void evaluate_polyline(const SegmentShape& shape, Polyline& polyline);
 
-// A shape's rebuild: of segment `index` in the track's order.
+// The rebuild of a shape: segment `index` in the track's order.
 struct ShapeChange {
   std::uint64_t build = 0;
   std::size_t index = 0;
 };
 
 struct Derived {
-  world::Pool<SegmentShape> segments;  // by the document's segment entities
+  world::Pool<SegmentShape> segments;  // by segment entity of the document
   std::vector<world::Entity> order;    // in the order of document.track.segments
   std::vector<double> starts;  // m, distance of segment i's start along the track; size order.size()+1, back() = length
-  // rad, rotation of the knots' frames relative to rotation-minimising ones before segment i; as starts.
+  // rad, rotation of the knots' frames relative to rotation-minimising ones before segment i; the same size as starts.
   std::vector<double> twists;
   SegmentTree tree;  // over `order`, for picking and clearance
   bool closed = false;
   double length = 0;                  // m, adaptive Gauss-Legendre
   double measured_length = 0;         // m, by the chosen arc-length method
   curve::EvaluatedBy evaluated_by{};  // where polylines are evaluated; by a shader, segments hold none
-  int steps = 0;                      // of a segment's polyline
+  int steps = 0;                      // steps of a segment's polyline
   std::int64_t vertices = 0;          // of all polylines, wherever evaluated
   double deviation = 0;               // m, the largest of all segments; 0 for a GPU evaluator
   // Statistics of the last derive():
-  std::size_t compared = 0;       // knots compared one by one; the others by their bits, many at once
+  std::size_t compared = 0;       // knots compared one by one; the others are compared bitwise, many at once
   int rebuilds = 0;               // segments whose shape or polyline was evaluated
   double evaluation_seconds = 0;  // time in the evaluator's polyline function alone
   std::int64_t evaluated_vertices = 0;
   std::uint64_t last_build = 0;
 
-  // What the segments were made from and the numbers of each that are summed, in the track's order: so an edit reads no
-  // shape that it does not change.
+  // The inputs of the segments and the summed figures of each, in the track's order, so that an edit reads only the
+  // shapes that it changes.
   struct Made {
     std::vector<world::Knot> knots;
     std::vector<std::int32_t> turns;
@@ -110,12 +110,12 @@ struct Derived {
     world::Pool<world::Equipment> equipment;
     world::Evaluation evaluation;
     double rails = 0;
-    std::vector<ShapeChange> changes;  // all after the build `known_since`
+    std::vector<ShapeChange> changes;  // all changes after the build `known_since`
     std::uint64_t known_since = 0;
   } made;
 
-  // Returns the rebuilds of shapes after `build`, which last_build once was, ascending; nothing if segments came, went
-  // or changed places since then, or very many changed: then any may be new.
+  // Returns the rebuilds of shapes after `build`, an earlier value of last_build, ascending; nothing if segments were
+  // added, removed or reordered since then, or if there are very many changes: then any shape may be new.
   std::optional<std::span<const ShapeChange>> changes_since(std::uint64_t build) const;
 
   const SegmentShape& shape(world::Entity segment) const { return segments.get(segment); }
@@ -131,10 +131,10 @@ using Clock = std::function<double()>;
 void derive(const world::Document& document, const world::Settings& settings, const Clock& clock, Derived& derived,
             unsigned workers = base::cores());
 
-// Derives curves and frames alone: for who needs no polylines.
+// Returns curves and frames only, without polylines.
 Derived shapes_of(const world::Document& document);
 
-// Returns `distance` (m) less whole laps of `length` on a closed track, in [0, length] (rounding can reach the end).
+// Returns `distance` (m) minus whole laps of `length` on a closed track, in [0, length] (rounding can reach the end).
 inline double within_lap(double distance, double length, bool closed) {
   return closed && length > 0 ? distance - length * std::floor(distance / length) : distance;
 }

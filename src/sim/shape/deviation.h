@@ -8,14 +8,14 @@
 
 namespace coaster::sim {
 
-// Returns the largest distance (m) of a vertex of a polyline from the exact point at the same parameter, which are
-// uniform.
+// Returns the largest distance (m) of a vertex of a polyline from the exact point at the same parameter; the parameters
+// are uniform.
 double deviation_of(const curve::Cubic& cubic, std::span<const glm::vec3> points);
 
 // Returns the chord error (m) of a polyline with `steps` equal steps of the parameter: the largest distance of the
 // curve from its chords, measured in the middle of at most 16 of them.
 double chord_error(const curve::Cubic& cubic, int steps);
-// Returns the largest of all segments. About 1 us a segment.
+// Returns the largest chord error of all segments. About 1 us a segment.
 double chord_error(const Derived& derived);
 
 }  // namespace coaster::sim

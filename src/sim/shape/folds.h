@@ -1,5 +1,5 @@
-// Folds: stretches in which the rails run backwards, because the curve bends towards them with a radius below their
-// distance from it. No train can pass there.
+// Folds: parts of the track where the rails run backwards, because the curve bends towards them with a radius smaller
+// than their distance from it. No train can pass there.
 #pragma once
 
 #include <cstdint>
@@ -14,7 +14,7 @@ namespace coaster::sim {
 struct Fold {
   double from = 0, to = 0;  // m along the track
   double at = 0;            // m along the track, where the curve bends most
-  double radius = 0;        // m, of that bend
+  double radius = 0;        // m, radius of the curve there
   glm::vec3 place{0};       // m, on the rails there
 };
 

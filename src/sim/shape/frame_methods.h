@@ -64,7 +64,7 @@ std::vector<FrenetBreak> frenet_breaks(const SegmentShape& shape, world::Entity 
 // FrenetBreaks.
 std::vector<FrenetBreak> frenet_breaks(const Derived& derived);
 
-// The same, cached: update() checks only segments with a new shape_build, and nothing if there are none.
+// Caches the breaks: update() checks only segments with a new shape_build, and nothing if there are none.
 class FrenetBreaks {
  public:
   const std::vector<FrenetBreak>& update(const Derived& derived);

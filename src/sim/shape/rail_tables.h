@@ -1,5 +1,5 @@
-// Tables over arc length of the rails' data for rides: heights, slopes and the riders' forces. Kept per segment, so
-// that an edit refills only the segments that it changed; a ride over them inverts no arc length.
+// Tables over arc length of the rails' data for rides: heights, slopes and the riders' forces. Stored per segment, so
+// that an edit refills only the changed segments; a ride with them inverts no arc length.
 #pragma once
 
 #include <algorithm>
@@ -19,13 +19,14 @@ struct FeltEntry {
   glm::vec3 felt(float a, float v2) const { return a * along + v2 * bend + weight; }
 };
 // Returns the entry at arc length s of a segment, where its parameter is t and its frame `frame`, for riders d metres
-// above the rails: the derivatives of r(s) + d U(s) in closed form. Without bend at a cusp, and bounded beside it.
+// above the rails: the derivatives of r(s) + d U(s) in closed form. At a cusp the curvature counts as 0; near one it is
+// bounded.
 FeltEntry felt_entry(const SegmentShape& shape, double s, double t, const curve::Frame& frame, double d);
 
 struct SegmentTable {
-  std::uint64_t build = 0;            // of the shape that it was filled from
+  std::uint64_t build = 0;            // build number of the shape that filled it
   double heartline = 0;               // m
-  double largest_step = 0;            // m, of the track's detail
+  double largest_step = 0;            // m, largest step allowed by the track's detail
   double step = 0;                    // m between entries; 0 for a segment of zero length
   double per_metre = 0;               // 1 / step, else 0
   std::vector<double> height, slope;  // n+1 entries, uniform in s
@@ -34,10 +35,11 @@ struct SegmentTable {
 
 class RailTables {
  public:
-  // Refills what changed since the last update from the same Derived: about 1 us per entry of a changed segment.
+  // Refills the parts that changed since the last update from the same Derived: about 1 us per entry of a changed
+  // segment.
   void update(const Derived& derived, double heartline);
 
-  // By index in derived.order.
+  // Returns a segment's table by index in derived.order.
   const SegmentTable& segment(std::size_t index) const { return tables_.get(order_[index]); }
   std::size_t size() const { return order_.size(); }
   double start(std::size_t index) const { return starts_[index]; }

@@ -1,5 +1,5 @@
-// The rails of a segment: the curve itself, or a line below it (world::rails_height). The curve stays what trains move
-// along; these are for what shows or touches rails.
+// The rails of a segment: the curve itself, or a line below it (world::rails_height). Trains move along the curve;
+// these functions are for drawing and contact with the rails.
 #pragma once
 
 #include "sim/shape/derived.h"
@@ -20,10 +20,10 @@ curve::Box rails_box(const SegmentShape& shape);
 struct OffsetPoint {
   glm::dvec3 position{0};
   curve::Frame frame;           // of the curve
-  double along = 1, aside = 0;  // the derivative's parts; the line folds where `along` is 0 or less
+  double along = 1, aside = 0;  // components of the derivative; the line folds where `along` is 0 or less
   double spin = 0;              // rad/m, of the line, by its own length
   double stretch() const { return std::sqrt(along * along + aside * aside); }  // m of the line per metre of curve
-  // Unit; the curve's own where the line stands still.
+  // Returns the unit tangent of the line; the curve's own where the line's derivative vanishes.
   glm::dvec3 tangent() const;
 };
 OffsetPoint offset_point(const SegmentShape& shape, double s, double height);

@@ -1,5 +1,5 @@
-// Roll along a segment, and the spins of knots that follow from the twists beside them. The spin is the rate at which
-// the track's frame turns about the tangent against the rotation-minimising one: it is the same from both sides of a
+// Roll along a segment, and the spins of knots that follow from the twists on both sides. The spin is the rate at which
+// the track's frame turns about the tangent against the rotation-minimising one: it is the same on both sides of a
 // knot, so the roll rate of a train is continuous over every joint.
 #pragma once
 
@@ -29,9 +29,9 @@ inline constexpr double kLeastSpin = 1e-6;  // rad/m: rounding of the knots' `up
 struct Derived;
 
 // Sets the spin of those `knots` that have an automatic one, from the twists of `derived`, which must be the
-// document's. It is 0 at the ends of an open track. Linear in the track's length. Returns whether anything changed.
+// document's. It is 0 at the ends of an open track. Linear in the track's length. Returns true if anything changed.
 bool set_automatic_spins(const Derived& derived, std::span<const world::Entity> knots, world::Document& document);
-// The same for every knot of the track, by shapes derived for it.
+// Sets the spin of every knot of the track, from newly derived shapes.
 void set_automatic_spins(world::Document& document);
 
 }  // namespace coaster::sim

@@ -21,7 +21,7 @@ struct alignas(64) SegmentBlock {
   std::array<FourFloats, 3> from{}, to{};  // by axis, m: the ends of the chords, exactly p0 and p3
   FourFloats radius{};                     // m, rounded up
   std::int32_t first = 0, count = 0;
-  std::int32_t parent = -1, lane = 0;  // the node that holds this block's box, and its lane there
+  std::int32_t parent = -1, lane = 0;  // the node that contains this block's box, and its lane there
 };
 
 // Up to four children, each a node (its index) or a block (the complement ~index). Boxes contain all of the child's
@@ -33,7 +33,7 @@ struct alignas(64) TreeNode {
   std::int32_t parent = -1, lane = 0;
 };
 
-// Largest depth, however the segments lie, for far more segments than a document may have.
+// Largest depth for any arrangement of the segments, for far more of them than a document may have.
 inline constexpr int kMaxTreeDepth = 48;
 
 struct SegmentTree {
@@ -50,8 +50,8 @@ void build_tree(std::vector<curve::Cubic> cubics, SegmentTree& tree);
 // the grouping into nodes may differ.
 void refit_tree(std::span<const std::size_t> changed, SegmentTree& tree);
 
-// Calls visit(index in the track) for the segments of all blocks for whose boxes, and for all of those around them,
-// meets(box) is true, until a visit returns false. Returns true if none did.
+// Calls visit(index in the track) for the segments of each block for which meets(box) is true for the block's box and
+// all boxes that contain it, until a visit returns false. Returns true if none did.
 template <class Meets, class Visit>
 bool all_within(const SegmentTree& tree, const Meets& meets, const Visit& visit) {
   if (tree.nodes.empty()) return true;

@@ -1,4 +1,4 @@
-// The distance between the curves of two tracks, whatever their knots.
+// The distance between the curves of two tracks, independent of their knots.
 #pragma once
 
 #include <vector>
@@ -12,7 +12,7 @@ struct ShapeTrace {
   std::vector<glm::dvec3> points;
   friend bool operator==(const ShapeTrace&, const ShapeTrace&) = default;
 };
-inline constexpr int kTracePoints = 1024;  // at most, and approximately, for tracks of any length
+inline constexpr int kTracePoints = 1024;  // maximum and typical number, for tracks of any length
 
 // Returns exact points of the curves at uniform parameters of each segment, at least 8 per segment up to kTracePoints
 // segments.
