@@ -10,17 +10,17 @@
 
 namespace coaster::sim {
 
-// Elsewhere on the track: a tube about a line above the rails, from below the spine to above the riders' heads.
+// The envelope in general: a tube about a line above the rails, from below the spine to above the riders' heads.
 inline constexpr double kEnvelopeRadius = 1.6, kEnvelopeLift = 0.45;  // m
-// Where the bar's own support holds the track, within kHeldReach of it along the rails: a tube about the riders, and
-// the rails with the wheels on them.
+// The envelope within kHeldReach along the rails of the bar's own support: a tube about the riders, and the rails with
+// the wheels on them.
 inline constexpr double kHeldReach = 4.0, kRiderRadius = 1.1, kRiderLift = 1.05;  // m
 inline constexpr double kBarMargin = 0.03;  // m added to all of these, for the error of chords
 
 struct Bar {
   glm::vec3 from{0}, to{0};              // m
   float from_radius = 0, to_radius = 0;  // m
-  bool grounded = false;                 // ends at `to` in a footing
+  bool grounded = false;                 // ends in a footing at `to`
   friend bool operator==(const Bar&, const Bar&) = default;
 };
 

@@ -1,4 +1,4 @@
-// Conflicts: stretches of a track that are closer to each other than a train on one of them needs. Cached per segment,
+// Conflicts: parts of a track that are closer to each other than a train on one of them requires. Cached per segment,
 // and recomputed where the track changed.
 #pragma once
 
@@ -14,7 +14,7 @@ namespace coaster::sim {
 // tube about a line below them.
 inline constexpr double kTrainRadius = 1.5, kTrainLift = 0.45;  // m
 inline constexpr double kTrackRadius = 0.78, kTrackDrop = 0.3;  // m
-// Positions closer than this along the rails are one stretch and never conflict.
+// Positions closer than this along the rails belong to one part of the track and never conflict.
 inline constexpr double kSameStretch = 8;   // m
 inline constexpr double kConflictStep = 2;  // m, length of the chords of the curve; longer beyond 1,000 per segment
 
@@ -22,7 +22,7 @@ inline constexpr double kConflictStep = 2;  // m, length of the chords of the cu
 struct Conflict {
   double at = 0, other = 0;               // m along the track, at < other: the narrowest point
   double from = 0, to = 0;                // m along the track, start and end of the first stretch
-  double other_from = 0, other_to = 0;    // m, the same of the other
+  double other_from = 0, other_to = 0;    // m, the same for the other stretch
   double missing = 0;                     // m of clearance missing there, above 0, at most kTrainRadius + kTrackRadius
   glm::vec3 at_place{0}, other_place{0};  // m, on the rails' centre line
   friend bool operator==(const Conflict&, const Conflict&) = default;
@@ -34,17 +34,17 @@ struct LinePoint {
   float s = 0;
 };
 
-// A part of a line that is not yet track, too close to track or to an earlier part of the line.
+// A part of a planned line that is too close to track or to an earlier part of the line.
 struct Narrow {
   double from = 0, to = 0;  // m along the line
   double missing = 0;       // m, as in a conflict
-  double other = -1;        // m along the track, the narrowest place; below 0: an earlier part of the line
+  double other = -1;        // m along the track, narrowest position; below 0: an earlier part of the line
 };
 
-// A line that is not yet track, beside what it continues.
+// The conditions for a planned line: the track that it continues, and the required margin.
 struct LineTerms {
   bool comes_home = false;  // it ends at the track's first knot
-  double margin = 0;        // m of clearance asked for on top
+  double margin = 0;        // m of additional clearance
 };
 
 // Returns the largest missing clearance, m; 0 if there is none.
@@ -98,8 +98,8 @@ class Conflicts {
   std::vector<Hit> hits_;
   std::vector<Conflict> found_;
   std::vector<world::Entity> order_;
-  std::vector<bool> stale_;           // segments of this search, also those that it has checked
-  std::vector<std::size_t> waiting_;  // their indices, ascending; those from next_ on wait to be checked
+  std::vector<bool> stale_;           // segments of this search, including those already checked
+  std::vector<std::size_t> waiting_;  // their indices, ascending; those from next_ on are not checked yet
   std::size_t next_ = 0;
   std::uint64_t last_build_ = 0;
   int looked_at_ = 0;

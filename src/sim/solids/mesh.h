@@ -1,4 +1,4 @@
-// Triangle meshes and the basic solids that they are made of. Pure functions, independent of what is built.
+// Triangle meshes and the basic solids that they consist of. Pure functions, independent of the track.
 #pragma once
 
 #include <array>
@@ -12,7 +12,7 @@
 
 namespace coaster::sim {
 
-// The material of a triangle: rows of the table of paints in shaders/mesh.frag, in the same order.
+// The material of a triangle: a row of the table of paints in shaders/mesh.frag, in the same order.
 enum class Part : std::uint8_t {
   rail,
   spine,
@@ -64,7 +64,7 @@ struct Ring {
   glm::dvec3 place(glm::dvec2 offset) const { return place(offset.x, offset.y); }
 };
 
-// The ends of a tube that are closed by a fan. A tube that continues in another one needs none there.
+// The ends of a tube that are closed by a fan. A tube that continues in another one needs no cap there.
 struct Caps {
   bool first = true, last = true;
 };

@@ -9,8 +9,8 @@
 namespace coaster::sim {
 
 // Calls `takes` with the bars of one form after the other for the track at `at`, until it returns true; returns false
-// if it never does. The forms: a vertical column; two legs for high track or if vertical is blocked; a leaning leg; a
-// column beside the track with an arm, which inverted track gets. Bars start in the spine or at an elbow and stay
+// if it never does. The forms: a vertical column; two legs for high track or if the vertical is blocked; a leaning leg;
+// a column next to the track with an arm, used for inverted track. Bars start in the spine or at an elbow and stay
 // within kSupportReach of it sideways.
 bool try_forms(const Ring& at, const std::function<bool(std::span<const Bar>)>& takes);
 

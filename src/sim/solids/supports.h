@@ -50,7 +50,7 @@ class Supports {
     std::uint64_t shape_build = 0;
     bool stale = true;
     Lane lane;
-    curve::Box reach;  // of all possible positions of bars
+    curve::Box reach;  // contains all possible positions of bars
     SupportRow row;
     int count = -1;  // number wanted at its index in the track
     SegmentSupports found;

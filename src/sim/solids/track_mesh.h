@@ -36,13 +36,12 @@ std::vector<Ring> spaced_rings(const SegmentShape& shape, double spacing);
 // of zero length, never NaN. `detail` may leave out the ties, or everything.
 void sweep_track(const SegmentShape& shape, Mesh& mesh, Caps caps = {}, const Detail& detail = {});
 
-// The ties of a segment stand at these rings; none if it is very short or `detail` leaves them out.
+// Returns the rings at which the ties of a segment are; none if it is very short or `detail` leaves them out.
 std::vector<Ring> tie_rings(const SegmentShape& shape, const Detail& detail);
 
-// What a swept solid is made of: a mesh between two rings, around the origin with forward +X, up +Y, left -Z. Every
-// vertex has x = 0 and belongs to the first ring (along 0) or to the second one (along 1). Sweeping `tubes` from ring
-// to ring, `caps` over the first and the last one and `tie` over kHalfTie to both sides of a tie's ring gives
-// sweep_track().
+// The parts of a swept solid: a mesh between two rings, around the origin with forward +X, up +Y, left -Z. Every vertex
+// has x = 0 and belongs to the first ring (along 0) or to the second one (along 1). Sweeping `tubes` from ring to ring,
+// `caps` over the first and the last one and `tie` over kHalfTie to both sides of a tie's ring gives sweep_track().
 struct TrackPieces {
   Mesh tubes;  // rails and spine; `coarse` for distant views
   Mesh caps;   // closes them, seen against the direction of travel
@@ -51,7 +50,7 @@ struct TrackPieces {
 TrackPieces track_pieces();
 
 // Adds the solids of a kind of equipment: a chain and a walkway with a handrail on a lift, rows of fins on brakes and
-// blocks, blocks of a linear motor on a launch, platforms beside the track in a station. Walkways and platforms are
+// blocks, blocks of a linear motor on a launch, platforms next to the track in a station. Walkways and platforms are
 // left out where the track is too steep or too banked. Adds nothing for a segment of zero length.
 void add_fittings(const SegmentShape& shape, world::EquipmentKind kind, Mesh& mesh, const Detail& detail = {});
 
