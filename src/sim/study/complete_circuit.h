@@ -1,5 +1,5 @@
 // Completes a circuit: up to three different ways from the track's open end to its first knot, with curvature and spin
-// continuous at both joints, clear of other track and within what riders bear (docs/elements.md).
+// continuous at both joints, clear of other track and within the limits of what riders feel (docs/elements.md).
 #pragma once
 
 #include "sim/plan/circuit_search.h"
@@ -15,30 +15,31 @@ struct CircuitProposal {
   // Its last knot is the track's first, with the new incoming handle.
   ElementPlan plan;
   FeltRange felt;      // g, at the speeds that follow from the energy
-  world::WayHome way;  // what it is planned again from
+  world::WayHome way;  // from which it can be planned again
 };
 
 struct CircuitProposals {
   std::vector<CircuitProposal> list;  // best first: by length and felt g
   std::string refusal;                // why there is none; empty if there is one
   double speed = 0;                   // m/s at the open end
-  bool assumed = false;               // that speed: no train reaches the open end
+  bool assumed = false;               // the speed is assumed: no train reaches the open end
 };
 
-// Returns what is to be completed: `ride` is the train's ghost on the open track, null without a train. `derived` must
-// be the document's. Nothing for a closed track and one without a segment.
+// Returns the task of completing the track: `ride` is the train's ghost on the open track, null without a train.
+// `derived` must be the document's. Nothing for a closed track and one without a segment.
 std::optional<CircuitTask> circuit_task(const world::Document& document, const Derived& derived, const Ghost* ride);
 
-// `conflicts` and `derived` are the open track's and up to date. Tries at most kMostTried candidates: below 1 s.
+// Returns the proposals. `conflicts` and `derived` must be up to date for the open track. Tries at most kMostTried
+// candidates: below 1 s.
 CircuitProposals complete_circuit(const CircuitTask& task, const Derived& derived, const Conflicts& conflicts);
 inline constexpr int kMostTried = 1200;
-// A way home that is track, with the lengths of its spans, m.
+// An existing way home, with the lengths of its spans, m.
 struct FormerWay {
   world::WayHome way;
   std::vector<double> lengths;
 };
-// Returns at most one way home: that which is most like a former way, in spans of about the same lengths. Tries at most
-// kMostTriedAgain candidates: about 10 ms, and 50 ms where all fail.
+// Returns at most one way home: the one most similar to a former way, in spans of about the same lengths. Tries at most
+// kMostTriedAgain candidates: about 10 ms, and 50 ms if all fail.
 CircuitProposals complete_again(const FormerWay& former, const CircuitTask& task, const Derived& derived,
                                 const Conflicts& conflicts);
 inline constexpr int kMostTriedAgain = 12;
@@ -53,7 +54,7 @@ struct OpenedTrack {
 // Caches the proposals while task and track are unchanged.
 class CircuitMemo {
  public:
-  // Refused for a track that cannot be completed.
+  // Returns the proposals, updated; refused for a track that cannot be completed.
   const CircuitProposals& update(const world::Document& document, const Derived& derived, const Conflicts& conflicts,
                                  const Ghost* ride);
 

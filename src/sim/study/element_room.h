@@ -1,4 +1,4 @@
-// Whether an element of the palette has clearance at the end of the track.
+// Checks whether an element of the palette has clearance at the end of the track.
 #pragma once
 
 #include <vector>

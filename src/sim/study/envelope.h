@@ -41,11 +41,11 @@ double limit(const EnvelopeCurve& curve, double seconds);
 void low_pass(std::span<float> values, double rate, double cutoff);
 
 // Returns low-passed felt g of riders of car `car` on one of the seat's axes, one value per entry of Ghost::forces. An
-// entry includes the impulses of the joints that the car has passed since the one before, each by the time between
-// them.
+// entry includes the impulses of the joints that the car has passed since the previous entry, each divided by the time
+// between entries.
 std::vector<float> low_passed_g(const Ghost& ghost, int car, float Force::*axis, double cutoff);
 
-// The same on an axis of the limits, positive in the direction that it limits (side: absolute).
+// Returns the same on an axis of the limits, positive in the direction that it limits (side: absolute).
 std::vector<float> pressed(const Ghost& ghost, int car, ForceAxis axis, double cutoff);
 
 // An overload: a stretch of a ride in which an acceleration lasts longer than its limit allows.

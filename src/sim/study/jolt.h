@@ -1,5 +1,5 @@
-// Jolts: what riders feel of the jumps of curvature and roll at a joint. Felt g is continuous where the track is, so it
-// is the difference that the joint makes.
+// Jolts: the effect on riders of the jumps of curvature and roll at a joint. Felt g is continuous where the track is,
+// so a jolt is the difference that the joint makes.
 #pragma once
 
 #include <vector>
@@ -15,7 +15,7 @@ inline constexpr double kJoltLimit = 1.0;  // g: joints above are marked
 struct Jolt {
   double forward = 0, left = 0, up = 0;  // g, absolute
   double total = 0;                      // g
-  int car = 0;                           // with the largest total
+  int car = 0;                           // car with the largest total
   double speed = 0;                      // m/s, of that car there; negative: backwards
 };
 
@@ -24,7 +24,7 @@ struct Jolt {
 Jolt jolt_of(const Passage& passage, double cutoff);
 
 // Returns the jolt of each knot, by its index in the track: 0 at the ends of an open track and where the ride does not
-// come.
+// arrive.
 std::vector<Jolt> jolts(const Ghost& ghost, std::size_t knots, double cutoff);
 
 }  // namespace coaster::sim

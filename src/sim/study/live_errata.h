@@ -1,4 +1,4 @@
-// The paper's errata on the track: each wrong claim beside the correct value, for one segment. Panels show the list;
+// The paper's errata on the track: each wrong claim next to the correct value, for one segment. Panels show the list;
 // the queries `erratum NAME` (correct) and `erratum_wrong NAME` (claimed) read it. The claims about single curves are
 // computed in curve/paper_claims.h.
 #pragma once
@@ -29,11 +29,11 @@ struct Erratum {
 inline constexpr std::array<std::string_view, 6> kErrata{"gravesen", "line", "frozen", "g_step", "frenet_flip", "pen"};
 inline constexpr int kFrozenTicks = 60;  // half a second
 
-// Returns the six of one segment, in the order of kErrata; takes under 1 ms. `speed` in m/s (for g_step), `steps` of
-// the polyline (for line). The segment must be in derived.order.
+// Returns the six errata of one segment, in the order of kErrata; takes under 1 ms. `speed` in m/s (for g_step),
+// `steps` of the polyline (for line). The segment must be in derived.order.
 std::array<Erratum, kErrata.size()> errata(const Derived& derived, world::Entity segment, double speed, int steps);
 
-// Returns one of them; nothing for an unknown name.
+// Returns one erratum; nothing for an unknown name.
 std::optional<Erratum> erratum(const Derived& derived, world::Entity segment, double speed, int steps,
                                std::string_view name);
 

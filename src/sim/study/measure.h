@@ -14,7 +14,7 @@ namespace coaster::sim {
 
 inline constexpr std::array<int, 5> kMeasuredSteps{16, 64, 256, 1024, 4096};
 inline constexpr int kMeasureRounds = 9;            // odd, for the median
-inline constexpr int kMeasuredPoints = 16'384;      // evaluated at least by each row in one round
+inline constexpr int kMeasuredPoints = 16'384;      // at least so many for each row in one round
 inline constexpr std::size_t kMeasuredCurves = 16;  // evenly spaced along the track
 
 struct MeasuredCell {

@@ -11,14 +11,15 @@ struct NearMisses {
   int count() const { return track + supports; }
 };
 
-// A rider's head, above the rails, and how near something passes it, m: to the middle of other track, and to the
-// surface of a support's bar.
+// Height of a rider's head above the rails, and the distance of a near miss from it, m: to the middle of other track,
+// and to the surface of a support's bar.
 inline constexpr double kHead = 1.5, kNearTrack = 3.0, kNearBar = 2.2;
-inline constexpr double kSlowestMiss = 5;  // m/s: slower is no near miss
-inline constexpr double kMissApart = 12;   // m along the rails: nearer is one stretch, and two are one near miss
+inline constexpr double kSlowestMiss = 5;  // m/s: slower passes do not count
+inline constexpr double kMissApart =
+    12;  // m along the rails: closer parts are one stretch, and closer near misses are one
 
-// Counts those of the first lap, for the first car's riders; without supports those of track alone. About a microsecond
-// per metre of track and of ride.
+// Counts the near misses of the first lap, for the first car's riders; without `supports` only those of track. About a
+// microsecond per metre of track and of ride.
 NearMisses near_misses(const Ghost& ghost, const Derived& derived, const Supports* supports);
 
 }  // namespace coaster::sim

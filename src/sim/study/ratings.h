@@ -32,7 +32,7 @@ struct Ratings {
   double highest_drop = 0;  // m
   int inversions = 0;       // number of times that riders are turned upside down
   int near_misses = 0;      // of track and supports (near_misses.h)
-  double overload = 0;      // sum of what overloads have beyond their limits, relative to these
+  double overload = 0;      // sum of the overloads' excess over their limits, relative to the limits
   // 0 to 10: see excitement_of(). Intensity and nausea are OpenRCT2's published terms of g and drops, with real g.
   double excitement = 0, intensity = 0, nausea = 0;
 };
@@ -42,7 +42,7 @@ inline constexpr double kDrop = 3.0;  // m
 // g, each by ever less, and falls with jolts and overloads. Weights and reasons: docs/ride.md.
 double excitement_of(const Ratings& ratings);
 
-// What a ride passes and exceeds, which its ghost alone does not tell.
+// Properties of a ride that its ghost does not contain: near misses and overloads.
 struct RideMarks {
   int near_misses = 0;
   std::span<const RedSpan> overloads = {};

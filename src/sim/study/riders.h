@@ -1,5 +1,5 @@
-// What the riders of each car feel along a simulated ride, one sample per entry of Ghost::forces: the ride as it was
-// simulated, so that nothing is simulated twice.
+// What the riders of each car feel along a simulated ride, one sample per entry of Ghost::forces. Reads the finished
+// ride, so that nothing is simulated twice.
 #pragma once
 
 #include <cstdint>
@@ -76,17 +76,16 @@ struct CarRange {
   int middle() const { return first + (last - first + 1) / 2; }
 };
 
-// The samples of a ride's cars, computed for those cars that are asked for.
-//
+// The samples of a ride's cars, computed for the requested cars.
 // Jerk: the low-passed felt g of the force limits (low_passed_g() of study/envelope.h), and its central difference over
 // two entries (1/30 s). It lags by the filter's delay, 0.08 s at 5 Hz. Unfiltered g steps where the curvature does, so
 // its derivative would depend on the sampling.
 // Roll rate: spin (rad/m) times speed. Roll acceleration: its exact derivative, spin' v^2 + spin a, within a segment.
 class Riders {
  public:
-  // About 0.5 ms for a minute of one car.
+  // Computes the samples of the cars. About 0.5 ms for a minute of one car.
   void update(const Ghost& ghost, const RailTables& tables, const Derived& derived, double cutoff, CarRange cars);
-  // Returns cars that the last update() asked for, or that were asked for earlier in the same ride.
+  // Returns a car requested in the last update() or earlier in the same ride.
   Rider car(int index) const;
   std::vector<Rider> cars(CarRange range) const;
   std::vector<Rider> all() const { return cars({0, static_cast<int>(samples_.size()) - 1}); }

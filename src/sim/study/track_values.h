@@ -1,4 +1,4 @@
-// The values that colour the track, at uniform positions of every segment: of the whole ride, the curve or the
+// The values that colour the track, at uniform positions of every segment: from the whole ride, the curve or the
 // evaluator. Cached, so that a frame without changes costs a comparison.
 #pragma once
 

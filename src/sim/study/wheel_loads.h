@@ -12,14 +12,14 @@ namespace coaster::sim {
 
 inline constexpr double kBogieShare = 0.6;  // distance between the bogies over the car's length
 
-// A car as a rigid body. Its centre of mass is where felt g is given, on the heartline.
+// A car as a rigid body. Its centre of mass is on the heartline, where felt g is given.
 struct CarBody {
   double mass = world::kCarMass;      // kg, with riders
   double length = world::kCarLength;  // m
   double height = 0;                  // m, of the centre of mass above the rails; below 0: under them
 };
 
-// Loads in kN, none below 0: road wheels are pushed up by the rails, up-stop wheels down, side wheels outwards.
+// Loads in kN, never negative: the rails push road wheels up, up-stop wheels down, side wheels outwards.
 struct Wheels {
   double road = 0, up_stop = 0, side = 0;
 };
@@ -46,7 +46,7 @@ struct WheelLoads {
 // Returns the loads of a car: forces sum to mass times felt g up and to the left, and all moments about the centre of
 // mass vanish. Forces along the track act at the height of the rails. Both bogies take half of the lateral force.
 WheelLoads wheel_loads(const Felt& felt, const CarBody& car);
-// Returns those of a train's first car as it moves, and of a ghost's car at an entry of Ghost::forces.
+// Return the loads of a train's first car in its present motion, and of a ghost's car at an entry of Ghost::forces.
 WheelLoads wheel_loads(const world::Document& document, const Derived& derived, world::Entity train,
                        const world::CartMotion& motion);
 WheelLoads wheel_loads(const Ghost& ghost, std::size_t entry, int car);
