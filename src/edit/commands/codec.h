@@ -11,7 +11,7 @@
 namespace coaster::edit {
 
 std::string print(const Command& command);
-// Returns a sentence without a full stop on what a command that changes the document did: "Moved k4".
+// Returns what a command that changes the document did, as a sentence without a full stop: "Moved k4".
 std::string done(const Command& command);
 
 // One row per kind of command, for help, completion and the command palette: "move @knot to X Y Z".

@@ -34,9 +34,9 @@ std::string print_value(const world::Element& value);  // "loop left height 16 .
 inline std::string print_value(std::floating_point auto value) { return base::to_text(value); }
 inline std::string print_value(std::integral auto value) { return std::to_string(value); }
 
-inline std::string print_value(const Flag&) { return {}; }  // its keyword says it
+inline std::string print_value(const Flag&) { return {}; }  // its keyword says it all
 
-// The same for people, in sentences: "k4", "28 knots", "the outgoing handle of k3".
+// The same in words for sentences: "k4", "28 knots", "the outgoing handle of k3".
 std::string words_of(const Target& value);
 std::string words_of(const HandleTarget& value);
 std::string words_of(const Knots& value);
@@ -65,8 +65,8 @@ bool read_value(base::Words& words, std::int64_t& value);
 bool read_value(base::Words& words, bool& value);
 bool read_value(base::Words& words, std::string& value);
 bool read_value(base::Words& words,
-                world::Element& value);  // to the end of the line; unnamed values get their defaults
-inline bool read_value(base::Words&, Flag& value) { return value.set = true; }  // its keyword was read
+                world::Element& value);  // reads to the end of the line; missing values get their defaults
+inline bool read_value(base::Words&, Flag& value) { return value.set = true; }  // its keyword was read already
 
 inline std::string usage_of(const HandleTarget&) { return "@knot.in|@knot.out"; }
 inline std::string usage_of(const Knots&) { return "@knot,...|@knot..@knot|all|selected"; }
@@ -81,7 +81,7 @@ inline std::string usage_of(std::floating_point auto) { return "NUMBER"; }
 inline std::string usage_of(std::integral auto) { return "N"; }
 std::string usage_of(const world::Element& value);
 
-// Values of an enumeration are written by their names.
+// Values of an enumeration are printed and read by name.
 template <base::Named E>
 std::string print_value(E value) {
   return std::string(base::name_of(value));

@@ -1,8 +1,8 @@
 // One command of any kind: everything that a person, a script or a recording can make the program do to document,
-// motion and settings. The kinds are plain structs with a name, a line of help and a list of fields; from these come
-// printing, parsing, help and completion. They stand in commands_*.h by what they change, and command_list.h lists them
-// all. A file that makes a command includes the header of its group. Commands carry names and numbers, never screen
-// coordinates.
+// motion and settings. The kinds are plain structs with a name, a line of help and a list of fields; printing, parsing,
+// help and completion are derived from these. They are in commands_*.h, grouped by what they change, and command_list.h
+// lists them all. A file that makes a command includes the header of its group. Commands contain names and numbers,
+// never screen coordinates.
 #pragma once
 
 #include <any>
@@ -26,7 +26,7 @@ class Command {
   bool is() const {
     return as<C>() != nullptr;
   }
-  // Returns null if it is of another kind.
+  // Returns the command as kind C; null if it is of another kind.
   template <class C>
   const C* as() const {
     return std::any_cast<C>(&value_);
@@ -43,9 +43,10 @@ class Command {
 
 inline const CommandInfo& info(const Command& command) { return command.info(); }
 
-// Returns whether a command loads a shared link.
+// True if a command loads a shared link.
 bool opens_link(const Command& command);
-// Returns the file that a command writes, or null. Such commands change nothing, and scripts may write only below $OUT.
+// Returns the file that a command writes, or null. Such commands change nothing else, and scripts may write only below
+// $OUT.
 const std::string* output_path(const Command& command);
 // Sets the file of a command that writes one; does nothing for others.
 void set_output_path(Command& command, std::string path);

@@ -23,11 +23,11 @@ struct Target {
 };
 
 // Several knots: "@k1,@k2,@k7"; "@k3..@k9", which also names those between them on the track; "all"; or "selected": the
-// selection at the time of the command. Order does not matter, but that on a closed track "@k9..@k3" leads across the
+// selection at the time of the command. Order matters only for a range on a closed track: "@k9..@k3" leads across the
 // first knot.
 struct Knots {
   enum class Which : std::uint8_t { named, range, all, selected } which = Which::named;
-  std::vector<world::Name> names;  // of a range: its first and its last
+  std::vector<world::Name> names;  // of a range: the first and the last
   Knots() = default;
   Knots(world::Name one) : names{one} {}
   Knots(Which all_or_selected) : which(all_or_selected) {}
@@ -46,7 +46,7 @@ struct Sections {
   friend bool operator==(const Sections&, const Sections&) = default;
 };
 
-// Knots or sections, not both, written as either. "all" is all knots, "selected" what is selected of them.
+// Knots or sections, not both, written as either. "all" is all knots, "selected" the selected ones of either kind.
 struct KnotsOrSections : Knots {
   using Knots::Knots;
   friend bool operator==(const KnotsOrSections&, const KnotsOrSections&) = default;
@@ -58,7 +58,7 @@ struct Phrase {
   friend bool operator==(const Phrase&, const Phrase&) = default;
 };
 
-// A word that a line may end with or leave out: "save FILE overwrite".
+// A word that may end a line: "save FILE overwrite".
 struct Flag {
   bool set = false;
   explicit operator bool() const { return set; }
@@ -80,8 +80,8 @@ struct CommandInfo {
   std::string_view name;  // the first word of its line
   std::string_view help;
   Effect effect;
-  // What the history says of a command that changes the document: "Set the roll of {} to {to}°". Braces hold a field's
-  // keyword, that of the first field is empty; "{to?Closed|Opened}" says which of two a switch is.
+  // The sentence in the history for a command that changes the document: "Set the roll of {} to {to}°". Braces contain
+  // a field's keyword (empty for the first field); "{to?Closed|Opened}" gives one word for each state of a switch.
   std::string_view done = {};
 };
 
@@ -95,14 +95,15 @@ struct Change;  // of the session by one command: edit/perform/perform.h
   friend base::Status perform(Session& session, Change& change, const Kind& command)
 
 // fields(self, visit) calls visit(keyword, member) in the order of the text; an empty keyword is positional: "move @k4
-// to 1 2 3" has the fields ("", knot) and ("to", position). "on?" is optional, "on?|by" was once called "by".
+// to 1 2 3" has the fields ("", knot) and ("to", position). "on?" is optional, "on?|by" also accepts the former keyword
+// "by".
 #define COASTER_FIELDS(...)                                                         \
   template <class Self, class Visit>                                                \
   static void fields([[maybe_unused]] Self& self, [[maybe_unused]] Visit&& visit) { \
     __VA_ARGS__;                                                                    \
   }
 
-// The fields of commands that equip; the numbers are in m/s, m/s^2, m/s and s.
+// The fields of commands that add equipment; the numbers are in m/s, m/s^2, m/s and s.
 template <class Equipment, class Visit>
 void visit_equipment(Equipment& to, Visit&& visit) {
   visit("as", to.kind);

@@ -1,4 +1,5 @@
-// All kinds of commands, for what is done with every kind: its text, applying it. Each group's header lists its own.
+// The list of all kinds of commands, for functions over every kind: text, applying. Each group's header lists its
+// kinds.
 #pragma once
 
 #include <algorithm>
@@ -39,14 +40,14 @@ using Commands =
 
 inline constexpr auto kCommandInfos = Commands::table([]<class C>() { return &C::kInfo; });
 
-// The place of a command's kind in the list (COASTER_CHECK).
+// Returns the index of a command's kind in the list (COASTER_CHECK).
 inline std::size_t index_of(const Command& command) {
   const auto found = std::find(kCommandInfos.begin(), kCommandInfos.end(), &command.info());
   COASTER_CHECK(found != kCommandInfos.end(), "the kind of a command is in the list of commands");
   return static_cast<std::size_t>(found - kCommandInfos.begin());
 }
 
-// Returns whether a command starts with this word in scripts.
+// Returns whether a command in scripts starts with this word.
 inline bool is_command_word(std::string_view word) {
   return std::ranges::any_of(kCommandInfos, [&](const CommandInfo* info) { return info->name == word; });
 }

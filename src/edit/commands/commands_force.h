@@ -16,7 +16,7 @@ struct AddForce {
                   Effect::document, "Added a force section");
   COASTER_FIELDS(visit("over?", self.over), visit("length?", self.length), visit("tolerance?", self.tolerance))
 };
-// Here and below, with `from_start on` the section's keys are those that it had when the open gesture began.
+// In these commands `from_start on` uses the keys that the section had when the open gesture began.
 struct SetForceKey {
   Target section;
   bool from_start = false;
@@ -84,7 +84,7 @@ struct PasteForceKeys {
   Target section;
   world::ForceChannel channel{};
   double at = 0;
-  std::string text;  // keys as force.copy writes them; empty: those that were copied
+  std::string text;  // keys as printed by force.copy; empty: the keys copied last
   COASTER_COMMAND(PasteForceKeys, "force.paste",
                   "Put copied keys into a channel, the first at a place; they replace the keys among them.",
                   Effect::document, "Pasted keys of {}");

@@ -1,4 +1,4 @@
-// The laboratory's commands: what is drawn over the scene, and measuring. See command.h.
+// The laboratory's commands: layers over the scene, and measurements. See command.h.
 #pragma once
 
 #include <string>

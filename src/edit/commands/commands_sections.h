@@ -35,7 +35,7 @@ struct SetSectionTitle {
                   "Titled {} {to}");
   COASTER_FIELDS(visit("", self.section), visit("to", self.to))
 };
-// With `from_start on` it starts from the section as it was when the open gesture began.
+// `from_start on` starts from the section as it was when the open gesture began.
 struct ChangeSection {
   Target section;
   bool from_start = false;
@@ -94,7 +94,7 @@ struct CopySection {
   COASTER_FIELDS(visit("", self.sections))
 };
 struct PasteSections {
-  std::string text;  // a track; empty: what was copied
+  std::string text;  // a track; empty: the sections copied last
   COASTER_COMMAND(PasteSections, "section.paste",
                   "Add what was copied, or all sections of a track's text, at the open end of the track.",
                   Effect::document, "Pasted sections");

@@ -1,4 +1,4 @@
-// The command that finds numbers. See command.h.
+// The command that searches for numbers that reach a goal. See command.h.
 #pragma once
 
 #include "edit/commands/command_fields.h"
@@ -6,8 +6,8 @@
 
 namespace coaster::edit {
 
-// `by` is height, x, z, place or roll of knots, or a parameter of sections. Limits are of each of these numbers: m, or
-// degrees for roll, or the parameter's unit.
+// `by` is height, x, z, place or roll of knots, or a parameter of sections. The limits apply to each of these numbers:
+// m, or degrees for roll, or the parameter's unit.
 struct Seek {
   Phrase goal, by;
   KnotsOrSections of;

@@ -1,5 +1,5 @@
-// Commands on settings of several values; those of one are edit::Set (edit/commands/set_setting.h), and those of the
-// laboratory have a file of their own. They change neither document nor motion.
+// Commands for settings with several values; those with one value use edit::Set (edit/commands/set_setting.h), those of
+// the laboratory are in commands_lab.h. They change neither document nor motion.
 #pragma once
 
 #include "edit/commands/command_fields.h"

@@ -8,7 +8,7 @@
 
 namespace coaster::edit {
 
-// With `from_start on` these start from the knots' state when the open gesture began: if a drag sends several, only the
+// `from_start on` starts from the knots' state when the open gesture began: if a drag sends several commands, only the
 // last one counts.
 struct Translate {
   Knots knots;

@@ -1,4 +1,4 @@
-// The command of every setting that is one value: it changes neither document nor motion.
+// The command for every setting with one value: it changes neither document nor motion.
 #pragma once
 
 #include "edit/commands/command_fields.h"
@@ -6,7 +6,7 @@
 
 namespace coaster::edit {
 
-// The setting with that member pointer: Set<&world::Look::shadows>{false}. Name and help come from its row.
+// Sets the setting with that member pointer: Set<&world::Look::shadows>{false}. Name and help come from its row.
 template <auto Member>
 struct Set {
   static constexpr world::SettingRow kRow = world::setting_row<Member>();

@@ -7,7 +7,7 @@
 
 namespace coaster::edit {
 
-// Returns it with its numbers within their limits; refused where one is not finite.
+// Returns it with its numbers clamped to their limits; refused if one is not finite.
 inline base::Result<world::Equipment> equipment_of(world::Equipment equipment, Change& change) {
   for (const float value : {equipment.speed, equipment.acceleration, equipment.hysteresis, equipment.seconds})
     if (!std::isfinite(value)) return refused("expected finite numbers");

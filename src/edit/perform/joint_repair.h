@@ -12,7 +12,7 @@ namespace coaster::edit {
 
 // Makes a joint G2. May move: the knot's position, direction and handle lengths (a joint that is C1 stays C1; an
 // automatic one becomes aligned), and the two handles of its neighbours that face it, along their lines, if the
-// neighbour is aligned and not C1. The knot does not move beside an automatic neighbour, whose shape would follow.
+// neighbour is aligned and not C1. The knot does not move next to an automatic neighbour, whose shape would follow.
 // Afterwards the joint is G2 to the tolerance of curve/continuity.h; the neighbours' joints keep at least their
 // geometric and parametric class; handle lengths and coordinates are within their limits; no control point moves
 // farther than half the shorter of the two control polygons. Otherwise nothing changes and the status says why. `index`
@@ -30,9 +30,10 @@ struct RepairReport {
   double movement = 0;                // m, root of the summed squared movements of all control points
   std::vector<RefusedJoint> refused;  // in track order; their continuity is unchanged
 };
-// Repairs every joint of the track in turn, in two ways, and keeps the one that makes more joints G2, or moves less if
-// equal: (1) once along the track, keeping joints that are already G2; (2) sweeps to and fro in which a repair may
-// disturb its neighbours until all agree (at most kMostSweeps). Linear in the number of joints: about 0.2 ms per joint.
+// Repairs every joint of the track in turn by two methods, and keeps the result with more G2 joints, or with less
+// movement if equal: (1) once along the track, keeping joints that are already G2; (2) sweeps to and fro in which a
+// repair may disturb its neighbours until all agree (at most kMostSweeps). Linear in the number of joints: about 0.2 ms
+// per joint.
 RepairReport make_all_g2(world::Document& document);
 inline constexpr int kMostSweeps = 24;
 

@@ -7,12 +7,12 @@
 
 namespace coaster::edit {
 
-// Returns the living knots that a command names, each once, in track order; refused if there is none.
+// Returns the existing knots that a command names, each once, in track order; refused if there are none.
 base::Result<std::vector<world::Entity>> knots_of(const Session& session, const Knots& knots);
 // The same for sections.
 base::Result<std::vector<world::Entity>> chosen_sections(const Session& session, const Sections& sections);
 
-// Returns knots (in track order) and those beside them on the track.
+// Returns the knots (in track order) and their neighbours on the track.
 std::vector<world::Entity> with_neighbours(const world::Document& document,
                                            const std::vector<world::Entity>& in_track_order);
 

@@ -1,4 +1,4 @@
-// What every kind of command works with in its perform(), which its COASTER_COMMAND declares. Private to this room.
+// The context of perform() for every kind of command, which its COASTER_COMMAND declares. Private to this room.
 #pragma once
 
 #include <optional>
@@ -19,7 +19,7 @@ struct MotionFollowUp {
   double first_length = 0, second_length = 0;  // m, merged: before the change
 };
 
-// The files that one command may use, and what it reports besides its status.
+// The files that a command may use, and its report besides the status.
 struct Change {
   base::Files& files;
   std::vector<std::string> clamped{};  // one sentence for each clamped value or other warning
@@ -29,7 +29,7 @@ struct Change {
   std::optional<world::Entity> select{};  // the selection on success
   std::vector<world::Entity> also{};      // further selected knots
   std::vector<world::Entity> planned{};   // sections that the command planned again, besides its own
-  bool remeasure = false;                 // a setting with derived data has changed
+  bool remeasure = false;                 // a setting that derived data depends on has changed
 
   // Returns `value` clamped to [low,high]; adds a sentence about WHAT and the limit if that changed it. Finite values
   // only: double, float, int and std::int64_t.
@@ -44,21 +44,21 @@ bool finite(glm::vec3 v);
 // Returns the living entity of a target, of the wanted kind; else an error that says what is missing.
 base::Result<world::Entity> require(const Session& session, Target target, world::Kind kind);
 
-// Refused if an element is of no kind or a value of it is not finite.
+// Refused if an element's kind is invalid or one of its values is not finite.
 base::Status well_formed(const world::Element& element);
 
 // Refused if `segments` polylines of `steps` steps have more than `budget` vertices.
 base::Status within_budget(std::size_t segments, int steps, std::int64_t budget);
-// Refused if there is no room for that many knots and segments.
+// Refused if that many more knots and segments would exceed the limits.
 base::Status room_for(const Session& session, std::size_t knots, std::size_t segments);
 // Lowers the resolution until the document fits the budget, with a warning notice.
 void fit_budget(Session& session);
 
-// Measures the document's shapes again.
+// Derives the document's shapes again.
 void derive(Session& session);
 // Shows the warnings of a file that was read.
 void warn(Session& session, const std::vector<std::string>& warnings);
-// Starts with another document: discards everything of the old one except settings.
+// Starts with another document: discards everything that belongs to the old one, except settings.
 void start_over(Session& session, world::Document document, std::filesystem::path path);
 
 }  // namespace coaster::edit

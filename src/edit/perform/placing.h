@@ -7,16 +7,16 @@
 
 namespace coaster::edit {
 
-// Lets track with that first knot begin at the open end: the end keeps its position, direction and roll, and its
-// outgoing handle becomes the knot's. An empty track gets the knot.
+// Starts track with that first knot at the open end: the end keeps its position, direction and roll, and its outgoing
+// handle becomes the knot's. An empty track gets the knot.
 void open_out(world::Document& document, const world::Knot& start);
-// Adds what was planned at the open end as a section, and returns that.
+// Adds a plan at the open end as a section, and returns the section.
 world::Entity place(world::Document& document, const sim::ElementPlan& plan);
 // Puts the plan's equipment, if it has any, on its segments, from that index of the track.
 void equip(world::Document& document, const sim::ElementPlan& plan, std::size_t first);
-// The same of a force section.
+// Does the same for a force section.
 world::Entity place_force(world::Document& document, const sim::ForcePlan& plan);
-// Says what was placed, or else its warnings.
+// Reports what was placed, or else its warnings.
 void report_forces(const sim::ForcePlan& plan, Change& change);
 // Plans a program at the open end for the speed there and adds it.
 base::Status add_force(Session& session, Change& change, world::ForceProgram program);

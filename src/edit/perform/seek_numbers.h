@@ -19,13 +19,13 @@ struct SeekNumber {
   base::Unknown unknown;
 };
 
-// Returns the numbers that the command names, in the order of the track; refused where there are none.
+// Returns the numbers that the command names, in track order; refused if there are none.
 base::Result<std::vector<SeekNumber>> seek_numbers(const Session& session, const Seek& command);
 
-// Gives a number a value; what follows from the document is not updated.
+// Sets a number; data derived from the document are not updated.
 base::Status give(Session& session, Change& change, const SeekNumber& number, double value);
 
-// Returns "Height: from 20 to 22.4 m." or "Height: 5 of 7 changed, by up to 1.25 m.": values[i] is of numbers[i].
+// Returns "Height: from 20 to 22.4 m." or "Height: 5 of 7 changed, by up to 1.25 m."; values[i] belongs to numbers[i].
 std::string changed_text(std::string by, const std::vector<SeekNumber>& numbers, const std::vector<double>& values);
 
 }  // namespace coaster::edit

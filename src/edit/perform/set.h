@@ -1,4 +1,4 @@
-// How the command of a setting is applied, whatever its group and type. The names of some types are in sim.
+// Applies the command of a setting, of any group and type. The names of some types are in sim.
 #pragma once
 
 #include <cmath>
@@ -16,7 +16,7 @@
 
 namespace coaster::edit {
 
-// "camera.roll_damping" as a notice says it: "roll damping".
+// Returns the setting in words for a notice: "roll damping" for "camera.roll_damping".
 std::string noun_of(std::string_view word);
 
 // Commands parsed from text name valid rows; others may not.
@@ -26,7 +26,7 @@ base::Status known_row(E value) {
   return refused(fmt::format("there is no row {} in the table of {}", static_cast<int>(value), base::count_of<E>()));
 }
 
-// Cuts a number to the limits of its row; refuses what is no value at all.
+// Clamps a number to the limits of its row; refuses an invalid value.
 template <class T>
 base::Status limit(Change& change, const world::SettingRow& row, T& value) {
   if constexpr (std::is_enum_v<T>) {

@@ -27,8 +27,8 @@ struct Verdict {
 
 struct ActiveChallenge {
   exchange::ChallengeFile file;
-  std::string path;          // of the challenge's file
-  int hints = 0;             // number shown
+  std::string path;          // the challenge's file
+  int hints = 0;             // number of hints shown
   int medal = 0;             // the best since it was started
   std::uint64_t judged = 0;  // number of judgements
   Verdict last;
@@ -42,15 +42,15 @@ struct GoalState {
   std::string name, unit;  // "Lap time", "s"
 };
 
-// Evaluates expressions for the session. All null: challenges are loaded unchecked and never judged, and nothing is
-// sought.
+// Evaluates expressions for the session. If all are null, challenges are loaded unchecked and never judged, and seek is
+// unavailable.
 struct Referee {
   // Checks that every expression can be parsed; else Code::bad_file with "PATH: error: goals[1].expect: ...".
   base::Status (*check)(const exchange::ChallengeFile& challenge, const std::string& path) = nullptr;
-  // Of the session's challenge, which there is, on the session as it is now, of which findings alone change; `result`:
-  // how the ride ended, null for Judged::build.
+  // Judges the session's challenge, which must exist, on the present session; only findings change. `result`: how the
+  // ride ended, null for Judged::build.
   Verdict (*judge)(Session& session, const struct RideResult* result) = nullptr;
-  // Code::usage if the goal cannot be read, Code::refused if its query has no value.
+  // Measures a goal. Code::usage if it cannot be parsed, Code::refused if its query has no value.
   base::Result<GoalState> (*measure)(Session& session, const std::string& goal) = nullptr;
 };
 
@@ -64,13 +64,13 @@ constexpr std::span<const base::NameRow> rows_of(RideEnd) { return kRideEnds; }
 // The end of a ride, for the score card.
 struct RideResult {
   RideEnd end = RideEnd::lap;
-  std::string reason;           // of a failure: "stalled at 132.4 m, 2.1 m below the top at 141.0 m, ..."
+  std::string reason;           // reason of a failure: "stalled at 132.4 m, 2.1 m below the top at 141.0 m, ..."
   std::optional<double> place;  // m along the track, where it failed
   bool whole = true;            // the train ran from its start on this track, and `ratings` are of this ride
   sim::Ratings ratings;
   double seconds = 0;              // from the start to the end of the ride
   std::optional<Verdict> verdict;  // of the challenge, if there was one
-  std::uint64_t serial = 0;        // counts up
+  std::uint64_t serial = 0;        // number of the result
 };
 
 // A ride in progress.

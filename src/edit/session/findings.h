@@ -1,5 +1,5 @@
-// What is found out about a session when somebody wants to know: whole rides, ratings, conflicts, plans, supports. All
-// of it follows from the document, the derived data, the settings and the envelope.
+// Values computed on demand for a session: whole rides, ratings, conflicts, plans, supports. All of them follow from
+// the document, the derived data, the settings and the envelope.
 #pragma once
 
 #include <cstdint>
@@ -29,28 +29,28 @@ namespace coaster::edit {
 
 struct Session;
 
-// What find() is asked for: one of these, or several joined by |.
+// The arguments of find(): one of these, or several joined by |.
 enum class Want : std::uint32_t {
   nothing = 0,
   document_hash = 1,
-  ride = 2,        // of the chosen cart (chosen_cart), and the tables of the rails
-  ratings = 4,     // of that ride
-  overloads = 8,   // its stretches beyond the envelope
-  conflicts = 16,  // where the track is in its own way
+  ride = 2,        // ride of the selected cart (chosen_cart), and the tables of the rails
+  ratings = 4,     // ratings of that ride
+  overloads = 8,   // overloads of that ride
+  conflicts = 16,  // where the track lacks clearance from itself
   element = 32,    // the plan of the palette's element at the track's open end
-  room = 64,       // where that element would be in the way
-  breaks = 128,    // of the Frenet frame
-  values = 256,    // that the track is coloured by
+  room = 64,       // where that element lacks clearance
+  breaks = 128,    // breaks of the Frenet frame
+  values = 256,    // values that colour the track
   supports = 512,
-  deviation = 1024,           // from the start track of the challenge under way
-  seat = 2048,                // what the riders of the chosen seat feel during that ride
-  riders = 4096,              // the same of all cars
-  folds = 8192,               // of the rails
-  jolts = 16384,              // of that ride, at the joints
+  deviation = 1024,           // distance from the start track of the current challenge
+  seat = 2048,                // what the riders of the selected seat feel during that ride
+  riders = 4096,              // the same for all cars
+  folds = 8192,               // folds of the rails
+  jolts = 16384,              // jolts of that ride, at the joints
   circuit = 32768,            // ways from the open end to the first knot
-  sections = 65536,           // their lengths, heights, and what the riders of the chosen seat feel on them
-  conflicts_so_far = 131072,  // those found up to now; each time the search goes on by a slice
-  chord_error = 262144        // of the polylines
+  sections = 65536,           // their lengths, heights, and what the riders of the selected seat feel on them
+  conflicts_so_far = 131072,  // conflicts found so far; each call continues the search by a slice
+  chord_error = 262144        // chord error of the polylines
 };
 constexpr Want operator|(Want a, Want b) {
   return static_cast<Want>(static_cast<std::uint32_t>(a) | static_cast<std::uint32_t>(b));
@@ -59,21 +59,21 @@ constexpr bool has(Want all, Want one) {
   return (static_cast<std::uint32_t>(all) & static_cast<std::uint32_t>(one)) != 0;
 }
 
-// A member is true of the session when find() has just been asked for it; pointers and spans are good until the next
-// find().
+// The results of find(). A member is up to date if find() has just been called for it; pointers and spans are valid
+// until the next find().
 struct Findings {
   std::uint64_t document_hash = 0;
   const sim::Ghost* ride = nullptr;          // null without a ride
   const sim::RailTables* tables = nullptr;   // never null after Want::ride
   const sim::Ratings* ratings = nullptr;     // never null after Want::ratings; all 0 without a ride
-  const sim::Riders* riders = nullptr;       // of the cars that were asked for; null without a ride
+  const sim::Riders* riders = nullptr;       // riders of the requested cars; null without a ride
   std::span<const sim::RedSpan> overloads;   // none without a ride
-  std::span<const sim::Conflict> conflicts;  // in the track's order; all after Want::conflicts
+  std::span<const sim::Conflict> conflicts;  // in track order; all of them after Want::conflicts
   bool all_conflicts = true;
-  std::span<const sim::Fold> folds;  // in the track's order
-  std::span<const sim::Jolt> jolts;  // by the knots' index in the track; none without a ride
+  std::span<const sim::Fold> folds;  // in track order
+  std::span<const sim::Jolt> jolts;  // by index of the knot in the track; none without a ride
   const sim::ElementPlan* element = nullptr;
-  std::span<const sim::Narrow> room;               // parts of the element that lack it
+  std::span<const sim::Narrow> room;               // parts of the element that lack clearance
   const sim::CircuitProposals* circuit = nullptr;  // never null after Want::circuit
   const sim::SectionTable* sections = nullptr;     // never null after Want::sections
   std::span<const sim::FrenetBreak> breaks;
@@ -82,11 +82,11 @@ struct Findings {
   double deviation = 0;    // m; 0 without a challenge
   double chord_error = 0;  // m, largest distance of the curve from the polylines' chords
 
-  // What the members above are kept in, each with the key that it was found for.
+  // Caches behind the members above, each with the key of its result.
   struct Memory {
     base::Kept<std::uint64_t, std::uint64_t> document_hash;  // by Session::edits
     sim::GhostMemo rides;
-    // By the ride's serial, the build of the track and the envelope.
+    // Keyed by the ride's serial, the build of the track and the envelope.
     base::Kept<std::tuple<std::uint64_t, std::uint64_t, sim::Envelope>, sim::Ratings> ratings;
     base::Kept<std::pair<std::uint64_t, sim::Envelope>, std::vector<sim::RedSpan>> overloads;  // by the ride's serial
     sim::Riders riders;
@@ -96,33 +96,33 @@ struct Findings {
     sim::ElementMemo elements;
     sim::ElementRoom room;
     sim::CircuitMemo circuit;
-    // By Session::edits, the last build, the ride's serial and the first and the last car.
+    // Keyed by Session::edits, the last build, the ride's serial and the first and the last car.
     base::Kept<std::tuple<std::uint64_t, std::uint64_t, std::uint64_t, int, int>, sim::SectionTable> sections;
-    sim::OpenedTrack opened;  // for the section that completes a circuit, planned again
+    sim::OpenedTrack opened;  // for planning a section that completes a circuit again
     sim::ForceMemo forces;
     sim::FrenetBreaks breaks;
     sim::TrackValueMemo values;
-    sim::Supports supports, passed;  // shown, and passed by a ride: each counts what it rebuilds
+    sim::Supports supports, passed;  // displayed ones, and those a ride passes: each counts its rebuilds
     base::Kept<std::pair<sim::ShapeTrace, sim::ShapeTrace>, double> deviation;  // by the two tracks' traces
     base::Kept<std::pair<std::uint64_t, int>, double> chord_error;              // by the last build, and steps
   } memory;
 };
 
-// Brings up to date what is wanted, and nothing else: the one function that does. What has not changed costs a
-// comparison of keys, which is some nanoseconds a segment.
+// Updates what is wanted and nothing else; no other function does. Unchanged findings cost a comparison of keys, some
+// nanoseconds per segment.
 const Findings& find(Session& session, Want wanted);
-// The same, where Want::element and Want::room are about another element than the chosen one.
+// Does the same, with Want::element and Want::room for another element than the selected one.
 const Findings& find(Session& session, Want wanted, const world::Element& element);
 
-// Returns the speed of the first train where its first car comes to a place of the session's track, m/s; nothing where
-// it does not.
+// Returns the speed of the first train when its first car reaches a position of the session's track, m/s; nothing if it
+// does not.
 std::optional<double> speed_at(Session& session, double distance);
 
-// Returns the plan of a force section as it is in the document; null for other sections. Good until the next plan of
+// Returns the plan of a force section as it is in the document; null for other sections. Valid until the next plan of
 // one.
 const sim::ForcePlan* force_plan(Session& session, world::Entity section);
 
-// A session to read and to ask for findings, and to do nothing else to: what panels and queries are given.
+// Gives read access to a session and its findings, for panels and queries.
 class Finder {
  public:
   Finder(Session& session) : session_(&session) {}

@@ -20,7 +20,7 @@ void end_gesture(History& history, const world::Document& document);
 // Restores the document from begin_gesture().
 void cancel_gesture(History& history, world::Document& document);
 
-// Returns the memory that a step takes.
+// Returns the memory of a step, bytes.
 std::size_t bytes_of(const HistoryStep& step);
 
 }  // namespace coaster::edit

@@ -1,5 +1,5 @@
-// What one running program holds: document, settings, motion, derived, history and notices. Changed by apply()
-// (edit/perform/apply.h) alone.
+// The state of one running program: document, settings, motion, derived, history and notices. Only apply()
+// (edit/perform/apply.h) changes it.
 #pragma once
 
 #include <cstdint>
@@ -22,23 +22,24 @@
 
 namespace coaster::edit {
 
-// What an undo step did.
+// The command and the sentence of an undo step.
 struct StepText {
-  std::string command, sentence;  // of a gesture: its last command
+  std::string command, sentence;  // for a gesture: its last command
 };
 
 // One undo step.
 struct HistoryStep {
   StepText text;
-  world::Difference change;  // to the document before the step on the undo stack, to the one after it on the redo stack
+  world::Difference
+      change;  // on the undo stack: to the document before the step; on the redo stack: to the one after it
 };
 
 inline constexpr std::size_t kMaxHistoryBytes = 256u << 20;
 struct History {
   std::deque<HistoryStep> undo;  // oldest first; beyond `limit` the oldest are dropped
   std::vector<HistoryStep> redo;
-  std::size_t bytes = 0, limit = kMaxHistoryBytes;  // of all steps
-  std::size_t dropped = 0;                          // steps
+  std::size_t bytes = 0, limit = kMaxHistoryBytes;  // bytes of all steps, and their limit
+  std::size_t dropped = 0;                          // number of dropped steps
   bool in_gesture = false;
   world::Document gesture_start;
   StepText gesture_text;
@@ -51,7 +52,7 @@ struct Notice {
   std::uint64_t serial = 0;  // counts up; the panel fades old ones
 };
 
-// What the ticks of the live ride take; 0 without a clock and before the first tick.
+// Cost of the live ride's ticks; 0 without a clock and before the first tick.
 struct RideCost {
   double ns_per_tick = 0;  // all trains together; exponential moving average (weight 0.1)
 };
@@ -67,35 +68,34 @@ struct Sought {
   std::vector<double> values;  // of the numbers that the command names, in their order
   std::string note;            // "ride.lap_time is 40 s, from 43.2 s. ..."
 };
-// What a thread has found in advance, for the next search with that text.
+// Result of a search by a thread in advance, for the next search with that text.
 struct SoughtAhead {
   std::string command;
-  std::uint64_t edits = 0;  // Session::edits of the track that it searched
+  std::uint64_t edits = 0;  // Session::edits of the searched track
   Sought found;
 };
 
 struct Notices {
   std::vector<Notice> list;  // the newest last, at most 32
-  std::uint64_t serial = 0;  // of the newest
-  std::uint64_t before = 0;  // of the newest before the last command that gave any
+  std::uint64_t serial = 0;  // number of the newest
+  std::uint64_t before = 0;  // number of the newest before the last command that gave any
 };
 
-// The document's file.
+// The file of the document.
 struct DocumentFile {
-  std::filesystem::path path;             // empty when it has none
-  std::uint64_t saved_hash = 0;           // of the document when last loaded, saved or made
+  std::filesystem::path path;             // empty if there is none
+  std::uint64_t saved_hash = 0;           // hash of the document when last loaded, saved or created
   std::optional<std::uint64_t> content;   // hash of the file's bytes as this program last read or wrote them
-  int version = exchange::kTrackVersion;  // of the format, as it was loaded
+  int version = exchange::kTrackVersion;  // version of the format that was loaded
   std::optional<ReadAhead> read_ahead;
-  std::optional<exchange::ImportReport> import;  // how well the document, as it was loaded, meets the file it was
-                                                 // fitted to
+  std::optional<exchange::ImportReport> import;  // how closely the document, as it was loaded, fits the imported file
 };
 
-// What forces are held against; not a compliance check.
+// The force limits that rides are checked against; not a compliance check.
 struct ForceLimits {
   sim::Envelope envelope = sim::default_envelope();
   std::string name = "default";
-  std::uint64_t serial = 0;  // increases with each envelope that is loaded
+  std::uint64_t serial = 0;  // increases with each loaded envelope
 };
 
 // Challenges and the ends of rides.
@@ -108,58 +108,58 @@ struct Game {
   exchange::Progress earned;         // progress in challenges since the program's start
 };
 
-// What is measured on this machine; nobody's hash depends on it.
+// Measurements on this machine; no hash depends on them.
 struct Measuring {
   sim::Clock clock;
-  std::string machine;           // a line about it, for files of measurements
+  std::string machine;           // description of the machine, for files of measurements
   sim::Measurement measurement;  // of the evaluators; advanced by advance_measurement()
   RideCost ride_cost;
 };
 
 struct Session {
-  world::Document document;  // the user's, saved, undoable
-  std::uint64_t edits = 0;   // grows with each command that may have changed it
+  world::Document document;  // the user's track: saved, undoable
+  std::uint64_t edits = 0;   // increases with each command that may have changed it
   DocumentFile file;
   History history;
   world::Settings settings;
   ForceLimits limits;
   world::Motion motion;
   std::uint64_t tick = 0;  // ticks since the program's start
-  sim::Derived derived;    // follows from document and settings
-  Findings findings;       // follow from all of these
+  sim::Derived derived;    // derived from document and settings
+  Findings findings;       // derived from all of these
   Game game;
   Measuring measuring;
   Notices notices;
   std::optional<SoughtAhead> sought;
-  std::string copied;  // what was copied last: sections as the text of a track, or keys of forces
-  std::string shared;  // the link that was made last, without the address before its fragment
+  std::string copied;  // copied last: sections as the text of a track, or force keys
+  std::string shared;  // the last link, without the address before its fragment
 };
 
 void notify(Session& session, NoticeKind kind, std::string text);
-// Shows an error: a refusal as a sentence, others as they are, because a file's name comes first.
+// Shows an error: a refusal as a sentence, other errors unchanged, because they begin with a file name.
 void notify(Session& session, const base::Status& error);
 // True if the document has unsaved changes. An open gesture that moved anything counts as one: a hash at each of its
 // moves would cost more than the moves.
 bool dirty(const Finder& find);
 
-// Returns the link of the track as it is seen: exchange::print_link() of document, camera and evaluator.
+// Returns a link to the track with its present view: exchange::print_link() of document, camera and evaluator.
 std::string link_of(const Session& session);
 
-// True if the path leads to the document's own file, under any name.
+// True if the path, under any name, is the document's own file.
 bool is_own_file(const Session& session, const std::filesystem::path& path);
 // Returns the hash of a file's bytes; nothing if it cannot be read.
 std::optional<std::uint64_t> content_of(const std::filesystem::path& path);
-// True if the document's own file is there with other contents than this program last read or wrote, or unreadable.
+// True if the document's own file exists and is unreadable or differs from what this program last read or wrote.
 bool changed_outside(const Session& session);
 
 // Runs the next slice of the measurement (a few ms); no-op when idle.
 void advance_measurement(Session& session);
 
-// Returns the selected cart, else the first one by name; kNone without any. Forces, colours, advice and report are for
-// this train.
+// Returns the selected cart, else the first one by name; kNone without any. Forces, colours, advice and report use this
+// train.
 world::Entity chosen_cart(const Session& session);
-// The report of the chosen cart's ride on the present track, to read, and as comma-separated values by time; nothing
-// without a ride.
+// Return the report of the selected cart's ride on the present track as text, and as comma-separated values by time;
+// nothing without a ride.
 std::optional<std::string> ride_report(const Finder& find);
 std::optional<std::string> ride_csv(const Finder& find);
 
