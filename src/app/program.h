@@ -59,8 +59,7 @@ struct Program {
   base::Files files;  // a script's files: only below its folder
   edit::Session session;
   std::uint64_t commands = 0;  // applied since the start
-  bool by_hand =
-      false;  // commands come from panels, keys and mouse: camera changes are eased; those of a script are cuts
+  bool by_hand = false;        // commands come from the user: camera changes are eased; those of a script are cuts
   bool quit = false;
   FrameClock time;
 

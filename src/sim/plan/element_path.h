@@ -31,8 +31,7 @@ struct ElementPoint {
 struct ElementCurve {
   std::vector<ElementPoint> points;
   std::vector<std::size_t> breaks;  // indices into `points` where pieces begin, and the last point
-  std::size_t lead =
-      0;  // index where the element proper begins; in the lead-in before it the end's curvature and slope fade
+  std::size_t lead = 0;  // index where the element proper begins; the lead-in fades out the end's curvature and slope
   double length() const { return points.empty() ? 0 : points.back().s; }
 };
 
