@@ -19,7 +19,7 @@ inline constexpr int kChallengeVersion = 1;
 inline constexpr std::size_t kMaxChallengeRules = 32;  // per list
 inline constexpr std::size_t kMaxChallengeHints = 16, kMaxChallengeLocks = 16;
 inline constexpr std::size_t kMaxChallengeText = 2000;  // bytes of any text
-inline constexpr double kMaxChallengeSeconds = 900;     // the time limit of the ghost's ride
+inline constexpr double kMaxChallengeSeconds = 900;     // time limit of the ghost's ride
 
 // lap: when the train completes the lap or reaches the end of an open track. time: after some seconds of riding. build:
 // as soon as the track meets the goals; values of the ride are the ghost's.
@@ -41,7 +41,7 @@ constexpr std::span<const base::NameRow> rows_of(RuleList) { return kRuleLists; 
 struct ChallengeFile {
   std::string name, teaches;
   Judged judged = Judged::lap;
-  double seconds = 0;                               // of Judged::time
+  double seconds = 0;                               // for Judged::time
   std::array<std::vector<ChallengeRule>, 5> rules;  // by RuleList; goals is not empty
   std::vector<std::string> hints;
   std::vector<std::string> locks;  // words of commands that are refused: "auto_bank"

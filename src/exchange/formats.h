@@ -19,9 +19,9 @@ struct Format {
   bool binary;                                                // the bytes are not text
   bool whole;                                                 // holds the whole document: saving to it counts as saving
   base::Status (*check)(const world::Document& document) =
-      nullptr;                                   // whether the document can be printed; null: always
+      nullptr;                                   // true if the document can be printed; null: always
   std::size_t most_bytes = base::kMaxFileBytes;  // larger files are rejected before they are read, and not written
-  // As parse, for formats that may take longer than a frame; null for the others.
+  // Parses and reports progress, for formats that may take longer than a frame; null for the others.
   base::Result<LoadedTrack> (*parse_watched)(std::string_view bytes, std::string_view name,
                                              base::Progress* progress) = nullptr;
   bool cubics = false;  // prints the curve's control points, so it is given a track whose curve is the rails
@@ -33,14 +33,14 @@ std::span<const Format> formats();
 // Returns the row for the path's extension, or null.
 const Format* format_of(const std::filesystem::path& path);
 
-// Reads or writes the file in the format of its extension. An unknown extension is refused with the list of those known
+// Read or write the file in the format of its extension. An unknown extension is refused with the list of those known
 // for that direction. A shared link is read like a file (exchange/own/link.h). A track from a format that does not hold
-// everything gets a train at its start, if it has none, and, unless the file says one, a start speed with which its
+// everything gets a train at its start, if it has none, and, unless the file gives one, a start speed with which its
 // ride completes (sim/ride/start_speed.h), if there is one; the note or a warning says so.
 base::Result<LoadedTrack> load_track(base::Files& files, const std::filesystem::path& path,
                                      base::Progress* progress = nullptr);
-// Formats that do not hold everything get the rails, of a heartline track too; they are refused where rails fold.
-// `content` gets the hash of the bytes as soon as they are printed.
+// Writes a track. Formats that do not hold everything get the rails, even of a heartline track; they are refused where
+// rails fold. `content` gets the hash of the bytes as soon as they are printed.
 base::Status save_track(base::Files& files, const std::filesystem::path& path, const world::Document& document,
                         std::uint64_t* content = nullptr);
 

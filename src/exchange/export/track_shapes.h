@@ -1,4 +1,5 @@
-// Export of the track's shape: Wavefront OBJ, glTF 2.0, and drawings as SVG. They hold no knots, so they cannot be
+// Export of the track's shape: Wavefront OBJ, glTF 2.0, and drawings as SVG. They contain no knots, so they cannot be
+// imported.
 // imported.
 #pragma once
 

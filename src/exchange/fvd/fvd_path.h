@@ -1,4 +1,4 @@
-// The heartline of a section of an openFVD project, by integration.
+// Integrates the heartline of a section of an openFVD project.
 #pragma once
 
 #include <string>
@@ -15,18 +15,18 @@ struct FvdStart {
 };
 
 struct FvdPath {
-  sim::ElementCurve curve;    // of the heartline, with a point each 0.25 m at most
-  std::vector<double> at;     // m, s or degrees that the functions count, by point
-  std::vector<double> twist;  // degrees to the right per m, s or degree against the frame of least rotation, by point
+  sim::ElementCurve curve;    // heartline, with a point every 0.25 m or less
+  std::vector<double> at;     // by point: m, s or degrees, the argument of the functions
+  std::vector<double> twist;  // by point: degrees to the right per m, s or degree against the rotation-minimising frame
   double speed = 0;           // m/s at the end
-  std::string stopped;        // why it ends early; else empty
+  std::string stopped;        // why it ends early; empty if it does not
 };
 
 inline constexpr double kLongestFvd = 2000;  // m, of a section
 
-// Joins the section's functions from what there is at the start, and integrates it to its end in steps of 5 cm at most.
-// A turn without a lead-in begins within 1 m. Bezier sections and pieces without points stop at once. Positions are
-// within a millimetre of a path in closed form after 100 m.
+// Joins the section's functions to the start, and integrates it to its end in steps of at most 5 cm. A turn without a
+// lead-in gets one of 1 m. Bezier sections and pieces without points stop at once. Positions are within a millimetre of
+// a path in closed form after 100 m.
 FvdPath fvd_path(const FvdTrack& track, FvdSection& section, const FvdStart& start);
 
 }  // namespace coaster::exchange

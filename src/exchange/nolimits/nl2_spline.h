@@ -22,7 +22,7 @@ using Bezier = std::array<glm::dvec3, 4>;  // control points, m
 
 glm::dvec3 point(const Bezier& b, double t);
 glm::dvec3 slope(const Bezier& b, double t);  // the derivative
-// Returns the part between two parameters, 0 <= from < to <= 1. Keeps the bits of an end that is not cut.
+// Returns the part between two parameters, 0 <= from < to <= 1. An end that is not cut stays exactly the same.
 Bezier part(const Bezier& b, double from, double to);
 // Return the unit direction of travel at the start and at the end; zero if the control points are within 0.1 mm.
 glm::dvec3 start_direction(const Bezier& b);
@@ -40,7 +40,7 @@ struct SplinePiece {
 // min(3, n - 1) with clamped ends: two vertices are a straight line, three a parabola, four a Bézier. Needs 2 vertices.
 std::vector<SplinePiece> spline_pieces(std::span<const SplineVertex> vertices);
 
-// The rails at a distance along the track, for both files of NoLimits 2.
+// The rails at a distance along the track, for both NoLimits 2 formats.
 struct PlaceOnTrack {
   glm::dvec3 position;
   curve::Frame frame;

@@ -11,8 +11,8 @@
 namespace coaster::exchange {
 
 struct ElementFile {
-  std::vector<SplineVertex> vertices;  // for a closed track the last is at the first
-  std::vector<int> lines;              // of the vertices
+  std::vector<SplineVertex> vertices;  // for a closed track the last repeats the first
+  std::vector<int> lines;              // line numbers of the vertices
   std::vector<ElementRoll> rolls;      // in any order
   bool closed = false;
 };
@@ -26,8 +26,8 @@ struct ElementError {
 struct ElementTrack {
   world::Document document;
   ImportReport report;
-  std::vector<std::pair<std::size_t, std::string>> warnings;  // with the vertex each is about
-  std::optional<ElementError> error;                          // there is no document then
+  std::vector<std::pair<std::size_t, std::string>> warnings;  // each with the vertex it is about
+  std::optional<ElementError> error;                          // set: there is no document
 };
 
 ElementTrack track_of(const ElementFile& file);

@@ -1,5 +1,5 @@
-// Import of NoLimits 1 track files (.nltrack): Bézier knots with two handles and a roll, the same kind of curve as
-// ours.
+// Import of NoLimits 1 track files (.nltrack): Bézier knots with two handles and a roll, the same kind of curve as the
+// document's.
 #pragma once
 
 #include <string_view>

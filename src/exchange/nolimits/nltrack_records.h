@@ -1,4 +1,4 @@
-// The records of a NoLimits 1 track file, each number checked. nltrack.h makes a document of them.
+// The records of a NoLimits 1 track file, with every number checked. nltrack.h makes a document of them.
 #pragma once
 
 #include <cstddef>
@@ -14,7 +14,7 @@ namespace coaster::exchange {
 
 struct NltrackKnot {
   glm::vec3 point, in, out;  // m: the knot, the ends of its handles
-  float roll = 0;            // radians, within 10,000 turns; the file counts to the left
+  float roll = 0;            // radians, within 10,000 turns; positive to the left in the file
   std::size_t offset = 0;    // byte of the record in the file
 };
 
@@ -26,8 +26,8 @@ struct NltrackRecords {
 // Code::bad_file with "NAME: error: at byte OFFSET: MESSAGE".
 base::Status bad_nltrack(std::string_view name, std::size_t offset, const std::string& message);
 
-// The knots of chunk BEZR and the closed byte of chunk SEGM. Code::bad_file with the byte and the reason for chunks
-// that are missing or cut off, coordinates beyond world::kMaxCoordinate, and more than world::kMaxKnots knots.
+// Returns the knots of chunk BEZR and the closed byte of chunk SEGM. Code::bad_file with the byte and the reason for
+// chunks that are missing or cut off, coordinates beyond world::kMaxCoordinate, and more than world::kMaxKnots knots.
 base::Result<NltrackRecords> read_nltrack_records(std::string_view bytes, std::string_view name);
 
 }  // namespace coaster::exchange

@@ -1,6 +1,6 @@
-// Autosaves: unsaved changes of a program that ended unexpectedly. Each running program has one: a track file, and
-// beside it an info file "ID.info.json", which stays locked while its program runs. So the next start finds the
-// autosaves of crashed programs only.
+// Autosaves: unsaved changes of a program that ended unexpectedly. Each running program has one: a track file, and next
+// to it an info file "ID.info.json", which stays locked while its program runs. The next start therefore finds only the
+// autosaves of crashed programs.
 #pragma once
 
 #include <cstdint>
@@ -24,7 +24,7 @@ struct AutosaveInfo {
   std::string original;         // the original file, absolute; empty: none
   std::string name;             // of the track
   std::int64_t time = 0;        // of the autosave, s since 1970
-  int pid = 0;                  // of the program that wrote it
+  int pid = 0;                  // the program that wrote it
   std::string hash;             // of the document, 16 hexadecimal digits
 };
 base::Result<AutosaveInfo> parse_autosave_info(std::string_view text, std::string_view name);
@@ -54,7 +54,7 @@ struct FoundAutosave {
   AutosaveInfo info;
   std::filesystem::path info_file;
   base::FileLock lock;
-  std::int64_t file_time = 0;  // of the original's last change, s since 1970; 0: no such file
+  std::int64_t file_time = 0;  // last change of the original, s since 1970; 0: no such file
 };
 
 // Returns the autosaves in a folder whose programs no longer run, newest first. Removes orphans: tracks that no info

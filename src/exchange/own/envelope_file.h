@@ -1,5 +1,5 @@
 // The format of force limits, JSON (docs/ride.md): accelerations by duration. Data to edit, not a compliance check.
-// Reading checks everything; a bad file never yields an envelope.
+// Reading checks everything; an invalid file never yields an envelope.
 #pragma once
 
 #include <filesystem>

@@ -16,14 +16,14 @@ struct CopiedKeys {
   std::vector<world::ForceKey> keys;  // ascending, at least one
 };
 std::string print_keys(const CopiedKeys& copied);
-// Returns them, or what is wrong with the text.
+// Returns the keys, or the error in the text.
 base::Result<CopiedKeys> parse_keys(std::string_view text);
 
-// Returns `, "vertical": [[0, 1], [20, 3.5, 0.1, 5, 8]], "roll": [...]`: the place, the value and, where they are not
-// 0, the slope and the lengths of the handles of each key. Channels without keys are left out.
+// Returns `, "vertical": [[0, 1], [20, 3.5, 0.1, 5, 8]], "roll": [...]`: the position, the value and, if not 0, the
+// slope and the lengths of the handles of each key. Channels without keys are left out.
 std::string force_keys(const world::ForceProgram& force);
 
-// Reads them. Returns false after a failure, also for a program beyond its limits.
+// Reads the keys of all channels. Returns false after a failure, also for a program beyond its limits.
 bool read_force_keys(Fields& fields, world::ForceProgram& force);
 
 }  // namespace coaster::exchange

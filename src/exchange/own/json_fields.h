@@ -1,5 +1,5 @@
-// Checked getters for the members of a JSON object. They never throw; the first error is kept with its place. Private
-// to this room.
+// Checked getters for the members of a JSON object. They never throw; the first error is kept with its position.
+// Private to this room.
 #pragma once
 
 #include <limits>
@@ -34,12 +34,12 @@ class Fields {
   bool length(std::string_view member, float& value, float low, float high);
   bool whole(std::string_view member, std::int64_t& value, std::int64_t low, std::int64_t high);
   bool vector(std::string_view member, glm::dvec3& value, double limit);  // |component| <= limit
-  // Reads the first two members of every file of ours: "format", which must match, and "version", 1 to `newest`, which
-  // it returns in `version`.
+  // Reads the first two members of each of the program's files: "format", which must match, and "version", 1 to
+  // `newest`, which it returns in `version`.
   bool head(std::string_view format, std::int32_t newest, int* version = nullptr);
   // Returns the object of that name, or null after a failure.
   const Json* object(std::string_view member);
-  // Returns the array of that name, or null after a failure. More than `most` entries are one.
+  // Returns the array of that name, or null after a failure; more than `most` entries are a failure.
   const Json* list(std::string_view member, std::size_t most = std::numeric_limits<std::size_t>::max());
 
   bool fail(std::string_view member, std::string_view message);
@@ -54,7 +54,7 @@ class Fields {
   using Kind = bool (Json::*)() const noexcept;  // &Json::is_string
   const Json* member(std::string_view member, std::string_view expected, Kind kind);
   const Json* look(std::string_view member);  // null if it is missing
-  // Fails for a member that is missing (null) or not what was expected. The caller makes that text only then.
+  // Fails for a member that is missing (null) or has the wrong type. Builds the error text only in that case.
   bool expect(std::string_view member, const Json* found, std::string_view expected);
 
   const Json* object_ = nullptr;  // null if the value is not an object: every getter fails
@@ -66,7 +66,8 @@ class Fields {
 // Returns Code::bad_file with "NAME: error: MESSAGE".
 base::Status bad_file(std::string_view name, std::string_view message);
 
-// Puts "NAME: warning: " before each warning of a file that is never written again, so its unknown members are ignored.
+// Puts "NAME: warning: " before each warning, for files that are never written again, so that their unknown members are
+// lost.
 void name_ignored(std::vector<std::string>& warnings, std::string_view name);
 
 // Reads a file with the extension ".json".

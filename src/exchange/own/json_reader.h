@@ -12,13 +12,13 @@
 namespace coaster::exchange {
 
 inline constexpr std::size_t kMaxNesting = 32;
-// A tree of so many values takes at most 0.6 GB while it grows. A file of 64 MiB of knots has half as many.
+// A tree of this many values takes at most 0.6 GB while it grows. A file of 64 MiB of knots has half as many.
 inline constexpr std::size_t kMaxValues = 8'000'000;
 inline constexpr std::size_t kMaxMembers = 200'000;  // of one object
 
 // Receives each object in an array of the root as soon as it is complete: element `index` of the root's member `list`.
-// Returns true if it has read the object: the tree then holds null in its place, so the tree of a large file stays
-// small. If the text turns out not to be plain JSON (json_scan.h), it is offered again from the first one on.
+// Returns true if it has read the object: the tree then holds null instead of it, so the tree of a large file stays
+// small. If the text turns out not to be plain JSON (json_scan.h), the objects are offered again from the first one on.
 using TakeElement =
     std::function<bool(const Json& root, std::string_view list, std::size_t index, const Json& element)>;
 

@@ -12,9 +12,9 @@
 namespace coaster::exchange {
 
 // Calls the events of the library's SAX interface for a whole text. Returns false at the first thing that it does not
-// know: every error, an escape in a string, an integer of 19 digits; and where an event returns false. The caller then
-// starts again with the library, which knows all of JSON and describes its errors. So what this accepts, and with what
-// values, is exactly what the library does.
+// handle: every error, an escape in a string, an integer of 19 digits; and if an event returns false. The caller then
+// starts again with the library, which handles all of JSON and describes its errors. Whatever this function accepts
+// gives the same values as the library.
 template <class Events>
 class JsonScan {
  public:
@@ -70,7 +70,7 @@ class JsonScan {
     return events_.end_array();
   }
 
-  // After a value: true before `end`, and behind a comma that is not before `end`.
+  // Call after a value: returns true before `end`, and after a comma that is not followed by `end`.
   bool goes_on(char end) {
     skip_blanks();
     if (next() == end) return true;

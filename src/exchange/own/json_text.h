@@ -1,4 +1,4 @@
-// Prints JSON: the only place where a tree is printed, for every file that the program writes.
+// Prints JSON: the only place that prints a tree, for every file that the program writes.
 #pragma once
 
 #include <string>

@@ -14,8 +14,8 @@ namespace coaster::exchange {
 using JsonValue = std::variant<std::nullptr_t, bool, std::int64_t, double, std::string, std::array<double, 3>>;
 using JsonMembers = std::vector<std::pair<std::string, JsonValue>>;
 
-// Returns the text of a file with one object: each member on its own line, in order; of members with one name only the
-// last value counts. Numbers that are not finite become null, bytes that are not UTF-8 become U+FFFD.
+// Returns the text of a file with one object: each member on its own line, in order; of members with the same name only
+// the last value is printed. Numbers that are not finite become null, bytes that are not UTF-8 become U+FFFD.
 std::string json_members(const JsonMembers& members);
 
 }  // namespace coaster::exchange

@@ -12,7 +12,8 @@ namespace coaster::exchange {
 std::string pack(std::string_view text);
 
 // Returns the text, of at most `most_bytes`. Stops unpacking there, so that memory stays below `most_bytes` and 64 KiB.
-// Code::bad_file with a line that says what is wrong: another character, a text that is cut off or damaged, too large.
+// Code::bad_file with a line that describes the error: an invalid character, a text that is cut off or damaged, too
+// large.
 base::Result<std::string> unpack(std::string_view packed, std::size_t most_bytes);
 
 }  // namespace coaster::exchange

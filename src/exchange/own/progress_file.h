@@ -14,7 +14,7 @@ inline constexpr int kProgressVersion = 1;
 inline constexpr int kMostMedals = 3;  // 1 bronze, 2 silver, 3 gold
 inline constexpr std::size_t kMaxProgressEntries = 10'000, kMaxProgressValues = 64;
 
-// A value that a challenge compares, and the best one it was passed with.
+// A value that a challenge compares, and the best one that passed it.
 struct BestValue {
   std::string query;  // as in the challenge, with its argument
   double value = 0;
@@ -37,12 +37,12 @@ struct Progress {
 // Parses a whole file's text. Code::bad_file with one line as for tracks if any part is invalid: the caller then
 // renames the file.
 base::Result<Progress> parse_progress(std::string_view text, std::string_view name);
-// Returns the text; ends with a newline. parse_progress() gives the same back.
+// Returns the text; ends with a newline. parse_progress() gives the same progress back.
 std::string print_progress(const Progress& progress);
 
 // Returns the progress in a challenge; null if it was never passed.
 const ChallengeProgress* find(const Progress& progress, std::string_view challenge);
-// Merges another success: keeps the better medal and the better of each value. Returns true if that changed anything.
+// Merges another success: keeps the better medal and the better of each value. Returns true if anything changed.
 bool merge(Progress& progress, const ChallengeProgress& success);
 
 }  // namespace coaster::exchange

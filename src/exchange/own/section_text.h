@@ -1,4 +1,4 @@
-// The members of a section in a track file, but for those of a way home and of forces. Private to this room.
+// The members of a section in a track file, except those of a way home and of forces. Private to this room.
 #pragma once
 
 #include <cstddef>
@@ -12,7 +12,7 @@ namespace coaster::exchange {
 // Returns `"segments": 3, "kind": "loop", "side": "left", "height": 16, ...`.
 std::string section_members(const world::Section& section, std::size_t segments);
 
-// Reads them. Parameters that are missing have their usual values. Returns false after a failure, also with more
+// Reads the section. Missing parameters have their default values. Returns false after a failure, also with more
 // segments than are `left`.
 bool read_section_members(Fields& fields, std::size_t left, world::Section& section, std::size_t& segments);
 

@@ -1,5 +1,5 @@
 // The settings file of a user, JSON (docs/files.md): everything that belongs to the user, not to a track. Reading
-// reports what it cannot use and keeps the rest.
+// reports invalid members and keeps the rest.
 #pragma once
 
 #include <optional>
@@ -18,7 +18,7 @@ inline constexpr std::size_t kMaxRecent = 10;
 inline constexpr std::size_t kMaxOtherBytes = 16384;            // of unknown members, as text
 inline constexpr double kMinAutosave = 5, kMaxAutosave = 3600;  // s
 
-// In the window system's screen coordinates.
+// Position and size in the window system's screen coordinates.
 struct WindowPlace {
   int x = 0, y = 0, width = 1280, height = 720;
   bool maximised = false;
@@ -33,8 +33,8 @@ struct KeyChoice {
 };
 
 struct UserSettings {
-  UserSettings();                     // of a user who never changed any
-  world::Settings session;            // what rows keep (kept_as); the others have the values that a session starts with
+  UserSettings();                     // the defaults
+  world::Settings session;            // the kept rows (kept_as); others have their initial values
   double autosave_seconds = 30;       // kMinAutosave..kMaxAutosave
   std::optional<WindowPlace> window;  // none: the window system decides
   std::vector<std::string> recent;    // files, newest first, at most kMaxRecent
@@ -50,7 +50,7 @@ struct LoadedSettings {
 };
 
 // Parses a whole file's text. An invalid member becomes its default, with a warning. Code::bad_file, with one line as
-// for tracks, if the text is no settings file of this version: broken JSON, another format, a newer version.
+// for tracks, if the text is not a settings file of this version: broken JSON, another format, a newer version.
 base::Result<LoadedSettings> parse_settings(std::string_view text, std::string_view name);
 
 // Returns the text; ends with a newline. parse_settings() gives the same settings back.

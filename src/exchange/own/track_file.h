@@ -1,5 +1,5 @@
-// The project's own track format, JSON (docs/track-format.md). Reading checks everything; a bad file never yields a
-// document.
+// The project's own track format, JSON (docs/track-format.md). Reading checks everything; an invalid file never yields
+// a document.
 #pragma once
 
 #include <filesystem>
@@ -26,13 +26,13 @@ struct ImportReport {
   double max_error = 0;    // m, the largest distance of a row from the curve
   double frame_error = 0;  // degrees between a row's frame and the track's, except within 0.5 m of jumps of the rows
   int knots = 0;
-  double jump_error = 0;  // degrees, as frame_error, at the rows that it excepts
-  double rms_error = 0;   // m and degrees: root mean squares of the distances and angles whose largest are above
+  double jump_error = 0;  // degrees, as frame_error, for the rows excluded there
+  double rms_error = 0;  // m and degrees: root mean squares of the distances and angles that the maxima above belong to
   double rms_frame_error = 0;
   friend bool operator==(const ImportReport&, const ImportReport&) = default;
 };
 
-// How a shared track was seen (exchange/own/link.h).
+// The view of a shared track (exchange/own/link.h).
 struct SharedView {
   world::CameraMode mode = world::CameraMode::orbit;
   world::Camera camera;
@@ -46,11 +46,11 @@ struct LoadedTrack {
   world::Document document;
   std::vector<std::string> warnings;   // one line each: unknown members, which are kept; rows that were left out
   std::string note;                    // a line for the user: the start speed of an import
-  bool knows_speed = false;            // an imported file says the start speed
+  bool knows_speed = false;            // the file gives the start speed
   std::optional<ImportReport> import;  // for formats that a track is fitted to
   std::uint64_t content = 0;           // hash of the file's bytes; set by load_track()
   int version = kTrackVersion;         // of the project's own format
-  std::optional<SharedView> view;      // of links
+  std::optional<SharedView> view;      // for links
 };
 
 // Parses a whole file's text. Errors are Code::bad_file with one line "NAME:LINE:COLUMN: error: ..." for broken JSON

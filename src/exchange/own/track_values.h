@@ -1,5 +1,4 @@
-// The values of a track file's members: what they may be, and how they become fields of components. Private to this
-// room.
+// The values of a track file's members: their limits, and how they become fields of components. Private to this room.
 #pragma once
 
 #include <array>
@@ -25,7 +24,7 @@ struct TrackParse {
   std::vector<std::string> warnings;
   std::string error;
   int version = kTrackVersion;
-  // Of knots and segments: how many were read while the file was parsed, and why the next one could not be.
+  // Knots or segments read while the file was parsed: how many, and why the next one could not be read.
   struct Taken {
     std::size_t count = 0;
     std::string error;
@@ -41,7 +40,7 @@ std::string quoted_id(world::Kind kind, std::uint32_t number);
 // Reads a member that names an entity: "k3".
 bool read_id(Fields& fields, std::string_view member, world::Kind kind, std::uint32_t& number);
 
-// Reads a unit vector: any with a direction is turned into one before it is rounded.
+// Reads a unit vector: any vector with a direction is normalised before it is rounded.
 bool read_direction(Fields& fields, std::string_view member, glm::vec3& value);
 
 // Reads the value of one field, within its limits.
@@ -85,7 +84,7 @@ bool read_value(TrackParse& parse, Fields& fields, const world::Field& field, T&
   }
 }
 
-// Reads the fields of a component, in order. Those that may be missing keep their usual values.
+// Reads the fields of a component, in order. Optional fields that are missing keep their default values.
 template <class T>
 bool read_component(TrackParse& parse, Fields& fields, T& component) {
   bool good = true;
