@@ -34,7 +34,7 @@ struct CurveSlots {
 class GpuCurves {
  public:
   explicit GpuCurves(const Gl& gl) : GpuCurves(gl, std::make_shared<Programs>()) {}
-  // Returns another one in the same context with the same programs.
+  // Returns another object in the same context that shares the programs.
   GpuCurves sibling() const { return GpuCurves(*gl_, programs_); }
 
   // Returns why a stage cannot be used here; empty if it can. The base path needs nothing beyond WebGL 2: the vertex
@@ -57,8 +57,8 @@ class GpuCurves {
   // write the joints between these twice.
   static std::size_t captured_count(curve::EvaluatedBy stage, const CurveSlots& slots);
   // Runs the stage without a picture and writes to the buffer bound at binding 0 for transform feedback. Returns false
-  // if the driver cannot. No slot may be empty. How many records were written is for the reader to see: a query of
-  // that number has its answer only in a later frame of a browser.
+  // if the driver cannot. No slot may be empty. The reader must check how many records were written: a query for that
+  // number is answered only in a later frame in a browser.
   bool capture(curve::EvaluatedBy stage, const CurveSlots& slots);
 
  private:

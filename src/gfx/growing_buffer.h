@@ -9,8 +9,8 @@
 
 namespace coaster::gfx {
 
-// Binds only the targets of copies, so no vertex array is disturbed; making and growing index buffers leaves none
-// bound.
+// Binds only the targets of copies, so no vertex array is affected; creating and growing index buffers leaves no vertex
+// array bound.
 template <class T>
 class GrowingBuffer {
  public:
@@ -49,7 +49,7 @@ class GrowingBuffer {
   GLuint id() const { return object_.id(); }
 
  private:
-  // WebGL takes as index buffers only those that were bound as such first.
+  // WebGL accepts as index buffers only buffers that were bound as such first.
   Object made() const {
     Object buffer = make_buffer(*gl_);
     if (std::is_integral_v<T>) {

@@ -26,16 +26,16 @@ Image half_size(const Image& picture);
 Image contact_sheet(std::span<const Image> pictures, int columns, int gap);
 
 // The rule of golden pictures: sizes are equal; a pixel differs if a channel differs by more than 16; pictures differ
-// if over 0.05 % of the pixels differ or any aligned 8x8 block has more than 8 differing pixels. So it tells drivers
-// from defects: a driver that rounds differently changes isolated pixels at edges; a defect is a patch. A patch of
-// 10x10 pixels, wherever it lies, covers at least 5x5 of one block. A driver with other samples changes more of
-// the isolated pixels.
+// if over 0.05 % of the pixels differ or any aligned 8x8 block has more than 8 differing pixels. This distinguishes
+// drivers from defects: a driver that rounds differently changes isolated pixels at edges; a defect is a patch. A patch
+// of 10x10 pixels, wherever it lies, covers at least 5x5 of one block. A driver with other samples changes more of the
+// isolated pixels.
 struct Difference {
   static constexpr int kMostInBlock = 8;
-  static constexpr double kMostShare = 0.0005, kMostShareOfOtherSamples = 0.004;  // of the pixels
+  static constexpr double kMostShare = 0.0005, kMostShareOfOtherSamples = 0.004;  // fractions of the pixels
   bool same_size = true;
   long pixels = 0;       // number of differing pixels
-  long most_pixels = 0;  // that are acceptable
+  long most_pixels = 0;  // acceptable number
   int worst_block = 0;   // most differing pixels in one block
   bool acceptable = true;
   Image picture;  // differing pixels in red over a grey copy

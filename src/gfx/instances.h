@@ -16,7 +16,7 @@ namespace coaster::gfx {
 class Instances {
  public:
   explicit Instances(const Gl& gl);
-  // Of the cars, kFullCars are drawn in full, those nearest to the eye; the others as blocks.
+  // The number of cars drawn in full, those nearest to the eye; the others are drawn as blocks.
   static constexpr std::size_t kFullCars = 512;
   void upload(const view::Overlay& overlay, std::span<const sim::Pose> carts, glm::vec3 eye);
 

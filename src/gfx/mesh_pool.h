@@ -1,5 +1,5 @@
-// Solids in one vertex buffer and two index buffers: all of their triangles, and fewer for distant ones. The choice is
-// made for runs of neighbours in the buffers, so a camera move uploads nothing and costs a few draw calls.
+// Solids in one vertex buffer and two index buffers: all of their triangles, and fewer for distant ones. The level is
+// chosen for runs of neighbours in the buffers, so a camera move uploads nothing and costs a few draw calls.
 #pragma once
 
 #include <array>
@@ -29,12 +29,12 @@ void mesh_attributes(const Gl& gl);
 // The attribute that selects the second ring of a Piece (gfx/swept_track.h); a constant 0 for all other meshes.
 inline constexpr GLuint kEndAttribute = 12;
 
-// What was drawn into a shadow map.
+// The statistics of drawing into a shadow map.
 struct Cast {
   int draw_calls = 0;
   std::int64_t triangles = 0;
 };
-// Returns whether a sphere reaches into the clip space of a light, whatever its depth.
+// True if a sphere reaches into the clip space of a light, at any depth.
 bool reaches(const glm::mat4& light, glm::vec3 middle, float radius);
 
 class MeshPool {
@@ -53,7 +53,7 @@ class MeshPool {
   std::int64_t write(sim::Mesh& mesh, Id& id, Stopwatch& watch);
   void release(Id& id);
 
-  // From now on draws solids closer to `eye` than `near_metres` in full. Linear in the solids; does nothing while
+  // Selects full detail for solids closer to `eye` than `near_metres` from now on. Linear in the solids; no-op while
   // neither these nor the eye changed.
   void look_from(glm::vec3 eye, float near_metres);
   // Draws all solids with the program in use; returns the number of draw calls. Locations 0 position, 1 normal, 2 part,
@@ -81,7 +81,7 @@ class MeshPool {
   struct Run {
     std::uint32_t first = 0, count = 0;  // indices
   };
-  // All solids' indices in full, or those for distant views.
+  // The indices of all solids, in full or for distant views.
   struct Level {
     Level(const Gl& gl, Range Solid::*in_solid, std::vector<std::uint32_t> sim::Mesh::*in_mesh, bool distant)
         : buffer(gl), array(make_vertex_array(gl)), range(in_solid), indices(in_mesh), far(distant) {}

@@ -34,7 +34,7 @@ struct Pass {
 // Texture units.
 inline constexpr int kValueUnit = 0, kTrackShadowUnit = 1, kTrainShadowUnit = 3;
 
-// From now on the buffers of very long tracks hold in full what the view can show.
+// Lets the buffers of very long tracks hold in full what the view can show, from now on.
 void choose_levels(const view::View& view, TrackCache& track);
 // From now on draws track with fewer triangles where a rail is at most two pixels wide, and without ties where these
 // are less than a pixel apart.

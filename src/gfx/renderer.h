@@ -31,7 +31,7 @@ struct Scene {
   world::Style style{};
   const sim::Supports* supports = nullptr;  // null: not drawn
   bool shadows = true;
-  bool unseen = false;  // no pixels are needed: do everything else
+  bool unseen = false;  // true: do everything except drawing pixels
 };
 
 using view::DrawStats;

@@ -14,7 +14,7 @@ struct Scenery {
   glm::vec3 sun{0, 1, 0};  // towards it; not necessarily unit
   glm::vec3 sun_light{1}, sky_light{0.4f}, ground_light{0.2f};
   float penumbra = 0;              // m of a shadow's soft edge per metre of height
-  float reflections = 1;           // of sun and sky on varnished paint
+  float reflections = 1;           // strength of reflections of sun and sky on varnished paint
   float lamps = 0;                 // light emitted by the train's stripe, 1: its colour
   glm::vec3 horizon{0}, haze{0};   // distant air away from the sun, and towards it
   float haze_width = 1;            // exponent: larger is narrower

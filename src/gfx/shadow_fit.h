@@ -1,4 +1,5 @@
-// The area of a shadow map: a square across the sunlight over the shadow casters near the eye. Pure functions, no GL.
+// The area of a shadow map: a square perpendicular to the sunlight over the shadow casters near the eye. Pure
+// functions, no GL.
 #pragma once
 
 #include <optional>
@@ -29,10 +30,10 @@ struct LightBox {
 // The box of the track, of everything within sim::kSupportReach of it, and from there to the ground.
 class TrackBox {
  public:
-  // Updates the box from the same Derived as before and returns it. Looks again only at what Derived::changes_since()
-  // lists, and at the rest in runs of neighbours.
+  // Updates the box from the same Derived as before and returns it. Reads only the segments that
+  // Derived::changes_since() lists, and the rest in runs of neighbours.
   const LightBox& update(const SunAxes& axes, const sim::Derived& derived);
-  std::size_t looked_at() const { return looked_at_; }  // segments, in the last update
+  std::size_t looked_at() const { return looked_at_; }  // segments read in the last update
 
  private:
   std::optional<glm::vec3> sun_;

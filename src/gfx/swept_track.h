@@ -1,6 +1,6 @@
-// Rails, spine and ties on the GPU, as instances of a few small meshes: 96 bytes for each stretch from one ring to the
-// next, between which the vertex shader sweeps the cross-section (shaders/mesh.vert). A segment has pieces for near and
-// for distant views. The choice is made for runs of neighbours in the buffers, so a camera move uploads nothing.
+// Rails, spine and ties on the GPU, as instances of a few small meshes: 96 bytes for each interval between two rings,
+// between which the vertex shader sweeps the cross-section (shaders/mesh.vert). A segment has pieces for near and for
+// distant views. The level is chosen for runs of neighbours in the buffers, so a camera move uploads nothing.
 #pragma once
 
 #include <array>
@@ -22,8 +22,8 @@ struct Piece {
   float next_along;
 };
 
-// The largest number of triangles of rails, spine and ties in a picture, as far as fewer rings allow. Shadow maps have
-// their own.
+// The largest number of triangles of rails, spine and ties in a picture, if fewer rings suffice. Shadow maps have a
+// separate limit.
 inline constexpr std::int64_t kTriangleBudget = 3'000'000;
 
 class SweptTrack {
@@ -37,7 +37,7 @@ class SweptTrack {
   // Writes the pieces of a segment, into its old ranges if they fit there; an id of kNone is a new segment. stage()
   // prepares them outside GL. Returns the bytes written.
   void stage(const sim::SegmentShape& shape, const sim::Detail& detail, std::uint32_t segment);
-  // The same for a segment of which nobody sees more than a straight piece, with the same rings at its ends.
+  // Does the same for a far segment, of which only a straight piece is visible, with the same rings at its ends.
   void stage_far(const sim::SegmentShape& shape, const sim::Detail& detail, std::uint32_t segment);
   std::int64_t write(Id& id);
   void release(Id& id);
@@ -47,9 +47,9 @@ class SweptTrack {
     float full = 0, ties = 0;
     friend bool operator==(const Reach&, const Reach&) = default;
   };
-  // From now on draws what is near `eye` in full. Both distances are halved until the triangles stay within
+  // Selects full detail near `eye` from now on. Both distances are halved until the triangles stay within
   // kTriangleBudget and the draw calls within a few hundred. Linear in the segments that are not far, see stage_far();
-  // does nothing while neither the segments nor the eye changed.
+  // no-op while neither the segments nor the eye changed.
   void look_from(glm::vec3 eye, Reach reach);
   // Draws the segments with the program in use (the attributes of shaders/mesh.vert).
   void draw() const { draw(chosen_); }
@@ -62,7 +62,7 @@ class SweptTrack {
 
   // Changes whenever anything is written or removed.
   std::uint64_t version() const { return version_; }
-  // The parts that each choice goes over: near segments, and runs of far ones.
+  // Returns the number of parts that each choice iterates over: near segments, and runs of far ones.
   std::size_t part_count() const;
   // Bytes in use, gaps included.
   std::int64_t bytes() const;
@@ -76,7 +76,7 @@ class SweptTrack {
     ByKind<Range> pieces;
     glm::vec3 middle{0};
     float radius = 0;
-    bool far = false;  // it has distant tubes alone
+    bool far = false;  // it has only distant tubes
   };
   // A mesh and its instances.
   struct Row {

@@ -1,6 +1,6 @@
 // The track on the GPU: each segment has a slot in one buffer of polyline vertices and in those of solids. A slot is
-// rewritten only if the segment's build numbers or its equipment differ from those it was written from. No dirty flags.
-// With a GPU evaluator there are no polyline vertices; the slots hold the four control points instead.
+// rewritten only if the segment's build numbers or its equipment differ from those in the slot. No dirty flags. With a
+// GPU evaluator there are no polyline vertices; the slots hold the four control points instead.
 #pragma once
 
 #include <cstdint>
@@ -20,7 +20,7 @@
 namespace coaster::gfx {
 
 // 24 bytes. The vertex after a polyline's last one has kBreak in tangent.x: lines from or to it are not drawn. Gaps are
-// full of such vertices.
+// filled with such vertices.
 struct PolylineVertex {
   glm::vec3 position;
   glm::vec3 tangent;  // B'(t)
@@ -37,12 +37,12 @@ class TrackCache {
     int uploads = 0;                  // segments with anything written
     std::int64_t bytes = 0;           // written to the track's buffers
     std::int64_t polyline_bytes = 0;  // of these, to polyline vertices or control points
-    int looked_at = 0;                // segments compared with what their slots hold
+    int looked_at = 0;                // segments compared with their slots
     double cpu_seconds = 0;           // time to prepare it, outside GL; 0 without a clock
   };
-  // Updates the slots from the same Derived as before. Looks only at the segments that Derived::changes_since() lists
-  // and at those whose level changes; at all of them after a change of the track's order, of equipment or of how
-  // polylines are evaluated.
+  // Updates the slots from the same Derived as before. Reads only the segments that Derived::changes_since() lists and
+  // those whose level changes; all of them after a change of the track's order, of equipment or of the evaluation of
+  // polylines.
   Synced sync(const sim::Derived& derived, const sim::Clock& clock);
   // From now on very long tracks are held in full only where this shows a difference, and have ties, equipment and
   // supports only within `ties` m of the eye, the reach of ties.
@@ -50,13 +50,13 @@ class TrackCache {
   // By the index of a segment's entity, as of the last sync: whether it has these. Null if all have.
   const std::vector<std::uint8_t>* near() const { return parts_everywhere_ ? nullptr : &near_; }
 
-  // Rails, spine and ties of all segments.
+  // Returns rails, spine and ties of all segments.
   SweptTrack& swept() { return swept_; }
   const SweptTrack& swept() const { return swept_; }
-  // Their equipment.
+  // Returns their equipment.
   MeshPool& mesh() { return mesh_; }
   const MeshPool& mesh() const { return mesh_; }
-  // The supports, in buffers and counters of their own.
+  // Returns the supports, which have separate buffers and counters.
   SupportCache& supports() { return supports_; }
   const SupportCache& supports() const { return supports_; }
   // Changes whenever any of these is written or removed.
@@ -76,7 +76,7 @@ class TrackCache {
   std::span<const Placed> placed() const { return placed_; }
   // The same slots with their numbers of lines, in runs.
   std::vector<CurveSlots> control_runs() const;
-  // Bytes of all segments' polylines: control points, or 24 per vertex and per break.
+  // Returns the bytes of all segments' polylines: control points, or 24 per vertex and per break.
   std::int64_t held_polyline_bytes() const { return held_polyline_bytes_; }
 
  private:
@@ -134,12 +134,12 @@ class TrackCache {
   Ranges line_ranges_, control_ranges_;
   std::vector<Slot> slots_;         // by the entity's index
   std::vector<SegmentSize> sizes_;  // by the entity's index
-  std::vector<Level> levels_held_;  // the same: of what is in the slot
+  std::vector<Level> levels_held_;  // by the entity's index: the level in the slot
   std::size_t live_ = 0;            // slots with a segment
   std::uint64_t stamp_ = 0;         // of the current sync
   Synced synced_;                   // of the current sync
   std::int64_t held_polyline_bytes_ = 0;
-  // As of the last sync.
+  // Values of the last sync.
   std::uint64_t last_build_ = 0;
   world::Evaluation evaluation_;
   Sight sight_, levels_for_;

@@ -1,5 +1,5 @@
-// The values that colour the track, in a texture of their own: changing them touches no vertex. A segment's row is its
-// entity's index, which its mesh holds.
+// The values that colour the track, in a separate texture: changing them changes no vertex. A segment's row is its
+// entity's index, which its mesh contains.
 #pragma once
 
 #include <cstdint>
