@@ -1,5 +1,5 @@
-// Input as plain data, the same from a window, a script and a recording. Everything that happens to a frame is in its
-// event list.
+// Input as plain data, the same from a window, a script and a recording. The event list of a frame contains all of its
+// input.
 #pragma once
 
 #include <array>
@@ -36,7 +36,7 @@ enum class Key : int {
   COASTER_KEYS(X)
 #undef X
 };
-// Returns a key's name in scripts and settings; empty for codes that are no key.
+// Returns a key's name in scripts and settings; empty for codes that are not keys.
 std::string_view name_of(Key key);
 
 struct Modifiers {
@@ -84,7 +84,8 @@ struct GamepadAxes {
   friend bool operator==(const GamepadAxes&, const GamepadAxes&) = default;
 };
 enum class PadButton : std::uint8_t { a, b, x, y };
-inline constexpr std::array<std::string_view, 4> kPadButtonNames{"a", "b", "x", "y"};  // by PadButton, for scripts
+inline constexpr std::array<std::string_view, 4> kPadButtonNames{"a", "b", "x",
+                                                                 "y"};  // in the order of PadButton, for scripts
 struct GamepadButton {
   PadButton button = PadButton::a;
   bool down = true;

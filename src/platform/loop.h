@@ -1,12 +1,12 @@
-// The loop of a window's frames. A browser runs it itself, between the frames of its page.
+// The loop of a window's frames. In a web page the browser runs it, between the frames of the page.
 #pragma once
 
 #include <functional>
 
 namespace coaster::platform {
 
-// Calls `step` until it returns false, then returns what `finish` returns. In a page it returns 0 at once: the browser
-// goes on calling, and the program ends with that number after the last step.
+// Calls `step` until it returns false, then returns the result of `finish`. In a web page it returns 0 at once: the
+// browser continues to call `step`, and after the last one the program ends with the result of `finish`.
 int run_frames(std::function<bool()> step, std::function<int()> finish);
 
 }  // namespace coaster::platform

@@ -1,5 +1,5 @@
-// OpenGL contexts without a window, each of a library that is loaded at run time. So the build needs neither,
-// and a window needs no software renderer installed.
+// OpenGL contexts without a window, each from a library that is loaded at run time, so that the build needs neither
+// library and a window needs no software renderer.
 #pragma once
 
 #include <dlfcn.h>
@@ -20,10 +20,10 @@ struct OffscreenContext {
   std::function<void()> destroy;
 };
 
-// By Mesa's OSMesa, OpenGL 3.3 core: software alone. Mesa has dropped it since 25.1.
+// Makes a context with Mesa's OSMesa, OpenGL 3.3 core: software only. Mesa dropped it in version 25.1.
 base::Result<OffscreenContext> make_osmesa_context();
-// By EGL on Mesa's surfaceless platform: the graphics card if there is one, else software.
-// OpenGL 3.3 core, or with `es` OpenGL ES 3.0, which is what a browser offers.
+// Makes a context with EGL on Mesa's surfaceless platform: the graphics card if there is one, else software. OpenGL 3.3
+// core, or with `es` OpenGL ES 3.0, which is what a browser offers.
 base::Result<OffscreenContext> make_egl_context(bool es);
 
 // Loads the first library found; Code::graphics with the reason if none can be loaded. It stays loaded, because its
@@ -41,7 +41,7 @@ inline base::Result<void*> load_first(std::initializer_list<const char*> names) 
   return base::Status{base::Code::graphics, reason};
 }
 
-// False if the library has no such function.
+// Loads a function. Returns false if the library has no such function.
 template <class F>
 bool look_up(void* library, const char* name, F& function) {
   function = reinterpret_cast<F>(dlsym(library, name));

@@ -5,7 +5,7 @@
 
 namespace coaster::platform {
 
-// In the window system's coordinates, without the window frame.
+// Position and size in the window system's coordinates, without the window frame.
 struct Placement {
   int x = 0, y = 0, width = 0, height = 0;
   bool maximised = false;

@@ -3,8 +3,8 @@
 
 namespace coaster::platform {
 
-// From now on these signals only set a flag; a second one of the same kind ends the program at once, with the default
-// action.
+// Makes these signals only set a flag from now on; a second signal of the same kind ends the program at once, with the
+// default action.
 void watch_signals();
 
 // Returns the signal received, 0 if none. The flag stays set.

@@ -10,7 +10,7 @@
 
 namespace coaster::platform {
 
-// "OpenAL", or "none" in a program built without it.
+// Returns "OpenAL", or "none" in a program built without it.
 std::string sound_library();
 
 inline constexpr int kSoundRate = 44'100;  // frames a second

@@ -35,14 +35,14 @@ class Surface {
   virtual void resize(Size size) = 0;  // a window requests it from the window system; memory resizes
   virtual std::string clipboard() = 0;
   virtual void set_clipboard(const std::string& text) = 0;
-  // Gives a file that was written to the user: a browser downloads it. Elsewhere it already is where the user wants it.
+  // Gives a written file to the user: a browser downloads it. Elsewhere it is already at the chosen path.
   virtual void offer(const std::string& path) { (void)path; }
   // Fills the screen, or returns from that. Where there is no window it does nothing.
   virtual void toggle_full_screen() {}
   // Whether what is typed goes to a text. A touch screen shows its keyboard while it does.
   virtual void take_text(bool wanted) { (void)wanted; }
   virtual bool is_window() const = 0;
-  virtual std::string library() const = 0;  // that made its context: "GLFW 3.3.8", "OSMesa", "EGL"
+  virtual std::string library() const = 0;  // that created the context: "GLFW 3.3.8", "OSMesa", "EGL"
   // Returns the window's position; nothing for memory and while minimised. A maximised window has the size of the
   // screen.
   virtual std::optional<Placement> placement() const = 0;
@@ -65,13 +65,13 @@ struct SurfaceOptions {
 // --headless), no such context (versions needed and found), or the program was built without windows.
 base::Result<std::unique_ptr<Surface>> make_window(const SurfaceOptions& options);
 
-// "GLFW 3.3.8", or "none" in a program built without windows.
+// Returns "GLFW 3.3.8", or "none" in a program built without windows.
 std::string window_library();
 
-// Creates an off-screen OpenGL core context by the library that the options name, else $COASTER_HEADLESS, else OSMesa
-// or, where that is missing, EGL. "gles" is OpenGL ES 3.0 by EGL: what a browser draws with. Code::graphics if none has
-// one: the message names the packages to install. Code::usage for another name. Sets GALLIVM_PERF unless it is set:
-// Mesa's software renderer then compiles shaders in half the time and draws up to 13 % slower.
+// Creates an off-screen OpenGL core context with the library named by the options, else $COASTER_HEADLESS, else OSMesa
+// or, if that is missing, EGL. "gles" is OpenGL ES 3.0 by EGL, as in a browser. Code::graphics if none provides one:
+// the message names the packages to install. Code::usage for another name. Sets GALLIVM_PERF unless it is set: Mesa's
+// software renderer then compiles shaders in half the time and draws up to 13 % slower.
 base::Result<std::unique_ptr<Surface>> make_offscreen(const SurfaceOptions& options);
 
 }  // namespace coaster::platform

@@ -1,5 +1,5 @@
 // Fingers on a screen as a mouse with three buttons: one finger is the left button, a long press the right one, two
-// fingers pan by the middle button and zoom by the wheel. Without a finger the mouse is outside.
+// fingers pan by the middle button and zoom by the wheel. Without a finger the mouse is outside the window.
 #pragma once
 
 #include <span>
@@ -17,10 +17,10 @@ class Touch {
  public:
   static constexpr double kLongPress = 0.5;  // s without moving, until it is the right button
   static constexpr float kSlop = 8;          // pixels of an ordinary screen, times `scale`: less is no movement
-  static constexpr float kPerNotch = 1.12f;  // of the distance of two fingers: the step of the wheel's zoom
+  static constexpr float kPerNotch = 1.12f;  // change of the distance of two fingers for one step of the wheel
 
-  // Appends the events of one frame for the fingers that are down. A press and its release come in different frames, as
-  // panels need: false asks for the same fingers once more, in the next frame.
+  // Appends the events of one frame for the fingers that are down. A press and its release are in different frames, as
+  // panels need: false requests the same fingers once more, in the next frame.
   bool follow(std::span<const Finger> fingers, double now, float scale, Events& events);
 
  private:
@@ -33,7 +33,7 @@ class Touch {
   double since_ = 0;    // s, of the pending press
   float distance_ = 0;  // of two fingers, pixels
   bool down_ = false, tapped_ = false;
-  bool away_ = false;  // the mouse has to leave what the finger has left
+  bool away_ = false;  // the mouse must leave the position that the finger has left
   Button button_ = Button::left;
 };
 
