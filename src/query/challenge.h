@@ -1,5 +1,5 @@
 // The referee of challenges: parses their expressions, evaluates them, and judges. Rules are conditions as in scripts,
-// over queries of track and ride alone, so a verdict does not depend on machine, picture or panels.
+// but only over queries of track and ride, so a verdict does not depend on machine, picture or panels.
 #pragma once
 
 #include <optional>
@@ -32,14 +32,14 @@ inline bool must_hold(const Rule& rule) {
 // (columns count from 1) for the first rule that cannot be parsed or uses a query that may not judge.
 base::Result<std::vector<Rule>> read_rules(const exchange::ChallengeFile& challenge, std::string_view path);
 
-// The same; also fails for the first rule with operands that cannot be compared.
+// Checks all rules; also fails for the first rule with operands that cannot be compared.
 base::Status check_rules(const exchange::ChallengeFile& challenge, const std::string& path);
 
 // A rule evaluated on the present session.
 struct Finding {
   bool holds = false;
   std::string found;            // the value as text with its unit: "1.40 g"
-  std::optional<double> value;  // of numbers
+  std::optional<double> value;  // of numeric queries
   std::optional<double> place;  // m along the track, where the value is taken; nothing if it has no position
 };
 Finding look_at(const edit::Finder& find, const Rule& rule);
@@ -54,7 +54,7 @@ edit::Verdict judge(edit::Session& session, const edit::RideResult* result);
 // Returns the functions that a session needs.
 edit::Referee referee();
 
-// Returns "silver" and so on; "" for 0.
+// Returns "bronze", "silver" or "gold"; "" for 0.
 std::string_view medal_name(int medal);
 
 }  // namespace coaster::query

@@ -28,7 +28,7 @@ struct Condition {
 // error is in `words`.
 bool parse_condition(base::Words& words, Condition& condition, std::string_view stop = {});
 
-// True if the value meets the condition. Numbers without a tolerance are equal if they are equal as written or in
+// True if the value meets the condition. Without a tolerance, numbers are equal if they are equal as written or in
 // single precision. Texts compare without a leading @; "~" means contains, ignoring case. Code::usage if value and
 // operator do not fit; the message says what was expected.
 base::Result<bool> holds(const Condition& condition, const Value& value);

@@ -1,4 +1,4 @@
-// Numbers of the last frame: app's frame fills them, panels read them, and the table makes queries of them. Those of
+// Figures of the last frame: app's frame fills them, panels read them, and the table makes queries of them. Those of
 // its picture are the renderer's (view/draw_stats.h).
 #pragma once
 
@@ -15,7 +15,7 @@
 
 namespace coaster::query {
 
-// State of the document's file besides its path.
+// State of the document's file, besides its path.
 struct Keeping {
   std::string holder;   // the other process that has the file open, "another coaster (process 12)"; empty: none
   int recoverable = 0;  // autosaves of other runs that can be recovered

@@ -41,7 +41,7 @@ Value number(Number n) {
 }
 inline Value text(std::string_view t) { return std::string(t); }
 
-// Returns a switch as on or off, an enumerator by name, a level of continuity as ranked, any other value as it is.
+// Returns a switch as on or off, an enumerator by name, a level of continuity as ranked, any other value unchanged.
 template <class T>
 Value value_of(const T& value) {
   if constexpr (std::is_same_v<T, bool>) return yes_no(value);
@@ -63,7 +63,7 @@ const auto& member_at(const T& object, Member member, Path... path) {
   return member_at(object.*member, path...);
 }
 
-// Row of a member of the session's document or of the last frame's numbers: of_document<&world::Document::datum>.
+// Row of a member of the session's document or of the last frame's figures: of_document<&world::Document::datum>.
 template <auto... path>
 Answer of_document(const Context& c, View) {
   return value_of(member_at(c.session.document, path...));
