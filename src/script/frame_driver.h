@@ -1,4 +1,4 @@
-// Draws frames for scripts: tracks whether the picture is older than the state, and then draws a frame without ticks.
+// Draws frames for scripts: knows whether the picture is older than the state, and then draws a frame without ticks.
 #pragma once
 
 #include "script/host.h"
@@ -27,8 +27,8 @@ class FrameDriver {
   // Draws a frame without ticks if anything changed since the last one, so that the last frame's values match the
   // state.
   base::Status settle();
-  // Draws until the panels show the state, too: they show the state before a frame's commands, and lay out new contents
-  // one frame later.
+  // Draws until the panels show the state, too: in a frame with commands they show the state before them, and new
+  // contents are laid out one frame later.
   base::Status settle_panels();
 
   std::uint64_t commands() const { return host_.commands ? host_.commands() : 0; }

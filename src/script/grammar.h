@@ -16,15 +16,15 @@ inline constexpr int kMaxIncludeDepth = 16;
 inline constexpr int kMaxBlockDepth = 64;
 
 inline constexpr std::size_t kMaxErrors = 20;
-inline constexpr std::size_t kMaxLines = 500'000;  // of a script and all that it includes: 0.5 GB of statements
+inline constexpr std::size_t kMaxLines = 500'000;  // limit for a script and all that it includes: 0.5 GB of statements
 
-// An included file that begins neither with "coaster-script 1" nor with a statement is one error, which shows none of
-// its lines: it is no script, and may be secret.
+// An included file that begins neither with "coaster-script 1" nor with a statement gives one error, which shows none
+// of its lines: it is not a script, and may be confidential.
 struct ParsedScript {
   Script script;
   std::vector<std::string> errors;  // each formatted by describe_error(), and the number of those beyond kMaxErrors;
                                     // empty: the script can run
-  std::size_t lines = 0;            // read, of all files
+  std::size_t lines = 0;            // lines read, of all files
 };
 
 // Parses a text. `include` reads through `files`, relative to `folder`, then to the current folder.

@@ -1,4 +1,4 @@
-// The script language as text, from the tables that also parse it.
+// The help text of the script language, from the tables that also parse it.
 #pragma once
 
 #include <string>

@@ -23,7 +23,7 @@ struct WidgetState {
   std::string path, kind, value;
   float x = 0, y = 0, width = 0, height = 0;
   bool visible = true, enabled = true, covered = false;
-  std::string alias = {};  // the path before a label changed; empty: none did
+  std::string alias = {};  // the path before a label changed; empty: unchanged
 };
 
 // A target in the viewport, which the app projects to a pixel.
@@ -31,7 +31,7 @@ struct AimPoint {
   view::PickKind kind = view::PickKind::none;  // none: a position of the world
   world::Name name;
   double t = 0;           // on a curve
-  glm::vec3 position{0};  // of none
+  glm::vec3 position{0};  // for none
 };
 
 // Session-wide settings of the env line.
@@ -69,12 +69,12 @@ struct Host {
   std::function<base::Status(const std::filesystem::path&)>
       set_home;  // uses that folder for settings and autosaves, as after a start; may be empty
   std::function<base::Status(const std::filesystem::path& folder, int fps, bool gif)>
-      start_movie;                           // records all ticks from now on; may be empty
+      start_movie;                           // starts recording all ticks; may be empty
   std::function<void(int frames)> slow_job;  // delays the next import or search by hand; may be empty
   std::function<base::Status()> stop_movie;  // waits for the movie's file; may be empty
   std::function<bool()> interrupted;         // true when the system has asked the program to end; may be empty
-  // Lessons. teach() shows a card, or hides it if null. answer() returns which of the card's buttons was pressed since
-  // the last call. Empty: there is no player, and the script runs the lesson's body.
+  // Lessons. teach() shows a card, or hides it if null. answer() returns the card's button that was pressed since the
+  // last call. Empty: there is no player, and the script runs the lesson's body.
   std::function<void(const query::LessonCard*)> teach;
   std::function<query::LessonAnswer()> answer;
   base::Files* files = nullptr;

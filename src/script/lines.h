@@ -20,7 +20,7 @@ std::vector<std::string> line_words();
 // Parses the words of a line (at least one). On failure returns false and sets `error` to what was expected and where.
 bool parse_line(std::span<const base::Token> line, base::TextError& error, Action& action);
 
-// A statement's first word, and the reader of the words behind it.
+// A statement's first word, and the reader of the words after it.
 struct LineRow {
   std::string_view word;
   bool (*parse)(Words& words, Action& action);

@@ -12,7 +12,7 @@ namespace coaster::script {
 
 class Recorder {
  public:
-  // Begins the script `path` and saves the track beside it (rec.coaster: rec.json), with the faults of `files`. Both
+  // Begins the script `path` and saves the track next to it (rec.coaster: rec.json), with the faults of `files`. Both
   // are new files: links of these names are replaced; links in the folder's own path are followed. Code::io if either
   // cannot be written.
   static base::Result<std::unique_ptr<Recorder>> start(const base::Files& files, const std::filesystem::path& path,
@@ -22,7 +22,7 @@ class Recorder {
   Recorder& operator=(const Recorder&) = delete;
 
   // Records a command that was applied successfully; `after` is the session afterwards. Leaves out saving. Copies an
-  // opened file beside the script, so that a recording is self-contained.
+  // opened file next to the script, so that a recording is self-contained.
   base::Status command(const edit::Command& command, const edit::Session& after);
   // Counts ticks. They are written before the next command, or after a second of ticks.
   base::Status ticks(int count);
@@ -37,7 +37,7 @@ class Recorder {
   base::Status snapshot(const edit::Session& session);
 
   std::filesystem::path path_;
-  base::Files files_;  // writes into the folder of path_ alone
+  base::Files files_;  // writes only into the folder of path_
   base::NewFile out_;
   int snapshots_ = 0;
   std::int64_t pending_ticks_ = 0;

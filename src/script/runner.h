@@ -35,8 +35,8 @@ inline Failure failed(std::string message, int column = 0) {
 }
 inline Failure wrong(std::string message, int column = 0) { return {base::Code::usage, std::move(message), column}; }
 
-// Runs the script. On failure returns the exit code's reason with place, line, caret, frame and the paths of picture
-// and state (describe_error()).
+// Runs the script. On failure returns its code with place, line, caret, frame and the paths of picture and state
+// (describe_error()).
 base::Status run_script(const Script& script, Host& host, const RunOptions& options);
 
 // One run: begin(), then step() until it returns a status. The statements are implemented in runner.cpp (blocks,
@@ -47,21 +47,21 @@ class Runner {
       : script_(script), frames_(host), options_(options), files_(options.out), environment_(options.environment) {}
 
   base::Status begin();
-  // Runs the next statement, or looks whether the lesson that waits is learnt. Nothing while more is to come, then the
-  // result of the script.
+  // Runs the next statement, or checks whether the waiting lesson is done. Returns nothing while more is to come, then
+  // the result of the script.
   std::optional<base::Status> step();
-  // Returns whether the last step left a lesson to the player.
+  // True if the last step left a lesson to the player.
   bool waits() const { return waits_; }
 
  private:
-  // Where the run is in a block, and in the blocks around it.
+  // The position of the run in a block, and in the blocks around it.
   struct Place {
     const Block* block = nullptr;
     std::size_t next = 0;
-    std::int64_t again = 0;  // times that the block is still to be run after this one
-    bool gesture = false;    // its end is a gesture's
+    std::int64_t again = 0;  // remaining repetitions of the block after this one
+    bool gesture = false;    // the block is a gesture
   };
-  // The lesson that is given: its lines are shown by a place behind `depth`.
+  // The current lesson; a place behind `depth` shows its lines.
   struct Given {
     const Lesson* lesson = nullptr;
     const Statement* statement = nullptr;
@@ -74,7 +74,7 @@ class Runner {
   }
   Failure advance();
   Failure run(const Statement& statement);
-  Failure attend();  // to the given lesson (runner_lesson.cpp)
+  Failure attend();  // checks the current lesson (runner_lesson.cpp)
   base::Status error_of(const Failure& result);
 
   Failure perform(const RunCommand& command);
@@ -121,13 +121,13 @@ class Runner {
   const Script& script_;
   FrameDriver frames_;
   const RunOptions& options_;
-  base::Files files_;  // writes below $OUT alone, without the faults that scripts inject into the host's
+  base::Files files_;  // writes only below $OUT, without the faults that scripts inject into the host's
   Environment environment_;
   std::vector<Place> places_;  // the innermost last
   std::optional<Given> given_;
   bool waits_ = false;
-  int lessons_ = 0;                           // started so far
-  std::vector<std::filesystem::path> homes_;  // named by env
+  int lessons_ = 0;                           // lessons started so far
+  std::vector<std::filesystem::path> homes_;  // folders named by env
   int source_ = 0;                            // source of the running statement
   const Statement* failed_at_ = nullptr;      // the innermost statement that failed
 };

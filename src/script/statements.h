@@ -107,7 +107,7 @@ struct UiAction {
   bool on = true;     // of check
 };
 
-// Frames of events, one after the other.
+// Frames of events, one frame after the other.
 struct Input {
   std::vector<platform::Events> steps;
   bool last_step_can_wait = false;  // a release: may join the next frame
@@ -171,12 +171,12 @@ struct Fault {
   int nth = 1;
 };
 
-// Ends the script as skipped where the driver cannot evaluate there.
+// Ends the script as skipped if the driver cannot evaluate in that stage.
 struct Needs {
   curve::EvaluatedBy stage = curve::EvaluatedBy::processor;
 };
 
-// Delays the next import by hand by a number of frames, so that a script sees its progress.
+// Delays the next import of the user by a number of frames, so that a script sees its progress.
 struct SlowImport {
   int frames = 0;
 };
@@ -192,7 +192,7 @@ struct Statement {
 };
 
 struct Source {
-  std::string name;  // as written where it was named
+  std::string name;  // as written in the including line
   std::filesystem::path folder;
   std::vector<std::string> lines;
 };

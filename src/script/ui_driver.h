@@ -1,4 +1,5 @@
-// Operates widgets like a user: moves there, presses, releases, one frame each; scrolls and opens what hides them.
+// Operates widgets like a user: moves there, presses, releases, one frame each; first scrolls and opens what hides
+// them.
 #pragma once
 
 #include <string>
@@ -18,17 +19,17 @@ class UiDriver {
   // cannot be reached, such as the workspace that shows it.
   Failure reach(std::string_view path);
   Failure click(std::string_view path, int clicks = 1);
-  // Clicks if the widget is in the other state.
+  // Clicks the widget if it is in the other state.
   Failure check(std::string_view path, bool on);
-  // Ctrl+click, which also opens the field of a slider or number, or a double click on a table's cell; then select all,
-  // the text, Enter.
+  // Opens the field by Ctrl+click on a slider or number, or by a double click on a table's cell; then selects all,
+  // types the text and presses Enter.
   Failure type(std::string_view path, std::string_view text);
   Failure drag_by(std::string_view path, float pixels);
   // Drags along the slider until it shows the value; types the value if no pixel does.
   Failure drag_to(std::string_view path, double value);
   Failure open(std::string_view path, bool open);
   Failure menu(std::string_view path);
-  // Positive scrolls down. The path is a panel's or that of a widget in it.
+  // Scrolls; positive scrolls down. The path is that of a panel or of a widget in it.
   Failure scroll(std::string_view path, double notches);
 
  private:
@@ -42,7 +43,7 @@ class UiDriver {
   Failure open_way_to(std::string_view path);
   Failure open_one(WidgetState widget);
   Failure bring_into_sight(std::string_view path, WidgetState& widget);
-  // Returns why a widget that is out of sight, covered or disabled cannot be used.
+  // Returns why a widget cannot be used: out of sight, covered or disabled.
   Failure refusal(const WidgetState& widget) const;
   const WidgetState* now(std::string_view path);
 

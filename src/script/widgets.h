@@ -1,4 +1,4 @@
-// Finding widgets by label path.
+// Finds widgets by label path.
 #pragma once
 
 #include <span>
