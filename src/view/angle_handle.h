@@ -1,4 +1,4 @@
-// The rings in the view of the selected section: dragging their handles changes its turn and its bank.
+// The rings around the selected section: dragging their handles changes its turn and its bank.
 #pragma once
 
 #include <optional>
@@ -14,25 +14,25 @@ struct AngleHandle {
   PickKind kind = PickKind::none;  // turn or bank
   world::Entity section;
   std::string_view parameter;  // "angle", "turns" or "bank"
-  double angle = 0;            // deg, now; a turn of 360 deg and more goes on counting
-  double whole = 1;            // value of the parameter by its angle in deg
+  double angle = 0;            // deg, present value; a turn of 360 deg and more continues to count
+  double whole = 1;            // value of the parameter divided by its angle in deg
   glm::dvec3 centre{0};        // m
-  glm::dvec3 axis{0, 1, 0};    // unit: positive angles turn about it
+  glm::dvec3 axis{0, 1, 0};    // unit, axis of positive angles
   glm::dvec3 zero{1, 0, 0};    // m, from the centre to the ring where the angle is 0
   glm::dvec3 at(double deg) const;
 };
 
-// Returns the handles of a planned section: for what turns in plan its turn, as a level ring about the centre of the
-// turn at the height where it begins; for what banks by a parameter its bank, as a ring about the rails where it is
-// steepest. A bank that follows from a speed has none.
+// Returns the handles of a planned section. An element that turns in plan has its turn, as a level ring about the
+// centre of the turn at the height where it begins; one with a bank parameter has its bank, as a ring about the rails
+// where it is steepest. A bank that follows from a speed has none.
 std::vector<AngleHandle> angle_handles(const world::Document& document, const sim::Derived& derived,
                                        world::Entity section);
-// Returns one of them.
+// Returns the handle of one kind.
 std::optional<AngleHandle> angle_handle(const world::Document& document, const sim::Derived& derived,
                                         world::Entity section, PickKind kind);
 
-// Returns the angle (deg) of the handle where the ray meets the ring's plane, of all whole turns the one nearest to
-// `near`; nothing where the plane is seen edge-on.
+// Returns the angle (deg) of the handle where the ray meets the ring's plane, with the whole turns that bring it
+// nearest to `near`; nothing if the plane is seen edge-on.
 std::optional<double> angle_under(const AngleHandle& handle, const Ray& ray, double near);
 
 // Adds the ring, an arc from 0 to the angle, and the handle.

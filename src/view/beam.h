@@ -16,7 +16,7 @@ namespace coaster::view {
 struct Sighted {
   double u = 0, v = 0, w = 0, z = 0;
 };
-inline constexpr double kNowhere = std::numeric_limits<double>::infinity();  // distance to what is not hit
+inline constexpr double kNowhere = std::numeric_limits<double>::infinity();  // distance if nothing is hit
 inline constexpr double kLeastDepth = 1e-4;  // m: smaller depths count as behind the eye
 inline bool is_visible(const Sighted& s) { return s.w > kLeastDepth && s.z <= s.w && -s.z <= s.w; }
 
@@ -28,7 +28,7 @@ class Beam {
 
   // Metres by which depths of an orthographic view must differ for one to be in front; 0 for a perspective view.
   double same_depth() const { return same_depth_; }
-  // Depth of a place of a curve, m: from the eye, or along an orthographic view.
+  // Depth of a position on a curve, m: from the eye, or along an orthographic view.
   double depth(double w, glm::dvec3 place) const {
     return same_depth_ > 0 ? glm::dot(glm::dvec3(coarse_.w), place) : w;
   }
@@ -46,7 +46,7 @@ class Beam {
     float eye_depth = 0;         // w . eye
     double pixels = 1;           // pixels per metre across the line of sight at depth 1, at most
     double least_pixels = 1;     // the same in the direction where it is smallest
-    float stretch = 1;           // |change of (u, v)| / pixels per metre, at most
+    float stretch = 1;           // largest |change of (u, v)| / pixels per metre
     float rounding = 0;          // m, error of coordinates and eye
   };
   const Coarse& coarse() const { return coarse_; }

@@ -71,7 +71,7 @@ struct BoxSweep {
   return mask_bits(off <= reach * reach) & mask_bits(depth + radius + rounding > all(0)) & ((1u << block.count) - 1);
 }
 
-// Segments waiting to be visited, the closest first.
+// Segments to be visited, the closest first.
 class Waiting {
  public:
   static constexpr std::size_t kMost = 256;
@@ -111,7 +111,7 @@ std::size_t visit_near(const sim::SegmentTree& tree, const Beam& beam, Limit lim
     while (!waiting.empty()) visit(waiting.next());
   };
   // Tests several nodes before their children are visited: the processor overlaps them, while a single test would wait
-  // for its own sums.
+  // for its result.
   constexpr std::size_t kAtOnce = 4;
   std::array<std::int32_t, kAtOnce*(3 * sim::kMaxTreeDepth + 4)> nodes;
   std::array<std::int32_t, 4 * kAtOnce + 4> blocks;

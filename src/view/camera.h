@@ -21,11 +21,11 @@ struct Viewport {
 // Eye position and matrices of a picture.
 struct View {
   glm::mat4 view{1}, projection{1};  // OpenGL clip space, right-handed
-  glm::vec3 eye{0};                  // of an orthographic view: where the eye of the same perspective view is
+  glm::vec3 eye{0};                  // in an orthographic view: the eye of the corresponding perspective view
   Viewport viewport;
   float parallel = 0;  // m from the eye to the subject in an orthographic view; 0: perspective
 };
-// Returns how many metres a pixel covers at `depth` metres before the eye; at any depth of an orthographic view.
+// Returns the metres that a pixel covers at `depth` metres in front of the eye; at any depth in an orthographic view.
 float metres_per_pixel(const View& view, float depth);
 // Return the unit directions into the picture, to its right and to its top.
 inline glm::vec3 line_of_sight(const View& v) { return -glm::vec3(v.view[0][2], v.view[1][2], v.view[2][2]); }
@@ -34,7 +34,7 @@ inline glm::vec3 top_of(const View& v) { return {v.view[0][1], v.view[1][1], v.v
 
 struct Ray {
   glm::vec3 origin, direction;  // unit
-  bool endless = false;         // has no beginning: it is a line, as in an orthographic view
+  bool endless = false;         // extends to both sides: a line, as in an orthographic view
 };
 
 // An eye, independent of the size of the picture.
@@ -42,7 +42,7 @@ struct Eye {
   glm::dvec3 position{0, 5, 80};              // m, at least kLowestEye above the ground
   glm::dvec3 forward{0, 0, -1}, up{0, 1, 0};  // unit; `up` need not be perpendicular to `forward`, only not parallel
   double field_of_view_deg = 45;              // vertical
-  double far_off = 0;                         // m, typical distance of the subject: the near plane moves out with it
+  double far_off = 0;                         // m, typical distance of the subject: the near plane moves away with it
   bool parallel = false;                      // orthographic; the picture is as high as a perspective one at far_off
 };
 inline constexpr float kLowestEye = 0.3f;  // m above the ground plane y = 0
@@ -51,17 +51,17 @@ inline constexpr float kRiderEye = 1.1f;   // m above the rails
 // Returns right, up and back of an eye as columns: unit, perpendicular. `up` must not be parallel to `forward`.
 glm::dmat3 axes_of(const Eye& eye);
 
-// Both eyes stay above the ground; that of an orthographic view may be anywhere.
+// Return the eyes of both cameras, which stay above the ground; that of an orthographic view may be anywhere.
 Eye orbit_eye(const world::Camera& camera);
 Eye fly_eye(const world::FlyCamera& fly, float field_of_view_deg);
 // Returns the eye on the seat of a car, looking forward.
 Eye ride_eye(const sim::Pose& pose, float field_of_view_deg);
-// A viewport of zero area counts as 1 x 1.
+// Returns the view; a viewport of zero area counts as 1 x 1.
 View view_of(const Eye& eye, Viewport viewport);
 
 View orbit_view(const world::Camera& camera, Viewport viewport);
 
-// Returns the perspective camera that looks the same way; a top view becomes as steep as a camera can be.
+// Returns the perspective camera with the same direction; a top view becomes as steep as a camera can be.
 world::Camera in_perspective(world::Camera camera);
 
 // Returns the fly camera that is closest to this view.
@@ -71,8 +71,8 @@ world::FlyCamera fly_from(const View& view);
 std::optional<glm::vec3> project(const View& view, glm::vec3 world);
 Ray ray_through(const View& view, glm::vec2 pixel);
 
-// Returns where the ray meets the plane through `point` with `normal`; nothing if parallel, before its beginning or
-// beyond 1e5 m.
+// Returns where the ray meets the plane through `point` with `normal`; nothing if parallel, before its origin or beyond
+// 1e5 m.
 std::optional<glm::vec3> meet_plane(const Ray& ray, glm::vec3 point, glm::vec3 normal);
 // Returns the height (y) on the vertical line through `point` that is nearest to the ray.
 std::optional<float> meet_vertical(const Ray& ray, glm::vec3 point);
@@ -80,10 +80,11 @@ std::optional<float> meet_vertical(const Ray& ray, glm::vec3 point);
 // Returns the nearest camera with the same yaw and pitch that shows a box with a margin, at the viewport's aspect
 // ratio.
 world::Camera frame_box(const world::Camera& from, glm::vec3 low, glm::vec3 high, Viewport viewport);
-// Returns the camera, moved across its line of sight, and back where that is not enough, as little as shows all points
-// with a margin, none of them nearer than a fifth of its distance. The camera itself if it does already.
+// Returns the camera moved perpendicular to its line of sight, and back if that is not enough, by the least amount that
+// shows all points with a margin, none of them nearer than a fifth of its distance. Returns the camera itself if it
+// already does.
 world::Camera kept_in_view(const world::Camera& camera, std::span<const glm::vec3> points, Viewport viewport);
-// As frame_box(), for the whole track (40 m about the origin if it is empty) or for one entity.
+// Does the same as frame_box() for the whole track (40 m about the origin if it is empty) or for one entity.
 world::Camera frame_all(const world::Camera& from, const world::Document& document, Viewport viewport);
 world::Camera frame_entity(const world::Camera& from, const world::Document& document, world::Entity entity,
                            Viewport viewport);

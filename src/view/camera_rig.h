@@ -1,6 +1,6 @@
 // The eye from picture to picture: it rides, chases, orbits or flies, and eases from one camera to the other. Damping
 // depends on ticks, never on a clock, so a script's pictures are the same on every run. Not part of document, undo or
-// motion; nothing here is hashed.
+// motion; not hashed.
 #pragma once
 
 #include <glm/gtc/quaternion.hpp>
@@ -11,7 +11,7 @@
 
 namespace coaster::view {
 
-// The state that an eye looks at.
+// The state that a camera follows.
 struct Watched {
   const world::Document& document;
   const sim::Derived& derived;
@@ -20,11 +20,12 @@ struct Watched {
   bool eased = true;  // a change of camera takes kTransitionTicks
 };
 
-// Returns the chosen camera, or orbit while there is no train.
+// Returns the selected camera, or orbit while there is no train.
 world::CameraMode shown_mode(const Watched& watched);
 
-// The heading of a train over the ground, as a damped angle. A loop is no turn: while the train is upside down the
-// heading stays on its line, and near the vertical, where the tangent has little horizontal length, it hardly moves.
+// The heading of a train over the ground, as a damped angle. A loop does not count as a turn: while the train is upside
+// down the heading stays on its line, and near the vertical, where the tangent has little horizontal length, it hardly
+// moves.
 struct Heading {
   double yaw = 0, rate = 0;  // rad, as the orbit camera's yaw (0 is -Z), rad/s
   glm::dvec3 direction() const { return {-std::sin(yaw), 0, -std::cos(yaw)}; }
@@ -61,7 +62,7 @@ inline constexpr int kTransitionTicks = 48;  // 0.4 s
 void follow(CameraRig& rig, const Watched& watched, int ticks);
 bool steps(const CameraRig& rig);
 
-// For the two cameras that follow a train; private to them and to follow().
+// State for the two cameras that follow a train; private to them and to follow().
 struct Ridden {
   world::Entity cart;
   const world::CartMotion& motion;
@@ -73,7 +74,7 @@ Eye ride(CameraRig& rig, const Watched& watched, const Ridden& ridden, double dt
 void settle_chase(CameraRig& rig, const Watched& watched, const Ridden& ridden);
 Eye chase(CameraRig& rig, const Watched& watched, const Ridden& ridden, double dt);
 
-// The nearest track to a point within `reach` metres: its distance and position, exact to 1 cm. Costs about 10 ns per
+// The track nearest to a point within `reach` metres: its distance and position, exact to 1 cm. Costs about 10 ns per
 // distant segment.
 struct NearTrack {
   double distance;  // m; infinity if there is none

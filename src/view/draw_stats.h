@@ -1,4 +1,4 @@
-// Numbers of the last picture. gfx::Renderer::draw fills them, panels read them, and the table makes queries of them.
+// Figures of the last picture. gfx::Renderer::draw fills them, panels read them, and the table makes queries of them.
 #pragma once
 
 #include <array>
@@ -15,8 +15,8 @@ struct DrawStats {
   int recolours = 0;        // segments whose values were written (not in uploads)
   int support_uploads = 0;  // segments whose supports were written (not in uploads)
   int draw_calls = 0;
-  std::int64_t triangles = 0;  // of these draw calls, in shadow maps too
-  int shadow_maps = 0;  // shadow maps drawn: 0 unless track, trains, light or the visible part of a large track changed
+  std::int64_t triangles = 0;  // of these draw calls, including shadow maps
+  int shadow_maps = 0;  // drawn shadow maps: 0 unless track, trains, light or the visible part of a large track changed
   int samples = 0;      // multisampling in use
   double prepare_ms = 0;  // time of the cache to prepare uploads, outside GL
   double gpu_ms = 0;      // GPU time of the polyline in the newest finished frame (a few frames ago); 0: not measured

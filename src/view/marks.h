@@ -1,4 +1,4 @@
-// The marks on screen and which covers which. The overlay draws this list, and picking uses the same list.
+// The marks on screen and their drawing order. The overlay draws this list, and picking uses the same list.
 #pragma once
 
 #include <vector>

@@ -39,7 +39,7 @@ struct Overlay {
   friend bool operator==(const Overlay&, const Overlay&) = default;
 };
 
-// Results about the track and its ride that are marked on it.
+// Findings about the track and its ride that are marked on it.
 struct Findings {
   std::span<const sim::FrenetBreak> breaks;   // read for Layer::flips
   std::span<const sim::RedSpan> spans;        // read for Layer::limits

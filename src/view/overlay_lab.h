@@ -21,7 +21,7 @@ inline constexpr int kMaxFrames = 200;  // three arrows each
 inline constexpr int kMaxTeeth = 3000;
 inline constexpr int kMaxRoundingVertices = 8200;  // two segments at the highest resolution
 inline constexpr int kMaxBreaks = 500;
-inline constexpr int kMaxSpanPieces = 4000;  // of all overloads
+inline constexpr int kMaxSpanPieces = 4000;  // for all overloads
 inline constexpr int kMaxConflicts = 300;
 inline constexpr int kMaxJolts = 300;
 inline constexpr int kCircleSides = 96;
@@ -70,7 +70,7 @@ void add_jolts(const sim::Derived& derived, std::span<const sim::Jolt> jolts, co
 void add_conflicts(const sim::Derived& derived, std::span<const sim::Conflict> conflicts, const View& view, float scale,
                    Overlay& overlay);
 
-// Adds the visible layers, the widespread ones first, over dark rims. Each layer reads `findings` only while it is
+// Adds the visible layers, the most extensive ones first, over dark rims. Each layer reads `findings` only while it is
 // visible.
 void add_laboratory(const world::Document& document, const sim::Derived& derived, const world::Settings& settings,
                     const View& view, const Findings& findings, Overlay& overlay);

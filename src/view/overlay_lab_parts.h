@@ -1,4 +1,5 @@
-// Shared by the laboratory's pictures: lines and arrows of constant size on screen, and the track that is worth detail.
+// Shared parts of the laboratory's pictures: lines and arrows of constant size on screen, and the track that is close
+// enough for detail.
 #pragma once
 
 #include <span>
@@ -8,7 +9,7 @@
 
 namespace coaster::view {
 
-// Pixels per metre across the line of sight at a point; 0 behind the eye.
+// Returns pixels per metre perpendicular to the line of sight at a point; 0 behind the eye.
 class PixelScale {
  public:
   explicit PixelScale(const View& view);
@@ -37,7 +38,7 @@ std::vector<world::Entity> selected_segments(const world::Document& document, wo
 glm::dvec3 over_rails(const sim::Derived& derived, double distance, double height);
 
 // Adds an arrow from `from` along the unit `direction`, `length` metres long. Its head, two barbs that face the eye, is
-// left out where the view is along it.
+// omitted if the arrow points along the view.
 void add_arrow(glm::dvec3 from, glm::dvec3 direction, double length, const View& view, float width_px,
                std::uint32_t rgba, Overlay& overlay);
 

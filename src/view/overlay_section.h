@@ -1,13 +1,14 @@
-// The selected sections and the one under the mouse: their rails in wide lines.
+// The selected sections and the one under the mouse, marked by wide lines along their rails.
 #pragma once
 
 #include "view/overlay.h"
 
 namespace coaster::view {
 
-inline constexpr std::size_t kMaxSectionLines = 2000;  // of each, whatever the number of segments, if that is less
+inline constexpr std::size_t kMaxSectionLines = 2000;  // for each, unless its number of segments is larger
 
-// Adds nothing if no section is selected. The section under the mouse shows in the workspace Build, if it is planned.
+// Adds the lines; nothing if no section is selected. The section under the mouse shows in the workspace Build, if it is
+// planned.
 void add_sections(const world::Document& document, const sim::Derived& derived, const world::Settings& settings,
                   const Pick& hovered, Overlay& overlay);
 

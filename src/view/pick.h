@@ -1,5 +1,5 @@
-// What is under the cursor: knots, handles of the selected knot, trains, positions on the curve. Runs on the CPU, over
-// derived data.
+// Finds what is under the cursor: knots, handles of the selected knot, trains, positions on the curve. Runs on the CPU,
+// over derived data.
 #pragma once
 
 #include <optional>
@@ -17,7 +17,7 @@ enum class PickKind : std::uint8_t {
   handle_out,
   spin,     // the handle of the spin ring (view/spin_ring.h)
   section,  // the handle of the selected section (view/section_handle.h)
-  turn,     // its handles of angles (view/angle_handle.h)
+  turn,     // the handles of its angles (view/angle_handle.h)
   bank,
   cart,
   curve,
@@ -44,10 +44,10 @@ inline constexpr float kSectionHandleHalf = 6.0f;
 inline constexpr float kCurveReach = 8.0f;  // px from the curve
 inline constexpr float kCartReach = 9.0f;   // px from a car's middle: more than a knot's radius
 
-// Returns what is under a pixel. Marks are on top of everything and never hidden. A section's handles win over the
-// others, handles over knots, knots over the gizmo, the gizmo over cars, cars over the curve; within a kind the mark
+// Returns what is under a pixel. Marks are on top of everything and never hidden. A section's handles win over other
+// handles, handles over knots, knots over the gizmo, the gizmo over cars, cars over the curve; within a kind the mark
 // nearest to the eye wins (ties: the earlier in the track). Cars are picked by their box, oriented as drawn, and near
-// their middle however small they are; the car that the eye sits in is not. Where curves cross on screen the selected
+// their middle however small they are; the car that contains the eye is not. Where curves cross on screen the selected
 // one wins near its picked position. Only handles of `selected` (a knot, or the knots of a selected segment) are shown
 // and can be picked.
 Pick pick(const world::Document& document, const sim::Derived& derived, const world::Motion& motion,
@@ -62,11 +62,11 @@ Pick pick(const world::Document& document, const sim::Derived& derived, const wo
 std::optional<Pick> pick_curve(const sim::Derived& derived, const View& view, glm::vec2 pixel, float reach);
 inline constexpr double kOneBehindAnother = 1.0;  // px
 
-// The same by testing every segment: the reference for the tree in tests and benchmarks.
+// Does the same by testing every segment: the reference for the tree in tests and benchmarks.
 std::optional<Pick> pick_curve_of_all(const sim::Derived& derived, const View& view, glm::vec2 pixel, float reach);
 
 // Returns the position on one segment that is nearest to a pixel on screen, at any distance; nothing if the segment is
-// wholly behind the eye or does not exist. The probe follows it while dragged.
+// entirely behind the eye or does not exist. The probe follows it during a drag.
 std::optional<Pick> pick_segment(const sim::Derived& derived, const View& view, glm::vec2 pixel, world::Entity segment);
 
 // Returns the point that a script aims at: the position of the mark, the position on the curve, the middle of the car;
