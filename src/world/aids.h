@@ -1,4 +1,4 @@
-// Settings of what helps to build and to ride: hints, arrows, previews.
+// Settings of aids for building and riding: hints, arrows, previews.
 #pragma once
 
 #include "world/setting_row.h"

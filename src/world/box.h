@@ -1,11 +1,11 @@
-// A value that its owner's header need not know: a struct with a Box<T> compiles with T declared alone, and only files
-// that read the value include T's header.
+// A value whose type the owner's header need not define: a struct with a Box<T> compiles with T only declared, and only
+// files that read the value include T's header.
 #pragma once
 
 namespace coaster::world {
 
-// Never empty. Copying copies the value; there is no moving. The functions are defined in settings.cpp, for the groups
-// of settings alone.
+// Never empty. Copying copies the value; it cannot be moved. The functions are defined in settings.cpp, only for the
+// groups of settings.
 template <class T>
 class Box {
  public:

@@ -1,4 +1,4 @@
-// The orbit camera and the free camera: what a view is made from.
+// The orbit camera and the free camera, from which views are made.
 #pragma once
 
 #include <cstdint>
@@ -14,7 +14,7 @@ namespace coaster::world {
 enum class CameraMode : std::uint8_t { orbit, ride, chase, fly };
 inline constexpr base::NameRow kCameraModes[] = {{"orbit"}, {"ride"}, {"chase"}, {"fly"}};
 constexpr std::span<const base::NameRow> rows_of(CameraMode) { return kCameraModes; }
-// How the orbit camera shows the scene. The last three are orthographic, along an axis, whatever yaw and pitch are.
+// The projection of the orbit camera. The last three are orthographic along an axis, for any yaw and pitch.
 enum class Projection : std::uint8_t { perspective, front, side, top };
 inline constexpr base::NameRow kProjections[] = {
     {"perspective", "Perspective", "What is farther away is smaller."},

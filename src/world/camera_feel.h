@@ -1,4 +1,4 @@
-// Settings of the cameras that go with a train: how they feel.
+// Settings of the cameras that follow a train.
 #pragma once
 
 #include "world/camera.h"
@@ -11,7 +11,7 @@ inline constexpr float kMinChase = 5, kMaxChase = 60;  // m
 struct CameraFeel {
   float ride_view_deg = 70;
   float widening_deg = 6;
-  float roll_damping = 0.25f;  // s by which the rider's roll is late in a steady roll; 0: the track's roll at once
+  float roll_damping = 0.25f;  // s by which the rider's roll lags in a steady roll; 0: no lag
   float chase_distance = 9;    // m
   bool reduced_motion = false;
   bool head_bob = false;

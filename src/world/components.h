@@ -44,8 +44,8 @@ inline constexpr base::NameRow kJointKinds[] = {
     {"automatic", "Automatic", "Direction and lengths from the neighbouring knots (Catmull-Rom)."}};
 constexpr std::span<const base::NameRow> rows_of(JointKind) { return kJointKinds; }
 
-// automatic: from the twists of the segments on both sides (sim/shape/spin.h), computed again when one of them is
-// edited by roll, turns, insertion or removal; a move keeps it. set: by the user alone.
+// automatic: from the twists of the segments on both sides (sim/shape/roll.h), computed again when one of them is
+// edited by roll, turns, insertion or removal; a move keeps it. set: only by the user.
 enum class SpinKind : std::uint8_t { automatic, set };
 inline constexpr base::NameRow kSpinKinds[] = {
     {"automatic", "Automatic", "Follows the roll of the neighbouring knots without overshoot."},
@@ -87,7 +87,7 @@ struct Segment {
   friend bool operator==(const Segment&, const Segment&) = default;
 };
 
-// What a section was planned as. A free one was shaped by hand.
+// The plan of a section. A free one was shaped by hand.
 enum class SectionKind : std::uint8_t { free, element, complete, force };
 inline constexpr base::NameRow kSectionKinds[] = {
     {"free", "Hand-shaped", "Shaped knot by knot."},
@@ -96,15 +96,15 @@ inline constexpr base::NameRow kSectionKinds[] = {
     {"force", "Forces", "Planned from what riders should feel, and again when the train's speed changes."}};
 constexpr std::span<const base::NameRow> rows_of(SectionKind) { return kSectionKinds; }
 
-// A run of neighbouring segments that is one part of the ride to its builder. While it is not free, its knots are as
-// they were planned, or moved as a whole.
+// A run of consecutive segments that the builder treats as one part of the ride. Unless it is free, its knots are as
+// planned, or moved as a whole.
 struct Section {
-  std::string title;  // UTF-8, at most kMaxNameBytes; empty: it is shown by its kind
+  std::string title;  // UTF-8, at most kMaxNameBytes; empty: the kind is shown
   SectionKind kind = SectionKind::free;
-  Element element = {};     // with its parameters, if it was planned as one; else as here
-  WayHome way = {};         // if it completes a circuit; else as here
-  ForceProgram force = {};  // if it is a force section; else as here
-  // Not what it was planned as: files and hashes have the names of kind and parameters.
+  Element element = {};     // element and parameters, if it was planned as one; else the default
+  WayHome way = {};         // if it completes a circuit; else the default
+  ForceProgram force = {};  // if it is a force section; else the default
+  // Not the plan: files and hashes use the names of kind and parameters.
   static constexpr void fields(auto visit) { visit(Field{"title"}, &Section::title); }
   std::size_t list_bytes() const { return force.list_bytes(); }
   friend bool operator==(const Section&, const Section&) = default;
@@ -114,8 +114,8 @@ inline constexpr float kCarLength = 2.2f;  // m
 inline constexpr float kCarMass = 500.0f;  // kg: the car mass for which drag is given
 inline constexpr float kMinCarLength = 0.5f, kMaxCarLength = 20.0f, kMinCarMass = 1.0f, kMaxCarMass = 100'000.0f;
 
-// A train as designed: the start position of its first car, and its number of cars. All cars have the same mass, so
-// without losses the motion depends on positions alone; drag slows heavy cars less.
+// The design of a train: the start position of its first car, and its number of cars. All cars have the same mass, so
+// without losses the motion depends only on positions; drag slows heavy cars less.
 struct Cart {
   Entity segment;
   double fraction = 0;        // of the segment's arc length, [0,1)
@@ -123,7 +123,7 @@ struct Cart {
   float spacing = 3.0f;       // m of rail between the centres of neighbouring cars
   float length = kCarLength;  // m of a car's body
   float mass = kCarMass;      // kg of a car with its riders
-  // Length for drawing and collisions: cars of one train do not overlap.
+  // Length for drawing and collisions, limited so that cars of one train do not overlap, m.
   float body() const { return length < spacing ? length : spacing; }
   // Length of rail from the first car's centre to the last one's, m.
   double behind() const { return (cars - 1) * double{spacing}; }
@@ -166,14 +166,14 @@ struct Resistance {
   friend bool operator==(const Resistance&, const Resistance&) = default;
 };
 
-// Members of a file's object that this version does not know, kept for saving: the text of a JSON object.
+// Unknown members of a file's object, kept for saving: the text of a JSON object.
 struct Extra {
   std::string json;
   static constexpr void fields(auto visit) { visit(Field{}, &Extra::json); }
   friend bool operator==(const Extra&, const Extra&) = default;
 };
 
-// Components that may stand on a segment: files have their fields among the segment's, copies of the segment have them.
+// Components that a segment may have: files store their fields among the segment's, copies of the segment copy them.
 using Fittings = ComponentList<Equipment>;
 using Entities = RegistryOf<ComponentList<Name, Knot, Segment, Cart, Section, Extra>, Fittings>;
 

@@ -1,4 +1,4 @@
-// What differs between two documents, so that one of them is had from the other without a copy of all: a step of undo.
+// The difference between two documents, which turns one into the other without a full copy: an undo step.
 #pragma once
 
 #include <cstddef>
@@ -8,7 +8,7 @@
 
 namespace coaster::world {
 
-// In one column of a document, `there` items from `at` on stand where the other document has `items`.
+// In one column of a document, `there` items from `at` on replace the `items` of the other document.
 template <class T>
 struct ColumnEdit {
   int column = 0;  // counted over all of the document's columns
@@ -23,14 +23,14 @@ struct Difference {
   Entities::ColumnsOf<ColumnEdits> edits;
 };
 
-// Returns how `other` differs from `document`, bit by bit, entity slots included. Linear in their size; the result's
-// size follows from what differs.
+// Returns how `other` differs from `document`, bit by bit, entity slots included. Linear in their size; the size of the
+// result depends only on what differs.
 Difference difference_of(Document other, const Document& document);
 
 // Turns the document that a difference was made for into the other one, and the difference into its reverse.
 void exchange(Difference& difference, Document& document);
 
-// Returns the memory that a difference takes.
+// Returns the memory of a difference, bytes.
 std::size_t bytes_of(const Difference& difference);
 
 }  // namespace coaster::world

@@ -20,7 +20,7 @@ struct Track {
   friend bool operator==(const Track&, const Track&) = default;
 };
 
-// What the cubics are; in both cases they are the line that trains move along.
+// The meaning of the cubics; in both cases they are the line that trains move along.
 enum class TrackCurve : std::uint8_t { rails, heartline };
 inline constexpr base::NameRow kTrackCurves[] = {
     {"rails", "Rails", "The curve is the middle of the rails. The riders' hearts move above it."},
@@ -39,7 +39,7 @@ struct Document {
   TrackCurve curve = TrackCurve::rails;
   Extra extra;                                                      // unknown top-level members of the file
   std::array<std::uint32_t, base::count_of<Kind>()> last_number{};  // by Kind: the last number assigned
-  // How the track is ridden.
+  // The fields that determine how the track is ridden.
   static constexpr void fields(auto visit) {
     visit(Field{"start_speed", -kMaxSpeed, kMaxSpeed}, &Document::start_speed);
     visit(Field{"datum", -kMaxCoordinate, kMaxCoordinate}, &Document::datum);
@@ -51,8 +51,8 @@ struct Document {
   friend bool operator==(const Document&, const Document&) = default;
 };
 
-// Return how far the rails and the riders' hearts are above the curve, m along `up`. Whatever shows or touches rails
-// uses the first, forces on riders the second.
+// Return the height of the rails and of the riders' hearts above the curve, m along `up`. Drawing and contact use the
+// first, forces on riders the second.
 inline double rails_height(const Document& document) {
   return document.curve == TrackCurve::heartline ? 0.0 - document.heartline : 0.0;
 }
@@ -70,7 +70,7 @@ Entity first_cart(const Document& document);
 const Knot& knot(const Document& document, Entity e);
 const Segment& segment(const Document& document, Entity e);
 
-// Puts on one segment what stands on another, which may be of the same document.
+// Copies the fittings of one segment to another, which may be in the same document.
 void copy_fittings(const Document& original, Entity from, Document& document, Entity to);
 
 // Returns the control points of a segment: p0 and p3 are exactly the knots' positions, p1 and p2 are on their tangents
@@ -91,8 +91,8 @@ std::optional<std::size_t> index_of(const std::vector<Entity>& order, Entity e);
 // Returns the sum of arc lengths by adaptive Gauss-Legendre, m.
 double exact_length(const Document& document);
 
-// Hash of everything except entity slots: equal for a document and its saved and reloaded copy, and for documents with
-// the same names and values in track order. Extras count. Fixed by tests: changing it changes scripts.
+// Returns the hash of everything except entity slots: equal for a document and its saved and reloaded copy, and for
+// documents with the same names and values in track order. Extras count. Fixed by tests: changing it changes scripts.
 std::uint64_t hash(const Document& document);
 
 // Returns nothing if every invariant of this file and components.h holds, else one line that names the broken one. For

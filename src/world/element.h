@@ -1,6 +1,6 @@
 // The elements of the palette as plain data. To add one: an enumerator and a row here, its parameters in
-// element_rows.h, its shape in sim/plan/element_shapes_*.cpp and in the table there, its icon in
-// ui/widgets/icons.cpp; for one of forces its keys in sim/plan/force_elements.cpp instead.
+// element_rows.h, its shape in sim/plan/element_shapes_*.cpp and in the table there, its icon in ui/widgets/icons.cpp;
+// for a force element its keys in sim/plan/force_elements.cpp instead.
 #pragma once
 
 #include <array>
@@ -41,7 +41,7 @@ enum class ElementKind : std::uint8_t {
   force_loop,
   force_brakes
 };
-// True for an element that is placed as a force section: what riders feel shapes it, and its keys are edited then.
+// True for a force element, which is placed as a force section: what riders feel shapes it, and its keys can be edited.
 constexpr bool is_of_forces(ElementKind kind) { return kind >= ElementKind::force_hill; }
 
 inline constexpr std::size_t kMaxElementParameters = 5;
@@ -109,7 +109,7 @@ inline constexpr ElementRow kElements[] = {
      element_rows::kForceBrakes},
 };
 constexpr std::span<const ElementRow> rows_of(ElementKind) { return kElements; }
-// Those with a shape of their own; and those that are placed as force sections (sim/plan/force_elements.h).
+// Elements with a fixed shape; and those that are placed as force sections (sim/plan/force_elements.h).
 constexpr std::span<const ElementRow> elements() {
   return rows_of(ElementKind{}).first(static_cast<std::size_t>(ElementKind::force_hill));
 }
@@ -123,14 +123,15 @@ struct Element {
   friend bool operator==(const Element&, const Element&) = default;
 };
 
-// Returns an element with the row's default values, to the left; and all of them, by kind.
+// Return an element with the row's default values, to the left; and all such elements, by kind.
 Element usual_element(ElementKind kind);
 std::array<Element, base::count_of<ElementKind>()> usual_elements();
 
-// True for a row of the table, a side that it has, values within its limits, and 0 beyond its parameters.
+// True if the kind is in the table, the side exists, the values are within their limits, and those beyond its
+// parameters are 0.
 bool within_limits(const Element& element);
 
-// Returns the element with its values brought within their limits.
+// Returns the element with its values clamped to their limits.
 Element limited(Element element);
 
 // Returns the row of a parameter's choice.
@@ -138,12 +139,12 @@ const base::NameRow& choice_of(const ElementParameter& parameter, double value);
 
 // Returns the value of a parameter; nothing if the element's row does not have it.
 std::optional<double> found_value(const Element& element, std::string_view parameter);
-// The same of a parameter that the row has (COASTER_CHECK).
+// Returns the value of a parameter that the row must have (COASTER_CHECK).
 double value_of(const Element& element, std::string_view parameter);
-// Sets a parameter, brought within its limits; nothing if the element's row does not have it.
+// Sets a parameter, clamped to its limits; no-op if the element's row does not have it.
 void set_value(Element& element, std::string_view parameter, double value);
 
-// False for a parameter that has no effect beside the others: a value of the equipment where there is none.
+// False for a parameter that has no effect with the other values: a value of the equipment without equipment.
 bool counts(const Element& element, const ElementParameter& parameter);
 
 }  // namespace coaster::world

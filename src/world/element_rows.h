@@ -14,7 +14,7 @@ namespace coaster::world {
 struct ElementParameter {
   std::string_view name;   // in scripts and recordings: "radius"
   std::string_view label;  // in the panel
-  std::string_view unit;   // "" where there is none
+  std::string_view unit;   // "" if there is none
   double usual;            // default value
   double low, high;        // values beyond are clamped with a notice
   std::string_view help;

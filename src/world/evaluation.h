@@ -1,4 +1,4 @@
-// Settings of what is evaluated: polylines and the displayed length. Changing one derives the track again.
+// Settings of evaluation: polylines and the displayed length. Changing one derives the track again.
 #pragma once
 
 #include <cstdint>
@@ -9,11 +9,11 @@
 
 namespace coaster::world {
 
-// The polylines of the document fit into the vertex budget.
+// Invariant: the polylines of the document fit into the vertex budget.
 struct Evaluation {
   curve::EvaluatorId evaluator = curve::kDefaultEvaluator;
   int steps = 64;                           // per segment
-  std::int64_t vertex_budget = 16'000'000;  // of all polylines together
+  std::int64_t vertex_budget = 16'000'000;  // for all polylines together
   curve::ArcLengthId arc_length{};
   friend bool operator==(const Evaluation&, const Evaluation&) = default;
 

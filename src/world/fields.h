@@ -1,11 +1,11 @@
-// What a component says of its fields. Each component lists them once, by a function that calls visit(Field, member)
-// for each in the order of files and hashes:
+// The fields of components. Each component lists them once, in a function that calls visit(Field, member) for each in
+// the order of files and hashes:
 //
 //   static constexpr void fields(auto visit) {
 //     visit(Field{"speed", 0, kMaxSpeed, InFile::written}, &Equipment::speed);
 //   }
 //
-// Parsing, printing and hashing of documents and the history's estimate of bytes read this list.
+// Parsing, printing and hashing of documents and the history's estimate of memory read this list.
 #pragma once
 
 #include <array>

@@ -1,4 +1,4 @@
-// A force section as plain data: what riders should feel along it, by keys. sim/plan/force_plan.h makes track of it.
+// A force section as plain data: what riders should feel along it, by keys. sim/plan/force_plan.h makes track from it.
 #pragma once
 
 #include <array>
@@ -24,7 +24,7 @@ enum class ForceChannel : std::uint8_t { vertical, lateral, roll };
 struct ForceChannelRow {
   std::string_view name, label, unit, help;
   double usual;  // the value without keys
-  double limit;  // of a key's value, to both sides
+  double limit;  // largest magnitude of a key's value
 };
 inline constexpr ForceChannelRow kForceChannels[] = {
     {"vertical", "Vertical", "g", "Felt g along the rider's spine: 1 at rest, 0 floating, negative lifts.", 1, 10},
@@ -37,15 +37,15 @@ inline constexpr double kLongestForce_m = 1000, kShortestForce_m = 3;  // of a s
 inline constexpr double kLongestForce_s = 60, kShortestForce_s = 0.2;  // of a section over time
 inline constexpr double kKeyGap_m = 1, kKeyGap_s = 0.05;               // least distance between keys of a channel
 inline constexpr double kLeastTolerance = 0.02, kMostTolerance = 0.5;  // g
-inline constexpr double kSlowestForce = 3;                             // m/s; slower, forces shape nothing
+inline constexpr double kSlowestForce = 3;                             // m/s; below it, forces do not shape the track
 inline constexpr double kMostForceSlope = 1000;                        // of a key, per metre or second
 
 // A point of a channel's curve. Its handles are on one line, so that the curve is smooth.
 struct ForceKey {
   double at = 0;                 // m or s from the section's start
   double value = 0;              // g, or degrees per metre or second
-  double slope = 0;              // of the curve there, per metre or second
-  double before = 0, after = 0;  // m or s to the handles; 0: a third of the way to the neighbouring key
+  double slope = 0;              // of the curve at the key, per metre or second
+  double before = 0, after = 0;  // m or s to the handles; 0: a third of the distance to the neighbouring key
   friend bool operator==(const ForceKey&, const ForceKey&) = default;
 };
 
@@ -79,17 +79,17 @@ struct ForceProgram {
 inline double longest_of(ForceOver over) { return over == ForceOver::distance ? kLongestForce_m : kLongestForce_s; }
 inline double shortest_of(ForceOver over) { return over == ForceOver::distance ? kShortestForce_m : kShortestForce_s; }
 inline double key_gap_of(ForceOver over) { return over == ForceOver::distance ? kKeyGap_m : kKeyGap_s; }
-// "m" or "s"; of a channel's value: "g", "deg/m" or "deg/s".
+// Return "m" or "s"; for a channel's value: "g", "deg/m" or "deg/s".
 std::string_view unit_of(ForceOver over);
 std::string_view unit_of(ForceOver over, ForceChannel channel);
 
-// Returns nothing for a program within all limits, else what is wrong: "vertical has two keys within 1 m at 40 m".
+// Returns nothing for a program within all limits, else the error: "vertical has two keys within 1 m at 40 m".
 std::optional<std::string> broken(const ForceProgram& program);
 
-// Returns the keys as they shape the curve: the first and the last are level where the curve stays level beside them.
+// Returns the keys that shape the curve: the first and the last are level, as is the curve outside them.
 std::vector<ForceKey> shaping_keys(const ForceProgram& program, ForceChannel channel);
 // Returns the control points (m or s, value) of the cubic Bezier between two keys. Handles that are too long for the
-// gap are shortened along their line, so that the curve is a function of the place.
+// gap are shortened along their line, so that the curve is a function of the position.
 std::array<glm::dvec2, 4> curve_between(const ForceKey& from, const ForceKey& to);
 
 }  // namespace coaster::world

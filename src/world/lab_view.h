@@ -1,4 +1,4 @@
-// Settings of the laboratory: what it draws over the scene, what the track is coloured by, which page is open.
+// Settings of the laboratory: its layers over the scene, the colouring of the track, the open page.
 #pragma once
 
 #include "world/components.h"

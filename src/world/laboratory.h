@@ -1,5 +1,5 @@
-// What of the laboratory shows besides its layers: what the track is coloured by, and the pages of its strip. Tables of
-// names; what is on a page is the panels' affair.
+// Parts of the laboratory besides its layers: the colouring of the track, and the pages of its strip. Tables of names;
+// ui builds the pages.
 #pragma once
 
 #include <cstdint>
@@ -49,7 +49,7 @@ inline constexpr ColouringRow kColourings[] = {
 };
 constexpr std::span<const ColouringRow> rows_of(Colouring) { return kColourings; }
 
-// The seat whose ride the plots show.
+// The seat whose ride is plotted.
 enum class Seat : std::uint8_t { front, middle, back, all, car };
 inline constexpr base::NameRow kSeats[] = {
     {"front", "Front car", "Riders of the first car."},

@@ -1,4 +1,4 @@
-// The layers that the laboratory draws over the scene. A table of names; how a layer is drawn is the view's affair.
+// The layers that the laboratory draws over the scene. A table of names; view draws them.
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,4 @@
-// Settings of the window: how it looks and sounds.
+// Settings of appearance and sound.
 #pragma once
 
 #include <cstdint>
@@ -10,14 +10,14 @@
 
 namespace coaster::world {
 
-// Colours of the panels; by name in scripts and in the settings file.
+// Colours of the panels, by name in scripts and in the settings file.
 enum class Theme : std::uint8_t { dark, light, high_contrast };
 inline constexpr base::NameRow kThemes[] = {{"dark", "Dark", "Colours of the panels."},
                                             {"light", "Light", "Colours of the panels."},
                                             {"high_contrast", "High contrast", "Colours of the panels."}};
 constexpr std::span<const base::NameRow> rows_of(Theme) { return kThemes; }
 
-// Light, sky and ground of the scene; by name in scripts and in the settings file.
+// Light, sky and ground of the scene, by name in scripts and in the settings file.
 enum class Style : std::uint8_t { day, dusk, blueprint };
 inline constexpr base::NameRow kStyles[] = {
     {"day", "Day", "High sun, clear sky."},

@@ -33,7 +33,7 @@ struct CartMotion {
   std::int64_t laps = 0;        // whole laps of a closed track, signed
   double reference_energy = 0;  // J/kg, set at the start and reset by an edit under the train
   double peak_kinetic = 0;      // J/kg, the largest since the reference was set
-  double work = 0;              // J/kg done on the train by losses and equipment since then
+  double work = 0;              // J/kg done on the train by losses and equipment since the reference was set
   double furthest = 0;          // m, the largest `travelled`
   double drive = 0;             // m/s^2 by equipment in the last tick
   double carry = 0;             // s left over by integrators that move from vertex to vertex
@@ -56,7 +56,7 @@ inline constexpr base::NameRow kFailureKinds[] = {
 constexpr std::span<const base::NameRow> rows_of(FailureKind) { return kFailureKinds; }
 struct Failure {
   FailureKind kind = FailureKind::none;
-  Entity cart;          // the one that failed
+  Entity cart;          // the failed train
   double distance = 0;  // m from the track's start
   double speed = 0;     // m/s, when it happened
   friend bool operator==(const Failure&, const Failure&) = default;

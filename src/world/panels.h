@@ -1,4 +1,4 @@
-// Settings of the window: which parts of it show, how large and how sorted.
+// Settings of the panels: which parts of the window show, their size and sorting.
 #pragma once
 
 #include <cstdint>
@@ -11,7 +11,7 @@
 
 namespace coaster::world {
 
-// What of the panels shows; by name in scripts and in the settings file.
+// The visible parts of the window, by name in scripts and in the settings file.
 enum class Workspace : std::uint8_t { all, build, ride, laboratory };
 inline constexpr base::NameRow kWorkspaces[] = {
     {"all", "All", "Every panel."},

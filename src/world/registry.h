@@ -29,7 +29,7 @@ class Pool {
     COASTER_CHECK(contains(e), "the entity has this component");
     return items_[sparse_[e.index]];
   }
-  // Adds or replaces a component, also one of an older generation in the same slot.
+  // Adds or replaces a component, including one of an older generation in the same slot.
   T& put(Entity e, T value) {
     COASTER_CHECK(e.valid(), "a component belongs to an entity");
     if (e.index >= sparse_.size()) sparse_.resize(e.index + 1, kAbsent);
@@ -44,7 +44,7 @@ class Pool {
     }
     return items_[slot];
   }
-  // Makes room for that many components, so that adding them moves none.
+  // Reserves memory for that many components, so that adding them moves none.
   void reserve(std::size_t count) { entities_.reserve(count), items_.reserve(count); }
   // Returns an entity's component, a default one if it had none.
   T& obtain(Entity e) { return contains(e) ? items_[sparse_[e.index]] : put(e, T{}); }
@@ -74,7 +74,7 @@ class Pool {
   const std::vector<T>& items() const { return items_; }
   std::vector<T>& items() { return items_; }
 
-  // visit(column of each pool...) of each column: for who keeps their differences.
+  // Calls visit(column of each pool...) for each column, to store differences.
   static void for_each_column(auto visit, auto&... pools) {
     visit(pools.sparse_...), visit(pools.entities_...), visit(pools.items_...);
   }
@@ -98,7 +98,7 @@ class Pool {
 
 template <class... Components>
 struct ComponentList {
-  // visit.template operator()<C>() of each component, in order.
+  // Calls visit.template operator()<C>() for each component, in order.
   template <class Visit>
   static void for_each(Visit visit) {
     (visit.template operator()<Components>(), ...);
@@ -147,12 +147,12 @@ class Registry {
   const T* find(Entity e) const {
     return pool<T>().find(e);
   }
-  // visit(pool) of each component.
+  // Calls visit(pool) for each component.
   template <class Visit>
   void for_each_pool(Visit visit) const {
     (visit(pool<Components>()), ...);
   }
-  // visit(column of each registry...) of each column.
+  // Calls visit(column of each registry...) for each column.
   static void for_each_column(auto visit, auto&... registries) {
     visit(registries.generations_...), visit(registries.free_...);
     (columns_of<Components>(visit, registries...), ...);

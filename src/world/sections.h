@@ -1,4 +1,4 @@
-// Sections of the track, to read. topology.h changes them.
+// Read access to the sections of the track. topology.h changes them.
 #pragma once
 
 #include <optional>
@@ -22,19 +22,19 @@ struct SectionRun {
 std::vector<SectionRun> sections_of(const Document& document);
 // Returns the segments of a living section.
 SectionRun run_of(const Document& document, Entity section);
-// Returns the section that begins or ends at the knot or contains it inside; of two the earlier one. kNone if the knot
-// has no segment.
+// Returns the section that begins or ends at the knot or contains it; of two the earlier one. kNone if the knot has no
+// segment.
 Entity section_of_knot(const Document& document, Entity knot);
 
 const Section& section(const Document& document, Entity e);
 bool is_free(const Document& document, Entity section);
-// Returns the last section that completes the circuit, of those that begin at the knot with that index or behind it;
-// nothing on an open track and where there is none.
+// Returns the last section that completes the circuit, of those that begin at or after the knot with that index;
+// nothing on an open track or if there is none.
 std::optional<SectionRun> completing(const Document& document, std::size_t knot);
 
-// Returns "free" or the name of the element, as scripts and files have it.
+// Returns "free" or the name of the element, as in scripts and files.
 std::string_view kind_name(const Section& section);
-// Returns its title, or without one what it is: "Loop".
+// Returns its title; without one, its kind: "Loop".
 std::string title_of(const Section& section);
 
 }  // namespace coaster::world

@@ -10,7 +10,7 @@ namespace coaster::world {
 
 // Returns the selected knots, the active one last; empty if a segment, a train or nothing is selected. All are alive.
 std::vector<Entity> selected_knots(const Document& document, const Settings& settings);
-// The same for sections.
+// Returns the selected sections in the same way.
 std::vector<Entity> selected_sections(const Document& document, const Settings& settings);
 bool is_selected(const Settings& settings, Entity e);
 

@@ -1,6 +1,6 @@
-// What one scalar setting says of itself. A group of settings (world/look.h and its like) is a plain struct with a
-// tuple `kRows`, one row per member. Its row gives a setting its command, its query, its member of the user's settings
-// file and its line in a recording; to add a setting, add the member and its row. All groups: world/settings_groups.h.
+// The row of a scalar setting. A group of settings (world/look.h and similar) is a plain struct with a tuple `kRows`,
+// one row per member. The row gives a setting its command, its query, its member of the user's settings file and its
+// line in a recording; to add a setting, add the member and its row. All groups: world/settings_groups.h.
 #pragma once
 
 #include <string_view>
@@ -10,13 +10,13 @@
 namespace coaster::world {
 
 struct SettingRow {
-  std::string_view word = {};     // of the command that sets it
-  std::string_view help = {};     // one line, of the command and of the query
+  std::string_view word = {};     // name of its command
+  std::string_view help = {};     // one line, for the command and the query
   double low = 0, high = 0;       // limits of a number; values beyond them are clamped with a notice
   std::string_view unit = {};     // of the number, "m"
-  std::string_view query = {};    // its name where it differs from `word`
+  std::string_view query = {};    // name of the query if it differs from `word`
   std::string_view kept_as = {};  // member of the user's settings file; empty: not kept
-  bool on_for_user = false;       // a switch that is on for a user who never changed it, whatever a session starts with
+  bool on_for_user = false;       // a switch that is on by default for users, whatever a session starts with
 
   constexpr std::string_view query_name() const { return query.empty() ? word : query; }
 };
@@ -45,7 +45,7 @@ using GroupOf = typename MemberTraits<decltype(Member)>::Group;
 template <auto Member>
 using ValueOf = typename MemberTraits<decltype(Member)>::Value;
 
-// The row of a member of a group; does not compile for a member that has none.
+// The row of a member of a group; does not compile for a member without one.
 template <auto Member>
 consteval SettingRow setting_row() {
   SettingRow found;

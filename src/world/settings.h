@@ -1,5 +1,5 @@
-// Settings: how things are shown and measured. Changed by commands, so scripts and recordings have them; neither undone
-// nor hashed. Those that come and go are in groups, each with its own header; see world/setting_row.h.
+// Settings: how things are shown and measured. Changed by commands, so scripts and recordings contain them; neither
+// undone nor hashed. Most are in groups, each with a separate header; see world/setting_row.h.
 #pragma once
 
 #include <cstdint>

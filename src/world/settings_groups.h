@@ -1,5 +1,5 @@
-// All groups of settings, for what concerns every setting: its command, its query, the user's settings file. A file
-// that reads one setting includes its group's header instead.
+// All groups of settings, for code over every setting: its command, its query, the user's settings file. A file that
+// reads one setting includes its group's header instead.
 #pragma once
 
 #include <cstddef>
@@ -29,7 +29,7 @@ auto& group_in(AnySettings& settings) {
   else return settings;
 }
 
-// The setting itself, in settings that may be const.
+// Returns the setting, from settings that may be const.
 template <auto Member, class AnySettings>
 auto& value_in(AnySettings& settings) {
   return group_in<GroupOf<Member>>(settings).*Member;
@@ -39,7 +39,7 @@ template <class... Groups>
 struct GroupList {};
 using SettingGroups = GroupList<Look, Panels, CameraFeel, Aids, Evaluation, LabView, Camera, Settings>;
 
-// visit.template operator()<&Group::member>() for each row of a group, in order.
+// Calls visit.template operator()<&Group::member>() for each row of a group, in order.
 template <class Group, class Visit>
 constexpr void for_each_setting_of(Visit visit) {
   [&]<std::size_t... I>(std::index_sequence<I...>) {
@@ -47,7 +47,7 @@ constexpr void for_each_setting_of(Visit visit) {
   }
   (std::make_index_sequence<std::tuple_size_v<decltype(Group::kRows)>>());
 }
-// The same for each row of all groups.
+// Does the same for each row of all groups.
 template <class Visit>
 constexpr void for_each_setting(Visit visit) {
   [&]<class... Groups>(GroupList<Groups...>) { (for_each_setting_of<Groups>(visit), ...); }(SettingGroups());

@@ -11,7 +11,7 @@ namespace coaster::world {
 // New entities get the next number of their kind.
 Entity add_cart(Document& document, Entity segment, double fraction);
 
-// Appends a knot to an open track, with a segment to it if there is a knot before it.
+// Appends a knot to an open track, and a segment to it if there is a knot before it.
 Entity append_knot(Document& document, const Knot& knot);
 
 struct SplitResult {
@@ -20,9 +20,9 @@ struct SplitResult {
 };
 // Splits at t in (0,1) by de Casteljau without changing the shape (to float rounding): the knots at both ends become
 // aligned and get the scaled handle lengths (Paper erratum: the split scales the parametric speed, so uniform C1
-// becomes G1). `up` and `spin` (rad/m) are those of the segment's own frame at t, passed by the caller. Trains as
-// designed keep their positions. If a handle would leave kMinHandle..kMaxHandle, or a knot kMaxCoordinate, nothing
-// changes and knot is kNone. `turns` stay with the first segment: sim, which knows the twist, distributes them.
+// becomes G1). The caller passes `up` and `spin` (rad/m) of the segment's frame at t. Trains keep their start
+// positions. If a handle would leave kMinHandle..kMaxHandle, or a knot kMaxCoordinate, nothing changes and knot is
+// kNone. `turns` stay with the first segment: sim, which knows the twist, distributes them.
 SplitResult split_segment(Document& document, Entity segment, double t, glm::vec3 up, float spin = 0);
 
 // Removes a knot; its two segments become one (the earlier one survives); trains of the later one move to the survivor.
@@ -34,30 +34,31 @@ void remove_knot(Document& document, Entity knot);
 // trains that start on it start at the beginning of the track instead.
 void set_closed(Document& document, bool closed);
 
-// Reverses the direction of travel; the shape of every segment stays to the bit, and so do names. A closed track still
-// begins at its first knot. Trains keep segment and fraction; the caller must reposition them.
+// Reverses the direction of travel; the shape of every segment stays exactly the same, and so do names. A closed track
+// still begins at its first knot. Trains keep segment and fraction; the caller must reposition them.
 void reverse(Document& document);
 
 // Closes an open track of 3 knots or more by merging its last knot into the first: the last segment ends there, no
 // segment is added. Returns false and changes nothing for other tracks.
 bool weld_ends(Document& document);
 
-// Makes `count` segments from index `first` one section. It keeps the name of the first section that lies wholly among
-// them. What is left of a section on both sides becomes two: the part after them is a new free one.
+// Makes `count` segments from index `first` one section. It keeps the name of the first section that is entirely among
+// them. If parts of a section remain on both sides, they become two: the part after them is a new free one.
 Entity make_section(Document& document, std::size_t first, std::size_t count, Section value);
 
-// Gives a section that many segments. Knots and segments come and go before its last knot; new ones have that knot's
-// values and the fittings of the segment before them. The caller shapes the knots and repositions trains.
+// Changes the number of a section's segments. Knots and segments are added and removed before its last knot; new ones
+// have that knot's values and the fittings of the segment before them. The caller shapes the knots and repositions
+// trains.
 void resize_section(Document& document, Entity section, std::size_t count);
 
-// Removes a section, the trains on it, and its knots but the first; of the track's first section its knots but the
-// last. Swaps a section with the next. The caller moves the knots of what follows. Neither may take the last section of
+// Removes a section, the trains on it, and its knots except the first; for the track's first section its knots except
+// the last. Swaps a section with the next. The caller moves the knots that follow. Neither accepts the last section of
 // a closed track.
 void remove_section(Document& document, Entity section);
 void swap_sections(Document& document, Entity section);
 
 // Recomputes knots with automatic joints, and equalises handle lengths of smooth joints (the outgoing one wins: an edit
-// of the incoming one must set both). Idempotent to the bit. Linear in the track's length, 20 ns per knot.
+// of the incoming one must set both). Exactly idempotent. Linear in the track's length, 20 ns per knot.
 void settle_joints(Document& document);
 
 // Computes the automatic shape between the positions of the neighbours (null if there is none): as Catmull-Rom along

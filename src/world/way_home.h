@@ -1,4 +1,4 @@
-// A way home as plain data: what a section that completes a circuit is planned again from.
+// A way home as plain data, from which a section that completes a circuit is planned again.
 #pragma once
 
 #include "world/fields.h"
@@ -8,16 +8,16 @@ namespace coaster::world {
 inline constexpr double kMostTurned_deg = 720, kWidestTurn = 10'000, kLongestStraight = 1'000;  // deg, m, m
 inline constexpr double kHighestWay = 200'000, kFastestPlanned = 10'000;                        // m, m/s
 
-// Straight, turn, straight, turn, straight in plan, with the heights and the speed that it was planned for.
+// Straight, turn, straight, turn, straight in plan, with the heights and the speed of the plan.
 struct WayHome {
-  double first = 0, second = 0;  // deg, of its two turns; positive to the right
+  double first = 0, second = 0;  // deg, of the two turns; positive to the right
   double radius = 1;             // m, of both
-  double before = 0, after = 0;  // m, of the straights before the first and behind the second turn
-  bool level = false;            // it goes by way of a height; false: one slope all the way
-  double height = 0;             // m, that height; 0 without one
+  double before = 0, after = 0;  // m, of the straights before the first and after the second turn
+  bool level = false;            // it has a level part; false: one constant slope
+  double height = 0;             // m, of the level part; 0 without one
   bool tight = false;            // with the smaller radii of crests and valleys
-  double speed = 10;             // m/s, at its start
-  bool coasts = true;            // the speed follows from the energy; false: it is kept all the way
+  double speed = 10;             // m/s, at the start
+  bool coasts = true;            // the speed follows from the energy; false: it is constant
   static constexpr void fields(auto visit) {
     visit(Field{"first", -kMostTurned_deg, kMostTurned_deg}, &WayHome::first);
     visit(Field{"second", -kMostTurned_deg, kMostTurned_deg}, &WayHome::second);
