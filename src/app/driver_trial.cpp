@@ -34,7 +34,7 @@ std::string read_all(int fd) {
   return text;
 }
 
-// The child: ends with the code of the status, and writes its message.
+// Runs in the child process: ends with the code of the status, and writes its message.
 [[noreturn]] void run_child(const std::function<base::Status()>& start, int answer) {
   if (const int nowhere = ::open("/dev/null", O_WRONLY | O_CLOEXEC); nowhere >= 0)
     for (const int fd : {STDOUT_FILENO, STDERR_FILENO}) (void)::dup2(nowhere, fd);

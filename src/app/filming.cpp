@@ -45,7 +45,7 @@ void take_picture(Program& program) {
   (void)stop_movie(program);
 }
 
-// Of the first train, which defines the lap.
+// Returns the ticks of the first train's lap.
 std::int64_t ticks_of_lap(edit::Session& session) {
   const sim::Ghost* const ghost =
       session.findings.memory.rides.ride(session.document, session.derived, world::first_cart(session.document));
@@ -169,7 +169,7 @@ void follow_movie(Program& program, ui::MovieWish wish) {
   if (!program.filming || !program.filming->by_hand) return;  // a script's movie is under its own control
   if (wish == ui::MovieWish::stop) {
     if (recording(program)) (void)stop_movie(program);
-    else program.filming.reset();  // the pictures are complete; nobody waits for the file
+    else program.filming.reset();  // the pictures are complete; nobody waits for the movie file
   }
   if (recording(program) && lap_is_done(program.session)) (void)stop_movie(program);
   if (!program.filming || !program.filming->encoder) return;

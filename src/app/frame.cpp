@@ -1,4 +1,4 @@
-// The frame, from top to bottom: input, panels, what they ask for, ticks, findings, picture, what is kept.
+// The frame, from top to bottom: input, panels, their output, ticks, findings, picture, kept data.
 #include "app/frame.h"
 
 #include <algorithm>
@@ -17,8 +17,8 @@
 namespace coaster::app {
 namespace {
 
-// Time, and a request to close. That is for the panels, which ask back while there are unsaved changes; a window
-// without size cannot ask.
+// Reads time and a request to close. The panels get the request, because they ask about unsaved changes; a window of
+// zero size cannot ask.
 void read_input(Program& program, const platform::Events& events, platform::Size size) {
   for (const platform::Event& event : events) {
     if (const auto* const tick = std::get_if<platform::Tick>(&event)) program.time.seconds += tick->dt;
@@ -27,8 +27,8 @@ void read_input(Program& program, const platform::Events& events, platform::Size
   }
 }
 
-// Panels and viewport tool, from the state before this frame's commands. Nothing of the state changes but what they
-// want to have found.
+// Builds panels and viewport tool from the state before this frame's commands. Changes nothing but the requested
+// findings.
 ui::Output build_panels(Program& program, const platform::Events& events, platform::Size size) {
   ui::State state{program.session,          program.stats,        program.time.seconds,
                   program.stats.hide_times, &program.picture.rig, program.keeper ? &program.keeper->state : nullptr};
@@ -39,7 +39,7 @@ ui::Output build_panels(Program& program, const platform::Events& events, platfo
   return program.ui->build(events, state, size.width, size.height);
 }
 
-// One script at a time: a window's player is taught by a script.
+// Starts the tutorial unless a script is running: it is a script, too.
 void ask_for_tutorial(Program& program) {
   if (program.options.script.empty() && program.surface->is_window() && !program.tutorial.card)
     program.tutorial.wanted = true;
@@ -48,7 +48,7 @@ void ask_for_tutorial(Program& program) {
                  "The tutorial needs a window and cannot run during a script.");
 }
 
-// The commands are what edit::apply brings the document, the derived data and the ride in line with.
+// Applies the commands; edit::apply updates the document, the derived data and the ride.
 void apply_commands(Program& program, const std::vector<edit::Command>& commands) {
   program.by_hand = true;
   for (const edit::Command& command : commands) {
@@ -59,7 +59,7 @@ void apply_commands(Program& program, const std::vector<edit::Command>& commands
   program.by_hand = false;
 }
 
-// A link is opened. What another window put on the clipboard wins over what was copied here.
+// Pastes the clipboard. A link is opened. The clipboard of another window has priority over what was copied here.
 void paste(Program& program, bool link_alone, const std::optional<ui::KeysPlace>& keys_to) {
   std::string text = program.surface->clipboard();
   if (exchange::is_link(text)) return program.ui->open(std::move(text));
@@ -73,7 +73,7 @@ void paste(Program& program, bool link_alone, const std::optional<ui::KeysPlace>
   apply_commands(program, {edit::PasteSections{std::move(text)}});
 }
 
-// All that the panels decided.
+// Carries out everything that the panels requested.
 void apply_output(Program& program, const ui::Output& output) {
   if (output.cancel_job && program.job) program.job->work->progress.cancelled = true;
   if (output.lesson_answer != query::LessonAnswer::none) program.tutorial.answer = output.lesson_answer;
@@ -89,7 +89,7 @@ void apply_output(Program& program, const ui::Output& output) {
   answer_keeping(program, output);
 }
 
-// When the parts of a frame were over, s by the surface's clock.
+// End times of the parts of a frame, s by the surface's clock.
 struct FrameTimes {
   double began = 0, found = 0, drew = 0;
 };
@@ -128,7 +128,7 @@ void set_title(Program& program) {
   program.picture.title = std::move(title);
 }
 
-// The picture of the state as it is now, shown, and its numbers.
+// Draws and shows the present state, and stores the figures of the picture.
 void draw(Program& program, const ui::Output& output, const Look& look, const edit::Findings& found,
           platform::Size size, FrameTimes times) {
   const gfx::DrawStats drawn = draw_scene(program, look, found, size);
@@ -166,7 +166,7 @@ void run_frame(Program& program, const platform::Events& events, int ticks) {
   advance(program, ticks);
   if (output) {
     edit::advance_measurement(program.session);
-    // From the trains' present positions: an eye from the frame's start would lag by this frame's ticks.
+    // Uses the trains' present positions: an eye from the frame's start would lag by this frame's ticks.
     program.picture.view = view::view_of(program.picture.rig.eye, output->view.viewport);
     const bool unseen = !program.surface->is_window() && output->photo == ui::PhotoWish::none;
     const Look look{program.session.settings, program.picture.view, output->hovered, false, unseen};
@@ -177,7 +177,7 @@ void run_frame(Program& program, const platform::Events& events, int ticks) {
   keep(program);
 }
 
-// Of an idle window: what goes on without a picture.
+// Runs a frame of an idle window: everything that needs no picture.
 void pass_time(Program& program, const platform::Events& events) {
   read_input(program, events, program.surface->size());
   keep_sounding(program);
@@ -186,7 +186,7 @@ void pass_time(Program& program, const platform::Events& events) {
 }
 
 void play_frame(Program& program) {
-  constexpr double kWeight = 0.05;  // of the newest frame in the displayed rate
+  constexpr double kWeight = 0.05;  // weight of the newest frame in the displayed rate
   FrameClock& time = program.time;
   platform::Events events;
   const bool idle = is_idle(program);

@@ -9,7 +9,7 @@
 namespace coaster::app {
 namespace {
 
-// What shows something new in every frame.
+// True while every frame shows something new.
 bool is_busy(const Program& program) {
   const edit::Session& session = program.session;
   return session.motion.state == world::RideState::running || session.measuring.measurement.running ||

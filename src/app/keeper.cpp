@@ -28,7 +28,7 @@ std::filesystem::path settings_file(const Keeper& keeper) { return below(keeper.
 std::filesystem::path progress_file(const Keeper& keeper) { return below(keeper.folders.state, "progress.json"); }
 std::filesystem::path recovery_folder(const Keeper& keeper) { return below(keeper.folders.state, "recovery"); }
 
-constexpr std::size_t kMaxKeptBytes = 1u << 20;  // of one of the user's files
+constexpr std::size_t kMaxKeptBytes = 1u << 20;  // limit of each of the user's files
 
 // Returns the first free one of "NAME.bad", "NAME.bad2" and so on: nothing set aside is ever replaced. "" without any.
 std::string free_bad_name(const std::filesystem::path& file) {
@@ -42,7 +42,7 @@ std::string free_bad_name(const std::filesystem::path& file) {
 }
 
 // Reads one of the user's files; nothing if it is missing, empty or invalid, or of a newer version. Renames an invalid
-// one to free_bad_name(). Adds errors to `problems`. `what`: what is not kept if the file could be neither read nor
+// one to free_bad_name(). Adds errors to `problems`. `what`: what is not saved if the file could be neither read nor
 // renamed.
 template <class Parse>
 auto read_kept(Keeper& keeper, const std::filesystem::path& file, Parse parse, const char* what, bool& may_write,
@@ -93,7 +93,7 @@ void load_progress(Program& program, Keeper& keeper, std::vector<std::string>& p
     keeper.state.progress = keeper.progress_written = std::move(*loaded);
 }
 
-// Writes what has been earned since. After an error the next success tries again.
+// Writes new progress. After an error the next success tries again.
 void watch_progress(Program& program, Keeper& keeper) {
   for (const exchange::ChallengeProgress& success : program.session.game.earned.challenges)
     (void)exchange::merge(keeper.state.progress, success);
@@ -104,7 +104,7 @@ void watch_progress(Program& program, Keeper& keeper) {
   keeper.progress_written = keeper.state.progress;
 }
 
-// visit.template operator()<&Group::member>() for each setting that is kept.
+// Calls visit.template operator()<&Group::member>() for each setting that is kept.
 template <class Visit>
 void for_each_kept(Visit visit) {
   world::for_each_setting([&]<auto Setting>() {
@@ -137,7 +137,7 @@ void write_settings(Program& program, Keeper& keeper) {
     keeper.written = keeper.state.settings;
 }
 
-// Writes a second after the last change: a dragged slider is written once.
+// Writes a second after the last change, so that dragging a slider writes once.
 void watch_settings(Program& program, Keeper& keeper) {
   constexpr double kQuiet = 1, kAgain = 30;  // s
   follow_session(program, keeper.state.settings);

@@ -19,11 +19,11 @@ bool holds_everything(const std::filesystem::path& path) {
   return format != nullptr && format->whole;
 }
 
-// The session has another file, or none.
+// Called when the session has another file, or none.
 void follow_file(Program& program, Keeper& keeper) {
   const std::filesystem::path& path = program.session.file.path;
   const base::Root& root = program.files.root();
-  const bool locked = !path.empty() && root.contains(path);  // a script leaves nothing outside its folder
+  const bool locked = !path.empty() && root.contains(path);  // a script leaves no files outside its folder
   keeper.state.holder.clear();
   if (!locked) keeper.lock.release();
   if (!locked || keeper.lock.covers(path)) return;

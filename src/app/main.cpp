@@ -21,7 +21,7 @@ int run(int argc, char** argv) {
 int main(int argc, char** argv) {
   coaster::base::hold_streams();
   coaster::base::guard_memory();
-  (void)std::signal(SIGXFSZ, SIG_IGN);  // a file over the limit of its size is an error like a full disk
+  (void)std::signal(SIGXFSZ, SIG_IGN);  // a file over the size limit is then an error like a full disk
   const int code = run(argc, argv);
   const coaster::base::Status printed = coaster::base::finish_printing();
   if (printed) return code;

@@ -53,7 +53,7 @@ base::Result<base::Root> open_out(const Options& options, const std::filesystem:
 
 constexpr int kWindowSamples = 4;  // per pixel
 
-// The size that the options name, else that of windows and of pictures without one.
+// Returns the size named by the options, else the default of windows or of pictures without one.
 platform::Size size_of(const Options& options) {
   return options.width > 0 ? platform::Size{options.width, options.height} : platform::Size{1280, 720};
 }

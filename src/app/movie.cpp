@@ -40,8 +40,8 @@ base::Status remove_pictures(base::Files& files, const std::filesystem::path& fo
   return {};
 }
 
-// ffmpeg's arguments for one file, written to `output`; words[0] is `program`. Names are relative to the folder, where
-// the process runs: a folder with a "%" in its name would be taken for a pattern.
+// Returns ffmpeg's arguments for one file, written to `output`; words[0] is `program`. Names are relative to the
+// folder, where the process runs, because ffmpeg would read a "%" in the folder's name as a pattern.
 std::vector<std::string> arguments(const std::string& program, const MovieOrder& order, int frames,
                                    const std::string& file, const std::string& output) {
   std::vector<std::string> words{program,         "-nostdin",  "-y",     "-loglevel",      "error",
@@ -59,7 +59,7 @@ std::vector<std::string> arguments(const std::string& program, const MovieOrder&
                                         fps)});
   } else {
     words.push_back(std::to_string(frames));
-    // For compatibility with all players: 4:2:0 with even sides.
+    // Compatible with all players: 4:2:0 with even sides.
     words.insert(words.end(), {"-vf", "pad=ceil(iw/2)*2:ceil(ih/2)*2", "-c:v", "libx264", "-preset", "medium", "-crf",
                                "18", "-pix_fmt", "yuv420p", "-movflags", "+faststart"});
   }
@@ -156,8 +156,8 @@ void MovieEncoder::next() {
   files_.clear();
 }
 
-// Lines "frame=12" report the progress; other lines with a "=" in their first word belong to the same report; the last
-// other line is an error.
+// Parses ffmpeg's output. Lines "frame=12" report the progress; other lines with a "=" in their first word belong to
+// the same report; the last other line is an error.
 void MovieEncoder::read_progress() {
   std::string& text = process_.output();
   const bool ended = !process_.running();

@@ -1,4 +1,4 @@
-// A page can start no other programs.
+// A web page cannot start other programs.
 #include "app/driver_trial.h"
 #include "app/process.h"
 

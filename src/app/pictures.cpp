@@ -21,7 +21,7 @@ base::Status write(const base::Root& root, const std::filesystem::path& path, co
   return files.write_atomic(path, gfx::encode_png(image));
 }
 
-// The script's folder: the one that "golden/NAME.png" lies in.
+// Writes below the script's folder, which contains "golden/NAME.png".
 base::Status write_golden(const std::string& name, const std::filesystem::path& golden, const gfx::Image& image) {
   std::filesystem::path folder = golden.parent_path();
   for ([[maybe_unused]] const std::filesystem::path& part : std::filesystem::path(name)) folder = folder.parent_path();

@@ -33,7 +33,7 @@ constexpr const char* kCompiler = "clang " __clang_version__;
 constexpr const char* kCompiler = "gcc " __VERSION__;
 #endif
 
-// "Some processor, compiler 12.2.0": printed with all times.
+// Returns "Some processor, compiler 12.2.0", which is printed with all times.
 std::string machine_line() {
   std::string model = "unknown processor";
   std::ifstream info("/proc/cpuinfo");  // not a regular file with a size
@@ -105,7 +105,7 @@ base::Status try_graphics(const Options& options, int samples, const std::string
   return try_driver(start, overrides);
 }
 
-// Autosaves before the program ends at once; returns what is to be said. A half-made change is not saved.
+// Autosaves before the program ends at once; returns the text to print. An incomplete change is not saved.
 std::string save_at_once(Program& program) {
   if (!program.keeper || !edit::dirty(program.session)) return {};
   if (world::broken_invariant(program.session.document)) return "Changes since the last autosave are lost.";
@@ -139,7 +139,7 @@ base::Result<std::unique_ptr<Program>> make_program(const Options& options, plat
   base::on_memory_end([p = program.get()] { return save_at_once(*p); });
   const auto lost = [p = program.get()] { leave_lost_display(*p); };
   if (const base::Status started = start_graphics(*program, {size, "coaster", true, true, lost}, samples); !started) {
-    base::end_if_out_of_memory();  // which a driver tells as something else
+    base::end_if_out_of_memory();  // a driver reports that as another error
     return started;
   }
   platform::Surface* const screen = program->surface.get();
@@ -163,7 +163,7 @@ base::Status apply(Program& program, const edit::Command& command) {
   const std::uint64_t notices = program.session.notices.serial;
   const base::Status applied = apply_one(program, command);
   if (program.session.notices.serial != notices)
-    program.picture.toast = program.session.notices.list.back().text;  // the panels show it one frame later
+    program.picture.toast = program.session.notices.list.back().text;  // the panels show it in the next frame
   if (applied && (command.is<edit::CopySection>() || command.is<edit::CopyForceKeys>()))
     program.surface->set_clipboard(program.session.copied);
   if (const std::string* const path = edit::output_path(command); applied && path && program.by_hand)
@@ -173,7 +173,7 @@ base::Status apply(Program& program, const edit::Command& command) {
   if (!applied || edit::info(command).effect != edit::Effect::session || edit::output_path(command) ||
       command.is<edit::LoadEnvelope>() || edit::opens_link(command))
     return applied;
-  // Another track: frames the whole track.
+  // For another track: frames the whole track.
   const edit::Session& session = program.session;
   const world::Camera camera =
       view::frame_all(session.settings.camera, session.document, program.picture.view.viewport);
@@ -201,7 +201,7 @@ void advance(Program& program, int ticks) {
     const std::string motion = base::hex16(world::hash(program.session.document, program.session.motion));
     base::print(fmt::format("tick {} document {} motion {}\n", program.session.tick, document, motion));
   }
-  if (program.options.hash_log) (void)base::finish_printing();  // a reader of the log sees every frame at once
+  if (program.options.hash_log) (void)base::finish_printing();  // so that a reader of the log sees every frame at once
 }
 
 query::Context context_of(Program& program) {

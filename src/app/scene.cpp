@@ -17,17 +17,17 @@ bool is_riding(const Program& program, const Look& look) {
   return look.alone || (with_train && program.session.motion.state == world::RideState::running);
 }
 
-// Ways home are not searched for while a drag changes the track.
+// True if ways home show. They are not searched for while a drag changes the track.
 bool shows_circuit(const Program& program, const Look& look) {
   return look.settings.aids->circuit > 0 && !program.session.history.in_gesture;
 }
 
-// A picture that is kept shows all conflicts. Any other may come before they are found.
+// A saved picture shows all conflicts. Others may show them later.
 edit::Want wanted_conflicts(const Look& look, const Program& program) {
   return look.unseen || program.surface->is_window() ? edit::Want::conflicts_so_far : edit::Want::conflicts;
 }
 
-// The palette's element or a way home, as the overlay shows it.
+// Adds the palette's element or a way home to the overlay.
 void mark_plan(const Program& program, const Look& look, const edit::Findings& found, view::Findings& marked) {
   if (look.settings.aids->show_element) marked.element = found.element, marked.narrow = found.room;
   if (!shows_circuit(program, look) || found.circuit->list.empty()) return;

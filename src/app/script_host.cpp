@@ -33,13 +33,13 @@ base::Status set_environment(Program& program, const script::Environment& enviro
   return {};
 }
 
-// A script's size is set on the surface first, so that this frame already draws in it.
+// Sets a script's size on the surface first, so that this frame already has it.
 base::Status frame(Program& program, platform::Events events, int ticks) {
   for (const platform::Event& event : events)
     if (const auto* const resize = std::get_if<platform::Resize>(&event))
       program.surface->resize({resize->width, resize->height});
   if (program.surface->is_window()) {
-    platform::Events ignored;  // keeps the window system responsive; only the script decides what happens
+    platform::Events ignored;  // keeps the window system responsive; only the script provides input
     program.surface->poll(ignored, 0);
   }
   film(program, ticks, [&](int some) {
@@ -110,7 +110,7 @@ base::Result<glm::vec2> pixel_of(const Program& program, const AimPoint& aim) {
   return aim.kind == view::PickKind::cart ? uncovered(program, aim, at) : at;
 }
 
-// A line that is updated in place, only on terminals.
+// Shows a line that is updated in place, only on terminals.
 void progress(int line, int lines) { base::print_progress(fmt::format("line {} of {} ", line, lines)); }
 
 }  // namespace

@@ -23,7 +23,7 @@ ui::TrackPicture TrackPictures::draw(const gfx::Gl& gl, const gfx::Renderer& sce
   }
   picture.name = session.document.name;
   picture.length = session.derived.length;
-  const auto renderer = scenes.sibling(kSamples);  // a track's own: its buffers follow one Derived
+  const auto renderer = scenes.sibling(kSamples);  // a separate one: its buffers follow one Derived
   const view::Viewport viewport{0, 0, kWidth, kHeight};
   const view::View view =
       view::orbit_view(view::frame_all(session.settings.camera, session.document, viewport), viewport);

@@ -12,7 +12,7 @@ namespace {
 
 // clang-format off
 EM_JS(int, open_dialog, (), { return Module.coasterPick ? Module.coasterPick() : 0; });
-// "" while it is open, "-" if it was cancelled.
+// Returns "" while it is open, "-" if it was cancelled.
 EM_JS(char*, picked_file, (), {
   const path = Module.coasterPicked ? Module.coasterPicked() : "-";
   const size = lengthBytesUTF8(path) + 1, text = _malloc(size);
@@ -25,7 +25,7 @@ EM_JS(char*, picked_file, (), {
 
 SystemDialogProcess::SystemDialogProcess() : program_("browser") {}
 
-// What is saved is also downloaded, and the browser asks where to: the suggested name will do.
+// Saved files are also downloaded, and the browser asks where to: the suggested name is sufficient.
 bool SystemDialogProcess::start(const ui::SystemDialogRequest& request) {
   process_.output() = request.save ? (std::filesystem::path(request.folder) / request.name).string() : "";
   running_ = request.save || open_dialog() != 0;
