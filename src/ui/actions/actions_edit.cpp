@@ -87,13 +87,13 @@ void insert_point(Act& act) {
     act.ui.emit(edit::SplitSegment{{*selected(act)}, session.settings.selected_t});
 }
 
-// The palette's element or a way home, where its preview shows.
+// True if the preview of the palette's element or of a way home shows.
 bool fits(const Act& act) {
   if (act.ui.session().settings.aids->circuit > 0) return act.ui.find(edit::Want::circuit).circuit->refusal.empty();
   return on<&Aids::show_element>(act) && act.ui.find(edit::Want::element).element->refusal.empty();
 }
 
-// A cell of the table of sections, where no preview waits to be placed.
+// True if a cell of the table of sections can be edited and no preview waits to be placed.
 bool has_cell(const Act& act) {
   const edit::Session& session = act.ui.session();
   const bool preview = on<&Aids::show_element>(act) || session.settings.aids->circuit > 0;
@@ -112,7 +112,7 @@ constexpr Condition kCompletable{[](const Act& act) { return completable(act.ui.
                                  "Only an open track with a segment can be completed."};
 void complete_circuit(Act& act) { show_ways_home(act.ui); }
 
-// Among the shapes or among those of forces. The first press shows the preview of the present one.
+// Steps among the shapes or among the force elements. The first press shows the preview of the present one.
 void step_element(Act& act, bool forwards) {
   if (act.ui.session().settings.aids->circuit > 0) act.ui.emit(edit::Set<&Aids::circuit>{0});
   if (!on<&Aids::show_element>(act)) return toggle<&Aids::show_element>(act);

@@ -15,7 +15,7 @@ void photo(Act& act) {
 }
 constexpr Condition kInChallenge{[](const Act& act) { return act.ui.session().game.challenge.has_value(); },
                                  "No challenge is open."};
-// A track that no link can hold is offered as a file.
+// Shares the track as a link, or as a file if it is too large for a link.
 void share(Act& act) {
   act.ui.emit(edit::Share{});
   if (edit::link_of(act.ui.session()).size() > exchange::kMaxLinkBytes) act.ui.want = {Want::Kind::save_as};

@@ -1,4 +1,4 @@
-// Actions of sections, in the menu Edit or, where they have no menu, in the command palette.
+// Actions on sections, in the menu Edit or only in the command palette.
 #include <algorithm>
 
 #include "edit/commands/commands_force.h"
@@ -19,7 +19,7 @@ using platform::Key;
 using world::Entity;
 using world::EquipmentKind;
 
-// The section under the cursor, else that of the selected knot or segment; kNone without one.
+// Returns the section under the cursor, else that of the selected knot or segment; kNone without one.
 Entity section_here(const Act& act) {
   const edit::Session& session = act.ui.session();
   if (const Entity under = section_under(session, act.hovered); under.valid()) return under;
@@ -36,7 +36,7 @@ void select_section(Act& act) {
 
 constexpr Condition kHasSections{[](const Act& act) { return !act.ui.session().document.track.segments.empty(); },
                                  "The track has no sections."};
-// From the active section, else from the one that something is selected of; without one the first or the last.
+// Steps from the active section, else from the one with something selected; without one to the first or the last.
 void step_section(Act& act, bool on, bool adds) {
   const edit::Session& session = act.ui.session();
   const std::vector<world::SectionRun> runs = world::sections_of(session.document);
@@ -84,7 +84,7 @@ void join(Act& act) { act.ui.emit(edit::JoinSections{{*selected(act)}}); }
 void copy(Act& act) { act.ui.out.commands.push_back(copying(act.ui.session())); }
 void paste(Act& act) { act.ui.out.wants_paste = true; }
 
-// Puts the keyboard into the first number of what Build shows; Tab goes on to the next.
+// Gives the keyboard to the first number field of Build; Tab moves to the next.
 constexpr Condition kHasValues{
     [](const Act& act) { return selected(act) != nullptr || on<&world::Aids::show_element>(act); },
     "Choose an element or select something first."};

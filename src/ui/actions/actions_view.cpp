@@ -45,12 +45,12 @@ void worst_jolt(Act& act) { show_worst_jolt(act.ui); }
 void fill_screen(Act& act) { act.ui.out.toggles_full_screen = true; }
 void open_palette(Act& act) { toggle_palette(act.palette); }
 
-// What is framed is framed for the orbit camera.
+// Frames with the orbit camera.
 void frame(Act& act, const world::Camera& camera) {
   act.ui.emit(edit::SetCamera{camera});
   if (!is<kCamera, CameraMode::orbit>(act)) set<kCamera, CameraMode::orbit>(act);
 }
-// With the palette's preview, where it shows.
+// Includes the palette's preview, if it shows.
 void frame_all(Act& act) {
   const edit::Session& session = act.ui.session();
   const world::Camera all = view::frame_all(session.settings.camera, session.document, act.scene);
@@ -65,7 +65,7 @@ void frame_selection(Act& act) {
 
 constexpr Condition kProbing{[](const Act& act) { return selected_is(act, world::Kind::segment); },
                              "Select a segment first."};
-// Along the selected segment; from its end on to the neighbour, where there is one.
+// Moves along the selected segment, and at its end to the next one, if there is one.
 void step_probe(Act& act, double by) {
   const edit::Session& session = act.ui.session();
   const world::Track& track = session.document.track;
@@ -97,7 +97,7 @@ template <CameraMode mode>
 void look(Act& act) {
   choose_camera(act.ui, mode);
 }
-// A projection is one of the orbit camera.
+// Sets a projection of the orbit camera.
 template <world::Projection projection>
 void project(Act& act) {
   act.ui.emit(edit::Set<&world::Camera::projection>{projection});
@@ -119,7 +119,7 @@ constexpr Condition kBuilding{[](const Act& act) { return is<kWorkspace, Workspa
                               "Go to the workspace Build first."};
 void fold_parameters(Act& act) { act.ui.drawers.parameters.toggle(); }
 bool parameters_show(const Act& act) { return act.ui.drawers.parameters.open; }
-// The graph's area, with the force graph or the table of sections.
+// Opens the force graph or the table of sections, or folds the open one.
 template <bool table>
 void press_graph(Act& act) {
   act.ui.drawers.press(table);
@@ -129,7 +129,7 @@ bool graph_shows(const Act& act) {
   return act.ui.drawers.graph.open && act.ui.drawers.table == table;
 }
 
-// The next one that can run here.
+// Selects the next evaluator that is available here.
 void next_evaluator(Act& act) {
   const auto count = curve::evaluators().size();
   const auto now = static_cast<std::size_t>(act.ui.session().settings.evaluation->evaluator);
@@ -146,7 +146,7 @@ void set_steps(Act& act, int steps) {
 void more_steps(Act& act) { set_steps(act, 2 * act.ui.session().settings.evaluation->steps); }
 void fewer_steps(Act& act) { set_steps(act, act.ui.session().settings.evaluation->steps / 2); }
 
-// Opens or closes the pages where they can be, else goes to where they are.
+// Opens or closes the pages, or first switches to a workspace that has them.
 void laboratory(Act& act) {
   const Workspace now = act.ui.session().settings.panels->workspace;
   if (now == Workspace::build || now == Workspace::ride) choose_workspace(act.ui, Workspace::laboratory);

@@ -20,7 +20,7 @@ namespace {
 
 constexpr int kShown = 12;
 
-// One line of the list: an action, a command, or what is typed when that is a command.
+// One line of the list: an action, a command, or the typed text if it is a command.
 struct PaletteLine {
   std::string name, keys;
   std::string_view help;
@@ -70,7 +70,7 @@ void choose(Act& act, CommandPalette& palette, const PaletteLine& entry) {
   } else if (entry.typed) {
     palette.open = false;
     run_command(act.ui, *parsed(palette.text.data()));
-  } else {  // a command wants its words
+  } else {  // a command needs its arguments
     const std::string line = std::string(entry.command) + " ";
     std::memcpy(palette.text.data(), line.c_str(), std::min(line.size() + 1, palette.text.size()));
     palette.filled = true, palette.row = 0;
@@ -91,7 +91,7 @@ int to_end(ImGuiInputTextCallbackData* data) {
   return 0;
 }
 
-// Returns whether it was clicked.
+// Draws a row. Returns true if it was clicked.
 bool draw_row(Ui& ui, const PaletteLine& entry, bool chosen) {
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const float room = ImGui::GetContentRegionAvail().x;
@@ -147,7 +147,7 @@ void build_palette(Act& act, CommandPalette& palette) {
   build_card(ui, card, [&] {
     ImGui::SetNextItemWidth(-1);
     if (palette.appearing || palette.filled)
-      ImGui::SetKeyboardFocusHere();  // Enter has left the field; a completed command is typed on
+      ImGui::SetKeyboardFocusHere();  // Enter has left the field; typing continues a completed command
     const std::string before = palette.text.data();
     const bool entered = ImGui::InputTextWithHint(
         "##text", "Type an action or a command", palette.text.data(), palette.text.size(),

@@ -12,10 +12,10 @@ namespace coaster::ui {
 namespace {
 
 constexpr float kDeadZone = 0.18f, kTriggerRest = 0.08f;
-// At full deflection, a second:
+// Rates at full deflection, per second:
 constexpr float kTurn = 130, kTilt = 90;   // degrees
 constexpr float kPan = 0.9f;               // heights of the picture
-constexpr float kNotches = 9;              // of the mouse wheel: zoom, chase distance
+constexpr float kNotches = 9;              // steps of the mouse wheel: zoom, chase distance
 constexpr float kFly = 20;                 // m
 constexpr double kLongestPadFrame = 0.25;  // s
 
@@ -85,7 +85,7 @@ void Gamepad::work(Act& act, const platform::Events& events, bool asking) {
   for (const platform::Event& event : events) {
     if (const auto* const tick = std::get_if<platform::Tick>(&event)) seconds += tick->dt;
     if (const auto* const focus = std::get_if<platform::Focus>(&event)) focused_ = focus->focused, held_ = {};
-    if (!focused_) continue;  // every window gets a pad's events
+    if (!focused_) continue;  // every window receives a gamepad's events
     if (const auto* const axes = std::get_if<platform::GamepadAxes>(&event)) held_ = *axes;
     const auto* const press = std::get_if<platform::GamepadButton>(&event);
     if (!press || !press->down || asking) continue;

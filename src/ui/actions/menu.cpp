@@ -14,7 +14,7 @@
 namespace coaster::ui {
 namespace {
 
-// Recently used files in the menu File.
+// The recently used files in the menu File.
 void build_recent(Act& act) {
   const UserState* const kept = act.ui.state.kept;
   const bool any = kept != nullptr && !kept->settings.recent.empty();
@@ -58,7 +58,7 @@ constexpr Tab kTabs[] = {{world::Workspace::build, "Build workspace"},
                          {world::Workspace::ride, "Ride workspace"},
                          {world::Workspace::laboratory, "Laboratory workspace"}};
 
-// A tab for each workspace but `all`, which the menu Window has; the chosen one is underlined.
+// A tab for each workspace except `all`, which is in the menu Window; the selected one is underlined.
 void build_tabs(Ui& ui) {
   const world::Workspace now = ui.session().settings.panels->workspace;
   const float pad = std::floor(10 * ui.scale), height = ImGui::GetWindowHeight(), y = ImGui::GetCursorPosY();
@@ -84,7 +84,7 @@ void build_tabs(Ui& ui) {
   ImGui::SetCursorPosY(y);
 }
 
-// At the right end: the file and the mark of unsaved changes.
+// Shows the file and the mark of unsaved changes at the right end.
 void build_file_mark(Ui& ui) {
   const edit::Session& session = ui.session();
   const std::string holder = ui.state.kept != nullptr ? ui.state.kept->holder : "";
@@ -109,7 +109,7 @@ void build_menu(Act& act) {
   if (!ImGui::BeginMainMenuBar()) return;
   act.ui.panel = "Menu";
   for (const std::string_view menu : {"File", "Edit", "View", "Ride", "Window"}) {
-    // Once the menu is open, ImGui's last item is not its title: the title's place has to be known before.
+    // Once the menu is open, ImGui's last item is not its title, so the position of the title is read before.
     const ImVec2 low = ImGui::GetCursorScreenPos();
     const ImVec2 high(low.x + text_size(menu).x + ImGui::GetStyle().ItemSpacing.x, low.y + ImGui::GetFrameHeight());
     const bool open = ImGui::BeginMenu(std::string(menu).c_str());

@@ -17,7 +17,7 @@ struct Wanted {
   std::vector<Chord> chords;
 };
 
-// What of the choices can be read; the first choice of a key has it.
+// Returns the valid choices; if several choose the same key, the first one gets it.
 std::vector<Wanted> readable(std::span<const std::string_view> names, std::span<const exchange::KeyChoice> choices,
                              std::vector<std::string>& problems) {
   std::vector<Wanted> all;

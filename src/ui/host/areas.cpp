@@ -11,7 +11,7 @@
 namespace coaster::ui {
 namespace {
 
-// The page of the riders is as high as fits, because it is read from top to bottom.
+// The riders' page is as high as possible, because it is read from top to bottom.
 Strip strip_of(const world::Settings& settings) {
   const float chosen = settings.panels->laboratory_height;
   const bool tall = settings.lab->page == world::LabPage::riders;

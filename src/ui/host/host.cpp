@@ -200,7 +200,8 @@ base::Result<std::unique_ptr<Host>> Host::make(const gfx::Gl& gl, float content_
   ImGuiIO& io = ImGui::GetIO();
   io.IniFilename = nullptr;
   io.LogFilename = nullptr;
-  io.BackendFlags |= ImGuiBackendFlags_RendererHasVtxOffset;  // a list may have more vertices than indices can name
+  io.BackendFlags |=
+      ImGuiBackendFlags_RendererHasVtxOffset;  // a list may have more vertices than 16-bit indices address
   io.ConfigWindowsMoveFromTitleBarOnly = true;
   io.MouseDragThreshold = 3;
   auto renderer = ImGuiRenderer::make(gl);
@@ -245,7 +246,7 @@ Output Host::build(const platform::Events& events, const State& state, int width
   p.lay_out(ui, events, width, height);
   p.rest.step(events, ImGui::GetIO().DeltaTime);
   ImGui::Render();
-  p.list.finish();  // now the order of the windows and which of them were used is settled
+  p.list.finish();  // the order of the windows and the used ones are known now
   p.guide.follow(state.lesson, p.list.widgets());
   out.view = p.view;
   out.takes_text = text_has_keyboard();
@@ -268,7 +269,7 @@ std::vector<std::string> Host::set_keys(std::span<const exchange::KeyChoice> cho
 void Host::show_start() { parts_->start.show(); }
 void Host::open(std::string path) { parts_->dropped = std::move(path); }
 
-// ImGui keeps which headers are open and how far columns are scrolled with each window.
+// ImGui stores the open headers and the scroll positions with each window.
 void Host::reset_layout() {
   ImGui::SetCurrentContext(parts_->context);
   parts_->drawers = {};

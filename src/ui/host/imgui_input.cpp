@@ -43,7 +43,7 @@ void ImGuiInput::take_key(const platform::KeyPress& event, bool text_has_keyboar
   const auto* const row = std::ranges::find(kKeys, event.key, &std::pair<Key, ImGuiKey>::first);
   if (row == std::end(kKeys)) return;
   const auto key = static_cast<std::size_t>(row - kKeys);
-  // A repeat is left to ImGui's own timer.
+  // Repeats come from ImGui's own timer.
   held_[key] = event.down && (text_has_keyboard || event.key != Key::tab);
   shown[key] = shown[key] || held_[key];
 }
@@ -69,7 +69,7 @@ void ImGuiInput::take_button(const platform::MouseButton& event) {
   waiting_.push_back({button, event.down, twice, mouse_, event.modifiers});
 }
 
-// Shows ImGui the mouse: where the buttons changed if they did, else where it is now.
+// Passes the mouse to ImGui: its position when a button changed, else the present one.
 void ImGuiInput::show_mouse(ImVec2 wheel) {
   ImGuiIO& io = ImGui::GetIO();
   Buttons changed{};
@@ -80,7 +80,7 @@ void ImGuiInput::show_mouse(ImVec2 wheel) {
     down_[change.button] = change.down;
     at = change.at;
     modifiers_ = change.modifiers;
-    // ImGui compares times of frames: it takes every press for a second one, or none.
+    // ImGui compares times of frames: these settings make it take every press for a second one, or none.
     if (change.down) io.MouseDoubleClickTime = io.MouseDoubleClickMaxDist = change.twice ? FLT_MAX : 0.0f;
     waiting_.pop_front();
   }

@@ -1,4 +1,4 @@
-// Draws Dear ImGui's lists over our own GL table.
+// Draws Dear ImGui's lists with the program's GL table.
 #include "ui/host/imgui_renderer.h"
 
 #include <algorithm>
@@ -110,7 +110,7 @@ void ImGuiRenderer::draw_list(const ImDrawList& list, ImVec2 origin, int width, 
   unsigned first = 0;
   vertices_from(*gl_, first);
   for (const ImDrawCmd& command : list.CmdBuffer) {
-    if (command.UserCallback != nullptr) continue;  // we queue none
+    if (command.UserCallback != nullptr) continue;  // the program queues none
     const int left = std::max(0, static_cast<int>(command.ClipRect.x - origin.x));
     const int top = std::max(0, static_cast<int>(command.ClipRect.y - origin.y));
     const int right = std::min(width, static_cast<int>(command.ClipRect.z - origin.x));

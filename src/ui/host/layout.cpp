@@ -1,4 +1,4 @@
-// Where menu, panels, status bar and viewport lie.
+// Computes the layout of menu, panels, status bar and viewport.
 #include "ui/host/layout.h"
 
 #include <algorithm>
@@ -10,7 +10,8 @@ namespace {
 using view::Viewport;
 using world::Workspace;
 
-constexpr float kLeft = 300, kRight = 320, kLargestPart = 0.59f;  // design px; of the width, both columns
+constexpr float kLeft = 300, kRight = 320,
+                kLargestPart = 0.59f;  // design px; fraction of the width for both columns together
 
 float strip_height(float height, float scale, float bar, float middle, Strip strip) {
   constexpr float kDesign = 190, kPart = 0.26f, kMost = 0.5f, kLeast = 4;  // kLeast: bars
@@ -20,7 +21,7 @@ float strip_height(float height, float scale, float bar, float middle, Strip str
   return strip.open && wanted >= kLeast * bar ? wanted : bar;
 }
 
-// The laboratory's strip below the scene, which has the area so far.
+// Adds the laboratory's strip below the scene, taking its height from the scene's area.
 void add_strip(Layout& layout, float height) {
   const Viewport whole = layout.scene;
   layout.scene.height -= height;
@@ -45,7 +46,7 @@ void lay_out_laboratory(Layout& layout, float width, float height, float scale, 
   add_strip(layout, strip_height(1.4f * height, scale, bar, middle.height, wish.strip));
 }
 
-// Of the palette, design px; kColumn: of palette and parameters together.
+// Sizes of the palette, design px; kColumn: of palette and parameters together.
 constexpr float kColumn = 228, kPad = 8, kGap = 4, kIcon = 34, kLabelled = 36;
 
 PaletteGrid grid_of(int columns, bool labels, float width, float scale, int elements) {
@@ -58,7 +59,7 @@ float height_of(const PaletteGrid& grid, float scale) {
   return static_cast<float>(grid.rows) * (grid.cell_height + kGap * scale) + 2 * std::floor(kPad * scale);
 }
 
-// In a column of `width` px above the parameters: with labels where the parameters keep a legible height.
+// Returns the grid in a column of `width` px above the parameters: with labels if the parameters keep a legible height.
 PaletteGrid grid_above(float width, float height, float scale, const LayoutWish& wish) {
   constexpr float kParameters = 130;  // design px
   const float gap = kGap * scale;
@@ -69,8 +70,8 @@ PaletteGrid grid_above(float width, float height, float scale, const LayoutWish&
   return grid_of(static_cast<int>((width + gap) / ((kIcon + kGap) * scale)), false, width, scale, wish.elements);
 }
 
-// Alone in a column of `height` px: as narrow as holds every button, with labels unless that is wider than kColumn, and
-// never wider than `most` px.
+// Returns the grid alone in a column of `height` px: as narrow as possible for all buttons, with labels unless that is
+// wider than kColumn, and never wider than `most` px.
 PaletteGrid grid_alone(float height, float most, float scale, const LayoutWish& wish) {
   const float gap = kGap * scale, labelled = std::min(most, kColumn * scale - 2 * std::floor(kPad * scale));
   for (const bool labels : {true, false}) {
@@ -99,7 +100,7 @@ void lay_out_graph(Layout& layout, float width, float height, float scale, float
   layout.graph = {0, scene.y + scene.height, width, graph};
 }
 
-// Palette and parameters take a column at the left; folded, the palette alone a narrow one.
+// Palette and parameters share a column at the left; when the parameters are folded, the palette has a narrow column.
 void lay_out_build(Layout& layout, float width, float height, float scale, float bar, const LayoutWish& wish) {
   constexpr float kRoomy = 1000;
   lay_out_graph(layout, width, height, scale, bar, wish);

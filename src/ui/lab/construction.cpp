@@ -33,7 +33,7 @@ Trace curve_on(const Sheet& sheet, const curve::Cubic& cubic) {
   return trace;
 }
 
-// The sampled parameter whose point of the picture is nearest to a place in it.
+// Returns the sampled parameter whose point in the picture is nearest to a position in it.
 double nearest_t(const Trace& curve, PlotDrag place) {
   std::size_t best = 0;
   const auto distance = [&](std::size_t i) {
@@ -41,7 +41,7 @@ double nearest_t(const Trace& curve, PlotDrag place) {
   };
   for (std::size_t i = 1; i < curve.x.size(); ++i)
     if (distance(i) < distance(best)) best = i;
-  // Between two samples: where the chord comes nearest.
+  // Refines between two samples: where the chord is nearest.
   const std::size_t a = best == 0 ? 0 : best - 1, b = std::min(best + 1, curve.x.size() - 1);
   const glm::dvec2 from(curve.x[a], curve.y[a]), to(curve.x[b], curve.y[b]), way = to - from;
   const double length2 = glm::dot(way, way);

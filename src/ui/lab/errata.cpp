@@ -1,4 +1,4 @@
-// Errata: claims of the 2012 paper and what holds, in numbers of the current segment.
+// Errata: wrong claims of the 2012 paper and the correct statements, with the numbers of the current segment.
 #include <imgui.h>
 
 #include <cmath>
@@ -16,7 +16,7 @@
 namespace coaster::ui {
 namespace {
 
-// One claim: the paper's words and number, then the right number and why.
+// One claim: the paper's words and number, then the correct number and why.
 void claim_row(Ui& ui, const sim::Erratum& e) {
   const auto number = [&](double value, std::string_view unit) {
     const std::string_view sign = unit == "m^2" ? "m\u00B2" : unit == "deg" ? "\u00B0" : unit;

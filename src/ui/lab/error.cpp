@@ -14,7 +14,7 @@ using curve::EvaluatorId;
 
 constexpr double kMillimetres = 1e3;
 
-// The bound that the row of the table promises for this segment, mm.
+// Returns the bound of the evaluator's row for this segment, mm.
 double bound_of(const curve::Cubic& c, const curve::Evaluator& evaluator, int steps) {
   const double extent = std::max({glm::length(glm::dvec3(c.p0)), glm::length(glm::dvec3(c.p1)),
                                   glm::length(glm::dvec3(c.p2)), glm::length(glm::dvec3(c.p3))});

@@ -15,7 +15,7 @@ using world::ForceOver;
 
 namespace {
 
-// Beyond the end of a path that stopped early: metres by the axis' unit.
+// Beyond the end of a path that stopped early: metres per unit of the axis.
 double rate_beyond(const sim::ForcePlan& plan) {
   return plan.task.program.over == ForceOver::distance ? 1.0 : std::max(1.0, plan.end_speed);
 }

@@ -22,12 +22,12 @@ namespace {
 using sim::RideValue;
 
 constexpr auto kTallestGraph = static_cast<float>(world::setting_row<&world::Panels::graph_height>().high);
-// Those of g are on the left axis.
+// The values in g use the left axis.
 constexpr std::array kValues{RideValue::vertical, RideValue::lateral, RideValue::speed, RideValue::height};
 constexpr std::size_t kAtLeft = 2;
 static_assert(kValues.size() == std::tuple_size_v<decltype(LabCache::graph_hidden)>);
 
-// A tab of the area: it opens the graph or the table of sections, or folds the one that shows.
+// Shows a tab of the area: it opens the graph or the table of sections, or folds the open one.
 void fold_button(Ui& ui, std::string_view name, std::string_view help, std::string_view action, float bar,
                  bool of_table) {
   const bool open = ui.drawers.graph.open && ui.drawers.table == of_table;
@@ -44,7 +44,7 @@ void fold_button(Ui& ui, std::string_view name, std::string_view help, std::stri
   if (pressed) ui.drawers.press(of_table);
 }
 
-// The value of a curve and whether it is drawn: a square in the curve's colour, empty while it is hidden.
+// Shows the value of a curve and whether it is drawn: a square in the curve's colour, empty while it is hidden.
 void legend_item(Ui& ui, RideValue value, std::string shown, bool& hidden, float bar) {
   const sim::RideValueRow& row = base::row_of(value);
   const std::string_view unit = base::shown_in(ui.units, row.unit).name;

@@ -44,7 +44,7 @@ ForceKeys& state_of(Ui& ui, Entity section) {
   return state;
 }
 
-// Returns the place within the section and between the neighbouring keys.
+// Returns the position, limited to the section and the neighbouring keys.
 double between_neighbours(const ForceProgram& program, ForceChannel channel, std::size_t key, double at) {
   const std::vector<ForceKey>& keys = program.keys(channel);
   const double gap = world::key_gap_of(program.over);
@@ -62,7 +62,7 @@ void move_key(Ui& ui, ForceKeys& state, const ForceProgram& program, double from
   ui.emit(edit::MoveForceKey{{state.section}, from_start, state.channel, from, to, value});
 }
 
-// Without a value on the curve.
+// Without a value, the key is on the curve.
 void insert_key(Ui& ui, ForceKeys& state, const ForceProgram& program, double at, std::optional<double> value) {
   const std::vector<ForceKey>& keys = program.keys(state.channel);
   const double gap = world::key_gap_of(program.over);
@@ -98,11 +98,11 @@ void drag_key(Ui& ui, ForceKeys& state, const ForceAxes& axes, PlotDrag to) {
     ui.emit(edit::ShapeForceKey{{state.section}, true, state.channel, from.at, next.slope, next.before, next.after});
 }
 
-// The knobs: all keys, then the handles of the chosen one.
+// The knobs: all keys, then the handles of the selected one.
 struct Knobs {
   std::vector<Knob> list;
-  std::vector<int> sides;                    // of those behind the keys
-  std::vector<std::array<double, 4>> lines;  // x, x, y, y of a handle's line
+  std::vector<int> sides;                    // for the knobs after the keys
+  std::vector<std::array<double, 4>> lines;  // x, x, y, y: the line of a handle
 };
 Knobs knobs_of(const ForceAxes& axes, const ForceKeys& state) {
   const ForceProgram& program = axes.program();
@@ -136,7 +136,7 @@ void take_knob(ForceKeys& state, const ForceProgram& program, const Knobs& knobs
   state.from = keys[*state.key];
 }
 
-// What the mouse did.
+// Handles the mouse.
 void follow_mouse(Ui& ui, ForceKeys& state, const ForceAxes& axes, const Knobs& knobs, const KnobTouch& touch) {
   const ForceProgram& program = axes.program();
   if (touch.held && touch.pressed) take_knob(state, program, knobs, *touch.held);
@@ -193,7 +193,7 @@ void force_plot(Ui& ui, Entity section, const std::optional<RidePlots>& ride) {
   else if (ride)
     ride->add_curves(state.channel == ForceChannel::vertical ? sim::RideValue::vertical : sim::RideValue::lateral,
                      "actual", series);
-  if (!series.empty()) series.front().width = 4;  // seen on both sides of what is asked for
+  if (!series.empty()) series.front().width = 4;  // visible on both sides of the target curve
   series.push_back({"asked", state.place, state.asked, kForceColour, SeriesKind::line, 1.6f});
   const Knobs knobs = knobs_of(axes, state);
   for (const std::array<double, 4>& line : knobs.lines)
@@ -225,7 +225,7 @@ void force_plot(Ui& ui, Entity section, const std::optional<RidePlots>& ride) {
 
 namespace {
 
-// Returns whether the press did something to the chosen key.
+// Returns true if the key press changed the selected key.
 bool work_key(Ui& ui, ForceKeys& state, const ForceProgram& program, const platform::KeyPress& press) {
   using platform::Key;
   const std::vector<ForceKey>& keys = program.keys(state.channel);

@@ -52,7 +52,7 @@ constexpr TableColumn kRedColumns[] = {
     {"Actual###Is", "g", 1.1f, "Low-pass filtered, where the limit is exceeded most."},
     {"Limit###May", "g", 1.0f, "Limit for this duration by the envelope (command envelope). Not a compliance check."}};
 
-// Returns what the move is to a rider: "Raise k7 by 0.25 m", "Move k7 by 0.25 m to the left".
+// Returns the move in words: "Raise k7 by 0.25 m", "Move k7 by 0.25 m to the left".
 std::string move_text(const world::Document& document, const sim::Advice& advice) {
   const std::string label = world::label_of(document, advice.knot), by = fixed(sim::kAdviceStep, 2) + " m";
   if (advice.direction.y != 0) return fmt::format("{} {} by {}", advice.direction.y > 0 ? "Raise" : "Lower", label, by);
@@ -65,7 +65,7 @@ std::string move_text(const world::Document& document, const sim::Advice& advice
   return fmt::format("Move {} by {} {}", label, by, way);
 }
 
-// What moving one knot would do, and buttons that show the knot and move it.
+// Shows the effect of moving one knot, and buttons that show the knot and move it.
 void advice_rows(Ui& ui) {
   const std::optional<sim::Advice>& advice = ui.lab.advice;
   const world::Document& document = ui.session().document;
@@ -82,7 +82,7 @@ void advice_rows(Ui& ui) {
   }
 }
 
-// `brief`: shows only where a span begins, and the short name of its force.
+// `brief`: shows only the start of each span, and the short name of its force.
 void red_table(Ui& ui, std::span<const sim::RedSpan> red, float height, bool brief) {
   const edit::Session& session = ui.session();
   if (ui.lab.red_chosen < static_cast<int>(red.size())) {
@@ -128,7 +128,7 @@ void forces_page(Ui& ui) {
   const int parts = room <= 340 * ui.scale ? 1 : red.empty() || room <= 560 * ui.scale ? 2 : 3;
   const float width = std::floor((room - gap * static_cast<float>(parts - 1)) / static_cast<float>(parts));
   plots->plot(ui, ui.lab.force_plots[0], "Left plot", width, height);
-  if (parts > (red.empty() ? 1 : 2)) {  // else the table takes the place of the second plot
+  if (parts > (red.empty() ? 1 : 2)) {  // else the table replaces the second plot
     ImGui::SameLine(0, gap);
     plots->plot(ui, ui.lab.force_plots[1], "Right plot", width, height);
   }

@@ -19,7 +19,7 @@
 namespace coaster::ui {
 namespace {
 
-// Every joint of the track in track order: the start of each segment that has one before it.
+// Returns every joint of the track in track order: the start of each segment that has one before it.
 std::vector<JointRow> joints_of(const edit::Session& session) {
   const sim::Derived& derived = session.derived;
   std::vector<JointRow> rows;

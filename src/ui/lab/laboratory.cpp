@@ -20,7 +20,7 @@ COASTER_LAB_PAGES(COASTER_PAGE)
 
 namespace {
 
-// Rows of world::kLabPages, in its order.
+// The functions of the pages, in the order of world::kLabPages.
 constexpr void (*kBuild[])(Ui& ui) = {
 #define COASTER_PAGE(name, label, help) name##_page,
     COASTER_LAB_PAGES(COASTER_PAGE)
@@ -36,7 +36,7 @@ bool is_open(const Ui& ui) { return ui.session().settings.panels->show_laborator
 world::LabPage chosen_page(const Ui& ui) { return ui.session().settings.lab->page; }
 void show(Ui& ui, bool on) { ui.emit(edit::Set<&world::Panels::show_laboratory>{on}); }
 
-// The fold button, with the strip's name where there is room for it.
+// Shows the fold button, with the strip's name if there is space.
 void fold_button(Ui& ui, float bar, bool named, ImFont* font) {
   const ImVec2 low = ImGui::GetCursorScreenPos();
   ImGui::PushFont(font);

@@ -24,12 +24,12 @@ using curve::LengthDemand;
 
 LengthDemand demand_of(const ArcLengthMethod& method, int steps) { return {steps, method.usual_tolerance}; }
 
-// Seconds of one measurement: the median of three batches, each of as many as fill 50 us, at most 64.
+// Returns the seconds of one measurement: the median of three batches, each repeated to fill 50 us, at most 64 times.
 double seconds_of(const ArcLengthMethod& method, const Cubic& cubic, const LengthDemand& demand,
                   const sim::Clock& clock) {
   if (!clock) return 0;
   std::array<double, 3> batches{};
-  volatile double sink = 0;  // so that no measurement can be left out
+  volatile double sink = 0;  // so that no measurement can be optimised away
   for (double& batch : batches) {
     const double began = clock();
     int runs = 0;
@@ -63,7 +63,7 @@ LengthStudy study_of(const Cubic& cubic, int steps, const sim::Clock& clock) {
   return study;
 }
 
-// Adds some segments to the sums; done when all are in.
+// Adds some segments to the sums; complete when all are added.
 void advance(TrackLengths& track, const sim::Derived& derived, int steps) {
   constexpr std::size_t kSegmentsAFrame = 32;
   const std::size_t end = std::min(derived.order.size(), track.next + kSegmentsAFrame);
@@ -77,8 +77,8 @@ void advance(TrackLengths& track, const sim::Derived& derived, int steps) {
   }
 }
 
-// The study of the probe's segment and of the whole track. Each call adds some segments of the track; its numbers are
-// known after the last one.
+// Returns the study of the probe's segment and of the whole track. Each call adds some segments of the track; its
+// totals are known after the last one.
 const LengthStudy& kept_lengths(Ui& ui, const Probe& probe) {
   const edit::Session& session = ui.session();
   const sim::Derived& derived = session.derived;
@@ -153,7 +153,7 @@ void lengths_table(Ui& ui, const LengthStudy& study, bool segment, bool track, f
   ImGui::EndChild();
 }
 
-// Chooses what the table lists where it has no room for both.
+// Selects the columns of the table where there is no space for both.
 void choose_columns(Ui& ui) {
   ImGui::PushFont(small_font());
   choose_side(ui, ui.lab.lengths_of_track, {"Segment", "List the segment's length by every method."},

@@ -18,7 +18,7 @@ double value_of_cell(const sim::MeasuredCell& cell, bool time) {
   return time ? cell.ns_per_point : cell.worst_error * 1e3;
 }
 
-// From dark green for the smallest to dark red for the largest, by the logarithm.
+// Returns a colour from dark green for the smallest to dark red for the largest, by the logarithm.
 std::uint32_t heat(double value, const Extent& all) {
   if (!(value > 0) || all.empty() || all.high <= all.low) return 0;
   const double part = std::log(value / all.low) / std::log(all.high / all.low);

@@ -19,7 +19,7 @@ namespace {
 
 using sim::RideValue;
 
-// The value that a limit of this axis is about, and whether a large value exceeds it (else a small one).
+// The value limited on this axis, and whether a large value exceeds the limit (else a small one).
 struct Limited {
   RideValue value;
   bool large;
@@ -69,7 +69,7 @@ SeatStudy study_of(const edit::Findings& found, sim::CarRange cars, bool over_ti
   return study;
 }
 
-// The distance along the track that the mouse points at, in the viewport or in a plot.
+// Returns the distance along the track under the mouse, in the viewport or in a plot.
 std::optional<double> pointed_distance(const Ui& ui) {
   const sim::Derived& derived = ui.session().derived;
   if (ui.hovered.kind != view::PickKind::curve) return std::nullopt;
@@ -87,7 +87,7 @@ view::Pick pick_at(const sim::Derived& derived, double distance) {
 
 }  // namespace
 
-// An axis of the jerk has the colour of its g.
+// A component of the jerk has the colour of its g.
 std::uint32_t RidePlots::colour_of(RideValue value) {
   constexpr std::size_t kRows[sim::kRideValueCount] = {0, 1, 2, 3, 0, 1, 2, 4, 7, 6, 5};
   return row_colour(kRows[static_cast<std::size_t>(value)]);
@@ -111,7 +111,7 @@ std::optional<RidePlots> RidePlots::make(Ui& ui, bool over_time) {
   return plots;
 }
 
-// Returns the x of a distance along the track; nothing if the seat does not come there.
+// Returns the x of a distance along the track; nothing if the seat does not reach it.
 std::optional<double> RidePlots::at_place(double distance) const {
   const std::vector<double>&place = study_->curves.place, &time = study_->curves.time;
   if (place.empty()) return std::nullopt;
@@ -125,7 +125,7 @@ std::optional<double> RidePlots::at_place(double distance) const {
   return time[static_cast<std::size_t>(at - place.begin())];
 }
 
-// Returns the seat's place at an x of the axis, m along the track.
+// Returns the seat's position at an x of the axis, m along the track.
 double RidePlots::place_at(double x) const {
   if (!over_time_) return x;
   const auto at = std::lower_bound(axis().begin(), axis().end(), x);
@@ -206,7 +206,7 @@ void RidePlots::plot_all(Ui& ui, std::span<const RideValue> left, std::span<cons
   for (const RideValue value : left) at_left.push_back(curve(value, ""));
   for (const RideValue value : left) add_overloads(value, at_left);
   for (Series& series : at_left) series.label.clear();
-  // The right axis has several units, so its curves are drawn in the user's.
+  // The right axis has several units, so its curves are converted to the user's units.
   std::vector<std::vector<double>> in_user_units;
   in_user_units.reserve(right.size());
   std::string units;

@@ -11,7 +11,7 @@ glm::dvec3 any_perpendicular(glm::dvec3 unit) {
   return glm::normalize(other - glm::dot(other, unit) * unit);
 }
 
-// The direction between the two points that are farthest apart; {1,0,0} when all are one.
+// Returns the direction between the two points that are farthest apart; {1,0,0} if all coincide.
 glm::dvec3 longest_direction(std::span<const glm::dvec3> points) {
   glm::dvec3 longest(0);
   for (const glm::dvec3 a : points)

@@ -10,7 +10,7 @@ namespace {
 
 using world::CameraFeel;
 
-// Mode and tooltip; "MODE camera" is the action that chooses it.
+// Mode and tooltip; "MODE camera" is the action that selects it.
 constexpr std::array<std::pair<const char*, const char*>, 4> kModes{{
     {"Orbit", "Orbits a point. Drag empty space to orbit, middle button to pan, wheel to zoom."},
     {"Ride", "The view from the first cart's seat, 1.1 m above the rails."},

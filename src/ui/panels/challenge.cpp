@@ -20,7 +20,7 @@ namespace {
 
 using exchange::RuleList;
 
-// A mark, the rule's words, and its value: on the right where there is room beside the words, else below them.
+// Shows a mark, the rule's text, and its value: on the right if it fits next to the text, else below it.
 void rule_row(Ui& ui, const query::Rule& rule, const exchange::ChallengeRule& words) {
   const query::Finding finding = query::look_at(ui.state.find, rule);
   const std::string found = in_units(ui, finding.found), text = in_units(ui, words.text);
@@ -50,7 +50,7 @@ void rules_of(Ui& ui, const std::vector<query::Rule>& rules, std::initializer_li
       rule_row(ui, rule, file.list(rule.list)[rule.index]);
 }
 
-// "Locked: auto bank, section equip."
+// Returns "Locked: auto bank, section equip."
 std::string locked_words(const std::vector<std::string>& locks) {
   std::string words = fmt::format("Locked: {}.", fmt::join(locks, ", "));
   std::replace(words.begin(), words.end(), '_', ' ');
@@ -58,7 +58,7 @@ std::string locked_words(const std::vector<std::string>& locks) {
   return words;
 }
 
-// The three medals side by side, those that were earned in their metal.
+// Shows the three medals side by side, the earned ones in their metal.
 void medals(Ui& ui, const edit::ActiveChallenge& challenge, int best) {
   const float size = std::floor(34 * ui.scale), room = ImGui::GetContentRegionAvail().x, third = std::floor(room / 3);
   const ImVec2 low = ImGui::GetCursorScreenPos();

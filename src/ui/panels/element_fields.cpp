@@ -3,7 +3,7 @@
 namespace coaster::ui {
 namespace {
 
-// Returns whether the side was changed.
+// Returns true if the side was changed.
 bool side_field(Ui& ui, world::Element& element) {
   const bool right = element.right;
   if (radio(ui, "Left", !right, "Turn left.")) element.right = false;
@@ -12,7 +12,7 @@ bool side_field(Ui& ui, world::Element& element) {
   return element.right != right;
 }
 
-// Returns the value that the user chose or typed.
+// Returns the value that the user selected or typed.
 std::optional<double> parameter_field(Ui& ui, const world::ElementParameter& p, double value) {
   if (!p.names.empty()) {
     std::vector<Choice> choices;

@@ -20,7 +20,7 @@ namespace {
 
 using world::Element;
 
-// Two beside each other, so that each is one click.
+// Two buttons side by side, so that each needs one click.
 void kinds_of_forces(Ui& ui) {
   const world::ElementKind now = ui.session().settings.element.kind;
   const std::span<const world::ElementRow> rows = world::force_elements();
@@ -62,7 +62,7 @@ void circuit_button(Ui& ui) {
     toggle_ways_home(ui);
 }
 
-// The ways home, while they show.
+// Shows the ways home during their preview.
 void ways_home(Ui& ui) {
   const world::Aids& aids = *ui.session().settings.aids;
   if (aids.circuit <= 0 || !completable(ui.session().document)) return;

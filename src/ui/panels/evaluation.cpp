@@ -19,7 +19,7 @@ namespace {
 using curve::EvaluatedBy;
 
 enum class Group { paper, fast, gpu };
-// The table begins with the methods of the paper; rows that are computed on the GPU say so.
+// Returns the group of a row: the table begins with the methods of the paper; rows that are computed on the GPU say so.
 Group group_of(std::size_t row) {
   constexpr std::size_t kOfThePaper = 4;
   if (curve::evaluators()[row].evaluated_by != EvaluatedBy::processor) return Group::gpu;
@@ -36,7 +36,7 @@ void method(Ui& ui, std::size_t row) {
     ui.emit(edit::Set<&world::Evaluation::evaluator>{id});
 }
 
-// The rows of a group in the small font, two in a line where they fit.
+// Shows the rows of a group in the small font, two in a line if they fit.
 void methods_of(Ui& ui, Group group, std::string_view title, std::string_view tooltip) {
   ImGui::PushFont(small_font());
   heading(ui, title, tooltip);
@@ -82,16 +82,16 @@ void resolution(Ui& ui) {
     ui.emit(edit::Set<&world::Evaluation::vertex_budget>{static_cast<std::int64_t>(*to)});
 }
 
-// The rounding error says nothing about how well the polyline shows the curve. Beside the last item where there is
-// room.
+// Shows the chord error, because the rounding error says nothing about how well the polyline follows the curve. Next to
+// the last item if there is space.
 void chord_error(Ui& ui) {
   if (beside_last(ui, "Chord error 1")) {
-    // The label and its value need more than half.
+    // The label and its value need more than half of the row.
     const float free = ImGui::GetCursorScreenPos().x - ImGui::GetItemRectMax().x;
     const float earlier = std::floor(std::clamp(free - 5 * ui.scale, 0.0f, 9 * ui.scale));
     ImGui::SetCursorPos({ImGui::GetCursorPosX() - earlier, ImGui::GetCursorPosY() + ImGui::GetStyle().FramePadding.y});
   }
-  constexpr std::size_t kMost = 10'000;  // segments, 10 ms after each change
+  constexpr std::size_t kMost = 10'000;  // segments: 10 ms after each change
   const std::size_t segments = ui.session().derived.order.size();
   constexpr std::string_view kHelp =
       "Largest distance of the curve from the polyline. More steps make it smaller. Up to 10,000 segments.";

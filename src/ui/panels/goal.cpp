@@ -1,4 +1,4 @@
-// Goal: changes numbers of what is selected until the ride does what is wanted.
+// Goal: changes numbers of the selection until the ride reaches a goal.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -32,10 +32,10 @@ std::vector<Choice> choices(const Rows& rows, Text text) {
 
 struct Numbers {
   std::vector<Choice> choices;
-  std::vector<std::string_view> words;  // of the command
+  std::vector<std::string_view> words;  // words of the command
 };
 
-// What can be changed: places and roll of knots, or the parameters of the selected section.
+// Returns what can be changed: positions and roll of knots, or the parameters of the selected section.
 Numbers numbers_of(const edit::Session& session) {
   Numbers numbers;
   const auto add = [&](std::string_view word, std::string_view label, std::string_view help) {

@@ -12,21 +12,21 @@
 namespace coaster::ui {
 namespace {
 
-constexpr std::size_t kMostShown = 200;  // rows on either side of now
+constexpr std::size_t kMostShown = 200;  // rows on either side of the present state
 
 template <class Command>
 void repeat(Ui& ui, std::size_t steps) {
   for (std::size_t i = 0; i < steps; ++i) ui.emit(Command{});
 }
 
-// "Undo to this step." and the command, which may name thousands of knots.
+// Returns "Undo to this step." and the command, which may name thousands of knots.
 std::string tooltip_of(std::string_view does, const edit::HistoryStep& step) {
   constexpr std::size_t kMost = 120;  // bytes
   const std::string_view command = step.text.command;
   return fmt::format("{} Command: {}{}", does, command.substr(0, kMost), command.size() > kMost ? " ..." : "");
 }
 
-// A step as a line to click; `name` is its path for scripts.
+// Shows a step as a line to click; `name` is its path for scripts.
 bool step_row(Ui& ui, const std::string& text, const std::string& name, std::uint32_t tint, std::string_view tooltip) {
   ImGui::PushStyleColor(ImGuiCol_Text, colour(tint));
   const bool pressed = ImGui::Selectable(fmt::format("{}##{}", text, name).c_str());

@@ -78,7 +78,7 @@ void spin_fields(Ui& ui, const edit::Knots& knots, const world::Knot& knot) {
     else ui.emit(edit::SetSpin{knots, spin});
   }
 }
-// At the speed that the first train has now.
+// At the present speed of the first train.
 void roll_rate(Ui& ui, const world::Knot& knot) {
   const edit::Session& session = ui.session();
   const world::CartMotion* const train = session.motion.carts.find(world::first_cart(session.document));
@@ -152,7 +152,7 @@ void knot_inspector(Ui& ui, Entity entity, Name name) {
   continuity(ui, entity, name);
 }
 
-// Fields of the active knot that go to every selected one.
+// Fields of the active knot that change every selected one.
 void knots_inspector(Ui& ui, Entity active, const std::vector<Entity>& knots) {
   const world::Document& document = ui.session().document;
   const world::Knot& knot = world::knot(document, active);
@@ -253,7 +253,7 @@ void inspector_panel(Ui& ui) {
   }
   read_out(ui, "Selected", fmt::format("{} {}", kKinds[static_cast<std::size_t>(name->kind)], world::to_text(*name)),
            "", "The selected object. Scripts write @ before its name.");
-  // Fields of another entity are other fields: what is typed in one never lands in the next.
+  // Different ids for each entity: text typed in a field of one never goes to the next.
   ImGui::PushID(static_cast<int>(name->kind) * 0x1000000 + static_cast<int>(name->number));
   switch (name->kind) {
     case Kind::knot: knot_inspector(ui, selected, *name); break;

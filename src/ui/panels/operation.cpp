@@ -8,7 +8,8 @@
 namespace coaster::ui {
 namespace {
 
-// The selected segment, those between neighbouring selected knots, or else the one that the active knot starts.
+// Returns the selected segment, those between neighbouring selected knots, or else the one that starts at the active
+// knot.
 std::vector<world::Entity> chosen_segments(const edit::Session& session) {
   const world::Document& document = session.document;
   const world::Entity selected = session.settings.selected;

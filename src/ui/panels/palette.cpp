@@ -1,4 +1,4 @@
-// The buttons of the elements: one for each row of the table, the chosen one lit and ticked.
+// The buttons of the elements: one for each row of the table, the selected one highlighted and ticked.
 #include "ui/panels/palette.h"
 
 #include <imgui.h>
@@ -22,7 +22,7 @@ namespace {
 using world::Aids;
 using world::ElementKind;
 
-// Shows the element's preview; with `chosen`, which shows already, hides it.
+// Shows the element's preview; hides it if it shows already (`chosen`).
 void choose(Ui& ui, ElementKind kind, bool chosen) {
   const world::Settings& settings = ui.session().settings;
   if (settings.aids->circuit > 0) ui.emit(edit::Set<&Aids::circuit>{0});
@@ -37,7 +37,7 @@ struct Face {
   bool on, enabled = true;
 };
 
-// A button of the grid. The one that is on has a frame, too: colour alone would not tell it from the others.
+// A button of the grid. The one that is on also has a frame, so that colour is not the only difference.
 bool face_button(Ui& ui, const Face& face, const PaletteGrid& grid) {
   if (face.on) ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetStyleColorVec4(ImGuiCol_ButtonActive));
   const IconPlace place = grid.labels ? IconPlace::above : IconPlace::alone;
@@ -53,7 +53,7 @@ void next_cell(int& cell, const PaletteGrid& grid) {
   if (cell++ % grid.columns != 0) ImGui::SameLine();
 }
 
-// The label of a button: the row's, or a shorter one. Scripts may say either.
+// Returns the label of a button: the row's, or a shorter one. Scripts may use either.
 std::string label_of(ElementKind kind) {
   const std::string_view label = base::row_of(kind).label;
   if (kind == ElementKind::curve) return fmt::format("Curve###{}", label);

@@ -115,7 +115,7 @@ void build_column(Ui& ui, Column column, const view::Viewport& area) {
       }
       ImGui::PopID();
     };
-    // In Build a chosen element comes before what else is selected, and a challenge before the track.
+    // In Build a selected element has priority over the rest of the selection, and a challenge over the track.
     const bool building = ui.session().settings.panels->workspace == world::Workspace::build;
     const auto is_first = [&](const Panel& panel) {
       const bool challenge = panel.build == challenge_panel && occasions(ui) == kTrack;

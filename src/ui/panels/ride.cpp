@@ -1,4 +1,4 @@
-// Ride: running the carts, their motion, and g.
+// Ride: controls of the ride, motion of the carts, and g.
 #include <imgui.h>
 
 #include <algorithm>
@@ -65,14 +65,14 @@ void read_outs(Ui& ui) {
   read_query(ui, "g forward", "ride.g_forward", "Felt acceleration forwards.", {.unit = "g"});
 }
 
-// Words at the right edge of the next cell.
+// Shows text at the right edge of the next cell.
 void right_cell(std::string_view words, std::uint32_t rgb) {
   ImGui::TableNextColumn();
   ImGui::SetCursorPosX(ImGui::GetCursorPosX() + std::max(ImGui::GetContentRegionAvail().x - text_size(words).x, 0.0f));
   tinted_line(words, rgb);
 }
 
-// The loads of the first car's wheels: a row for each side of a bogie.
+// Shows the loads of the first car's wheels: a row for each side of a bogie.
 void wheel_table(Ui& ui) {
   using sim::WheelSet;
   const edit::Session& session = ui.session();

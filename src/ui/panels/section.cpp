@@ -47,7 +47,7 @@ void kind_box(Ui& ui, const Chosen& chosen) {
   refusal_below(ui, chosen, "kind");
 }
 
-// True for a parameter that every selected section has. Those of equipment have their buttons.
+// True for a parameter that every selected section has. Those of equipment have buttons instead.
 bool is_shared(const Chosen& chosen, std::string_view parameter) {
   const bool equips = world::found_value(chosen.section().element, "equipment").has_value();
   if (parameter == "equipment" || (equips && (parameter == "speed" || parameter == "acceleration"))) return false;
@@ -67,7 +67,7 @@ void section_parameters(Ui& ui, const Chosen& chosen) {
   if (const auto changed = element_fields(ui, element, rows)) change_sections(ui, chosen, *changed, element);
 }
 
-// Its keys are in the force graph.
+// The keys are in the force graph.
 void force_parameters(Ui& ui, const Chosen& chosen) {
   const world::ForceProgram& program = chosen.section().force;
   const Number length{.value = program.length,
@@ -207,7 +207,7 @@ bool section_shown(const Ui& ui) {
 void section_panel(Ui& ui) {
   const Chosen chosen = chosen_sections(ui.session());
   take_answer(ui);
-  // Fields of another section are other fields: what is typed in one never lands in the next.
+  // Different ids for each section: text typed in a field of one never goes to the next.
   ImGui::PushID(static_cast<int>(chosen.name().number));
   if (chosen.single()) {
     const std::string& title = chosen.section().title;

@@ -15,7 +15,7 @@ namespace {
 
 using world::SectionColumn;
 
-// Returns the next cell of a row that takes typing, from `from` on.
+// Returns the next editable cell of a row, from `from` on.
 std::optional<SectionColumn> next_cell(const world::Section& section, std::span<const SectionColumn> columns,
                                        std::size_t from) {
   for (std::size_t i = from; i < columns.size(); ++i)

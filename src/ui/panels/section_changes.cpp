@@ -29,7 +29,7 @@ std::optional<double> planned_value(const Section& section, std::string_view par
   return world::found_value(section.element, parameter);
 }
 
-// The first one is planned from the drag's start, so that a drag adds no rounding; the others on what it made.
+// The first section is planned from the drag's start, so that a drag adds no rounding; the others on the result.
 void change_sections(Ui& ui, const Chosen& chosen, std::string_view parameter, const Element& to) {
   ask_change(ui, chosen.name(), parameter);
   std::vector<SectionRun> runs = chosen.runs;

@@ -29,7 +29,7 @@ using world::SectionColumn;
 
 constexpr std::size_t kSectionColumnCount = base::count_of<SectionColumn>();
 
-// A column's unit, its decimals, its width in design px, and its rank among those that show where not all find room.
+// A column's unit, its decimals, its width in design px, and its rank among the columns if not all fit.
 struct ColumnLook {
   std::string_view unit;
   int decimals;
@@ -91,7 +91,7 @@ TableValue table_value(const Document& document, const SectionFigures& of, std::
   return {};
 }
 
-// The rows in the order that is chosen; what has no value comes last.
+// Returns the rows in the selected order; those without a value come last.
 const std::vector<std::size_t>& sorted_rows(Ui& ui, const sim::SectionTable& table) {
   const world::Panels& shown = *ui.session().settings.panels;
   return ui.inputs.section_order.get({table.serial, shown.sections_by, shown.sections_descending}, [&] {
@@ -109,7 +109,7 @@ const std::vector<std::size_t>& sorted_rows(Ui& ui, const sim::SectionTable& tab
   });
 }
 
-// The columns that find room, in their order.
+// Returns the columns that fit, in order.
 std::vector<SectionColumn> columns_in(float room, float scale) {
   std::vector<SectionColumn> by_rank(kSectionColumnCount), fitting;
   for (std::size_t i = 0; i < kSectionColumnCount; ++i)
@@ -130,7 +130,8 @@ Cell section_cell(const Ui& ui, const TableValue& entry, SectionColumn column) {
   return {"--", palette().dim};
 }
 
-// A click selects one, Shift adds or removes it, Ctrl adds all between it and the active one as they are shown.
+// A click selects one, Shift adds or removes it, Ctrl adds all rows between it and the active one, in the order on
+// screen.
 void select_section_row(Ui& ui, const sim::SectionTable& table, std::span<const std::size_t> order, std::size_t at) {
   const edit::Session& session = ui.session();
   const auto section = [&](std::size_t i) { return table.rows[order[i]].run.section; };
@@ -157,7 +158,7 @@ void point_at_section(Ui& ui, const world::SectionRun& run) {
                 glm::vec3(curve::point(derived.shape_at(middle).key.cubic, 0.5))};
 }
 
-// Brings the row of the cell that is to be typed in into sight.
+// Scrolls to the row of the cell to be edited.
 void scroll_to_cell(const Ui& ui, const sim::SectionTable& table, std::span<const std::size_t> order, float height) {
   const auto at = std::find_if(order.begin(), order.end(), [&](std::size_t row) {
     return cell_is_open(ui, world::name_of(ui.session().document, table.rows[row].run.section));
@@ -184,7 +185,7 @@ void table_of_sections(Ui& ui, float height) {
   if (!begin_table(ui, "Table", heads, height, &sorting)) return;
   take_answer(ui);
   begin_cell(ui, columns);
-  bool sought = ui.inputs.cell.has_value();  // the cell that is typed in is in none of the rows so far
+  bool sought = ui.inputs.cell.has_value();  // the edited cell is in none of the rows so far
   const std::vector<std::size_t>& order = sorted_rows(ui, table);
   ImGuiListClipper clipper;
   clipper.Begin(static_cast<int>(order.size()));
@@ -200,7 +201,7 @@ void table_of_sections(Ui& ui, float height) {
         if (cell_is_open(ui, section, column)) cells.back().text.clear();
       }
       const bool selected = world::is_selected(ui.session().settings, of.run.section);
-      // A mark beside the colour of the row.
+      // A mark next to the colour of the row.
       if (selected) cells[0].swatch = palette().text;
       const std::string name = world::label_of(document, of.run.section);
       const bool typing = cell_is_open(ui, section);
@@ -232,7 +233,7 @@ void build_sections_table(Ui& ui, const view::Viewport& area) {
   ImGui::PopStyleVar();
 }
 
-// In the workspace `all`.
+// The panel of the workspace `all`.
 void sections_panel(Ui& ui) {
   constexpr float kRows = 9;
   table_of_sections(ui, std::floor(kRows * small_pixels() * 1.35f));

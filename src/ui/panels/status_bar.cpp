@@ -17,7 +17,7 @@ namespace {
 struct Part {
   std::string label, value;
   std::string_view tooltip;
-  float cell;  // design px kept for the value, so that neighbours stand still
+  float cell;  // design px reserved for the value, so that neighbours do not move
 };
 
 std::string real(const Ui& ui, std::string_view name, int decimals, const char* unit) {
@@ -43,7 +43,7 @@ std::string shortened(std::string words, float room) {
   return words + "\u2026";
 }
 
-// Where the next part of the bar goes.
+// Position of the next part of the bar.
 struct Bar {
   Ui& ui;
   ImDrawList& list;
@@ -68,7 +68,7 @@ void unsaved_mark(Bar& bar) {
   bar.x = end + bar.between;
 }
 
-// The evaluator and its steps. A click opens the list of all evaluators.
+// Shows the evaluator and its steps. A click opens the list of all evaluators.
 void evaluator(Bar& bar) {
   Ui& ui = bar.ui;
   constexpr const char* kList = "##evaluators";
@@ -117,7 +117,7 @@ void values(Bar& bar) {
   }
 }
 
-// The last message stays here after its toast is gone, shortened to fit.
+// Shows the last message after its toast is gone, shortened to fit.
 void message(const Bar& bar) {
   const auto& notices = bar.ui.session().notices.list;
   if (notices.empty() || bar.right - bar.x <= 60 * bar.ui.scale) return;

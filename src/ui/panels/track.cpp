@@ -17,7 +17,7 @@ namespace {
 
 using world::Kind;
 
-// Buttons of a pair stand side by side where the longest label finds room, else one below the other.
+// Returns the width of a button of a pair: side by side if the longest label fits, else one below the other.
 float pair_width() {
   const float room = ImGui::GetContentRegionAvail().x, half = (room - ImGui::GetStyle().ItemSpacing.x) * 0.5f;
   return text_size("Insert point").x + 2 * ImGui::GetStyle().FramePadding.x <= half ? half : room;
@@ -26,8 +26,8 @@ void beside(float width) {
   if (width < ImGui::GetContentRegionAvail().x) ImGui::SameLine();
 }
 
-// Returns where a new cart touches no other at the start of the ride: the start or middle of a segment, searched from
-// `first` on. The start of `first` if there is none.
+// Returns a position where a new cart touches no other at the start of the ride: the start or middle of a segment,
+// searched from `first` on. The start of `first` if there is none.
 edit::AddCart free_place(const edit::Session& session, world::Entity first) {
   const sim::Derived& derived = session.derived;
   const sim::Rails rails{derived.length, derived.closed};
@@ -59,7 +59,7 @@ void size(Ui& ui) {
   colouring_box(ui);
 }
 
-// How far the rows of an imported file are from the track that was fitted to them.
+// Shows how far the fitted track is from the rows of the imported file.
 void deviation(Ui& ui) {
   if (!ui.session().file.import) return;
   const auto row = [&](std::string_view label, std::string_view distance, std::string_view angle,
@@ -96,7 +96,7 @@ void folds(Ui& ui) {
     show_next_fold(ui);
 }
 
-// Ends that meet, or nearly so, become one knot.
+// Returns the command that closes the track: ends that coincide, or nearly do, become one knot.
 edit::Command closing(const edit::Session& session) {
   const auto& knots = session.document.track.knots;
   const edit::CloseExactly exactly;

@@ -52,7 +52,7 @@ AxisRange range_of(const PlotAxis& axis, Extent extent, double margin) {
   return range;
 }
 
-// Widens the axis that has room to spare, so that both have the same scale.
+// Widens one axis so that both have the same scale.
 void make_square(PlotArea& area) {
   const double width = area.high.x - area.low.x, height = area.high.y - area.low.y;
   const double x_span = area.x.high - area.x.low, y_span = area.y.high - area.y.low;
@@ -70,7 +70,7 @@ int most_ticks(float room, float each, int least) { return std::max(least, stati
 // Even a low plot gets three numbers beside it: of two there is often only one, which does not tell the scale.
 int most_beside(float room, float text) { return most_ticks(room, 1.9f * text, 3); }
 
-// The labels of the right axis take their room from the data.
+// The labels of the right axis take their space from the data.
 void lay_out_right(const Plot& p, const Data& data, float gap, PlotArea& area) {
   if (data.right.empty()) return;
   area.right = range_of(p.right, data.right, 0.06);
@@ -82,7 +82,7 @@ void lay_out_right(const Plot& p, const Data& data, float gap, PlotArea& area) {
 }
 
 // Lays out the plot: labels of the y axis left, its title and the legend above; labels of the x axis below, its title
-// at their end if it is short, else in its own row.
+// at their end if it is short, else in a separate row.
 PlotArea lay_out(const WidgetFrame& ui, const Plot& p, const Data& data, ImVec2 low, ImVec2 high) {
   PlotArea area;
   area.scale = ui.scale;
@@ -93,7 +93,7 @@ PlotArea lay_out(const WidgetFrame& ui, const Plot& p, const Data& data, ImVec2 
   area.y = range_of(p.y, data.y, p.square ? 0.08 : 0.06);
   const float line = area.text_px, gap = std::floor(4 * ui.scale);
   const float x_title =
-      p.square ? 0 : small_size(axis_title(p.x, area.x_unit)).x;  // one title speaks for both axes of a shape
+      p.square ? 0 : small_size(axis_title(p.x, area.x_unit)).x;  // one title is enough for both axes of a shape
   area.title_beside = x_title <= 4 * line;
   const float above = axis_title(p.y, area.y_unit).empty() ? line * 0.5f : line + gap,
               below = line + gap + (area.title_beside ? 0 : line);
@@ -117,7 +117,7 @@ PlotArea lay_out(const WidgetFrame& ui, const Plot& p, const Data& data, ImVec2 
   return area;
 }
 
-// A multiple of a round step of the shown unit that is at most a pixel, within the axis.
+// Returns the x rounded to a multiple of a round step of the shown unit, at most a pixel long, within the axis.
 double snapped(const PlotArea& area, float mouse_x) {
   const double part = (mouse_x - area.low.x) / std::max(1.0f, area.high.x - area.low.x);
   if (area.x.scale == AxisScale::logarithmic) return value_at(area.x, part);
@@ -126,7 +126,7 @@ double snapped(const PlotArea& area, float mouse_x) {
   const double pixel = (axis.high - axis.low) / std::max(1.0f, area.high.x - area.low.x);
   const double power = std::pow(10.0, std::floor(std::log10(pixel)));
   const double step = power * (5 * power <= pixel ? 5 : 2 * power <= pixel ? 2 : 1);
-  // Multiplying by the count of steps in one has fewer decimals than multiplying by the step.
+  // Dividing by the number of steps per unit gives fewer decimals than multiplying by the step.
   const double steps = std::round(value / step), inverse = std::round(1 / step);
   const double rounded = inverse >= 1 ? steps / inverse : steps * step;
   return std::clamp(base::metric_value(rounded, area.x_unit), area.x.low, area.x.high);
@@ -137,7 +137,7 @@ void draw_cursor(ImDrawList& list, const PlotArea& area, double x, bool hot) {
   if (!(at >= area.low.x - 1 && at <= area.high.x + 1)) return;
   list.AddLine({at, area.low.y}, {at, area.high.y}, packed(palette().accent, hot ? 1.0f : 0.85f),
                std::max(1.0f, std::floor(1.5f * area.scale)));
-  const float grip = std::floor(4.5f * area.scale);  // a handle to hold it by
+  const float grip = std::floor(4.5f * area.scale);  // half width of the handle
   list.AddTriangleFilled({at - grip, area.low.y - 1}, {at + grip, area.low.y - 1}, {at, area.low.y + grip * 1.4f},
                          packed(palette().accent));
 }
@@ -184,7 +184,7 @@ std::optional<PlotDrag> plot(WidgetFrame& ui, std::string_view label, const Plot
   const AreaState state{ImGui::GetID("##area"), hovered, held, ImGui::IsItemActivated(), ImGui::IsItemDeactivated()};
   ImGui::PopID();
   ImGui::SetCursorScreenPos(low);
-  ImGui::Dummy(size);  // the plot as a whole is what the next item stands beside or below
+  ImGui::Dummy(size);  // the next item is placed relative to the whole plot
 
   ImDrawList& list = *ImGui::GetWindowDrawList();
   list.PushClipRect(low, high, true);

@@ -11,7 +11,7 @@
 namespace coaster::ui {
 
 ImVec2 PlotArea::at(double x_value, double y_value) const {
-  // Far outside is still a finite pixel, which the clip rectangle then cuts off.
+  // Far outside is still a finite pixel, which the clip rectangle cuts off.
   constexpr double kFar = 50;
   const auto place = [](double part) { return std::isnan(part) ? part : std::clamp(part, -kFar, 1 + kFar); };
   return {low.x + static_cast<float>(place(part_of(x, x_value))) * (high.x - low.x),
@@ -33,7 +33,7 @@ void draw_ink(ImDrawList& list, ImVec2 at, std::uint32_t rgb, std::string_view t
 
 bool drawable(ImVec2 p) { return std::isfinite(p.x) && std::isfinite(p.y); }
 
-// The points of one unbroken piece. Of several in one pixel column, the first, lowest, highest and last remain.
+// Returns the points of one unbroken piece. Of several in one pixel column, the first, lowest, highest and last remain.
 std::vector<ImVec2> thinned(const std::vector<ImVec2>& points, float width) {
   if (static_cast<float>(points.size()) < 5 * width) return points;
   std::vector<ImVec2> kept;
@@ -74,7 +74,7 @@ void draw_lines(ImDrawList& list, const PlotArea& area, const Series& series, st
   draw_piece(list, area, series, piece);
 }
 
-// One column of pixels after another, so that the cost does not grow with the number of points.
+// Draws one column of pixels after another, so that the cost does not grow with the number of points.
 void draw_band(ImDrawList& list, const PlotArea& area, const Series& series, std::size_t count) {
   const ImU32 tint = packed(ink(series.colour), 0.75f);
   const float half = 0.5f * series.width * area.scale;
@@ -110,7 +110,7 @@ struct Nearest {
   ImVec2 place{};
 };
 
-// Lines are read at the mouse's x, points (and shapes) where they are nearest.
+// Finds the point to read: of lines at the mouse's x, of points (and shapes) the nearest.
 Nearest nearest(const PlotArea& area, const Series& s, ImVec2 mouse, bool by_x) {
   Nearest best;
   for (std::size_t i = 0; i < std::min(s.x.size(), s.y.size()); ++i) {
@@ -212,7 +212,7 @@ void draw_levels_and_spots(ImDrawList& list, const PlotArea& area, const Plot& p
   }
 }
 
-// In the row of the y axis' title, from the right.
+// Draws the legend in the row of the y axis' title, from the right.
 void draw_legend(ImDrawList& list, const PlotArea& area, const Plot& plot, ImVec2 outer_low) {
   const float gap = 5 * area.scale, mark = 12 * area.scale;
   const float left = outer_low.x + small_size(axis_title(plot.y, area.y_unit)).x + 2 * gap;

@@ -1,4 +1,4 @@
-// The knobs of a plot: drawing them, and which one the mouse holds.
+// The knobs of a plot: drawing and dragging them.
 #include <algorithm>
 #include <cmath>
 
@@ -26,7 +26,7 @@ std::optional<std::size_t> knob_at(const PlotArea& area, std::span<const Knob> k
   return nearest;
 }
 
-// What the mouse holds since it was pressed, kept with the window.
+// What the mouse has held since the press, stored with the window.
 constexpr int kNothing = -2, kCursor = -1;
 
 }  // namespace

@@ -1,4 +1,4 @@
-// Ranges, places and ticks.
+// Ranges, positions and ticks.
 #include "ui/plots/plot_ticks.h"
 
 #include <algorithm>
@@ -20,7 +20,7 @@ std::string superscript(int exponent) {
   return text;
 }
 
-// mantissa x 10^exponent, of a finite value that is not zero.
+// Returns mantissa x 10^exponent, for a finite value that is not zero.
 std::string scientific(double value, int digits, bool pretty) {
   const std::string plain = fmt::format("{:.{}e}", value, digits - 1);
   const std::size_t e = plain.find('e');
@@ -35,7 +35,7 @@ std::string scientific(double value, int digits, bool pretty) {
   return mantissa == "1" ? power : mantissa == "-1" ? "-" + power : fmt::format("{}\u00B7{}", mantissa, power);
 }
 
-// The smallest of 1, 2, 5 times a power of ten that is at least `least`.
+// Returns the smallest of 1, 2, 5 times a power of ten that is at least `least`.
 double round_step(double least) {
   const double power = std::pow(10.0, std::floor(std::log10(least)));
   for (const double factor : {1.0, 2.0, 5.0})
@@ -77,7 +77,7 @@ Ticks logarithmic_ticks(const AxisRange& axis, int most) {
   };
   int every = 1;
   while (count(every) > most) ++every;
-  const bool few = 3 * std::log10(axis.high / axis.low) + 1 <= most;  // room for 2 and 5 too
+  const bool few = 3 * std::log10(axis.high / axis.low) + 1 <= most;  // space for 2 and 5 too
   for (int e = first; e <= last; ++e) {
     const double power = std::pow(10.0, e);
     for (int factor = 1; factor <= 9; ++factor) {

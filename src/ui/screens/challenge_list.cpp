@@ -32,7 +32,7 @@ ChallengeEntry entry_of(const std::filesystem::path& path) {
   return entry;
 }
 
-// Returns the first whole sentences of a text that find room in two small lines, else its first words.
+// Returns the first whole sentences of a text that fit in two small lines, else its first words.
 std::string two_lines(const std::string& text, float width) {
   const auto fits = [&](const std::string& part) {
     const ImVec2 size = small_font()->CalcTextSizeA(small_pixels(), 1e9f, width, part.c_str());
@@ -78,7 +78,7 @@ std::vector<ChallengeEntry> read_challenges(const Ui& ui) {
   const std::filesystem::path data = base::data_folder();
   if (!data.empty())
     for (const std::filesystem::path& file : json_files(data / "challenges")) found.push_back(entry_of(file));
-  if (ui.state.kept != nullptr && !ui.state.kept->challenges.empty())  // it need not be there
+  if (ui.state.kept != nullptr && !ui.state.kept->challenges.empty())  // it need not exist
     for (const std::filesystem::path& file : json_files(ui.state.kept->challenges)) found.push_back(entry_of(file));
   return found;
 }

@@ -155,7 +155,7 @@ void Dialogs::build_recovery(Ui& ui) {
 void Dialogs::build_challenges(Ui& ui) {
   ui.panel = "Challenges";
   title("Challenges");
-  const bool opened_now = !challenges_;  // perhaps by a key, which is no answer
+  const bool opened_now = !challenges_;  // perhaps by a key, which must not answer it
   if (opened_now) challenges_ = read_challenges(ui);
   const auto chosen = draw_challenge_list(ui, *challenges_, challenge_,
                                           ImGui::GetContentRegionAvail().y - ImGui::GetFrameHeightWithSpacing());

@@ -1,4 +1,4 @@
-// Which dialog is open, and what follows from its answer.
+// Opens dialogs and acts on their answers.
 #include "ui/screens/dialogs.h"
 
 #include <imgui.h>
@@ -15,7 +15,7 @@
 namespace coaster::ui {
 namespace {
 
-// The folder shown first: the document's, else that of the file used last.
+// Returns the folder shown first: the document's, else that of the file used last.
 std::filesystem::path first_folder(const Ui& ui) {
   const edit::Session& session = ui.session();
   if (!session.file.path.empty()) return base::canonical_path(session.file.path).parent_path();
@@ -75,7 +75,7 @@ void Dialogs::perform(Ui& ui, const Want& want) {
   }
 }
 
-// The save ran after the frame that asked for it. If the document is still unsaved, a notice says why.
+// The save ran after the frame that requested it. If the document is still unsaved, a notice says why.
 void Dialogs::follow_save(Ui& ui) {
   if (!std::exchange(saving_, false)) return;
   if (edit::dirty(ui.state.find)) abandon();
@@ -104,7 +104,7 @@ void Dialogs::save(Ui& ui) {
   else write(ui, chosen_, false);
 }
 
-// An export saves nothing: follow_save() then drops what was to follow.
+// An export does not save the document: follow_save() then drops the request that was to follow.
 void Dialogs::write(Ui& ui, const std::filesystem::path& path, bool overwrite) {
   if (sections_) {
     edit::Sections selected;
@@ -117,7 +117,7 @@ void Dialogs::write(Ui& ui, const std::filesystem::path& path, bool overwrite) {
   dialog_ = Dialog::none;
 }
 
-// `asked`: whether to overwrite it has been asked already.
+// `asked`: the user has already confirmed overwriting.
 void Dialogs::take_file(Ui& ui, std::filesystem::path path, bool asked) {
   std::error_code error;
   if (browser_.mode() == FileBrowser::Mode::open && sections_) {
@@ -126,7 +126,7 @@ void Dialogs::take_file(Ui& ui, std::filesystem::path path, bool asked) {
   }
   if (browser_.mode() == FileBrowser::Mode::open) {
     want_ = {Want::Kind::load, path.string()};
-    return proceed(ui);  // unsaved changes were asked about before
+    return proceed(ui);  // the question about unsaved changes came before
   }
   const bool own = !sections_ && edit::is_own_file(ui.session(), path);
   chosen_ = std::move(path);
@@ -162,14 +162,14 @@ void Dialogs::build(Ui& ui, const platform::Events& events, bool text_had_keyboa
     dialog_ = Dialog::recovery;
   if (dialog_ == Dialog::recovery && (kept == nullptr || kept->recoveries.empty())) dialog_ = Dialog::none;
   const platform::Events none;
-  const bool changed = std::exchange(shown_, dialog_) != dialog_;  // the key that opened it is not its answer
+  const bool changed = std::exchange(shown_, dialog_) != dialog_;  // the key that opened it does not answer it
   constexpr const char* kId = "##dialog";
   if (shown_ != Dialog::none && !ImGui::IsPopupOpen(kId)) ImGui::OpenPopup(kId);
   const auto [design_width, design_height] = wanted_size();
-  const bool fits = design_height < 0;  // itself to what is in it
+  const bool fits = design_height < 0;  // its height to the content
   const float wide = std::floor(std::min(design_width * ui.scale, width - 16)),
               high = std::floor(std::min(std::abs(design_height) * ui.scale, height - 16));
-  // The height is known only some frames later. The top does not depend on it, so that nothing moves under the mouse.
+  // The height is known only after some frames. The top does not depend on it, so that nothing moves under the mouse.
   constexpr float kTop = 0.28f;
   const float top = fits ? std::min(height * kTop, height - high - 8) : (height - high) * 0.5f;
   ImGui::SetNextWindowPos({std::floor((width - wide) * 0.5f), std::floor(top)});

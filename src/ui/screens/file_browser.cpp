@@ -1,4 +1,4 @@
-// The file browser's list and buttons, and which file they mean. Its keys: file_browser_keys.cpp.
+// The file browser's list and buttons, and the file that they select. Its keys: file_browser_keys.cpp.
 #include "ui/screens/file_browser.h"
 
 #include <imgui.h>
@@ -20,7 +20,7 @@ namespace {
 constexpr std::size_t kMostRows = 2000;  // drawn at once; typing finds the others
 constexpr double kReadAgain = 1;         // s
 
-// No name contains a slash.
+// True for a path: names contain no slash.
 bool is_path(const std::string& words) { return words.find('/') != std::string::npos || words == "~" || words == ".."; }
 
 std::filesystem::path expanded(const std::string& words, const std::filesystem::path& folder) {
@@ -91,7 +91,7 @@ FileBrowser::Answer FileBrowser::choose_path(std::filesystem::path path) {
   return Answer::chosen;
 }
 
-// What Enter and the button of the right name mean.
+// Returns the answer of Enter and of the confirming button.
 FileBrowser::Answer FileBrowser::confirm(const Entries& entries) {
   if (mode_ == Mode::open && exchange::is_link(words_)) {
     chosen_ = words_;
@@ -137,7 +137,7 @@ void FileBrowser::draw_path(Ui& ui) {
   if (!to.empty()) go(to);
 }
 
-// Returns whether it was double-clicked.
+// Draws a row. Returns true if it was double-clicked.
 bool FileBrowser::draw_row(Ui& ui, const base::FolderEntry& entry) {
   const ImVec2 low = ImGui::GetCursorScreenPos();
   const float width = ImGui::GetContentRegionAvail().x, line = ImGui::GetTextLineHeight(),

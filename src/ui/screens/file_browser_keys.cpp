@@ -1,4 +1,4 @@
-// The file browser without the mouse.
+// The keyboard of the file browser.
 #include <algorithm>
 #include <utility>
 #include <variant>
@@ -53,7 +53,7 @@ void FileBrowser::take_text(const std::string& utf8) {
   if (mode_ == Mode::open) marked_.clear();
 }
 
-// While a field has the keyboard, Enter alone is the browser's: the field has taken its text by then.
+// While a field has the keyboard, the browser handles only Enter: the field has taken its text by then.
 FileBrowser::Answer FileBrowser::take_keys(const platform::Events& events, bool text_had_keyboard,
                                            const Entries& entries) {
   for (const platform::Event& event : events) {

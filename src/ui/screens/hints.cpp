@@ -23,7 +23,7 @@
 namespace coaster::ui {
 namespace {
 
-// Keys as the user has them, and what they do.
+// Returns the user's keys and what they do.
 std::array<std::pair<std::string, std::string>, 8> first_steps(const KeyMap& keys) {
   const auto k = [&](std::string_view action) { return keys.shown(action); };
   return {
@@ -66,7 +66,7 @@ std::string foot_text(const ViewportTool& tool, const edit::Session& session, co
 void draw_hints(Ui& ui, const view::Viewport& scene) {
   if (!hints_show(ui, scene)) return;
   const float width = std::floor(kHintsWidth * ui.scale), margin = std::floor(kMargin * ui.scale);
-  // Below the track, clear of the notices at the foot.
+  // Below the track, clear of the notices at the bottom.
   const ImVec2 foot(std::floor(scene.x + margin), std::floor(scene.y + scene.height - 58 * ui.scale));
   const Card card{.id = "##hints", .panel = "Hints", .at = foot, .pivot = {0, 1}, .width = width, .alpha = 0.88f};
   build_card(ui, card, [&] {
@@ -84,7 +84,7 @@ void draw_hints(Ui& ui, const view::Viewport& scene) {
 
 namespace {
 
-// What a handle of a section changes, with its value: "Height 25.00 m".
+// Returns what a handle of a section changes, with its value: "Height 25.00 m".
 std::string named_handle(const Ui& ui) {
   const edit::Session& session = ui.session();
   const view::Pick& at = ui.hovered;
@@ -102,7 +102,7 @@ std::string named_handle(const Ui& ui) {
   return handle ? named(handle->parameter, measured(ui, handle->value, 2, "m")) : "";
 }
 
-// The title of the section under the mouse, or what its handle changes; empty for none.
+// Returns the title of the section under the mouse, or what its handle changes; empty for none.
 std::string named_section(const Ui& ui) {
   const edit::Session& session = ui.session();
   if (view::is_section_handle(ui.hovered.kind)) return named_handle(ui);
@@ -142,7 +142,7 @@ void draw_foot_line(const Ui& ui, const ViewportTool& tool, const view::Viewport
   const bool empty = ui.session().document.track.knots.empty() && !ui.session().settings.aids->show_element;
   const ImVec2 size = ImGui::CalcTextSize(hint.c_str());
   const ImVec2 pad(size.y * 0.9f, size.y * 0.5f);
-  // Above the notices, and beside the first steps where there is room.
+  // Above the notices, and next to the first steps if there is space.
   const float left = hints_show(ui, scene) ? (kHintsWidth + kMargin) * ui.scale : 0;
   const float beside = scene.width - left >= size.x + 2 * pad.x ? left : 0;
   const ImVec2 at(std::floor(scene.x + beside + (scene.width - beside - size.x) * 0.5f),

@@ -16,7 +16,7 @@ namespace {
 
 ImU32 opaque(glm::vec3 colour) { return ImGui::ColorConvertFloat4ToU32({colour.x, colour.y, colour.z, 1}); }
 
-// Left to right, as the shader mixes.
+// Draws from left to right, interpolated as in the shader.
 void draw_bar(ImDrawList& list, ImVec2 at, float width, float height) {
   constexpr std::size_t kPieces = view::kColourStops.size() - 1;
   for (std::size_t i = 0; i < kPieces; ++i) {
@@ -49,7 +49,7 @@ void draw_legend(Ui& ui, const view::Viewport& scene) {
   draw_bar(list, bar_at, width, bar);
   const AxisRange axis{ui.state.stats.colour_low * unit.factor, ui.state.stats.colour_high * unit.factor};
   const Ticks marks = ticks(axis, 6);
-  float free_from = low.x;  // texts that would touch the one before are left out
+  float free_from = low.x;  // texts that would touch the previous one are left out
   for (const double value : marks.major) {
     const float x = std::floor(low.x + width * static_cast<float>(part_of(axis, value)));
     const std::string number = tick_text(axis, marks, value, true);

@@ -15,7 +15,7 @@
 namespace coaster::ui {
 namespace {
 
-// Breathes with the clock; at rest where a script has no clock.
+// Returns a pulse by the clock, 0..1; 1 in scripts, which have no clock, and with reduced motion.
 float breath(const State& state) {
   constexpr double kPerSecond = 0.7;
   return state.scripted || state.session.settings.feel->reduced_motion

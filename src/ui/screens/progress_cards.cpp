@@ -27,7 +27,7 @@ std::string words_of(const MovieState& movie) {
                      movie.frames == 1 ? "picture" : "pictures");
 }
 
-// The sign of recording, beside which the words stand.
+// The sign of recording, left of the text.
 void draw_dot(bool recording) {
   const float height = ImGui::GetTextLineHeight();
   const ImVec2 at = ImGui::GetCursorScreenPos();
@@ -37,7 +37,7 @@ void draw_dot(bool recording) {
   ImGui::SameLine();
 }
 
-// In the middle of the scene's width, `top` px below its upper edge.
+// Returns a card in the middle of the scene's width, `top` px below its upper edge.
 Card card_in(const view::Viewport& scene, const char* id, std::string_view panel, float width, float top) {
   const ImVec2 at(std::floor(scene.x + (scene.width - width) * 0.5f), std::floor(scene.y + top));
   return {.id = id, .panel = panel, .at = at, .width = width};

@@ -21,7 +21,7 @@
 namespace coaster::ui {
 namespace {
 
-// Parts of the bar go from left to right, all as high as a frame.
+// Lays out the parts of the bar from left to right, all as high as a frame.
 struct RideRow {
   Ui& ui;
   float x, y, right, gap;  // px
@@ -50,7 +50,7 @@ void buttons(RideRow& row) {
   if (control(kResetIcon, "Reset", "Return the carts to their start.", "Reset")) ui.emit(edit::RideStop{});
 }
 
-// A value that keeps its place when its digits change.
+// Shows a value that does not move when its digits change.
 void value(RideRow& row, std::string_view label, std::string_view shown, float cell, std::string_view tooltip) {
   const float gap = row.scaled(6), words = text_size(label).x, width = words + gap + row.scaled(cell);
   const float left = row.x, text = std::floor(row.y + (ImGui::GetFrameHeight() - ImGui::GetTextLineHeight()) * 0.5f);
@@ -62,7 +62,7 @@ void value(RideRow& row, std::string_view label, std::string_view shown, float c
        {left + width, row.y + ImGui::GetFrameHeight()});
 }
 
-// Seconds from the start of the simulated ride to the train's place in it, and of the whole ride.
+// Returns the seconds from the start of the simulated ride to the train's position in it, and of the whole ride.
 std::string ride_time(const Ui& ui) {
   const edit::Session& session = ui.session();
   const world::CartMotion* const train = session.motion.carts.find(edit::chosen_cart(session));
@@ -86,7 +86,7 @@ void values(RideRow& row) {
   value(row, "Time", ride_time(row.ui), 96, "Time since the start of the ride, and of the whole ride.");
 }
 
-// Along the track, as long as the track.
+// The scrub slider, from start to end of the track.
 void scrub(RideRow& row, float width) {
   Ui& ui = row.ui;
   const edit::Session& session = ui.session();
@@ -104,7 +104,7 @@ void scrub(RideRow& row, float width) {
   if (moved && any) ui.emit(edit::RideSeek{at});
 }
 
-// A list in its own part of the bar: its row begins there.
+// A list in a separate part of the bar: its row begins there.
 template <class Build>
 void list_in(RideRow& row, const char* id, float width, Build build) {
   row.place(width);
@@ -126,7 +126,7 @@ void camera_list(Ui& ui) {
 
 constexpr float kSeatWidth = 200, kCameraWidth = 136;  // design px, with their labels
 
-// At most as wide as the row has room for both.
+// Shows the lists, at most as wide as both fit in the row.
 void lists(RideRow& row) {
   Ui& ui = row.ui;
   const float room = row.right - row.x - row.gap, seat = std::min(row.scaled(kSeatWidth), std::floor(0.575f * room));
@@ -150,7 +150,7 @@ void record(RideRow& row) {
     ui.out.movie = filming ? MovieWish::stop : MovieWish::start;
 }
 
-// The parts beside the scrub slider have this width together.
+// Returns the total width of the parts next to the scrub slider.
 float fixed_width(const RideRow& row, bool two_rows) {
   const float first = 2 * (row.scaled(78) + row.gap) + row.scaled(86) + row.gap;
   if (two_rows) return first;

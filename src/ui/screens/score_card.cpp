@@ -22,7 +22,7 @@ namespace {
 
 using edit::RideEnd;
 
-// Widgets side by side, as many to a row as there is room for.
+// Lays out widgets side by side, as many to a row as fit.
 struct CardRow {
   Ui& ui;
   bool first = true;
@@ -80,7 +80,7 @@ void details(Ui& ui, const edit::RideResult& result) {
         palette().dim);
 }
 
-// How the ride ended, and the medal.
+// Shows how the ride ended, and the medal.
 void title(Ui& ui, const edit::RideResult& result) {
   const bool failed = result.end == RideEnd::failed;
   std::string words(base::row_of(result.end).label);
@@ -104,7 +104,7 @@ void title(Ui& ui, const edit::RideResult& result) {
     paragraph(ui, "Why not", base::sentence(result.verdict->reason), palette().warning);
 }
 
-// The file of the challenge after this one in its folder, once this one is passed.
+// Returns the file of the next challenge in the folder, if the present one is passed.
 std::optional<std::filesystem::path> next_challenge(const edit::Session& session) {
   const edit::RideResult& result = *session.game.result;
   if (!session.game.challenge || !result.verdict || result.verdict->medal == 0) return std::nullopt;
@@ -114,7 +114,7 @@ std::optional<std::filesystem::path> next_challenge(const edit::Session& session
   return std::nullopt;
 }
 
-// Returns whether the details show.
+// Shows the buttons. Returns true if the details show.
 bool buttons(Ui& ui, const edit::Session& session) {
   bool* const more = ImGui::GetStateStorage()->GetBoolRef(ImGui::GetID("##details"), false);
   CardRow row{ui};

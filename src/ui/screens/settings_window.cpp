@@ -16,7 +16,7 @@
 namespace coaster::ui {
 namespace {
 
-// A list: a slider would move away under the mouse.
+// A list instead of a slider, which would move away under the mouse.
 void scale(Ui& ui) {
   const int now = static_cast<int>(std::lround(100 * ui.session().settings.look->ui_scale));
   std::vector<int> percents{75, 90, 100, 110, 125, 150, 175, 200, 250, 300};
@@ -60,8 +60,8 @@ void keeping(Ui& ui) {
   setting_box<&world::Aids::show_card>(ui, "Score cards", "Show a card with results at the end of a ride.");
 }
 
-// Returns the choices with another one for an action: a key, which no other choice keeps, or none. Its default keys are
-// no choice.
+// Returns the choices with another one for an action: a key, which is removed from other choices, or none. Default keys
+// need no choice.
 std::vector<exchange::KeyChoice> with_choice(std::vector<exchange::KeyChoice> keys, const Action& action,
                                              std::optional<platform::Chord> chord) {
   std::erase_if(keys, [&](const exchange::KeyChoice& c) { return c.action == action.name; });
@@ -89,7 +89,7 @@ void give_key(Ui& ui, const Action& action, std::optional<platform::Chord> chord
   change_kept(ui).keys = with_choice(ui.state.kept->settings.keys, action, chord);
 }
 
-// Takes the key for the action that waits for one: Escape keeps its keys, Backspace removes them.
+// Handles the key for the action that waits for one: Escape keeps its keys, Backspace removes them.
 void take_key(Ui& ui, const platform::Events& events) {
   const auto waiting = std::find_if(actions().begin(), actions().end(),
                                     [&](const Action& a) { return a.name == ui.inputs.waits_for_key; });
@@ -123,7 +123,7 @@ void key_list(Ui& ui, const platform::Events& events) {
   const float below = 2 * ImGui::GetFrameHeightWithSpacing() + ImGui::GetStyle().ItemSpacing.y;
   if (ImGui::BeginChild("##keys", {0, std::max(3 * ImGui::GetFrameHeight(), ImGui::GetContentRegionAvail().y - below)},
                         true)) {
-    ui.panel = "Settings/Keys";  // some actions are named like rows above
+    ui.panel = "Settings/Keys";  // some actions have the same names as rows above
     for (const Action& action : actions()) key_row(ui, action);
     ui.panel = "Settings";
   }

@@ -1,4 +1,4 @@
-// Choices on the left, pictures on the right.
+// The start screen: choices on the left, pictures on the right.
 #include "ui/screens/start_screen.h"
 #include "ui/context/rows.h"
 

@@ -1,4 +1,4 @@
-// How the mouse moves the orbit camera: exact, without damping, so that a recording repeats it.
+// Mouse control of the orbit camera: exact, without damping, so that a recording repeats it.
 #include <algorithm>
 #include <cmath>
 
@@ -10,7 +10,7 @@
 
 namespace coaster::ui {
 
-constexpr float kPerNotch = 1.12f;  // of the wheel, for distances
+constexpr float kPerNotch = 1.12f;  // per step of the wheel, for distances
 
 world::Camera orbited(world::Camera camera, glm::vec2 pixels, float scale) {
   constexpr float kDegreesPerPixel = 0.3f;
@@ -21,7 +21,7 @@ world::Camera orbited(world::Camera camera, glm::vec2 pixels, float scale) {
 }
 
 world::Camera panned(world::Camera camera, const view::View& view, glm::vec2 pixels) {
-  // Metres that a pixel covers at the target: what is there stays under the cursor.
+  // Metres that a pixel covers at the target, so that the target stays under the cursor.
   const float metres = view::metres_per_pixel(view, camera.distance);
   const glm::vec3 right(view.view[0][0], view.view[1][0], view.view[2][0]),
       up(view.view[0][1], view.view[1][1], view.view[2][1]);

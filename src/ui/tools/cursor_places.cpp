@@ -24,7 +24,7 @@ std::optional<glm::vec3> append_place(const world::Document& document, const vie
   auto at = view::meet_plane(ray, last, normal);
   if (!at) return at;
   for (int i = 0; i < 3; ++i)
-    if (std::abs(normal[i]) == 1) (*at)[i] = last[i];  // to the bit
+    if (std::abs(normal[i]) == 1) (*at)[i] = last[i];  // exactly
   at->y = std::max(at->y, standing);
   return at;
 }

@@ -1,4 +1,4 @@
-// The free camera under keys and mouse.
+// Keys and mouse of the free camera.
 #include "ui/tools/fly_keys.h"
 
 #include <algorithm>
@@ -43,7 +43,7 @@ bool is_fly_key(const platform::KeyPress& press) {
 
 void FlyKeys::fly(Ui& ui, const platform::Events& events, bool text_has_keyboard) {
   double seconds = 0;
-  // Pressed and released within one frame: held for all of it.
+  // A key pressed and released within one frame counts as held for all of it.
   std::array<bool, 6> acts = held_;
   for (const platform::Event& event : events) {
     if (const auto* const tick = std::get_if<platform::Tick>(&event)) seconds += tick->dt;

@@ -59,7 +59,7 @@ void FollowCamera::update(Ui& ui, const view::View& view, bool busy) {
     points.push_back(now.end);
   }
   const bool may = settings.feel->follow && settings.camera_mode == world::CameraMode::orbit && !busy;
-  // What changes while the user drags is followed when it is let go.
+  // Changes during a drag are followed when it ends.
   if (!busy) {
     const std::optional<Seen> before = std::exchange(seen_, now);
     if (before && *before != now) to_.reset();

@@ -31,10 +31,10 @@ void look_at(Ui& ui, double distance, glm::vec3 target, float near, float far) {
     ui.emit(edit::Set<&world::Settings::camera_mode>{world::CameraMode::orbit});
 }
 
-// Returns the first of the places found, in track order, that is behind the selected one; null if there are none.
+// Returns the first of the positions found, in track order, that is after the selected one; null if there are none.
 template <class Found>
 const Found* next_of(Ui& ui, std::span<const Found> found) {
-  constexpr double kHere = 1e-3;  // m: the one that is selected
+  constexpr double kHere = 1e-3;  // m: closer positions are the selected one
   if (found.empty()) return nullptr;
   const double from = selected_distance(ui.session());
   const auto later = std::find_if(found.begin(), found.end(), [&](const Found& one) { return one.at > from + kHere; });

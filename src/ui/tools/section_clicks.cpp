@@ -78,7 +78,7 @@ void ViewportTool::pull_section(Ui& ui, const view::View& view, glm::vec2 mouse)
   }
   const auto value = under(mouse);
   if (!value) return;
-  const double steps = ImGui::GetIO().KeyCtrl ? 1 : 20;  // in a metre
+  const double steps = ImGui::GetIO().KeyCtrl ? 1 : 20;  // per metre
   change_section(ui, handle->parameter, std::round(*value * *drag_.grip * steps) / steps);
 }
 
@@ -100,7 +100,7 @@ void ViewportTool::turn_section(Ui& ui, const view::View& view, glm::vec2 mouse)
   change_section(ui, handle->parameter, std::round((*angle + *drag_.grip) / step) * step * handle->whole);
 }
 
-// Of the section whose handle is dragged, planned again from the drag's start.
+// Changes the section whose handle is dragged, planned again from the drag's start.
 void ViewportTool::change_section(Ui& ui, std::string_view parameter, double value) {
   const edit::Session& session = ui.session();
   world::Element to = world::section(session.document, drag_.pick.entity).element;
@@ -112,7 +112,7 @@ void ViewportTool::change_section(Ui& ui, std::string_view parameter, double val
   ui.emit(edit::ChangeSection{{world::name_of(session.document, drag_.pick.entity)}, true, to});
 }
 
-// A click selects the knot that a section's handle lies over, at the section's end.
+// A click selects the knot under a section's handle, at the section's end.
 void ViewportTool::click_handle(Ui& ui) {
   constexpr float kThere = 1e-3f;  // m
   const world::Document& document = ui.session().document;

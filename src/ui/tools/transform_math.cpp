@@ -17,7 +17,7 @@ dvec3 unit(int axis) {
   return v;
 }
 
-// On the line through `pivot` along an axis, the place nearest to the ray.
+// Returns the point nearest to the ray on the line through `pivot` along an axis.
 std::optional<dvec3> meet_axis(const view::Ray& ray, dvec3 pivot, int axis) {
   const dvec3 a = unit(axis), d(ray.direction), off = dvec3(ray.origin) - pivot;
   const double cosine = glm::dot(a, d), sine2 = 1 - cosine * cosine;

@@ -26,18 +26,18 @@ using CKind = Constraint::Kind;
 constexpr std::array<const char*, 3> kAxisNames{"X", "Y", "Z"}, kPlanes{"YZ", "XZ", "XY"};
 constexpr std::size_t kMostTyped = 16;
 
-// The character that a key types into a number, 0 for none.
+// Returns the character that a key types into a number, 0 for none.
 char digit_of(Key key) {
   const int code = static_cast<int>(key);
   if (code >= static_cast<int>(Key::d0) && code <= static_cast<int>(Key::d0) + 9)
     return static_cast<char>('0' + code - static_cast<int>(Key::d0));
   if (key == Key::period) return '.';
-  if (key == Key::comma) return ',';  // refused with the reason: left out, 7,25 would become 725
+  if (key == Key::comma) return ',';  // rejected with the reason: ignored, 7,25 would become 725
   if (key == Key::minus) return '-';
   return 0;
 }
 
-// Snapping is the other way round while Ctrl is held: on becomes off, off becomes the grid.
+// Ctrl inverts snapping: on becomes off, off becomes the grid.
 world::SnapTo snap_now(const world::Settings& settings) {
   if (!ImGui::GetIO().KeyCtrl) return settings.snapping.to;
   return settings.snapping.to == world::SnapTo::off ? world::SnapTo::grid : world::SnapTo::off;
@@ -92,7 +92,7 @@ void TransformTool::take_keys(const platform::Events& events) {
     if (press->key >= Key::x && press->key <= Key::z) {
       const Constraint next{press->modifiers.shift ? CKind::plane : CKind::axis,
                             static_cast<int>(press->key) - static_cast<int>(Key::x)};
-      constraint_ = next == constraint_ ? Constraint{} : next;  // the same once more: free again
+      constraint_ = next == constraint_ ? Constraint{} : next;  // the same key again: no constraint
       field_ = 0, angle_ = 0, last_ = start_;
     } else if (press->key == Key::g || press->key == Key::r || press->key == Key::s) {
       kind_ = press->key == Key::g   ? TransformKind::move
@@ -100,7 +100,7 @@ void TransformTool::take_keys(const platform::Events& events) {
                                      : TransformKind::scale;
       text_ = {}, field_ = 0, angle_ = 0, last_ = start_;
     } else if (press->key == Key::enter || press->key == Key::keypad_enter) {
-      begun_ = true;  // the numbers count even where the mouse has not moved
+      begun_ = true;  // the numbers count even if the mouse has not moved
       button_.reset();
       entered_ = true;
     } else if (press->key == Key::tab) {
@@ -210,7 +210,7 @@ void TransformTool::finish(Ui& ui) {
   *this = {};
 }
 
-// The number stays to be corrected; the transform of a released button ends without effect.
+// The number stays so that the user can correct it; after the release of a button the transform ends without effect.
 void TransformTool::refuse(Ui& ui, const std::string& mistake) {
   ui.warn(mistake);
   entered_ = false;

@@ -30,7 +30,7 @@ using view::PickKind;
 
 bool is_handle(PickKind kind) { return kind == PickKind::handle_in || kind == PickKind::handle_out; }
 
-// Where a knot or handle is now.
+// Returns the present position of a knot or handle.
 glm::vec3 item_position(const world::Document& document, const view::Pick& pick) {
   const world::Knot& knot = world::knot(document, pick.entity);
   if (pick.kind == PickKind::handle_in) return world::in_handle(knot);
@@ -65,7 +65,7 @@ view::Pick ViewportTool::update(Ui& ui, const view::View& view) {
   if (!dragging()) return under;
 
   const view::Pick held = drag_.pick;
-  // The wheel has moved the camera in this frame; a drag of it goes on in the next one.
+  // The wheel has moved the camera in this frame; a drag of it continues in the next one.
   if (!turned || (drag_.what != What::orbit && drag_.what != What::pan)) move(ui, view, mouse);
   if (!io.MouseDown[drag_.button]) release(ui, view);
   return held;
@@ -113,7 +113,7 @@ void ViewportTool::press(Ui& ui, const view::View& view, const view::Pick& under
 
 void ViewportTool::press_left(Ui& ui, const view::Pick& under) {
   const edit::Session& session = ui.session();
-  const bool chose = std::exchange(chose_section_, false);  // then a second click is no double click
+  const bool chose = std::exchange(chose_section_, false);  // a second click then is no double click
   const bool twice = ImGui::GetIO().MouseDoubleClicked[ImGuiMouseButton_Left] && !chose;
   drag_.pick = under;
   if (auto section = section_click(session, under, drag_.shift)) {
@@ -128,7 +128,7 @@ void ViewportTool::press_left(Ui& ui, const view::Pick& under) {
   if (under.kind == PickKind::curve) {
     drag_.what = What::place;
     if (twice) {
-      drag_.what = What::cart;  // the place is gone with the split: the rest of the press does nothing
+      drag_.what = What::cart;  // the position is gone with the split: the rest of the press does nothing
       ui.emit(edit::SplitSegment{target, under.t});
     } else {
       ui.emit(edit::Select{target, under.t});
@@ -145,7 +145,7 @@ void ViewportTool::press_left(Ui& ui, const view::Pick& under) {
     return;
   }
   drag_.what = under.kind == PickKind::cart ? What::cart : under.kind == PickKind::spin ? What::spin : What::item;
-  // With Shift or Ctrl a click adds to the selection, and a drag moves: which of them it is shows later.
+  // With Shift or Ctrl a click adds to the selection and a drag moves; which of them it is is not known yet.
   const bool waits =
       under.kind == PickKind::knot && (drag_.shift || drag_.ctrl || world::is_selected(session.settings, under.entity));
   if (!is_handle(under.kind) && under.kind != PickKind::spin && session.settings.selected != under.entity && !waits)
@@ -205,7 +205,7 @@ void ViewportTool::move_item(Ui& ui, const view::View& view, glm::vec2 mouse) {
     const auto height = view::meet_vertical(ray, drag_.anchor);
     return height ? std::optional(glm::vec3(drag_.anchor.x, *height, drag_.anchor.z)) : std::nullopt;
   };
-  if (!drag_.grabbed || along != drag_.along) {  // another plane takes over from where the item is
+  if (!drag_.grabbed || along != drag_.along) {  // another plane continues from the present position of the item
     drag_.along = along;
     drag_.anchor = drag_.sent = item_position(document, drag_.pick);
     const auto at = hit(drag_.last);
@@ -255,7 +255,7 @@ void ViewportTool::turn_spin(Ui& ui, const view::View& view, glm::vec2 mouse) {
   ui.emit(edit::SetSpin{world::name_of(session.document, ring->knot), std::round(base::degrees(*spin) / step) * step});
 }
 
-// All selected knots as far as the one that is dragged.
+// Moves all selected knots by the movement of the dragged one.
 void ViewportTool::move_knots(Ui& ui, glm::vec3 to) {
   const edit::Session& session = ui.session();
   edit::Knots knots = named_knots(session.document, world::selected_knots(session.document, session.settings));

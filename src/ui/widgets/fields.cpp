@@ -1,4 +1,4 @@
-// Fields to type in: numbers, sliders, text. A typed number is returned once, when it is complete, and is never inf or
+// Editable fields: numbers, sliders, text. A typed number is returned once, when it is complete, and is never inf or
 // NaN.
 #include <imgui_internal.h>
 
@@ -17,7 +17,7 @@
 namespace coaster::ui {
 namespace {
 
-// Returns the typed number, clamped to +-`largest`. Warns with the reason and returns nothing if it is no number.
+// Returns the typed number, clamped to +-`largest`. If it is not a number, warns with the reason and returns nothing.
 std::optional<double> parse(WidgetFrame& ui, std::string_view label, const Number& n) {
   const char* const words = ui.entry.text.data();
   const base::Result<double> value = base::evaluate(words, n.typed_in);
@@ -49,7 +49,7 @@ std::optional<double> in_metric(std::optional<double> shown, const base::ShownUn
   return std::clamp(base::metric_value(*shown, unit), -metric.largest, metric.largest);
 }
 
-// Returns whether the mouse opens a field for typing: Ctrl+click or double-click; with `plain_click` also the release
+// Returns true if the mouse opens a field for typing: Ctrl+click or double-click; with `plain_click` also the release
 // of a click.
 bool wants_typing(ImGuiID id, ImVec2 low, ImVec2 high, bool plain_click) {
   const ImGuiIO& io = ImGui::GetIO();
@@ -61,7 +61,7 @@ bool wants_typing(ImGuiID id, ImVec2 low, ImVec2 high, bool plain_click) {
          io.MouseDragMaxDistanceSqr[0] < kStill * kStill;
 }
 
-// The text of a field, right-aligned over it, the unit and a small name dimmed.
+// Draws the text of a field, right-aligned over it, with unit and small name dimmed.
 void draw_number(const WidgetFrame& ui, const Number& n, std::string_view name, std::uint32_t name_colour, ImVec2 low,
                  ImVec2 high, bool enabled) {
   const float pad = std::floor(6 * ui.scale), gap = std::floor(4 * ui.scale), alpha = enabled ? 1.0f : 0.45f;
@@ -105,7 +105,7 @@ std::optional<double> drag(WidgetFrame& ui, const Number& n, ImGuiID id) {
   return value;
 }
 
-// One field at the cursor, `width` wide.
+// Shows one field at the cursor, `width` px wide.
 std::optional<double> field(WidgetFrame& ui, std::string_view label, const Number& metric, std::string_view name,
                             std::uint32_t name_colour, float width, std::string_view tooltip, bool enabled) {
   const auto [n, unit] = in_users_units(ui, metric);
@@ -167,7 +167,7 @@ std::optional<Changed> numbers(WidgetFrame& ui, std::string_view group, std::spa
 
 namespace {
 
-// A slider from `n.low` to `n.high`.
+// Shows a slider from `n.low` to `n.high`.
 std::optional<double> slide(WidgetFrame& ui, std::string_view label, const Number& metric, std::string_view tooltip,
                             bool logarithmic) {
   const auto [n, unit] = in_users_units(ui, metric);
@@ -187,7 +187,7 @@ std::optional<double> slide(WidgetFrame& ui, std::string_view label, const Numbe
     double wanted = value;
     const ImGuiSliderFlags flags =
         ImGuiSliderFlags_AlwaysClamp | ImGuiSliderFlags_NoInput | (logarithmic ? ImGuiSliderFlags_Logarithmic : 0);
-    ImGui::PushStyleColor(ImGuiCol_Text, ImVec4(0, 0, 0, 0));  // drawn below, beside the grab
+    ImGui::PushStyleColor(ImGuiCol_Text, ImVec4(0, 0, 0, 0));  // drawn below, next to the grab
     if (ImGui::SliderScalar("##slide", ImGuiDataType_Double, &wanted, &low, &high, format.c_str(), flags) &&
         wanted != value)
       result = wanted;
@@ -231,7 +231,7 @@ std::optional<std::string> text(WidgetFrame& ui, std::string_view label, const s
   begin_row(label);
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const float pad = ImGui::GetStyle().FramePadding.x, room = ImGui::CalcItemWidth() - 2 * pad;
-  // A text too long for its field shows its end (a path's file name) until it is typed in.
+  // A text that is too long for its field (a path's file name) shows its end until it is edited.
   const bool ends_only = ui.entry.id != ImGui::GetID(hidden(label).c_str()) && text_size(value).x > room;
   if (ends_only) ImGui::PushStyleColor(ImGuiCol_Text, ImVec4(0, 0, 0, 0));
   const Typing typing = typed(ui, hidden(label).c_str(), value, false);

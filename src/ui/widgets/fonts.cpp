@@ -1,4 +1,4 @@
-// The font of the panels: Inter where it was embedded at build, else Dear ImGui's own.
+// The font of the panels: Inter if it was embedded at build time, else Dear ImGui's own.
 #include <algorithm>
 #include <cmath>
 #include <span>

@@ -1,4 +1,4 @@
-// The strokes of each icon, and buttons that carry one.
+// The strokes of each icon, and buttons with icons.
 #include "ui/widgets/icons.h"
 
 #include <algorithm>
@@ -39,7 +39,7 @@ constexpr std::array kLoop{Stroke{{0.02f, 0.92f}, {0.6f, 0.92f}, {0.86f, 0.66f},
 constexpr std::array kCorkscrew{Stroke{{0.02f, 0.7f}, {0.3f, 0.7f}, {0.62f, 0.62f}, {0.6f, 0.3f}},
                                 Stroke{{0.6f, 0.3f}, {0.58f, 0.1f}, {0.34f, 0.1f}, {0.36f, 0.34f}},
                                 Stroke{{0.36f, 0.34f}, {0.4f, 0.75f}, {0.7f, 0.85f}, {0.98f, 0.85f}}};
-// Seen from above, as the curve: it begins at the foot.
+// Seen from above, as the curve: it begins at the bottom.
 constexpr std::array kSBend{Stroke{{0.2f, 0.98f}, {0.2f, 0.36f}, {0.8f, 0.64f}, {0.8f, 0.02f}}};
 constexpr std::array kOverbankedTurn{Stroke{{0.06f, 0.92f}, {0.1f, 0.1f}, {0.9f, 0.1f}, {0.94f, 0.92f}},
                                      line({0.5f, 0.3f}, {0.5f, 0.62f}), line({0.22f, 0.5f}, {0.36f, 0.66f}),
@@ -101,13 +101,13 @@ constexpr Icon::Bar kStepBar[] = {{{0.74f, 0.06f}, {0.92f, 0.94f}}},
                     kPauseBars[] = {{{0.14f, 0.06f}, {0.4f, 0.94f}}, {{0.6f, 0.06f}, {0.86f, 0.94f}}},
                     kStopBar[] = {{{0.12f, 0.12f}, {0.88f, 0.88f}}};
 
-// Rows of world::elements(), in its order.
+// Icons in the order of world::elements().
 constexpr Icon kElementIcons[] = {
     {kStraight}, {kCurve},          {kHelix},     {kClimb},     {kDive},      {kCamelback}, {kLoop},      {kCorkscrew},
     {kSBend},    {kOverbankedTurn}, {kBunnyHops}, {kZeroGRoll}, {kImmelmann}, {kDiveLoop},  {kCobraRoll}, {kBrakeRun}};
 static_assert(std::size(kElementIcons) == world::elements().size());
 
-// Into the square of `size` px whose top left is `low`.
+// Draws into the square of `size` px whose top left is `low`.
 void draw_icon(ImDrawList& list, const Icon& icon, ImVec2 low, float size, ImU32 colour) {
   const auto at = [&](Place p) { return ImVec2(low.x + p.x * size, low.y + p.y * size); };
   const float thick = std::max(1.25f, size * 0.1f);

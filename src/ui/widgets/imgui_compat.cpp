@@ -80,7 +80,7 @@ void set_up_context() {
   io.ConfigInputTrickleEventQueue = false;
   io.BackendFlags |= ImGuiBackendFlags_RendererHasTextures;
 #if IMGUI_VERSION_NUM >= 19290
-  io.MouseSingleClickDelay = INFINITY;  // has to be longer than the time of a double click, which the input sets
+  io.MouseSingleClickDelay = INFINITY;  // must be longer than the time of a double click, which the input sets
 #endif
 }
 
@@ -97,7 +97,7 @@ void begin_fonts(ImFontAtlas& atlas) {
   atlas.Clear();
   atlas.SetFontLoader(&loader);
 }
-// Glyphs are loaded when they are first drawn, in the size in use: of another atlas it would stay the former one.
+// Glyphs are loaded when they are first drawn, in the current size: with another atlas the former size would remain.
 void finish_fonts(ImFontAtlas& atlas) { ImGui::GetStyle().FontSizeBase = pixels_of(*atlas.Fonts[0]); }
 
 void upload_textures(const Upload& upload) {

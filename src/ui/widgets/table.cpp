@@ -1,4 +1,4 @@
-// Tables over Dear ImGui's.
+// Tables on top of Dear ImGui's.
 #include "ui/widgets/table.h"
 
 #include <imgui.h>
@@ -45,7 +45,7 @@ void pop_table_style() {
 
 namespace {
 
-// A heading: its words, its unit where there is room, and the triangle of the column that sorts.
+// A heading: its text, its unit if there is space, and the triangle of the sorting column.
 void heading_cell(WidgetFrame& ui, std::string_view label, const TableColumn& column, int index, Sorting* sorting) {
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const bool sorts = sorting && sorting->column == index;
@@ -106,7 +106,7 @@ bool table_row(WidgetFrame& ui, std::string_view label, std::span<const Cell> ce
     if (selected) ImGui::TableSetBgColor(ImGuiTableBgTarget_RowBg1, packed(palette().accent, 0.35f));
     ImGui::Dummy({1, ImGui::GetTextLineHeight()});
   }
-  // The row is found by its first cell: that is inside the clip rectangle of the column.
+  // The row is located by its first cell, which is inside the clip rectangle of the column.
   const ImVec2 low = ImGui::GetItemRectMin();
   ImGui::SetCursorPos(at);
   note(ui, label, "item", tooltip, true, std::move(value), low,

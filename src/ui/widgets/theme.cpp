@@ -43,7 +43,7 @@ constexpr Palette kHighContrast{.background = 0x000000,
                                 .axis = {0xFF9090, 0x6CF09A, 0x82C4FF},
                                 .plot = 0x000000};
 
-// Relative luminance, by the weights of WCAG 2.1 with gamma 2.2 for the curve of sRGB: 0 black, 1 white.
+// Returns the relative luminance, by the weights of WCAG 2.1 with gamma 2.2 for the curve of sRGB: 0 black, 1 white.
 float luminance(std::uint32_t rgb) {
   const auto linear = [&](int shift) { return std::pow(static_cast<float>((rgb >> shift) & 0xffu) / 255.0f, 2.2f); };
   return 0.2126f * linear(16) + 0.7152f * linear(8) + 0.0722f * linear(0);
@@ -99,7 +99,7 @@ const Palette& palette() {
 
 std::uint32_t ink(std::uint32_t rgb) {
   if (!palette().light) return rgb;
-  constexpr float kMost = 0.24f;  // 3.5 : 1 and more on the light grounds
+  constexpr float kMost = 0.24f;  // at least 3.5 : 1 on the light backgrounds
   const std::uint32_t r = rgb >> 16 & 0xffu, g = rgb >> 8 & 0xffu, b = rgb & 0xffu;
   const bool grey = std::max({r, g, b}) - std::min({r, g, b}) < 24;
   const float bright = luminance(rgb);
@@ -128,9 +128,9 @@ void apply_theme(const Palette& palette, float scale) {
   style.GrabMinSize = 10;
   style.DisabledAlpha = 0.45f;
   style.ScaleAllSizes(scale);
-  style.WindowMinSize = {1, 1};  // ImGui refuses less
+  style.WindowMinSize = {1, 1};  // ImGui accepts no less
   style.FrameBorderSize = palette.light || palette.background == 0 ? std::max(1.0f, std::floor(scale)) : 0.0f;
-  ImGui::GetIO().UserData = const_cast<Palette*>(&palette);  // ImGui keeps it; nobody writes through it
+  ImGui::GetIO().UserData = const_cast<Palette*>(&palette);  // ImGui stores it; nobody writes through it
   ImGui::GetStyle() = style;
 }
 

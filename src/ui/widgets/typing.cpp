@@ -13,7 +13,7 @@ Typing typed(WidgetFrame& ui, const char* key, const std::string& initial, bool 
   std::array<char, 1024>& buffer = mine ? entry.text : shown;
   ImGuiIO& io = ImGui::GetIO();
   const bool clicked = io.MouseClicked[0];
-  // ImGui gives the keyboard to a field that is clicked; by SetKeyboardFocusHere it is frames late.
+  // ImGui gives the keyboard to a field that is clicked; SetKeyboardFocusHere takes some frames.
   io.MouseClicked[0] = clicked || begin;
   const bool enter = ImGui::InputText(key, buffer.data(), buffer.size(),
                                       ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll);

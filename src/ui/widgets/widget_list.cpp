@@ -10,7 +10,7 @@
 namespace coaster::ui {
 namespace {
 
-// The window that ImGui would find under a pixel; null over the viewport.
+// Returns the window that ImGui would find under a pixel; null over the viewport.
 const ImGuiWindow* window_at(ImVec2 pixel) {
   const ImGuiContext& g = *ImGui::GetCurrentContext();
   for (int i = g.Windows.Size - 1; i >= 0; --i) {
@@ -21,7 +21,7 @@ const ImGuiWindow* window_at(ImVec2 pixel) {
   return nullptr;
 }
 
-// Returns whether an open popup of another window captures the mouse. The menu bar keeps it, except under a modal
+// Returns true if an open popup of another window captures the mouse. The menu bar keeps it, except under a modal
 // popup.
 bool behind_popup(const ImGuiWindow* window) {
   const ImGuiContext& g = *ImGui::GetCurrentContext();
@@ -36,7 +36,7 @@ bool behind_popup(const ImGuiWindow* window) {
 
 constexpr std::string_view kId = "###";
 
-// `path` with each label as its shown part, or as its id.
+// Returns `path` with the visible part of each label, or with its id.
 std::string joined(std::string_view path, bool ids) {
   std::string result;
   while (true) {
@@ -88,7 +88,7 @@ void WidgetList::finish() {
     Widget& w = widgets_[i];
     const ImGuiWindow* top = window_at({w.x + w.width * 0.5f, w.y + w.height * 0.5f});
     const ImGuiWindow* own = windows_[i];
-    const bool mouse = (own->Flags & ImGuiWindowFlags_NoMouseInputs) == 0;  // else it lies over the view alone
+    const bool mouse = (own->Flags & ImGuiWindowFlags_NoMouseInputs) == 0;  // else it covers only the view
     const bool other = mouse ? top == nullptr || top->RootWindow != own->RootWindow : top != nullptr;
     w.covered = behind_popup(own) || (w.visible && other);
   }

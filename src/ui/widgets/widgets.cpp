@@ -1,4 +1,4 @@
-// Rows, buttons, switches, choices and read-outs. Fields to type in are in fields.cpp.
+// Rows, buttons, switches, choices and read-outs. Editable fields are in fields.cpp.
 #include "ui/widgets/widgets.h"
 
 #include <imgui_internal.h>
@@ -138,7 +138,7 @@ void build_card(WidgetFrame& ui, const Card& card, const std::function<void()>& 
 
 void begin_row(std::string_view label, float needed) {
   label = shown(label);
-  constexpr float kLabelPart = 0.47f;  // of the row, for the label beside a control
+  constexpr float kLabelPart = 0.47f;  // fraction of the row for a label next to a control
   const float start = ImGui::GetCursorPosX(), room = ImGui::GetContentRegionAvail().x;
   const float label_room = std::floor(room * kLabelPart);
   const bool beside =
@@ -151,7 +151,7 @@ void begin_row(std::string_view label, float needed) {
 
 bool header(WidgetFrame& ui, std::string_view name, std::string_view tooltip, bool at_first, bool open_now) {
   if (ImGui::GetCursorPosY() > 2 * ImGui::GetStyle().WindowPadding.y)
-    ImGui::Dummy({0, std::floor(3 * ui.scale)});  // not before the first
+    ImGui::Dummy({0, std::floor(3 * ui.scale)});  // not before the first one
   if (open_now) ImGui::SetNextItemOpen(true);
   const bool open = ImGui::CollapsingHeader(std::string(name).c_str(), at_first ? ImGuiTreeNodeFlags_DefaultOpen : 0);
   note_item(ui, "", "header", tooltip, true, open ? "open" : "closed");
@@ -222,7 +222,7 @@ std::optional<int> combo(WidgetFrame& ui, std::string_view label, std::span<cons
   const std::string preview(current >= 0 && current < static_cast<int>(choices.size())
                                 ? shown(choices[static_cast<std::size_t>(current)].label)
                                 : "");
-  // Once the list is open, ImGui's last item is the list's: the box has to be known before.
+  // Once the list is open, ImGui's last item is the list, so the box is read before.
   const ImVec2 low = ImGui::GetCursorScreenPos();
   const ImVec2 high(low.x + ImGui::CalcItemWidth(), low.y + ImGui::GetFrameHeight());
   std::optional<int> chosen;
@@ -249,7 +249,7 @@ void read_out(WidgetFrame& ui, std::string_view label, std::string_view value, s
               line = ImGui::GetTextLineHeight();
   const float digits = text_size(value).x, unit_width = text_size(unit).x;
   const float value_width = digits + (unit.empty() ? 0 : gap + unit_width);
-  // Units share one column, so that the numbers before them end on one edge.
+  // Units share one column, so that the numbers before them are right-aligned.
   const float unit_room = unit.empty() ? 0 : std::max(unit_width, std::floor(38 * ui.scale)) + gap;
   const bool stacked = text_size(words).x + gap + value_width > room;
   const bool column = !stacked && text_size(words).x + gap + digits + unit_room <= room;
@@ -260,7 +260,7 @@ void read_out(WidgetFrame& ui, std::string_view label, std::string_view value, s
   const float right = start.x + room;
   const float edge = unit.empty() ? right : column ? right - unit_room : right - unit_width - gap;
   float height = stacked ? 2 * line : line;
-  if (value_width > room) {  // too long for any line: wrapped below its label
+  if (value_width > room) {  // too long for a line: wrapped below its label
     height = line + ImGui::CalcTextSize(value.data(), value.data() + value.size(), false, room).y;
     list.AddText(ImGui::GetFont(), ImGui::GetFontSize(), {start.x, top}, packed(tint), value.data(),
                  value.data() + value.size(), room);
