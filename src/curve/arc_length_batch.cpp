@@ -58,7 +58,7 @@ COASTER_AVX2 inline LaneHodograph load(const Cubic* four) {
   return {scale(3.0, sub(p1, p0)), scale(3.0, sub(p2, p1)), scale(3.0, sub(p3, p2))};
 }
 
-// All bits set in the lanes that are steady enough; same rule as detail::steadiness.
+// Returns all bits set in the lanes that are steady enough; same rule as detail::steadiness.
 COASTER_AVX2 inline __m256d is_steady(const LaneHodograph& h) {
   const Lanes3 m = add(h.v0, add(h.v1, h.v2));
   const __m256d least = _mm256_min_pd(dot(h.v0, m), _mm256_min_pd(dot(h.v1, m), dot(h.v2, m)));

@@ -48,7 +48,7 @@ glm::dvec3 unit_tangent(const Cubic& cubic, double t) {
   const glm::vec3 a = glm::abs(cubic.p1 - cubic.p0), b = glm::abs(cubic.p2 - cubic.p1),
                   c = glm::abs(cubic.p3 - cubic.p2);
   const glm::vec3 most = glm::max(glm::max(a, b), c);
-  // More than `size` below, without its roots.
+  // An upper bound of `size` below, without its roots.
   const double bound = 2.0 * double{std::max({most.x, most.y, most.z})};
   dvec3 d = derivative(cubic, t);
   if (const double length = glm::length(d); length > 1e-9 * bound) return d / length;

@@ -1,5 +1,5 @@
-// The solver: sequential quadratic programming, by Newton steps where they go downhill, else by Gauss-Newton steps. The
-// problem is in g2_repair.h.
+// The solver: sequential quadratic programming, by Newton steps if they decrease the merit, else by Gauss-Newton steps.
+// The problem is in g2_repair.h.
 #include "curve/g2.h"
 
 #include <numeric>
@@ -110,8 +110,8 @@ double Repair::longest(const Point& x, const Vector& d) const {
 
 G2Solution Repair::solve() const {
   constexpr int kMostIterations = 60, kMostHalvings = 24;
-  constexpr double kLeast =
-      1.0 / 16;  // of the original length: below this it is no repair, and curvature, over its square, loses its digits
+  constexpr double kLeast = 1.0 / 16;  // of the original length: shorter handles are no repair, and curvature, divided
+                                       // by their square, loses its digits
   G2Solution out;
   Point x = start_;
   Vector gradient{};
@@ -125,7 +125,7 @@ G2Solution Repair::solve() const {
     slopes(x, gradient, hessian);
     Step s = step(now, gradient, hessian);
     if (!s.finite) break;
-    // A Newton step where it goes downhill and the curvature is positive; else a Gauss-Newton step.
+    // A Newton step if it decreases the merit and the curvature is positive; else a Gauss-Newton step.
     Matrix bent = hessian;
     bend(x, across, s.multipliers, bent);
     const Step newton = step(now, gradient, bent);
