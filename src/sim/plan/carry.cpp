@@ -14,7 +14,7 @@ namespace {
 using glm::dvec3;
 
 constexpr double kSame = 1e-5;  // rad
-constexpr double kSteep = 0.1;  // m, of a unit tangent's horizontal part: `up` gives the heading then
+constexpr double kSteep = 0.1;  // m, of a unit tangent's horizontal part: below it `up` gives the heading
 
 // Returns the angle above the horizon, rad.
 double steepness(dvec3 direction) {
@@ -26,7 +26,7 @@ dvec3 heading(const world::Knot& knot) {
   return dvec3(steep ? knot.up : knot.tangent);
 }
 
-// With one decimal, or down to the first digit that is not 0.
+// Returns the angle with one decimal, or down to the first digit that is not 0.
 std::string degrees_text(double rad) {
   const double deg = std::abs(base::degrees(rad));
   return deg < 0.05 ? fmt::format("{:.1g}", deg) : fmt::format("{:.1f}", deg);

@@ -10,7 +10,7 @@ namespace {
 
 using glm::dvec3;
 
-// Returns the fall of the curvature from k towards `towards` to 0, as 1 - soft_step().
+// Returns the piece in which the curvature falls from k towards `towards` to 0, as 1 - soft_step().
 LeadPiece ease_piece(dvec3 forward, dvec3 towards, double k) {
   LeadPiece piece{forward, towards, glm::cross(forward, towards), 0, {}};
   const double length = std::min(kLongestEase, 2.0 * kEaseAngle / k);
@@ -24,7 +24,7 @@ LeadPiece ease_piece(dvec3 forward, dvec3 towards, double k) {
   return piece;
 }
 
-// Gives the ease the up that becomes `after` (in the world) at its end.
+// Sets the up of the ease so that it is `after` (in the world) at its end.
 void carry_up(LeadPiece& ease, dvec3 after) {
   const dvec3 local(glm::dot(after, ease.forward), glm::dot(after, ease.up), glm::dot(after, ease.left));
   const double k = ease.rate(0).d2.y, length = ease.length, whole = 0.5 * k * length;
@@ -36,8 +36,8 @@ void carry_up(LeadPiece& ease, dvec3 after) {
   };
 }
 
-// The level direction in which a track bends upright: its own, but a steep track turns towards its riders' heads down
-// there, and away from them up there.
+// Returns the level direction in which a track bends upright: its own, but a steep track turns towards its riders'
+// heads if it points down, and away from them if it points up.
 dvec3 ahead_of(dvec3 forward, dvec3 up) {
   constexpr double kVertical = 1e-6, kSteep = 0.87, kSure = 0.2;
   const dvec3 level(forward.x, 0, forward.z), wish = (forward.y < 0 ? 1.0 : -1.0) * dvec3(up.x, 0, up.z);

@@ -7,15 +7,15 @@ namespace coaster::sim {
 namespace {
 
 constexpr double kRollRate = 1.0;     // rad/s, of the fading roll
-constexpr double kRollPush = 3.0;     // rad/s^2, its largest change, which throws riders to the side
+constexpr double kRollPush = 3.0;     // rad/s^2, its largest change, which pushes riders sideways
 constexpr double kShortestFade = 12;  // m
-constexpr double kLast = 1.0 / 6.0;   // of the length, the last cubic and the longest first one
+constexpr double kLast = 1.0 / 6.0;   // of the length, for the last cubic and the longest first one
 
 }  // namespace
 
-// The slope is a sum of hats: one that falls from the start's slope over the first part, and one round each joint. The
-// two conditions are the spin and the angle at the end: a hat of area A with its centroid at c adds A and A (length -
-// c).
+// The slope is a sum of hat functions: one that falls from the start's slope over the first part, and one around each
+// joint. The two conditions are the spin and the angle at the end: a hat of area A with its centroid at c adds A and A
+// (length - c).
 RollFade::RollFade(double length, double angle, double spin, double slope) {
   const double a = std::min(kFadeTaper, kLast * length), b = length - kLast * length;
   const double area = 0.5 * a * slope, left = -spin - area, turned = -angle - spin * length - area * (length - a / 3.0);
@@ -59,8 +59,8 @@ double RollFade::slope(double s) const {
   return p.from.slope + p.u * p.change;
 }
 
-// An angle r over the length T takes a slope of 7.2 r / T^2 and a spin of about 1.7 r / T. What a slope leaves behind
-// the first cubic takes one of 1.83 of it, times that cubic's length over 5/6 T.
+// An angle r over the length T needs a slope of 7.2 r / T^2 and a spin of about 1.7 r / T. The remainder of a slope
+// after the first cubic needs 1.83 times that slope, multiplied by that cubic's length over 5/6 T.
 double fade_length(double angle, double slope, double square) {
   const double turned = std::abs(angle), speed = std::sqrt(std::max(square, 0.0));
   const double seconds = std::max(1.7 * turned / kRollRate, std::sqrt(7.2 * turned / kRollPush));

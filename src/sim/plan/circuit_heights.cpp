@@ -14,15 +14,15 @@ double bend_length(double from, double to, const HeightLimits& limits) {
   return std::max(kShortestBend, kSteepestChange * std::abs(to - from) * (to < from ? limits.crest : limits.valley));
 }
 
-// From a slope by a steady one to level.
+// From one slope through a steady one to level.
 struct ToLevel {
   double bend = 0, steady = 0, out = 0, slope = 0;  // m, m, m, and the steady slope
   double length() const { return bend + steady + out; }
 };
 
-// Returns the shortest way from a slope to level that rises by `rise`: bends alone where the slope between them stays
-// within the limit, else with a steady part. The rise of bends alone does not fall with the slope between them, but for
-// the shortest bends; bisection finds one of the slopes.
+// Returns the shortest way from a slope to level that rises by `rise`: only bends if the slope between them stays
+// within the limit, else with a steady part. The rise of the bends increases with the slope between them, except for
+// the shortest bends; bisection finds that slope.
 ToLevel to_level(double slope, double rise, const HeightLimits& limits) {
   constexpr int kSteps = 60;
   const auto bends = [&](double middle) {
@@ -48,7 +48,7 @@ ToLevel to_level(double slope, double rise, const HeightLimits& limits) {
     (risen(bends(middle)) < rise ? low : high) = middle;
   }
   ToLevel way = bends(0.5 * (low + high));
-  // What bisection leaves at a step of the rise goes into a steady part.
+  // The remainder that bisection leaves where the rise jumps becomes a steady part.
   const double left = rise - risen(way);
   if (std::abs(left) > 1e-9 && way.slope != 0) way.steady = left / way.slope;
   return way;
@@ -91,7 +91,7 @@ Heights::At Heights::at(double u) const {
 }
 
 std::optional<Heights> steady_heights(const HeightEnds& e, const HeightLimits& limits) {
-  constexpr int kRounds = 60;  // each leaves about half of the error
+  constexpr int kRounds = 60;  // each halves the error, approximately
   double slope = e.length > 0 ? (e.to - e.from) / e.length : 0, first = 0, last = 0;
   for (int i = 0; i < kRounds; ++i) {
     first = bend_length(e.slope_from, slope, limits), last = bend_length(slope, e.slope_to, limits);
@@ -108,7 +108,7 @@ std::optional<Heights> steady_heights(const HeightEnds& e, const HeightLimits& l
   return heights;
 }
 
-// The part down to the end is that up from it, backwards.
+// The part down to the end is that up from the end, reversed.
 std::optional<Heights> heights_by_way_of(double level, const HeightEnds& e, const HeightLimits& limits) {
   const ToLevel in = to_level(e.slope_from, level - e.from, limits), out = to_level(-e.slope_to, level - e.to, limits);
   const double flat = e.length - in.length() - out.length();

@@ -18,12 +18,12 @@ using world::kGravity;
 constexpr double kStraights[] = {0, 10, 25, 50, 100};  // m before the first turn and after the second
 constexpr double kSideG[] = {0.5, 0.8, 1.4, 2.2};      // g that a turn adds, before banking
 constexpr double kLeastRadii[] = {25, 18, 12, 8};      // m
-constexpr double kLeadG = 2.2, kLeadCrestG = 0.9;      // g that a lead's bend adds or takes away
+constexpr double kLeadG = 2.2, kLeadCrestG = 0.9;      // g that a lead's bend adds or removes
 constexpr double kShortestTurn = 1;                    // s at the open end's speed: shorter ones roll too quickly
 constexpr int kSteps = 48;
-constexpr double kFarthestHome = 3000;  // m, straight from the open end to the first knot
+constexpr double kFarthestHome = 3000;  // m, straight distance from the open end to the first knot
 
-// The radius at which a bend adds that many g, m.
+// Returns the radius at which a bend adds that many g, m.
 double radius_for(double square, double g, double least) { return std::max(least, square / (g * kGravity)); }
 
 HeightLimits limits_for(double square, bool tight) {
@@ -39,7 +39,7 @@ double lead_radius(const TrackEnd& end, double square) {
 
 std::string metres(double value) { return base::to_text(std::round(value * 10) / 10) + " m"; }
 
-// Returns why there can be no way home at all; empty: there may be.
+// Returns why no way home is possible; empty if one may be.
 std::string hopeless(const CircuitTask& task) {
   for (const auto& [end, name] : {std::pair{&task.from, "the open end"}, std::pair{&task.home, "the first knot"}})
     if (const double k = glm::length(end->curvature); k > kSharpestEnd)
@@ -54,7 +54,7 @@ std::string hopeless(const CircuitTask& task) {
   return {};
 }
 
-// Levels between the ends worth trying: over and under other track, and at the heights of both ends.
+// Returns levels between the ends worth trying: over and under other track, and at the heights of both ends.
 std::vector<double> levels_between(const CircuitCandidates& c, double floor) {
   const double low = std::min(c.in.height, c.out.height), high = std::max(c.in.height, c.out.height);
   std::vector<double> levels{low, high, 0.5 * (low + high), low - 4, high + 4, high + 8, high + 14};
@@ -86,7 +86,7 @@ std::optional<Heights> heights_of(const CircuitCandidates& c, const CircuitCandi
   return candidate.level < 0 ? steady_heights(ends, limits) : heights_by_way_of(level, ends, limits);
 }
 
-// Adds a candidate, or counts why not. Returns whether the heights had room.
+// Adds a candidate, or counts the reason for leaving it out. Returns true if there was space for the heights.
 bool consider(CircuitCandidate candidate, double floor, CircuitWay& way, CircuitCandidates& c) {
   const std::optional<Heights> heights = heights_of(c, candidate, way.turns);
   if (!heights) return false;
@@ -109,7 +109,7 @@ bool consider(CircuitCandidate candidate, double floor, CircuitWay& way, Circuit
 
 double shortest_turn(const CircuitTask& task) { return std::max(Bend::kShortest, kShortestTurn * task.speed); }
 
-// Returns the ends and levels between which ways are sought, or why there can be none.
+// Returns the ends and levels between which ways are searched for, or why none is possible.
 CircuitCandidates prepared(const CircuitTask& task) {
   CircuitCandidates c;
   c.task = task;
@@ -155,7 +155,7 @@ double turned_from(const world::WayHome& former, const TurnChoice& choice) {
   return differs(former.first, choice.rough.first) + differs(former.second, choice.rough.second);
 }
 
-// Returns how much of the shape changes from the former way to a candidate, about in metres.
+// Returns how much the shape changes from the former way to a candidate, approximately in metres.
 double unlikeness(const world::WayHome& former, const CircuitCandidates& c, const CircuitCandidate& candidate) {
   constexpr double kTurn = 40, kOtherSlopes = 15, kOtherBends = 5;  // m per rad, m, m
   const TurnChoice& choice = c.turns[candidate.turns];

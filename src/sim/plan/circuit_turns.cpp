@@ -25,7 +25,7 @@ dvec2 swung(dvec2 v, double heading) {
   return {v.x * e.x - v.y * e.y, v.x * e.y + v.y * e.x};
 }
 
-// The roll follows the curvature, so that is to rise without a jump of its second derivative.
+// Returns the bend with soft ramps: the roll follows the curvature, whose second derivative must not jump.
 Bend soft(Bend bend) {
   bend.soft = true;
   return bend;
@@ -53,7 +53,7 @@ struct TurnTable {
 
 Bend turn_of(const TurnChoice& c, double from, double to) { return soft({from, to, c.radius, 0, c.shortest}); }
 
-// What remains after a first turn by `turn`, seen along the heading between the turns.
+// The remaining displacement after a first turn by `turn`, along and across the heading between the turns.
 struct Rest {
   double ahead = 0, aside = 0;  // m
   double second = 0;            // rad, the second turn
@@ -80,7 +80,7 @@ Turns turns_of(const PlanPose& from, const TurnChoice& c, double turn, const Res
           turn_of(c, heading, heading + c.second * rest.second)};
 }
 
-// Adds the roots of the rest's `aside` over the first turn's angle.
+// Adds the roots of the rest's `aside` as a function of the first turn's angle.
 void add_roots(const PlanPose& from, const PlanPose& to, TurnChoice c, std::vector<TurnChoice>& out) {
   static const TurnTable kTable;
   const auto moved = [](double angle, const TurnChoice& choice) {

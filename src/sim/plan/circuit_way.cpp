@@ -14,12 +14,12 @@ namespace {
 using glm::dvec2;
 using glm::dvec3;
 
-constexpr double kLeastWeight = 0.25;  // g: where less presses riders down, banking no longer follows it
+constexpr double kLeastWeight = 0.25;  // g: if less presses riders down, banking no longer follows it
 constexpr double kMostFade = 0.45;     // of the whole length
-constexpr double kSlopeError = 1.5;    // rad/s^2, of each span's roll: a joint of two of them jolts 0.37 g
+constexpr double kSlopeError = 1.5;    // rad/s^2, for each span's roll: a joint of two of them jolts 0.37 g
 
-// The direction of what is felt across the track. Its part towards upright is rounded off above 0, so that airtime
-// turns nobody over: sqrt(x^2 + c^2) in place of |x|.
+// Returns the felt direction perpendicular to the track. Its upright part is smoothed to stay above 0, so that airtime
+// turns nobody over: sqrt(x^2 + c^2) instead of |x|.
 dvec3 felt_up(dvec3 tangent, dvec3 curvature, double square) {
   const dvec3 upright = curve::perpendicular(tangent, {0, 1, 0}), aside = glm::cross(upright, tangent);
   const dvec3 felt = square * curvature + dvec3(0, world::kGravity, 0);
@@ -27,7 +27,7 @@ dvec3 felt_up(dvec3 tangent, dvec3 curvature, double square) {
   return glm::normalize(0.5 * (up + std::sqrt(up * up + least * least)) * upright + glm::dot(felt, aside) * aside);
 }
 
-// Squared speeds at the points of a curve that starts at the open end.
+// Returns the squared speeds at the points of a curve that starts at the open end.
 std::vector<double> squares_on(const CircuitTask& task, const ElementCurve& curve) {
   std::vector<double> squares;
   for (const ElementPoint& p : curve.points)
@@ -77,8 +77,7 @@ std::size_t first_from(const ElementCurve& curve, double s) {
                                   curve.points.begin());
 }
 
-// Turns one end of the curve to the roll, spin and slope that it must have: the start, or with `last` the end, seen
-// backwards from there.
+// Turns one end of the curve to the required roll, spin and slope: the start, or with `last` the end, seen backwards.
 void fade_end(const TrackEnd& end, double slope, const std::vector<double>& squares, bool last, ElementCurve& curve) {
   std::vector<ElementPoint>& points = curve.points;
   const std::size_t all = points.size();
@@ -88,7 +87,7 @@ void fade_end(const TrackEnd& end, double slope, const std::vector<double>& squa
   const double angle = curve::signed_angle(first.up, curve::perpendicular(first.tangent, end.up), first.tangent),
                square = squares[index(0)], most = kMostFade * whole, most_slope = fade_slope(most, square),
                more = std::clamp(slope - slopes_at(first, points[index(1)], points[index(2)]).spin, -most_slope,
-                                 most_slope);  // what is beyond that jolts
+                                 most_slope);  // more than that jolts
   const RollFade fade(std::min(fade_length(angle, more, square), most), angle, way * (end.spin - first.spin), more);
   for (std::size_t i = 0; i < all; ++i) {
     ElementPoint& p = points[index(i)];

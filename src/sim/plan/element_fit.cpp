@@ -29,7 +29,8 @@ double half_ulp(dvec3 p) {
   return std::max({size.x, size.y, size.z}) * 0x1p-24;
 }
 
-// An error e of a control point changes the curvature at a joint by about 8 e / handle^2, of the shorter handle there.
+// An error e of a control point changes the curvature at a joint by about 8 e / handle^2, with the shorter handle
+// there.
 Bounds bounds_for(const ElementCurve& curve, std::span<const std::size_t> at) {
   const std::size_t last = at.size() - 1;
   std::vector<double> rounding, shortest(at.size(), curve.length());
@@ -130,7 +131,7 @@ int refine(const ElementCurve& curve, Trial& trial, std::vector<int>& counts) {
   return all ? 0 : changed ? 1 : -1;
 }
 
-// Removes knots while everything holds: first in pairs symmetric about the middle, as most elements are symmetric, then
+// Removes knots while all checks pass: first in pairs symmetric about the middle, as most elements are symmetric, then
 // singly.
 void thin(const ElementCurve& curve, Trial& best) {
   const auto attempt = [&](std::size_t k, std::size_t other) {

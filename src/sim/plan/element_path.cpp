@@ -64,7 +64,7 @@ double Bend::bend(double u) const {
 double Bend::angle(double u) const {
   const double l = ramp(), whole = length(), sign = to < from ? -1.0 : 1.0;
   if (!(l > 0)) return to;
-  const auto risen = [&](double v) {  // over the share v of a ramp
+  const auto risen = [&](double v) {  // over the fraction v of a ramp
     return l / radius * (soft ? soft_step_integral(v) : v * v * v * (1.0 - 0.5 * v));
   };
   if (u <= l) return from + sign * risen(u / l);

@@ -1,4 +1,4 @@
-// The lead-in from the track's end to an element, the straight, and the choice of the others by their rows.
+// The lead-in from the track's end to an element, the straight, and the functions of the other elements by row.
 #include "sim/plan/element_shapes.h"
 
 #include <algorithm>
@@ -65,7 +65,7 @@ void add_straight(world::Element& element, ElementPath& path, bool upright, std:
   });
 }
 
-// Rows of world::elements(), in its order. A straight is added by element_shape() itself.
+// In the order of world::elements(). A straight is added by element_shape() itself.
 struct Adder {
   void (*add)(ShapeTask& task);
   bool level;  // begins level: a sloping end is levelled first
@@ -77,22 +77,22 @@ constexpr Adder kAdders[] = {
     {add_immelmann, true},      {add_dive_loop, true},       {add_cobra_roll, true}, {add_brake_run, true}};
 static_assert(std::size(kAdders) == world::elements().size());
 
-// Returns the radius in m of the bend that levels out before an element: its smallest radius, if it has one, or else
-// by its height.
+// Returns the radius in m of the bend that levels the track before an element: its smallest radius, if it has one, or
+// else by its height.
 double levelling_radius(const world::Element& element) {
   if (const std::optional<double> radius = world::found_value(element, "radius")) return *radius;
   const std::optional<double> height = world::found_value(element, "height");
   return height ? std::max(12.0, 1.2 * *height) : 25.0;
 }
 
-// Riders are not to be pushed where an element joins others: its spans there keep its slopes, about as well as a fit
-// can.
+// Tightens the slope errors at both ends, as far as a fit can meet them, so that joints with other elements do not push
+// riders.
 void keep_end_slopes(ElementCurve& curve) {
   constexpr double kSlopeError = 0.004;  // rad/m^2: jolts of 0.2 g to the side and 0.3 g along the track at 20 m/s
   curve.points.front().slope_error = curve.points.back().slope_error = kSlopeError;
 }
 
-// Adds the equipment that the element's parameters choose for all of it.
+// Adds the equipment that the element's parameters select for all of it.
 void equip(const world::Element& element, ElementShape& shape) {
   const auto choice = static_cast<int>(world::found_value(element, "equipment").value_or(0.0));
   if (choice == 0) return;

@@ -26,7 +26,7 @@ void add_winding(ElementPath& path, const Winding& w, double sin_axis, double si
   });
 }
 
-// A loop from its level foot to the point behind its top where a parabola continues it: a clothoid to 1/radius over
+// A loop from its level foot to the point after its top where a parabola continues it: a clothoid to 1/radius over
 // three quarters of the angle, and another to the parabola's curvature.
 struct HalfLoop {
   double radius, end_bend, first_angle, first, second;
@@ -64,7 +64,7 @@ struct RolledLoop {
   HalfLoop loop;
 };
 
-// `below`: m, height of the place where the train has the element's speed below the element's upper end.
+// `below`: m, distance from the element's upper end down to the height at which the train has the element's speed.
 RolledLoop rolled_loop(ShapeTask& task, double below) {
   const double height = world::value_of(task.element, "height"), radius = world::value_of(task.element, "radius"),
                angle = base::radians(world::value_of(task.element, "angle")), g = world::kGravity;
@@ -82,8 +82,8 @@ RolledLoop rolled_loop(ShapeTask& task, double below) {
   return {p, foot, p * tangent, HalfLoop(kPi - angle, smallest, bend)};
 }
 
-// Half of a cobra roll, in the axes forward, up, and to the side it leaves to: a loop whose plane turns about the
-// vertical by 90 degrees from shortly before its top on, so that it ends across the entry, in a valley.
+// Half of a cobra roll, in the axes forward, up, and the side to which it exits: a loop whose plane turns about the
+// vertical by 90 degrees from shortly before its top on, so that it ends perpendicular to the entry, in a valley.
 class HalfCobra {
  public:
   HalfCobra(double height, double top) : up_(height, top), second_(up_.ramp() / (1 + kValley)) {}
@@ -103,7 +103,8 @@ class HalfCobra {
     const auto [sin, cos] = base::sin_cos(angle);
     const auto [plane_sin, plane_cos] = base::sin_cos(plane);
     const dvec3 normal(-sin * plane_cos, cos, -sin * plane_sin), across(-plane_sin, 0, plane_cos);
-    const dvec3 towards = normal + rate * cos * across;  // to the centre of the bend: only gravity pushes sideways
+    const dvec3 towards =
+        normal + rate * cos * across;  // towards the centre of the bend: the only lateral force is gravity
     return {{cos * plane_cos, sin, cos * plane_sin}, bend * towards, towards, 0};
   }
 
@@ -154,7 +155,7 @@ void add_dive_loop(ShapeTask& task) {
   });
 }
 
-// The second half is the first one's mirror image, ridden backwards.
+// The second half is the mirror image of the first one, ridden backwards.
 void add_cobra_roll(ShapeTask& task) {
   const HalfCobra half(world::value_of(task.element, "height"), base::radians(world::value_of(task.element, "top")));
   const dvec3 side(1, 1, -to_the_right(task)), mirror(1, 1, -1);

@@ -1,4 +1,4 @@
-// The elements in plan: banked curve, helix, S-bend and overbanked turn.
+// The elements defined in plan: banked curve, helix, S-bend and overbanked turn.
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -22,7 +22,8 @@ struct Slope {
   double rise, change;  // dy/du and its derivative
 };
 
-// A point of a turn over the length u in plan. `heading`: rad, positive to the right, with its derivative `bend`.
+// Returns a point of a turn over the length u in plan. `heading`: rad, positive to the right, with its derivative
+// `bend`.
 ElementRate plan_rate(double heading, double bend, Slope slope, double roll) {
   const auto [sin, cos] = base::sin_cos(heading);
   return {{cos, slope.rise, -sin}, {-sin * bend, slope.change, -cos * bend}, glm::dvec3(0), roll};
@@ -43,7 +44,7 @@ void add_round(ElementPath& path, const Round& round, const std::function<Slope(
 
 double turn_side(const world::Element& element) { return element.right ? 1.0 : -1.0; }
 
-// The bank follows from a speed: gravity and the turn together press straight into the seat.
+// Returns the bank for a speed: gravity and the turn together press straight into the seat.
 double bank_of(const world::Element& element) {
   const double radius = world::value_of(element, "radius"), speed = world::value_of(element, "speed");
   return speed > 0 ? base::arc_tangent(speed * speed / radius, world::kGravity)
@@ -60,8 +61,8 @@ void widen(ShapeTask& task, double angle) {
     give_way(task.element, "radius", least, "a turn of this angle would be too short", task.lines);
 }
 
-// Two turns with one crossing of curvature between them. The second is the first one's image in the middle, turned
-// back, so the heading is symmetric about it.
+// Two turns with one crossing of curvature between them. The second is the point reflection of the first about the
+// middle, so the heading is symmetric about it.
 class SBend {
  public:
   SBend(double angle, double radius) : first_{0, angle, radius} {
@@ -73,7 +74,7 @@ class SBend {
   double arc() const { return arc_; }
   double crossing() const { return crossing_; }
   double length() const { return 2 * (ramp() + arc_) + crossing_; }
-  // In units of 1/radius, positive in the first turn.
+  // Returns the curvature in units of 1/radius, positive in the first turn.
   double share(double u) const {
     const double middle = 0.5 * length(), off = std::abs(u - middle);
     const double size = off < 0.5 * crossing_ ? 2 * smooth_step(0.5 + off / crossing_) - 1
@@ -93,7 +94,7 @@ class SBend {
     if (u <= ramp()) return first_.angle(u);
     return first_.ramp_angle() + (u - ramp()) / first_.radius;
   }
-  Bend first_;  // for its ramp
+  Bend first_;  // only its ramp is used
   double crossing_ = 0, arc_ = 0;
 };
 
@@ -116,8 +117,8 @@ void add_curve(ShapeTask& task) {
   });
 }
 
-// Over the first ramp the slope changes smoothly (3v^2 - 2v^3, with derivative 0 at both ends) from the end's to
-// the helix's, and over the last to 0; so the curvature of the slope is 0 at both ends.
+// Over the first ramp the slope changes smoothly (3v^2 - 2v^3, with derivative 0 at both ends) from the end's to the
+// helix's, and over the last to 0, so the derivative of the slope is 0 at both ends of each.
 void add_helix(ShapeTask& task) {
   const double most = kLongestHelix / (2.0 * kPi * world::value_of(task.element, "radius"));
   if (world::value_of(task.element, "turns") > most)
@@ -153,8 +154,8 @@ void add_s_bend(ShapeTask& task) {
   });
 }
 
-// Its height is h 64 (v (1 - v))^3 over the share v of its length in plan: slope and its rate are 0 at both ends. The
-// slope is largest where 5 v (1 - v) = 1: h / length times 192 / (25 sqrt(5)).
+// Its height is h 64 (v (1 - v))^3 over the fraction v of its length in plan: slope and its rate are 0 at both ends.
+// The slope is largest where 5 v (1 - v) = 1: h / length times 192 / (25 sqrt(5)).
 void add_overbanked_turn(ShapeTask& task) {
   constexpr double kLeastRest = 1.15;  // least entry energy, relative to that of the top
   constexpr double kMostSlope = 1;     // m per m in plan

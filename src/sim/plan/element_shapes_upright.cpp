@@ -9,7 +9,7 @@
 namespace coaster::sim {
 namespace {
 
-// A crest between two feet. A train of speed v at the foot has v^2 - 2 g h at the crest, h higher. A body thrown from
+// A crest between two feet. A train with speed v at the foot has v^2 - 2 g h at the crest, h higher. A body thrown from
 // there would follow the parabola of parameter p = (v^2 - 2 g h) / g, y = -x^2 / (2 p); on rails of that shape riders
 // float.
 struct Hill {
@@ -34,7 +34,7 @@ Hill hill_of(ShapeTask& task, double least_rest = 1.15) {
   return {p, Foot(angle, radius, p), p * tangent_of(angle)};
 }
 
-// The valley between two equal hills: like both feet, without the clothoids from and to the level.
+// The valley between two equal hills: like both feet, without the clothoids at level track.
 void add_valley(ElementPath& path, const Foot& foot) {
   const double arc = foot.radius * (foot.angle - foot.second_angle), half = arc + foot.second;  // m
   path.add({foot.second, 2 * arc, foot.second}, [&](double u) {

@@ -35,8 +35,8 @@ struct Nodes {
   std::vector<double> out, in;  // by knot: the handle after it and the one before it
 };
 
-// The jump of the curvature vector at an inner knot: (2/3) |second leg of the control polygon across the tangent| /
-// handle^2 on both sides.
+// The terms of the jump of the curvature vector at an inner knot: (2/3) |part of the second leg of the control polygon
+// perpendicular to the tangent| / handle^2 on both sides.
 struct JumpTerms {
   dvec3 after, before;  // m, from the knot to the far handle
   double out_square, in_square;
@@ -58,7 +58,8 @@ Basis basis_at(dvec3 tangent) {
   return {u, glm::cross(tangent, u)};
 }
 
-// The 2 x 2 block of the effect of turning a tangent on a jump: columns for turning along `of`, rows along `on`.
+// Returns the 2 x 2 block of the effect of turning a tangent on a jump: columns for turning along `of`, rows along
+// `on`.
 dmat2 block(double factor, const Basis& of, const Basis& on) {
   return dmat2(factor * dvec2(glm::dot(of.u, on.u), glm::dot(of.u, on.v)),
                factor * dvec2(glm::dot(of.v, on.u), glm::dot(of.v, on.v)));
@@ -99,7 +100,7 @@ double turn_tangents(Nodes& n) {
   return largest;
 }
 
-// Removes the curvature error at an end that torsion leaves. The tangent there is fixed, so the next knot moves
+// Removes the curvature error that torsion leaves at an end. The tangent there is fixed, so the next knot moves
 // sideways, by at most `most` m from the ideal curve. A shift changes the far handle by about 1.5 times as much,
 // because the next tangent turns with it.
 void shift_second(Nodes& n, const ElementCurve& curve, std::span<const std::size_t> at, bool last, double most) {
@@ -139,7 +140,7 @@ curve::Cubic cubic_between(const world::Knot& from, const world::Knot& to) {
   return {from.position, world::out_handle(from), world::in_handle(to), to.position};
 }
 
-// Returns whether a span's slopes at its start (t = 0) or end (t = 1) are as ElementPoint::slope_error asks.
+// Returns true if a span's slopes at its start (t = 0) or end (t = 1) are within ElementPoint::slope_error.
 bool slopes_hold(const ElementPoint& p, const EndSlopes& wanted, double roll_slope, const curve::Cubic& cubic,
                  double t) {
   constexpr double kStep = 0.01, kCurvatureShare = 1.5;
@@ -153,7 +154,7 @@ bool slopes_hold(const ElementPoint& p, const EndSlopes& wanted, double roll_slo
 
 }  // namespace
 
-// Follows the ideal curve's points along a span. The frame is carried as the track's (sim/shape/derived.cpp):
+// Follows the ideal curve's points along a span. The frame is computed as the track's (sim/shape/derived.cpp):
 // rotation-minimising, turned to the second knot's up by the spins of both.
 SpanCheck check_span(std::span<const ElementPoint> points, const world::Knot& from, const world::Knot& to,
                      std::vector<SpanPlace>* places) {

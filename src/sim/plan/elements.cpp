@@ -57,7 +57,7 @@ ElementCurve part_of(const ElementCurve& curve, std::size_t from, std::size_t to
   return part;
 }
 
-// Fits each part by itself, so that knots are where equipment begins and ends.
+// Fits each part separately, so that knots are where equipment begins and ends.
 void fit_parts(std::span<const EquippedPart> equipped, ElementPlan& plan) {
   std::size_t from = 0;
   for (const EquippedPart& part : equipped) {
@@ -76,7 +76,7 @@ void fit_parts(std::span<const EquippedPart> equipped, ElementPlan& plan) {
   }
 }
 
-// Plans an element of forces: the section that its keys make.
+// Plans a force element: the section of its keys.
 void plan_forces(const ForceTask& start, double behind, ElementPlan& plan) {
   ForceElement element = force_element(plan.element, start, behind);
   plan.refusal = std::move(element.refusal);

@@ -1,4 +1,4 @@
-// The distance of a document from the rows it was fitted to, on the curves and frames that the program shows.
+// Measures the distance of a document from the rows it was fitted to, on the displayed curves and frames.
 #include <algorithm>
 
 #include "base/check.h"

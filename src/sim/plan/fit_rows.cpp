@@ -35,12 +35,12 @@ std::vector<double> bend_limits(std::span<const FitRow> rows, bool closed) {
                     length);
   }
   const double whole = starts.back();
-  // Of steps before the first and after the last, on a closed track.
+  // Distances of steps before the first and after the last, on a closed track.
   const auto lap = [&](std::ptrdiff_t i) { return i < 0 ? -1 : i >= steps ? 1 : 0; };
   const auto start = [&](std::ptrdiff_t i) { return starts[i - lap(i) * steps] + lap(i) * whole; };
   const auto bend = [&](std::ptrdiff_t i) { return bends[i - lap(i) * steps]; };
   const std::ptrdiff_t least = closed ? -steps : 0, most = closed ? 2 * steps : steps;
-  // The steps that are near every place of step i, with falling curvatures: the first has the largest.
+  // The steps near step i with falling curvatures: the first has the largest.
   std::deque<std::ptrdiff_t> near;
   std::ptrdiff_t next = 0;
   while (next > least && start(next) >= starts[1] - kBendReach) --next;
@@ -91,7 +91,7 @@ RowRolls row_rolls(std::span<const FitRow> rows, bool closed) {
   std::vector<double> near;
   for (std::ptrdiff_t i = 0; i < count; ++i) {
     near.clear();
-    // The rates of the steps from `first` on, within the reach.
+    // Adds the rates of the steps from `first` on, within the reach.
     const auto take = [&](std::ptrdiff_t first, std::ptrdiff_t way) {
       double gone = 0;
       for (std::ptrdiff_t k = first, taken = 0; taken < steps && gone < kSpinReach; k += way, ++taken) {
@@ -114,15 +114,17 @@ RowRolls row_rolls(std::span<const FitRow> rows, bool closed) {
 
 namespace {
 
-constexpr double kUneven = 2;  // times a neighbour's correction: more is that of a bend that begins or ends
+constexpr double kUneven =
+    2;  // times a neighbour's correction: larger corrections come from a bend that begins or ends
 
-// The curve from a row to the next one on one side: the angles to its place and to its direction, over the length.
+// The curve from a row to the next one on one side: the angles to its position and to its direction, divided by the
+// length.
 struct RowSide {
   std::ptrdiff_t row = -1;
   double length = 0;
   dvec3 off{0}, turn{0};  // 1/m
 
-  // At the row, where the curvature changes linearly along the curve.
+  // Returns the curvature at the row, if it changes linearly along the curve.
   dvec3 curvature() const { return 6.0 * off - 2.0 * turn; }
 };
 
@@ -179,8 +181,8 @@ std::vector<dvec3> row_curvatures(std::span<const FitRow> rows, bool closed) {
     }
     found.push_back(row);
   }
-  // Where a bend begins or ends between rows, the polynomial swings: as much of the correction counts as the neighbours
-  // share.
+  // Where a bend begins or ends between rows, the polynomial oscillates, so the correction is limited by those of the
+  // neighbours.
   for (std::size_t i = 0; i < rows.size(); ++i) {
     const dvec3 correction = found[i].correction;
     double share = 1;
@@ -209,8 +211,8 @@ std::vector<char> near_jumps(std::span<const FitRow> rows, bool closed, double r
     steps[i] = glm::distance(a.position, b.position);
     jumps[i] = jump_deg(a, b) > 0 ? 1 : 0;
   }
-  // The distance to the last jump, in a forward pass, then to the next, in a backward pass; from the middle of its
-  // step. A closed track needs two rounds: the second knows the jumps of the first.
+  // Computes the distance to the last jump in a forward pass, then to the next in a backward pass, from the middle of
+  // the jump's step. A closed track needs two rounds, because the second knows the jumps of the first.
   const std::size_t laps = closed ? 2 * count : count;
   double gone = 2 * reach + 1;
   for (std::size_t n = 1; n < laps; ++n) {

@@ -18,11 +18,11 @@ constexpr std::size_t kFittedRows = 40;  // rows that handle lengths are fitted 
 constexpr int kIterations = 12;
 constexpr double kLeastHandle = 0.25;  // of the rows' length: curvature changes quickly beside shorter handles
 constexpr double kMostHandle = 0.495;  // of the rows' length: a little less than half the curve's
-constexpr double kBeyond = 40;         // what curvature beyond the limit counts against one that is off
-constexpr double kStay = 1e-3;         // 1/m: what handles that move by the length count against one that is off
-constexpr double kBendMargin = 0.98;   // of the limit: bends are checked at places
-constexpr double kMoment = 0.064;      // s: such second differences are a low-pass with 5 Hz
-constexpr double kSharp = 1.5;         // times the bound, before a low-pass
+constexpr double kBeyond = 40;         // weight of curvature beyond the limit, relative to that of a deviation
+constexpr double kStay = 1e-3;  // 1/m: weight of a change of the handles by the length, relative to that of a deviation
+constexpr double kBendMargin = 0.98;  // of the limit, because curvature is checked only at some positions
+constexpr double kMoment = 0.064;     // s: second differences over this time act as a low-pass of 5 Hz
+constexpr double kSharp = 1.5;        // times the bound, before a low-pass
 constexpr double kMostFitRoll = 2 * base::kPi * (world::kMaxTurns - 1);
 
 using Curve = curve::CoefficientsD;
@@ -58,8 +58,8 @@ dvec3 bend_of(const Curve& c, double t) {
   return curve::across(c.second_derivative(t), d / speed) / (speed * speed);
 }
 
-// Gauss-Newton on the distances across the curve. A row's position along it does not count, so sliding parameters do
-// not slow it down.
+// Gauss-Newton on the distances perpendicular to the curve. A row's position along it is ignored, so sliding parameters
+// do not slow it down.
 Handles fit_handles(std::span<const FitRow> rows, std::span<const double> distances, std::size_t first,
                     std::size_t last, const Ends& ends, std::vector<double>& parameters,
                     std::vector<double>& stations) {
@@ -71,7 +71,7 @@ Handles fit_handles(std::span<const FitRow> rows, std::span<const double> distan
     parameters[k] = stations[k] = (distances[row_of(k)] - distances[first]) / length;
   const double low = std::max(kLeastHandle * length, double{world::kMinHandle}),
                high = std::clamp(kMostHandle * length, low, double{world::kMaxHandle});
-  // Without rows between them: those of a circle through both.
+  // Without rows between the ends: the handles of a circle through both.
   const double third = inner > 0 ? length / 3 : length / (1.5 + 0.75 * glm::length(ends.t0 + ends.t3));
   Handles h{std::clamp(third, low, high), std::clamp(third, low, high)};
   for (int iteration = 0; iteration < kIterations && inner > 0; ++iteration) {
@@ -87,7 +87,7 @@ Handles fit_handles(std::span<const FitRow> rows, std::span<const double> distan
       x0 += glm::dot(g0, off), x1 += glm::dot(g1, off);
       weight += 9 * t * t * u * u;
     }
-    // Slight damping: on a straight the lengths make no difference and stay.
+    // Slight damping: on a straight the lengths have no effect and stay.
     const double damping = 1e-7 * weight + 1e-12;
     a00 += damping, a11 += damping;
     const double determinant = a00 * a11 - a01 * a01;
@@ -105,8 +105,8 @@ Handles fit_handles(std::span<const FitRow> rows, std::span<const double> distan
   return h;
 }
 
-// Returns the handles with which a span between neighbouring rows has the curvatures `from` and `to` at its ends, as
-// nearly as can be while it bends no more than `limit` if that is possible. Searched from `start` in falling steps.
+// Returns the handles with which a span between neighbouring rows has curvatures closest to `from` and `to` at its
+// ends, while its curvature stays within `limit` if possible. Searches from `start` in decreasing steps.
 Handles most_alike(const Ends& ends, double length, dvec3 from, dvec3 to, double limit, const Handles start) {
   Handles h = start;
   const auto cost = [&](Handles at) {
@@ -133,8 +133,8 @@ Handles most_alike(const Ends& ends, double length, dvec3 from, dvec3 to, double
   return h;
 }
 
-// Keeps the part of the polygon with normal . x <= limit. A corner that is off by rounding stays: else each row of a
-// straight, whose lines all meet in two corners, would add corners there.
+// Keeps the part of the polygon with normal . x <= limit. A corner that is off by rounding stays: otherwise each row of
+// a straight, whose lines all meet in two corners, would add corners there.
 void clip(RollWindow& polygon, dvec2 normal, double limit, RollWindow& spare) {
   constexpr double kRounding = 1e-12;  // radians
   bool all = true;
@@ -179,9 +179,9 @@ class Carrier {
   double speed_, t_ = 0, length_ = 0, bend_ = 0;
 };
 
-// Follows all rows along the curve. Returns false if one is too far off or has another direction, or if the curve bends
-// too much. Fills rolls, parameters, fractions of the length, sines between the directions, and distances, by row from
-// `first`.
+// Follows all rows along the curve. Returns false if one is too far off or has another direction, or if the curvature
+// is too large. Fills rolls, parameters, fractions of the length, sines between the directions, and distances, by row
+// from `first`.
 bool follow_rows(std::span<const FitRow> rows, std::span<const double> distances, std::size_t first, std::size_t last,
                  const Curve& c, const Ends& ends, const SpanBounds& bounds, SpanScratch& s) {
   const std::size_t count = last - first + 1;
@@ -219,9 +219,10 @@ bool follow_rows(std::span<const FitRow> rows, std::span<const double> distances
   return std::abs(s.rolls.back()) < kMostFitRoll;
 }
 
-// Returns whether riders feel over `bounds.felt` more or less on the curve than on the rows. By how much their
-// acceleration differs is the second difference of the distance between the paths of their hearts, a ride of kMoment to
-// either side. Where rows are further apart, the difference of the curvatures says it: sharply, so it may be larger.
+// Returns true if riders feel over `bounds.felt` more or less on the curve than on the rows. The difference of their
+// accelerations is the second difference of the distance between the paths of their hearts, over kMoment on both sides.
+// Where rows are further apart, it follows from the difference of the curvatures, without a low-pass, so a larger one
+// is allowed.
 bool felt_wrong(std::span<const FitRow> rows, std::span<const double> distances, std::size_t first, std::size_t last,
                 const Curve& c, const Roll& roll, const SpanBounds& bounds, SpanScratch& s) {
   const std::size_t count = last - first + 1;
@@ -276,7 +277,7 @@ SpanFit fit_span(std::span<const FitRow> rows, std::span<const double> distances
   const double most = bounds.angle;
   fit.window = {{roll_low, -most}, {roll_high, -most}, {roll_high, most}, {roll_low, most}};
   RollWindow spare;
-  // Additional rolls of the knots add a part of both, with spins of 0, to the roll by the rows' own spins.
+  // Additional rolls of the knots add a fraction of both, with spins of 0, to the roll by the rows' own spins.
   const Roll part{1, 1, 0, 0};
   for (std::size_t i = 1; first + i < last && !fit.window.empty(); ++i) {
     if (bounds.free[first + i]) continue;

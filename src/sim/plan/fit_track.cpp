@@ -12,20 +12,21 @@ namespace {
 
 using glm::dvec3;
 
-constexpr double kInnerReach = 0.45;         // m: rows whose frames are not fitted; less than the report leaves out
-constexpr int kMaxRounds = 12;               // rounds of halving spans that fail on the finished document
+constexpr double kInnerReach =
+    0.45;                       // m: rows whose frames are not fitted; less than the reach that the report excludes
+constexpr int kMaxRounds = 12;  // rounds of halving spans that fail on the finished document
 constexpr std::size_t kFirstStride = 32;     // rows of the first span to try
-constexpr double kShortSpan = 0.06;          // m: a shorter span would be short for the least handle length
+constexpr double kShortSpan = 0.06;          // m: in a shorter span the least handle length would not fit
 constexpr int kEvenings = 3;                 // bisections for the smallest bounds that the same number of knots meets
 constexpr double kLeastScale = 0.4;          // relative to the bounds
-constexpr std::size_t kEvenedRows = 60'000;  // more rows are not evened out: that takes four times as long
+constexpr std::size_t kEvenedRows = 60'000;  // longer tracks are not evened out, which would take four times as long
 
 struct Span {
   std::size_t first = 0, last = 0;
   SpanFit fit;
 };
 
-// The least and the greatest roll that a window leaves its second knot; low > high if it is empty.
+// The smallest and largest roll of the second knot within a window; low > high if it is empty.
 struct Range {
   double low = 1, high = -1;
 };
@@ -101,7 +102,7 @@ Span longest_span(Work& w, std::size_t first, double low, double high, std::size
     if (fit.within) good.last = last, good.fit = std::move(fit);
     else bad = last;
   }
-  // A knot just before the end moves back a little: the step that closes a track is shorter than the others.
+  // A knot just before the end moves back slightly: the step that closes a track is shorter than the others.
   if (good.last < end && w.distances[end] - w.distances[good.last] < kShortSpan) {
     std::size_t last = good.last;
     while (last > first + 1 && w.distances[end] - w.distances[last] < kShortSpan) --last;
@@ -134,7 +135,7 @@ void fit_spans(Work& w) {
 void even_out(Work& w) {
   if (w.spans.size() < 2 || w.rows.size() > kEvenedRows) return;
   std::vector<Span> best = w.spans;
-  // A span's length goes with the second to fourth root of the bound: with n spans the bounds can shrink by 4 / n at
+  // A span's length scales with the second to fourth root of the bound: with n spans the bounds can shrink by 4 / n at
   // most.
   double low = std::max(kLeastScale, 1 - 4.0 / static_cast<double>(best.size())), high = 1;
   for (int i = 0; i < kEvenings && !w.cancelled(); ++i) {
@@ -203,7 +204,7 @@ world::Document document_of(const Work& w, Derived& derived) {
   if (w.closed) world::set_closed(document, true);
   else world::append_knot(document, knot_of(w, last.last, last.fit.in_length, last.fit.in_length));
   derived = shapes_of(document);
-  // Whole turns: the rotation of the rows, less the rotation between the knots' frames.
+  // Whole turns: the rotation of the rows minus the rotation between the knots' frames.
   bool turned = false;
   for (std::size_t i = 0; i < count; ++i) {
     const double wanted = w.spans[i].fit.roll + w.rolls[w.spans[i].last] - w.rolls[w.spans[i].first];

@@ -16,12 +16,12 @@ using base::degrees, base::radians;
 using world::ForceChannel;
 using world::ForceProgram;
 
-constexpr double kRollTolerance = 0.1;  // g: rails that wind about the riders need many knots for less
+constexpr double kRollTolerance = 0.1;  // g: with a smaller one, rails that wind about the riders need many knots
 constexpr double kMostHold = 20;        // s
-constexpr double kMostTilt = 0.1;  // of a direction above the horizon, where an element needs a level or upright end
+constexpr double kMostTilt = 0.1;       // vertical component of a direction, if an element needs a level or upright end
 
-// Says why nothing floats for that time: with the least pull the train already rises in the middle of it, or else no
-// pull is enough.
+// Returns why there is no float of that duration: either the train still rises in the middle of it with the least pull,
+// or no pull is enough.
 std::string why_no_float(const ForceMaker& maker, const ForcePrograms& half) {
   const std::string seconds = base::to_text(maker.value("seconds"));
   const auto flattest = maker.walk(half(0));
@@ -31,7 +31,7 @@ std::string why_no_float(const ForceMaker& maker, const ForcePrograms& half) {
                      maker.task.program.speed);
 }
 
-// A pull, a float of which the middle is level or nearly so, and the pull again so that it ends level.
+// Makes a pull, a float with a level or nearly level middle, and the pull again so that it ends level.
 ForceElement hill(const ForceMaker& maker, double crest, bool falls, bool rolls) {
   const double seconds = maker.value("seconds");
   const ForcePull pull{crest, maker.value("pull")};
@@ -63,7 +63,7 @@ ForceElement hill(const ForceMaker& maker, double crest, bool falls, bool rolls)
     pull.add(keys, second);
     return keys.ramp(1), program;
   };
-  if (falls) {  // straight at its end: as much g as the slope there leaves
+  if (falls) {  // straight at its end: with the g that the slope there leaves
     double g = 1;
     for (int i = 0; i < 12; ++i)
       if (const auto there = maker.walk(whole(*up, g, 0))) g = base::sin_cos(there->pitch).cos;
@@ -71,7 +71,7 @@ ForceElement hill(const ForceMaker& maker, double crest, bool falls, bool rolls)
   }
   const auto down = strength_for(maker, 0, [&](double strength) { return whole(*up, strength, 0); });
   if (!down) return no_element("no bend with that pull makes the hill end level");
-  // From a level start back to its height; else the middle of the float stays level.
+  // From a level start it returns to its height; else the middle of the float stays level.
   const bool returns = std::abs(maker.slope) < 1e-3;
   const auto off = [&](glm::dvec3 x) -> std::optional<glm::dvec3> {
     const auto end = maker.walk(whole(x[0], x[1], x[2]));

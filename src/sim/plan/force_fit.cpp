@@ -25,7 +25,7 @@ struct SpanError {
   double at_ends = 0;  // g, the part of it at the two knots
 };
 
-// What riders d metres above a cubic feel at t, upwards and to the left: sim/shape/rail_tables.h.
+// Returns what riders d metres above a cubic feel at t, upwards and to the left: sim/shape/rail_tables.h.
 glm::dvec2 felt_at(const curve::CoefficientsD& c, double t, const curve::Frame& frame, double spin, double spin_slope,
                    const ForcePoint& point, double d) {
   const dvec3 left = frame.left(), first = c.derivative(t), second = c.second_derivative(t);
@@ -57,8 +57,8 @@ SpanError error_of(const ForceTask& task, const ForcePath& path, std::size_t fir
   return error;
 }
 
-// Returns the fewest points that a span from there may cover: in a shorter one, the rounding of its control points to
-// float is felt. An error e of a control point changes a curvature by about 72 e / length^2.
+// Returns the fewest points that a span from there may cover: in a shorter one, riders would feel the rounding of its
+// control points to float. An error e of a control point changes a curvature by about 72 e / length^2.
 std::size_t fewest_points(const ForceTask& task, const ForcePath& path, std::size_t from) {
   constexpr double kStep = 0.25;  // m
   const dvec3 place = glm::abs(path.curve.points[from].position);
@@ -67,14 +67,14 @@ std::size_t fewest_points(const ForceTask& task, const ForcePath& path, std::siz
   return std::max<std::size_t>(2, static_cast<std::size_t>(std::sqrt(square) / kStep));
 }
 
-// Finds how far single spans reach.
+// Finds the largest length of single spans.
 class Reach {
  public:
-  // `at_ends`: the share of the tolerance that a span may miss at its knots. Joints take up what neighbouring spans
-  // miss there, so that they may not miss all of it.
+  // `at_ends`: the fraction of the tolerance that a span may use at its knots. Joints combine the errors of
+  // neighbouring spans there, so a span may not use all of it.
   Reach(const ForceTask& task, const ForcePath& path, double at_ends) : task_(task), path_(path), at_ends_(at_ends) {}
 
-  // Returns the ends of spans that each reach as far as they can, from the first point on or from the last one back.
+  // Returns the ends of spans that are each as long as possible, from the first point on or from the last one back.
   std::vector<std::size_t> ends(bool back) {
     const std::size_t last = path_.points.size() - 1;
     std::vector<std::size_t> at{0};
@@ -97,14 +97,15 @@ class Reach {
         back ? std::array{last - from - length, last - from} : std::array{from, from + length};
     const Spans span = make_spans(path_.curve, at, 0);
     const SpanError error = error_of(task_, path_, at[0], at[1], span.knots[0], span.knots[1]);
-    constexpr double kReserve = 0.93, kDistance = 0.6;  // of the tolerances: turning tangents moves the spans a little
+    constexpr double kReserve = 0.93, kDistance = 0.6;  // of the tolerances: turning tangents moves the spans slightly
     const double tolerance = task_.program.tolerance;
     return error.felt.error <= kReserve * tolerance && error.at_ends <= at_ends_ * tolerance &&
            error.check.error <= kDistance * kElementDistance &&
            error.check.roll_error <= base::radians(kElementRoll_deg);
   }
 
-  // Returns the most points, at most `room`, that one span covers, or the fewest that it may; looks at `guess` first.
+  // Returns the largest number of points, at most `room`, that one span covers, or the smallest allowed; tries `guess`
+  // first.
   std::size_t reach(std::size_t from, std::size_t room, std::size_t guess, bool back) const {
     const std::size_t least = fewest_points(task_, path_, back ? path_.points.size() - 1 - from : from);
     if (room <= least) return room;
@@ -134,8 +135,8 @@ struct Attempt {
   std::vector<std::size_t> failing;
 };
 
-// Returns how far the second knot may move sideways, m, for the curvature at the start: so little that it is felt as a
-// quarter of the tolerance on the spans beside it.
+// Returns how far the second knot may move sideways, m, for the curvature at the start: riders on the neighbouring
+// spans feel at most a quarter of the tolerance.
 double shift_at(const ForceTask& task, const ForcePath& path, const std::vector<std::size_t>& at) {
   if (at.size() < 3) return 0;
   const auto& points = path.curve.points;
@@ -146,7 +147,7 @@ double shift_at(const ForceTask& task, const ForcePath& path, const std::vector<
 }
 
 Attempt attempt(const ForceTask& task, const ForcePath& path, std::vector<std::size_t> at) {
-  constexpr double kAtPoints = 0.99;  // of the tolerance: between the path's points riders feel a little more
+  constexpr double kAtPoints = 0.99;  // of the tolerance: between the path's points riders feel slightly more
   Attempt now{std::move(at), {}, {}, {}};
   now.spans = make_spans(path.curve, now.at, shift_at(task, path, now.at));
   for (std::size_t k = 0; k + 1 < now.at.size(); ++k) {
@@ -163,7 +164,7 @@ Attempt attempt(const ForceTask& task, const ForcePath& path, std::vector<std::s
   return now;
 }
 
-// Returns the span that a failing one is to be mended by: itself, or a longer one beside the joint where it fails.
+// Returns the span to halve in order to mend a failing one: itself, or a longer neighbour at the joint where it fails.
 std::size_t longer(const Attempt& attempt, std::size_t k) {
   const auto length = [&](std::size_t i) { return attempt.at[i + 1] - attempt.at[i]; };
   const std::size_t worst = attempt.errors[k].felt.at;
@@ -189,7 +190,7 @@ Attempt mended(const ForceTask& task, const ForcePath& path, Attempt now) {
   return now;
 }
 
-// Returns the ends of `count` spans of about equal difficulty: what is missed grows with the square of the length.
+// Returns the ends of `count` spans of about equal difficulty: the error grows with the square of the length.
 std::vector<std::size_t> evened(const ForceTask& task, const Attempt& now, std::size_t count) {
   constexpr double kLeast = 0.1, kMost = 2.5;
   std::vector<double> sums{0.0};
@@ -222,7 +223,7 @@ void even_out(const ForceTask& task, const ForcePath& path, Attempt& best) {
   }
 }
 
-// Returns spans that reach as far as they can, from the start, from the end, or in the middle between both.
+// Returns spans that are as long as possible, built from the start, from the end, or from both to the middle.
 Attempt best_places(const ForceTask& task, const ForcePath& path) {
   constexpr std::size_t kShort = 600;  // points: longer paths are tried once and not evened out
   const bool quick = path.points.size() > kShort;

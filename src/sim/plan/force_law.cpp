@@ -19,14 +19,14 @@ double value_of(const Piece& p, int axis, double u) {
   const double rest = 1 - u;
   return rest * rest * (rest * p[0][axis] + 3 * u * p[1][axis]) + u * u * (3 * rest * p[2][axis] + u * p[3][axis]);
 }
-// A third of the derivative by u.
+// Returns a third of the derivative by u.
 double rate_of(const Piece& p, int axis, double u) {
   const double rest = 1 - u;
   return rest * rest * (p[1][axis] - p[0][axis]) + 2 * rest * u * (p[2][axis] - p[1][axis]) +
          u * u * (p[3][axis] - p[2][axis]);
 }
 
-// Returns the parameter where the piece's x, which ascends, has that value: Newton within a bracket.
+// Returns the parameter at which the piece's x, which ascends, has that value: Newton within a bracket.
 double parameter_at(const Piece& p, double x) {
   const double gap = p[3].x - p[0].x;
   double low = 0, high = 1, u = std::clamp((x - p[0].x) / gap, 0.0, 1.0);

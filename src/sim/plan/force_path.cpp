@@ -13,7 +13,7 @@ namespace {
 using glm::dvec3;
 
 constexpr double kForceStep = 0.25;    // m
-constexpr double kLongestPath = 5000;  // m: a section over time goes no farther
+constexpr double kLongestPath = 5000;  // m, longest section over time
 
 class Integration {
  public:
@@ -45,7 +45,7 @@ class Integration {
     return path;
   }
 
-  // Returns why the path cannot go on to there; empty if it can.
+  // Returns why the path cannot continue to that point; empty if it can.
   std::string stop(const ForcePath& path, double x, const ForceState& s) const {
     if (!(s.square >= world::kSlowestForce * world::kSlowestForce))
       return fmt::format("the train falls below {} m/s", world::kSlowestForce);
@@ -63,8 +63,8 @@ class Integration {
   }
 
   std::string own_rails(const ForcePath& path, const ForceState& s) const {
-    constexpr double kApart = 8;              // m along the track, within which it cannot meet itself
-    constexpr double kMost = 2 * kForceStep;  // m from a point to the next along the rails
+    constexpr double kApart = 8;              // m along the track, within which it cannot collide with itself
+    constexpr double kMost = 2 * kForceStep;  // m, largest distance of successive points along the rails
     const std::vector<ElementPoint>& points = path.curve.points;
     const dvec3 here = s.position + task_.rails * s.up;
     for (std::size_t i = 0; i < points.size() && points[i].s < s.length - kApart;) {

@@ -141,7 +141,7 @@ std::string stop_text(const ForcePlan& plan) {
   return fmt::format("the section ends at {:.1f} m: {} there", plan.length, plan.path.stopped);
 }
 
-// The energy gives the speed within a tick: the time of the last sample need not be that of the end of the track.
+// The energy gives the speed within a tick, because the last sample is in general not at the end of the track.
 std::optional<Passing> passing(const Ghost& ride, double distance) {
   const double way = within_lap(distance - ride.start.front, ride.track_length, ride.closed);
   if (!ride.closed && distance < ride.start.front) return std::nullopt;

@@ -15,13 +15,13 @@ namespace {
 
 using world::ForceKey;
 
-constexpr double kReadStep = 0.5;  // m between what is read
+constexpr double kReadStep = 0.5;  // m between readings
 
-// What is felt along the run, by channel.
+// The values felt along the run, by channel.
 struct Readings {
   std::array<std::vector<double>, 3> values;
   double step = 0;      // m
-  std::string refusal;  // of what no keys can say
+  std::string refusal;  // why keys cannot describe the run
 };
 
 Readings readings_of(const TrackRun& run, const ForceTask& start) {
@@ -58,8 +58,8 @@ Readings readings_of(const TrackRun& run, const ForceTask& start) {
   return readings;
 }
 
-// Returns lateral keys where the roll has its keys: the roll's change is felt sideways above the curve, and its slope
-// changes its formula there.
+// Returns lateral keys at the positions of the roll's keys: riders above the curve feel the roll's change sideways, and
+// its slope changes its formula there.
 std::vector<ForceKey> beside_roll(const Readings& readings, const ForceTask& task) {
   std::vector<ForceKey> keys = task.program.keys(world::ForceChannel::roll);
   for (ForceKey& key : keys) {
@@ -69,12 +69,12 @@ std::vector<ForceKey> beside_roll(const Readings& readings, const ForceTask& tas
   return keys;
 }
 
-// Returns keys with the readings between which their curves miss the readings by at most `unit` g, or 10 times as many
-// degrees per metre: each at the place that was missed most.
+// Returns keys with values of the readings, between which their curves differ from the readings by at most `unit` g, or
+// 10 times as many degrees per metre. Each key is added at the largest error.
 void put_keys(const Readings& readings, double unit, ForceTask& task) {
   for (std::size_t c = 0; c < 3; ++c)
     task.program.channels[c] = {{0, readings.values[c].front()}, {task.program.length, readings.values[c].back()}};
-  for (const std::size_t c : {2, 0, 1}) {  // the roll's slope is felt sideways
+  for (const std::size_t c : {2, 0, 1}) {  // riders feel the roll's slope sideways
     const auto channel = static_cast<world::ForceChannel>(c);
     const std::vector<double>& values = readings.values[c];
     std::vector<ForceKey>& keys = task.program.channels[c];
@@ -133,7 +133,8 @@ OffRun off_run(const TrackRun& run, const std::vector<world::Knot>& knots) {
     for (int i = 1; i <= kPlaces; ++i) {
       const double t = static_cast<double>(i) / kPlaces;
       const glm::dvec3 here = curve::point(cubic, t);
-      // Of the segment on which the last place was and those behind it, as long as they are nearer.
+      // Returns the distance from the segment of the last position and from the following ones, as long as they are
+      // nearer.
       const auto distance = [&](std::size_t segment) {
         return curve::nearest_point(run.derived.shape_at(segment).key.cubic, here).distance;
       };
@@ -149,7 +150,7 @@ OffRun off_run(const TrackRun& run, const std::vector<world::Knot>& knots) {
 
 namespace {
 
-// Whether the plan's end is the run's, so that what follows fits it without moving.
+// True if the plan ends where the run does, so that the following track fits without moving.
 bool ends_there(const ForcePlan& plan, const ElementPoint& end) {
   constexpr double kPlace = 1e-4, kAngle = 1e-5, kBend = 1e-4;  // m, rad, 1/m and rad/m
   const ElementPoint& last = plan.path.curve.points.back();

@@ -12,17 +12,18 @@ namespace {
 using glm::dvec3;
 using world::ForceKey;
 
-// What a residual of 1 is.
+// The size of a residual of 1.
 constexpr double kWayUnit = 0.002, kRollUnit = 0.002;  // m, rad
-// Of the end: m; rad, 1/m and rad/m. First as coarse as the way, from where the steps are far from linear.
+// Units for the end: m; rad, 1/m and rad/m. At first as coarse as along the way, because the steps are far from linear
+// then.
 struct EndUnits {
   double place, angle;
 };
 constexpr EndUnits kEndUnits[] = {{2e-3, 2e-3}, {1e-4, 2e-5}, {3e-6, 3e-7}};
 constexpr double kChangeUnit_g = 0.5, kChangeUnit_deg = 5;  // of a key
-constexpr std::size_t kEachPoint = 4;                       // of the trace's points
+constexpr std::size_t kEachPoint = 4;                       // every fourth point of the trace is used
 
-// The unknowns: each channel's keys but the first.
+// Returns the unknowns: each channel's keys except the first.
 std::vector<double*> unknowns_of(ForceTask& task) {
   std::vector<double*> unknowns;
   for (auto& keys : task.program.channels)
@@ -143,7 +144,7 @@ class LeastSquares {
     });
   }
 
-  // Returns the change of the unknowns with that damping: Cholesky's factors.
+  // Returns the change of the unknowns with that damping, by a Cholesky factorisation.
   std::vector<double> solved(double damping) const {
     const std::size_t n = units_.size();
     std::vector<double> a = normal_, x = right_;
@@ -193,7 +194,7 @@ void with_slopes(ForceTask& task) {
     keys.front().slope = 2 * rise(0) - keys[1].slope;
     keys.back().slope = 2 * rise(keys.size() - 2) - keys[keys.size() - 2].slope;
   };
-  for (const std::size_t c : {2, 1, 0}) {  // the roll's slope is felt sideways
+  for (const std::size_t c : {2, 1, 0}) {  // riders feel the roll's slope sideways
     channels[c].front().value = ForceLaw(task).felt_at_start()[c];
     shape(channels[c]);
   }

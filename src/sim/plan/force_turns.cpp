@@ -1,4 +1,4 @@
-// Turns, rolls and loops of forces.
+// Turns, rolls and loops made of forces.
 #include <array>
 #include <cmath>
 
@@ -17,7 +17,7 @@ using world::ForceChannel;
 using world::ForceKey;
 using world::ForceProgram;
 
-// The share of a whole roll that is done after a share of its time, and the rate there, per time.
+// The fraction of a whole roll that is complete after a fraction of its time, and its derivative.
 struct RollShare {
   double angle, rate;
 };
@@ -30,19 +30,19 @@ RollShare share_of_roll(double time) {
   return {((x * x * x - x * x * x * x / 2) / 4 + std::max(time - 0.25, 0.0)) / 0.75, smooth_step(x) / 0.75};
 }
 
-// A turn while its unknowns are looked for.
+// A turn during the search for its unknowns.
 struct Turn {
   struct Unknowns {
-    double hold = 0;            // s, that it stays banked
-    double lift = 0, tilt = 0;  // g and rad, more on the roll-in
-    double roll_out = 0;        // rad, more than the roll-in
+    double hold = 0;            // s, time at full bank
+    double lift = 0, tilt = 0;  // g and rad, additional during the roll-in
+    double roll_out = 0;        // rad, additional to the roll-in
   };
   const ForceMaker& maker;
   double g, side;      // side: 1 to the right, -1 to the left
-  double roll;         // s, of the roll-in and of the roll-out
+  double roll;         // s, duration of the roll-in and of the roll-out
   double angle, bank;  // rad
 
-  // Level while it rolls: as much more g as the bank takes away.
+  // Level during the roll: the g increases by as much as the bank takes away.
   ForceProgram program(const Unknowns& x) const {
     const double in = bank + x.tilt, out_rate = 2 * degrees(in + x.roll_out) * side / roll,
                  in_rate = 2 * degrees(in) * side / roll, scale = (g - 1) / (1 / base::sin_cos(bank).cos - 1),
@@ -64,7 +64,7 @@ struct Turn {
 
  private:
   static constexpr int kParts = 4;
-  // The share of the bank after i of the parts of a roll whose rate rises and falls by smooth steps, and its
+  // Returns the fraction of the bank after i parts of a roll whose rate rises and falls by smooth steps, and its
   // derivative.
   static double half_roll(int i) {
     if (2 * i > kParts) return 1 - half_roll(kParts - i);
@@ -74,8 +74,8 @@ struct Turn {
   static double half_rate(int i) { return 2 * smooth_step(2.0 * std::min(i, kParts - i) / kParts); }
 };
 
-// A loop while its unknowns are looked for: the time at full g, lateral g to the side and back, and the roll that keeps
-// it upright, in degrees per second.
+// A loop during the search for its unknowns: the time at full g, lateral g to the side and back, and the roll that
+// keeps it upright, in degrees per second.
 struct Loop {
   const ForceMaker& maker;
   double g;
@@ -105,7 +105,7 @@ ForceElement force_turn(const ForceMaker& maker) {
   const Turn turn{maker, g,   maker.element.right ? 1.0 : -1.0, std::max(kShortestRoll, degrees(bank) / kBankRate),
                   angle, bank};
   // An error of the bank becomes one of the slope, and back, as sine and cosine of the angle turned. So lift and tilt
-  // together level the end and bring it to the height of the start, but near whole turns, where they cannot do both.
+  // together level the end and bring it to the height of the start, except near whole turns, where they cannot do both.
   const auto off = [&](glm::dvec4 x) -> std::optional<glm::dvec4> {
     if (!(x[0] >= kShortestHold && bank + std::abs(x[2]) + std::abs(x[3]) < 1.55)) return std::nullopt;
     const auto end = maker.walk(turn.program({x[0], x[1], x[2], x[3]}));
@@ -135,8 +135,8 @@ ForceElement force_turn(const ForceMaker& maker) {
   return made(turn.program({(*found)[0], (*found)[1], (*found)[2], (*found)[3]}));
 }
 
-// A straight path: what riders feel is gravity alone, as their seats turn, and what little `more` of it, up and to the
-// left of the path, keeps the path straight where the rails wind about it.
+// A straight path: riders feel only gravity, in the axes of their turning seats, and a small addition `more`, up and to
+// the left of the path, that keeps the path straight while the rails wind about it.
 ForceElement force_heartline(const ForceMaker& maker) {
   constexpr int kKeys = 16;  // between them the cubics are within 0.002 g of sine and cosine
   const double seconds = maker.value("seconds"), whole = (maker.element.right ? 2 : -2) * base::kPi;

@@ -9,7 +9,7 @@ using glm::dvec3;
 
 constexpr double kWalkStep = 0.35;  // m
 
-// Adds the least turn from one angle to the next.
+// Adds the smallest turn from one angle to the next.
 void follow_angle(double& sum, double& before, double now) {
   const double turn = now - before;
   sum += turn > base::kPi ? turn - 2 * base::kPi : turn < -base::kPi ? turn + 2 * base::kPi : turn;

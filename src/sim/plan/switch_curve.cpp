@@ -24,7 +24,7 @@ constexpr double kStretchBound = 0.004;           // m
 constexpr double kUpBound = base::radians(0.25);  // of `up`
 constexpr double kShortStretch = 0.1;             // m of the former curve; never halved
 constexpr int kChecks = 16;                       // per span, between its ends
-constexpr float kSameHandles = 1e-4f;             // relative; nearer handles are made equal, as smooth joints need
+constexpr float kSameHandles = 1e-4f;             // relative; closer lengths are made equal, as smooth joints need
 
 // Part of a former segment, and the segment that it becomes.
 struct Stretch {
@@ -56,7 +56,7 @@ world::Knot knot_of(const dvec3& position, const dvec3& tangent, const dvec3& up
   return knot;
 }
 
-// Returns the new knot at knot `k` of the track. Where curvature jumps it has the mean direction and spin.
+// Returns the new knot for knot `k` of the track. Where curvature jumps it has the mean direction and spin.
 world::Knot moved_knot(const Switching& w, std::size_t k) {
   const std::size_t count = w.derived.order.size();
   const bool before = count > 0 && (w.derived.closed || k > 0), after = w.derived.closed || k < count;
@@ -85,12 +85,12 @@ ElementPoint end_of(const Switching& w, std::size_t index, double t, const world
   return {s, dvec3(knot.position), tangent, curve::across(bend, tangent) / (stretch * stretch)};
 }
 
-// The new curve over a span.
+// Properties of the new curve over a span.
 struct Covered {
   double length = 0, roll = 0;  // m, rad
 };
 
-// By the midpoint rule.
+// Computed by the midpoint rule.
 Covered covered_by(const Switching& w, const Stretch& span) {
   constexpr int kSteps = 64;
   const SegmentShape& shape = w.shape(span.index);
@@ -111,7 +111,7 @@ void set_handles(const Switching& w, double length, Stretch& span) {
   span.first.joint = span.second.joint = world::JointKind::aligned;
 }
 
-// Returns the span alone as a track.
+// Returns a track of only this span.
 world::Document track_of(const Switching& w, const Stretch& span) {
   world::Document track;
   track.curve = w.to, track.heartline = w.document.heartline;
@@ -125,13 +125,13 @@ struct Error {
   bool within() const { return distance <= kStretchBound && angle <= kUpBound; }
 };
 
-// Returns the parameter of the new curve beside t of the former one.
+// Returns the parameter of the new curve that corresponds to t on the former one.
 double beside(const SegmentShape& former, double t, const SegmentShape& now) {
   const dvec3 up = frame_at(former, former.arc.distance(t), t).up;
   return curve::nearest_point(now.key.cubic, rails_point(former, t) - now.key.rails * up).t;
 }
 
-// Compares the rails at points beside each other: an upper bound of their distance.
+// Compares the rails at corresponding points: an upper bound of their distance.
 Error error_of(const Switching& w, const Stretch& span, const SegmentShape& now) {
   const SegmentShape& former = w.shape(span.index);
   Error error;
@@ -150,7 +150,7 @@ base::Status too_far(const Switching& w, const Stretch& span) {
           fmt::format("the rails would move by more than {} m at {:.1f} m; smooth the track there", kRailsBound, at)};
 }
 
-// Adds the span to `out`, in halves while it misses the bounds. Refused where a short stretch misses kRailsBound.
+// Adds the span to `out`, halved while it misses the bounds. Refused if a short stretch misses kRailsBound.
 base::Status fit(const Switching& w, Stretch span, std::vector<Stretch>& out) {
   const Covered covered = covered_by(w, span);
   set_handles(w, covered.length, span);
@@ -161,7 +161,7 @@ base::Status fit(const Switching& w, Stretch span, std::vector<Stretch>& out) {
     alone = shapes_of(track_of(w, span));
   }
   const Error error = error_of(w, span, alone.shape_at(0));
-  // The former length: where handles meet their limits, the new one need not shrink.
+  // The former length: where handles reach their limits, the new one may not shrink.
   const curve::ArcLengthMap& arc = w.shape(span.index).arc;
   const bool is_short = arc.distance(span.to) - arc.distance(span.from) < kShortStretch;
   if (is_short && !(error.distance <= kRailsBound)) return too_far(w, span);
@@ -209,7 +209,7 @@ const Stretch* split_at(const Switching& w, const std::vector<Stretch>& spans, S
   return nullptr;
 }
 
-// Gives the knots and segments of the split document the spans' values; a knot without segments moves alone.
+// Copies the spans' values to the knots and segments of the split document; a knot without segments moves alone.
 void take_values(const Switching& w, const std::vector<Stretch>& spans, world::Document& document) {
   const world::Track& track = document.track;
   const auto set = [&](world::Entity e, const world::Knot& value) -> world::Knot& {

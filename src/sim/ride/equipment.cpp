@@ -18,14 +18,15 @@ double car_place(const Rails& rails, const TrainPlace& train, int car) {
 
 bool inside(const EquipmentSpan& span, double at) { return at >= span.from && at < span.to; }
 
-// Returns whether no car is on a span or within 1 m of it. May miss that for a train across the track's start.
+// Returns true if no car is on a span or within 1 m of it. May return false for a distant train across the track's
+// start.
 bool far_from(const EquipmentSpan& span, const Rails& rails, const TrainPlace& train, double front) {
   constexpr double kNear = 1;  // m
   const double tail = front - (train.cars - 1) * train.spacing;
   return tail >= 0 && front <= rails.length && (span.from > front + kNear || span.to < tail - kNear);
 }
 
-// Returns the fraction of a train's cars that is on a span.
+// Returns the fraction of a train's cars on a span.
 double share_on(const EquipmentSpan& span, const Rails& rails, const TrainPlace& train) {
   int on = 0;
   for (int i = 0; i < train.cars; ++i) on += inside(span, car_place(rails, train, i));
@@ -78,7 +79,8 @@ Drive stop_and_go(const EquipmentSpan& span, const Moment& now, double left, boo
         1 + static_cast<std::int32_t>(e.kind == EquipmentKind::station ? e.seconds * world::kTicksPerSecond : 0);
     return {now.towards(0.0), true};
   }
-  // Follows v^2 = 2 a d down to the stopping point; the brake is three times as strong as that needs. Never past it.
+  // Follows v^2 = 2 a d down to the stopping point; the brake is three times as strong as needed. Never passes that
+  // point.
   const double allowed = std::sqrt(2.0 * push * std::max(left - 0.5 * kStopWithin, 0.0));
   const double target = std::min(std::max<double>(e.speed, kCreep), allowed);
   const double last_step = std::max(left, 0.0) / now.dt;
@@ -90,7 +92,7 @@ Drive stop_and_go(const EquipmentSpan& span, const Moment& now, double left, boo
 std::vector<EquipmentSpan> equipment_spans(const world::Document& document, const Derived& derived) {
   std::vector<EquipmentSpan> spans;
   if (document.entities.pool<world::Equipment>().size() == 0) return spans;
-  world::Entity station;  // the section of the segment before, if that is a station
+  world::Entity station;  // the section of the previous segment, if that is a station
   for (std::size_t i = 0; i < derived.order.size(); ++i) {
     const auto* const found = document.entities.find<world::Equipment>(derived.order[i]);
     const bool stops = found && found->kind == EquipmentKind::station;
@@ -113,12 +115,12 @@ Drive drive_of(std::span<const EquipmentSpan> spans, const Rails& rails, const T
     const double share = share_on(span, rails, train);
     const EquipmentKind kind = span.equipment.kind;
     const bool stops = kind == EquipmentKind::station || kind == EquipmentKind::block;
-    // The stopping point is the span's very end: a first car that stands there belongs to it.
+    // The stopping point is exactly the span's end: a first car that stands there belongs to it.
     const bool front_on =
         inside(span, front) || (stops && state.dwell > 0 && std::abs(front - span.to) < 2 * kStopWithin);
     if (share == 0 && !front_on) continue;
     const Moment now{speed, free + drive.acceleration,
-                     dt};  // includes what other spans do: a train on two lifts is pulled once
+                     dt};  // includes the effect of other spans: a train on two lifts is pulled once
     if (stops) {
       on_stop = true;
       if (front_on && (kind == EquipmentKind::station || !way_free || state.dwell > 0)) {
@@ -188,7 +190,7 @@ std::optional<std::size_t> first_collision(const Rails& rails, std::span<const T
                                            std::span<const char> left_out) {
   constexpr double kMargin = 1e-3;  // m, for rounding
   struct Reach {
-    double from, extent;  // m: all of a train is on [from, from + extent]
+    double from, extent;  // m: the whole train is within [from, from + extent]
     std::size_t train;
   };
   std::vector<Reach> order;

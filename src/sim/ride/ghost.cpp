@@ -15,7 +15,7 @@ std::vector<const SegmentTable*> segments_of(const RailTables& tables) {
   return segments;
 }
 
-// Returns what changes from the end of one segment's entries to the start of the next's, or backwards.
+// Returns the passage from the end of one segment's entries to the start of the next's, or backwards.
 Passage passage(std::span<const FeltEntry> from, std::span<const FeltEntry> to, bool back, double speed,
                 double acceleration) {
   const FeltEntry &before = back ? from.front() : from.back(), &after = back ? to.back() : to.front();
@@ -47,7 +47,7 @@ class Simulation {
     settle();
   }
 
-  // Reuses the memory of `ghost`.
+  // Runs the simulation and reuses the memory of `ghost`.
   Ghost run(const GhostLimits& limits, Ghost ghost) {
     std::vector<GhostSample> samples = std::move(ghost.samples);
     std::vector<Force> forces = std::move(ghost.forces);
@@ -84,7 +84,7 @@ class Simulation {
 
  private:
   double gravity(double at) const { return -world::kGravity * landscape_.slope(at - round_); }
-  // After each move: computes the gravity there, which is used several times, and the start of the train's lap.
+  // Updates the gravity after each move, which is used several times, and the start of the train's lap.
   void settle() {
     if (rails_.closed && !(moving_.x >= round_ && moving_.x < round_ + rails_.length))
       round_ = rails_.length * std::floor(moving_.x / rails_.length);
@@ -200,8 +200,8 @@ class Simulation {
   bool losses_;
   struct CarPlace {
     double back;                          // m behind the first car
-    std::size_t segment = 0;              // where it was last
-    const SegmentTable* table = nullptr;  // of that segment, with its ends in m from the track's start
+    std::size_t segment = 0;              // its last segment
+    const SegmentTable* table = nullptr;  // of that segment, and the segment's ends in m from the track's start
     double from = 1, to = 0;
   };
   std::vector<CarPlace> cars_;

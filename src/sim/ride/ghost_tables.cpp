@@ -19,7 +19,7 @@ Landscape::Landscape(const RailTables& tables, std::span<const SegmentTable* con
   }
 }
 
-// Visits the segments in order, as the grid does.
+// Visits the segments in the order of the grid.
 void Landscape::add_car(const RailTables& tables, std::span<const SegmentTable* const> segments, double back,
                         std::vector<RailPoint>& sums) const {
   std::size_t index = segments.size();

@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kPerTick = world::kTick, kPerSecond = world::kTicksPerSecond;
 
-// Hermite over one tick from (a, va) to (b, vb), m and m/s, u in [0, 1]; at u = 0 exactly (a, va).
+// Hermite interpolation over one tick from (a, va) to (b, vb), m and m/s, u in [0, 1]; at u = 0 exactly (a, va).
 inline void between(double a, double va, double b, double vb, double u, double& along, double& speed) {
   const double way = b - a, first = va * kPerTick, last = vb * kPerTick;
   const double p = first + last - 2.0 * way, q = 3.0 * way - 2.0 * first - last;
@@ -58,8 +58,8 @@ inline void place(std::size_t count, const Pair* __restrict before, const Pair* 
   }
 }
 
-// Loops that each do one kind of work, so that all but the look-up are vectorised. Every step is one rounded operation,
-// so the bits do not depend on the vector width.
+// Separate loops, so that all but the look-up are vectorised. Every step is one rounded operation, so the bits do not
+// depend on the vector width.
 void advance_block(const LapTable& table, std::size_t count, const Columns& carts) {
   std::array<std::int32_t, kBlock> entry;
   std::array<double, kBlock> part;

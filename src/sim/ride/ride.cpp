@@ -24,7 +24,7 @@ void set_reference(const world::Document& document, const Derived& derived, worl
   cart.peak_kinetic = 0.5 * cart.speed * cart.speed;
 }
 
-// Where segments are in the order of travel. Many trains are looked up in a table.
+// The index of each segment in the order of travel. For many trains it is a table.
 class Order {
  public:
   Order(const Derived& derived, std::size_t trains) : derived_(derived) {
@@ -112,7 +112,8 @@ void reconcile(const world::Document& document, const Derived& derived, world::M
     world::CartMotion* const cart = motion.carts.find(e);
     if (!cart) motion.carts.put(e, begin(document, derived, order, e, designed.items()[i]));
     else if (motion.state == world::RideState::stopped)
-      *cart = begin(document, derived, order, e, designed.items()[i]);  // a ride that has not begun follows the design
+      *cart =
+          begin(document, derived, order, e, designed.items()[i]);  // before the ride begins, trains follow the design
     else follow_edit(document, derived, order, e, *cart);
   }
   if (motion.carts.size() == 0) motion.state = world::RideState::stopped, motion.failure = {};

@@ -17,7 +17,7 @@ constexpr double kOverhang = 1e-9;  // m
 struct TickContext {
   const RideInput& input;
   const Integrator& row;
-  world::Resistance resistance;  // of the train whose tick it is
+  world::Resistance resistance;  // of the current train
 };
 
 // Returns the time in (0, dt] at which `value` (of the state after that time) first reaches zero from below:
@@ -91,8 +91,8 @@ bool advance_across(const TickContext& tick, double dt, double drive, std::vecto
   if (!derived.closed && !(to > 0 && to < derived.length)) return false;
   const TrackPlace before = places.front();
   for (TrackPlace& car : places) car = behind(derived, car, -next.x);
-  // Moved on and yet nearer to the track's start: it completed a lap, unless the track is so short that one step is
-  // several laps.
+  // The train moved on and is nevertheless nearer to the track's start, so it completed a lap, unless the track is so
+  // short that one step is several laps.
   const auto order = [](const TrackPlace& a, const TrackPlace& b) {
     return a.index != b.index ? a.index < b.index : a.s < b.s;
   };
@@ -140,7 +140,7 @@ bool advance_stepped(const TickContext& tick, double dt, double drive, std::vect
   return true;
 }
 
-// Returns the effect of equipment in this tick; `held` is true if it holds the train still.
+// Returns the effect of equipment in this tick; `held` is true if it keeps the train from moving.
 Drive drive_for(const TickContext& tick, std::size_t train, std::span<const TrainPlace> trains,
                 std::span<const TrackPlace> places, world::CartMotion& cart) {
   const RideInput& input = tick.input;
@@ -213,7 +213,7 @@ bool advance_train(const TickContext& tick, const Drive& drive, Train& train) {
   if (at_open_end(tick.input.derived, cart) && drive.acceleration == 0) {
     const TrainContext context{tick.input.derived, train.places, 0, 0, {}, 0, 0};
     const double pull = context.gravity(0.0);
-    // A train that stands at its start and is not pulled has not come to the end of a ride: it stalls.
+    // A train at rest at its start without a pull has not reached the end of a ride: it stalls.
     const bool stands = cart.travelled == 0 && std::abs(pull) <= world::kGravity * train.resistance.rolling;
     if (stands) return true;
     if (cart.s <= 0 ? pull <= 0 : pull >= 0) return false;
@@ -237,7 +237,7 @@ void step_trains(const RideInput& input, const Integrator& row, int ticks, world
   std::vector<Train> trains = trains_of(input, motion);
   const Rails rails{input.derived.length, input.derived.closed};
   std::vector<TrainPlace> places(trains.size());
-  std::vector<char> left(trains.size());  // at an open end
+  std::vector<char> left(trains.size());  // 1: at an open end
   const auto fail = [&](world::FailureKind kind, const Train& train, double speed) {
     motion.failure = {kind, train.entity, train.motion->track_distance, speed};
     if (kind != world::FailureKind::off_end) motion.state = world::RideState::failed;

@@ -134,7 +134,7 @@ double energy_of_laps(const RideInput& input) {
 }
 
 // If a train is without a timetable, gives each the one of its kind and energy. Returns false if there are too many, or
-// if a train may not come round.
+// if a train may not complete a lap.
 bool share_timetables(const RideInput& input, GhostMemo& memo, world::Motion& motion) {
   constexpr double kSame = 1e-8;  // of the energy
   if (!input.derived.closed || !input.equipment.empty() || input.document.resistance != world::Resistance{})
@@ -183,7 +183,7 @@ bool step_by_timetable(const RideInput& input, int ticks, GhostMemo& memo, world
   for (std::size_t i = 0; i < motion.carts.size(); ++i)
     (tables.of(motion.carts.entities()[i], motion.carts.items()[i].timetable).valid() ? rounds : others).push_back(i);
   if (shared && !others.empty()) return false;
-  int done = 0;  // ticks, including the one in which the ride failed: it is the last for all trains
+  int done = 0;  // ticks, including the one in which the ride failed, which is the last for all trains
   for (; done < ticks && motion.state == world::RideState::running && (done == 0 || !others.empty()); ++done) {
     bool any = !rounds.empty();
     for (const std::size_t i : others) {
@@ -204,7 +204,7 @@ bool step_by_timetable(const RideInput& input, int ticks, GhostMemo& memo, world
     if (!any && motion.state == world::RideState::running) motion.state = world::RideState::ended;
   }
   if (others.empty()) done = ticks;
-  LapTables present(input, memo);  // the others may have driven tables out
+  LapTables present(input, memo);  // the others may have evicted tables
   for (const std::size_t i : rounds) {
     world::CartMotion& cart = motion.carts.items()[i];
     follow_laps(input, present.of(motion.carts.entities()[i], cart.timetable), done, cart);

@@ -63,7 +63,7 @@ ShapeKey key_of(const world::Document& document, const world::Segment& segment) 
           world::rails_height(document)};
 }
 
-// What is to be done to one segment, and what it took.
+// The work on one segment, and its cost.
 struct Job {
   std::size_t index = 0;
   SegmentShape* shape = nullptr;
@@ -84,15 +84,15 @@ void work_on(const world::Evaluation& evaluation, const Clock& clock, Polyline& 
   shape.deviation = deviation_of(shape.key.cubic, polyline.points);
 }
 
-// True if nothing of the segments can be kept without a look at each.
+// True if every segment must be compared or rebuilt.
 bool all_anew(const world::Document& document, const world::Evaluation& evaluation, bool moved,
               const Derived& derived) {
   return moved || derived.made.knots.size() != document.track.knots.size() ||
          !(derived.made.evaluation == evaluation) || derived.made.rails != world::rails_height(document);
 }
 
-// Calls visit(i) for each knot that differs from made.knots[i], and copies it there. Leaves out blocks that still have
-// the copies' bits, where the pool has the knots in the track's order, as after loading.
+// Calls visit(i) for each knot that differs from made.knots[i], and copies it there. If the pool has the knots in the
+// track's order, as after loading, skips blocks that are equal bit by bit.
 void take_knots(const world::Document& document, Derived& derived, const auto& visit) {
   constexpr std::size_t kBlock = 64;
   const auto& pool = document.entities.pool<world::Knot>();
@@ -114,7 +114,7 @@ void take_knots(const world::Document& document, Derived& derived, const auto& v
   }
 }
 
-// Notes what the segments are made from. Returns the indices of those for which that is new, ascending.
+// Records the inputs of the segments. Returns the indices of those whose inputs changed, ascending.
 std::vector<std::size_t> take_changes(const world::Document& document, bool all, Derived& derived) {
   Derived::Made& made = derived.made;
   const std::size_t count = derived.order.size();
@@ -149,7 +149,7 @@ std::vector<std::size_t> take_changes(const world::Document& document, bool all,
   return changed;
 }
 
-// Returns what is to be done; the shapes stay where they are.
+// Returns the work to be done; the shapes stay at their addresses.
 std::vector<Job> jobs_of(const world::Document& document, std::span<const std::size_t> changed,
                          const world::Evaluation& evaluation, Derived& derived) {
   const bool on_processor = base::row_of(evaluation.evaluator).evaluated_by == curve::EvaluatedBy::processor;
@@ -171,7 +171,7 @@ std::vector<Job> jobs_of(const world::Document& document, std::span<const std::s
   return jobs;
 }
 
-// Numbers the rebuilds and adds up the segments, in the track's order, whatever the order of the work was.
+// Numbers the rebuilds and sums over the segments in the track's order, independent of the order of the work.
 void gather(std::span<const Job> jobs, Derived& derived) {
   const std::size_t count = derived.order.size();
   Derived::Made& made = derived.made;

@@ -7,13 +7,13 @@ namespace coaster::sim {
 
 using glm::dvec3;
 
-// Vertices that a rounded double shows to be nearer than the worst one so far need no exact point.
+// Vertices for which the point in double proves a smaller deviation than the largest so far need no exact point.
 double deviation_of(const curve::Cubic& cubic, std::span<const glm::vec3> points) {
   const curve::CoefficientsD rounded = curve::coefficients_d(cubic);
   float largest = 1;
   for (const glm::vec3 p : {cubic.p0, cubic.p1, cubic.p2, cubic.p3})
     largest = std::max({largest, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
-  const double rounding = 1e-12 * double{largest};  // m, of a point in double: at least ten times what it can be
+  const double rounding = 1e-12 * double{largest};  // m, of a point in double: at least ten times its possible error
   const double last = static_cast<double>(points.size()) - 1;
   double worst = 0, enough = 0;
   for (std::size_t i = 0; i < points.size(); ++i) {

@@ -23,7 +23,7 @@ struct Line {
   double along(double t) const { return offset_point(shape, shape.arc.distance(t), height).along; }
 };
 
-// Returns the least place of a function with one minimum between a and b, by golden sections.
+// Returns the position of the minimum of a function with one minimum between a and b, by golden sections.
 double least_between(const Line& line, double a, double b) {
   constexpr double kGolden = 0.6180339887498949;
   double c = b - kGolden * (b - a), d = a + kGolden * (b - a), at_c = line.along(c), at_d = line.along(d);
@@ -34,7 +34,7 @@ double least_between(const Line& line, double a, double b) {
   return at_c < at_d ? c : d;
 }
 
-// Returns the border between a place that folds and one that does not.
+// Returns the border between a position that folds and one that does not.
 double border(const Line& line, double folds, double clear) {
   for (int i = 0; i < 30; ++i) {
     const double middle = 0.5 * (folds + clear);
@@ -50,7 +50,7 @@ bool gentle(const Line& line) {
   return true;
 }
 
-// Adds the fold from t0 to t1, with its tightest place; distances along the segment.
+// Adds the fold from t0 to t1, with its tightest position; distances along the segment.
 void add_fold(const Line& line, double t0, double t1, double tightest, std::vector<Fold>& out) {
   const curve::ArcLengthMap& arc = line.shape.arc;
   const double bend = (1 - line.along(tightest)) / std::abs(line.height);

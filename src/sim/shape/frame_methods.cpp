@@ -35,7 +35,7 @@ TrackFrame minimising(const Derived& derived, std::size_t index, double s) {
   return {rolled(frame_at(derived.shape_at(index), s), spread - turned(derived, index, s))};
 }
 
-// The last Frenet normal before a place without one: its angle to the knots' frame there, and that frame's rotation.
+// The last Frenet normal before a position without one: its angle to the knots' frame there, and that frame's rotation.
 struct LastNormal {
   double angle, turned;
 };

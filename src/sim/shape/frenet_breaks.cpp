@@ -16,7 +16,7 @@ constexpr double kHalfSpan = 1.0 / 64;  // of the parameter: a flip happens with
 
 bool defined(const curve::Cubic& cubic, double t) { return curve::frenet(cubic, t).has_value(); }
 
-// Adds runs of undefined samples. A single one at an end belongs to the joint there, one beside a flip to the flip.
+// Adds runs of undefined samples. A single one at an end belongs to the joint there, one next to a flip to the flip.
 void add_undefined(const curve::Cubic& cubic, world::Entity segment, std::vector<FrenetBreak>& found) {
   const std::size_t flips = found.size();
   const auto at = [](int i) { return static_cast<double>(i) / kFrameIntervals; };
@@ -45,7 +45,7 @@ EndNormal end_normal(const curve::Cubic& cubic, bool at_start) {
   return {f ? std::optional(f->normal) : std::nullopt, false};
 }
 
-// Adds the joint before segment `index`, at t = 0 of that segment. Beside a span without normals it is part of the
+// Adds the joint before segment `index`, at t = 0 of that segment. Next to a span without normals it is part of the
 // span.
 void add_joint(const Derived& derived, std::size_t index, std::vector<FrenetBreak>& found) {
   if (index == 0 && !derived.closed) return;
@@ -94,7 +94,7 @@ const std::vector<FrenetBreak>& FrenetBreaks::update(const Derived& derived) {
     Entry* entry = entries_.find(order_[i]);
     if (!entry || entry->build != shape.shape_build)
       entry = &entries_.put(order_[i], {shape.shape_build, frenet_breaks(shape, order_[i])});
-    // The joint also depends on the previous segment: recomputing it after any change is cheap enough.
+    // The joint also depends on the previous segment; recomputing it after any change is cheap.
     add_joint(derived, i, all_);
     all_.insert(all_.end(), entry->found.begin(), entry->found.end());
   }

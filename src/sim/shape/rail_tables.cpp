@@ -36,7 +36,7 @@ FeltEntry felt_entry(const SegmentShape& shape, double s, double t, const curve:
   const dvec3 r1 = curve::derivative(shape.key.cubic, t), r2 = curve::second_derivative(shape.key.cubic, t);
   const double square = glm::dot(r1, r1);
   double to_left = 0, to_up = 0, up_slope = 0;
-  if (square > 1e-6) {  // (1 mm)^2: below is a cusp
+  if (square > 1e-6) {  // (1 mm)^2: below it is a cusp
     to_left = glm::dot(r2, left) / square, to_up = glm::dot(r2, up) / square;
     const double third = glm::dot(curve::third_derivative(shape.key.cubic), up) / square;
     up_slope = (third - 3.0 * to_up * glm::dot(r1, r2) / square) / std::sqrt(square);

@@ -36,7 +36,7 @@ glm::dvec3 lifted(glm::vec3 position, glm::vec3 up, double by) { return glm::dve
 // Returns by how much two chords, p to q and r to t, of at most `lengths` m together, are out of reach of each other,
 // m; negative if they may conflict.
 double beyond_reach(const LinePoint& p, const LinePoint& q, const LinePoint& r, const LinePoint& t, double lengths) {
-  constexpr double kRounding = 0.05;  // m, rounding of float coordinates at the border of the world
+  constexpr double kRounding = 0.05;  // m, rounding of float coordinates at the limits of coordinates
   const double apart = 0.5 * static_cast<double>(glm::distance(p.position + q.position, r.position + t.position));
   return apart - 0.5 * lengths - kReach - kRounding;
 }
@@ -100,7 +100,7 @@ std::vector<std::size_t> Conflicts::take_order(const Derived& derived) {
   return changed;
 }
 
-// Begins a search of what changed, and of what the last one did not get to.
+// Begins a search of the changed segments, and of those that the last one did not reach.
 void Conflicts::take_changes(const Derived& derived) {
   std::vector<world::Entity> left;
   for (; next_ < waiting_.size(); ++next_) left.push_back(order_[waiting_[next_]]);
@@ -126,7 +126,7 @@ void Conflicts::wait_for(std::size_t index) {
   stale_[index] = true;
 }
 
-// Whether two positions are one stretch depends on everything between them.
+// Adds the segments whose verdict may change: whether two positions are one stretch depends on everything between them.
 void Conflicts::spread(const Derived& derived, std::span<const std::size_t> changed) {
   const std::size_t count = derived.order.size();
   std::vector<bool> is_changed(count);
@@ -152,7 +152,7 @@ const Conflicts::Entry& Conflicts::entry(const Derived& derived, std::size_t ind
   return entry;
 }
 
-// Checks two segments, a not behind b in the track; adds at most `most` hits and returns their number.
+// Checks two segments, a not after b in the track; adds at most `most` hits and returns their number.
 std::size_t Conflicts::look_at(const Derived& derived, world::Entity a, world::Entity b, std::size_t most) {
   const Entry &first = entries_.get(a), &second = entries_.get(b);
   const double first_start = derived.starts[first.index], second_start = derived.starts[second.index];

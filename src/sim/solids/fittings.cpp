@@ -11,7 +11,7 @@ namespace {
 using glm::dvec2;
 using glm::dvec3;
 
-constexpr double kShortestFitted = 0.5;  // m of segment, below which nothing is shown
+constexpr double kShortestFitted = 0.5;  // m: on shorter segments nothing is shown
 
 struct Fitting {
   const SegmentShape& shape;

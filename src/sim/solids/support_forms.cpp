@@ -14,7 +14,7 @@ using glm::dvec3;
 
 constexpr double kHigh = 15;         // m: higher track gets two legs
 constexpr double kStrutted = 9;      // m: longer legs have a strut between them
-constexpr double kUpright = -0.1;    // of the frame's up: below it the track is inverted
+constexpr double kUpright = -0.1;    // vertical component of the frame's up: below it the track is inverted
 constexpr double kLevelPart = 0.35;  // horizontal part of a direction that counts as sideways
 
 struct Site {

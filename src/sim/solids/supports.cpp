@@ -28,7 +28,7 @@ double wanted_spacing(const SegmentShape& shape) {
                   kMaxSupportSpacing - (kMaxSupportSpacing - kMinSupportSpacing) * std::max(bent, high));
 }
 
-// True if the feet of `bars` are some distance from those of the segment's other supports.
+// True if the feet of `bars` are at least kApart from those of the segment's other supports.
 bool apart(std::span<const Bar> bars, std::span<const Bar> others) {
   constexpr float kApart = 1;  // m
   return std::none_of(bars.begin(), bars.end(), [&](const Bar& bar) {
@@ -83,7 +83,7 @@ void Supports::take_shapes(const Derived& derived) {
   }
 }
 
-// Short segments take turns by their index in the track: where that changed, others have a support.
+// Short segments have supports by their index in the track: if the index changed, other segments have one.
 void Supports::take_turns() {
   for (std::size_t i = 0; i < order_.size(); ++i) {
     Entry& entry = entries_.get(order_[i]);
@@ -130,7 +130,7 @@ void Supports::update(const Derived& derived) {
   moved_.clear();
   if (const Detail detail = detail_of(derived); !(detail == detail_)) {
     const std::uint64_t last_build = last_build_;
-    *this = {};  // everything again
+    *this = {};  // recomputes everything
     detail_ = detail, last_build_ = last_build;
   }
   if (!detail_.parts) return;

@@ -31,8 +31,9 @@ void add_leaning(dvec3 low, dvec3 high, double lean, Part part, Mesh& mesh) {
 struct BodySection {
   double x, low, high, half_width;
 };
-constexpr int kCorner = 3;                                                  // steps of a rounded corner
-constexpr double kStripeLow = 0.38, kStripeHigh = 0.60, kTopStripe = 0.16;  // of the height, of the half width
+constexpr int kCorner = 3;  // steps of a rounded corner
+constexpr double kStripeLow = 0.38, kStripeHigh = 0.60,
+                 kTopStripe = 0.16;  // fractions of the height, and of half the width
 
 std::vector<dvec3> outline(const BodySection& s) {
   std::vector<dvec3> out;
@@ -103,7 +104,7 @@ void add_wheel(dvec3 middle, dvec3 half_axis, double radius, Mesh& mesh) {
   add_bar(middle + half_axis, middle + 1.12 * half_axis, 0.5 * radius, 0.45 * radius, 10, Part::fin, 0, false, mesh);
 }
 
-// Adds wheels above, beside and below one rail, and their bogie.
+// Adds wheels above, next to and below one rail, and their bogie.
 void add_bogie(double x, double side, Mesh& mesh) {
   constexpr double kRoad = 0.15, kGuide = 0.09, kUnder = 0.085, kHalf = 0.05, kPlate = 0.93;
   const double rail = 0.5 * kGauge;

@@ -9,7 +9,7 @@ namespace coaster::sim {
 namespace {
 
 // Returns by how much a ride exceeds the envelope near the span: g times seconds of excess of all spans of its car and
-// axis that overlap its stretch of track.
+// axis that overlap its part of the track.
 double excess(const Ghost& ghost, const Envelope& envelope, const RedSpan& span) {
   constexpr double kNear = 10;  // m on each side
   const auto touches = [&](const RedSpan& other) {
@@ -51,7 +51,7 @@ std::optional<Advice> advise(const world::Document& document, world::Entity cart
         direction[axis] = sign;
         world::Document tried = document;
         tried.entities.get<world::Knot>(entity).position += kAdviceStep * direction;
-        world::settle_joints(tried);  // as after a move in the editor
+        world::settle_joints(tried);  // as after a move by the user
         const double after = excess_of(tried);
         if (after < before && (!best || after < best->after)) best = Advice{entity, direction, before, after};
       }

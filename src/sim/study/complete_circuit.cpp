@@ -19,12 +19,13 @@ namespace {
 
 using glm::dvec3;
 
-constexpr double kRoughStep = 3, kRoughMargin = 0.3, kMargin = 0.15;  // m: chords differ from those of the track later
-constexpr int kMostFailures = 30;  // of candidates that turn the same way and reach the same level
-constexpr int kMostRough = 120;    // ways that turn out too rough, until all the others count as too rough
+constexpr double kRoughStep = 3, kRoughMargin = 0.3,
+                 kMargin = 0.15;   // m: the chords differ from those of the final track
+constexpr int kMostFailures = 30;  // of candidates that turn in the same way and reach the same level
+constexpr int kMostRough = 120;    // ways found too rough before all others count as too rough
 constexpr double kApart = 8;       // m between the middles of two proposals
 
-// Where the ways home that failed for other track came nearest to it.
+// Where ways home were rejected for other track, and came nearest to it.
 struct Obstacles {
   struct Place {
     int count = 0;
@@ -50,7 +51,7 @@ struct Obstacles {
 std::vector<LinePoint> rough_points(const std::vector<WayPlace>& places, double after) {
   std::vector<LinePoint> line;
   for (const WayPlace& p : places) line.push_back({glm::vec3(p.rails), glm::vec3(p.up), static_cast<float>(p.s)});
-  // What is left out behind the last place still counts as distance from the first knot.
+  // The points left out after the last one still count as distance from the first knot.
   if (!line.empty()) line.push_back(line.back()), line.back().s += static_cast<float>(after);
   return line;
 }
@@ -87,11 +88,11 @@ struct SearchTerms {
   const Conflicts& conflicts;
   std::size_t most_found;
   int most_tried;
-  double side = kMostSide;               // g: rougher ways only where there are no others
+  double side = kMostSide;               // g: rougher ways only if there are no others
   std::span<const double> lengths = {};  // of a former way's spans
 };
 
-// One search: what it has found and why others failed.
+// One search: its proposals and the reasons for rejections.
 struct Search {
   const CircuitCandidates& candidates;
   const SearchTerms& terms;
@@ -102,7 +103,7 @@ struct Search {
   int forced = 0, buried_ones = 0, unfit = 0;
   double least_g = 1e9;
 
-  // Returns whether the way has room, roughly.
+  // Returns true if the way has approximate clearance.
   bool has_room(const CircuitCandidate& candidate) {
     const CircuitWay way = candidates.rough(candidate);
     const std::vector<Narrow> narrow = terms.conflicts.against(

@@ -27,7 +27,7 @@ struct Section {
   }
 };
 
-// Returns the seat's axis that a limit is about.
+// Returns the seat's axis of a limit.
 float Force::*seat_axis(ForceAxis axis) {
   switch (axis) {
     case ForceAxis::down:

@@ -11,8 +11,8 @@ namespace {
 
 constexpr int kEntriesPerCutoff = 50;  // entries per 1 / cutoff
 
-// Responses of the low-pass of 1 Hz to a unit impulse and a unit step. Later than this both are closer to their ends
-// than they have been.
+// Responses of the low-pass of 1 Hz to a unit impulse and a unit step. Afterwards both stay closer to their final
+// values than before.
 struct Responses {
   std::array<float, kEntriesPerCutoff * 3 / 2> impulse{}, step{};
 };
@@ -31,7 +31,7 @@ const Responses& responses() {
 
 glm::vec3 vector_of(const Force& force) { return {force.forward, force.left, force.up}; }
 
-// Sets each value of `found` to the larger one.
+// Updates `found` with the larger of each value.
 void take(const Jolt& one, Jolt& found) {
   found.forward = std::max(found.forward, one.forward);
   found.left = std::max(found.left, one.left);

@@ -9,7 +9,7 @@
 namespace coaster::sim {
 namespace {
 
-// The round and the number of steps of a share. Rounds are outermost, so that a first table is complete early.
+// The round and the number of steps of a part. Rounds are outermost, so that a first table is complete early.
 struct Share {
   std::size_t column;
   int round;
@@ -41,7 +41,7 @@ void time_row(Measurement& m, MeasuredRow& row, Share share, std::span<glm::vec3
   const double began = clock ? clock() : 0;
   for (int i = 0; i < segments; ++i) {
     evaluator.polyline(m.curves[static_cast<std::size_t>(i) % m.curves.size()], points, {});
-    // Reads one vertex of each: the calls go through a table, but unread results need not be written.
+    // Reads one vertex of each, so that the compiler cannot omit writing the results.
     m.checksum += static_cast<double>(points[points.size() / 2].x);
   }
   const double ended = clock ? clock() : 0;

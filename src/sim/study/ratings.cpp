@@ -34,7 +34,7 @@ void take_forces(const Ghost& ghost, double cutoff, Ratings& r) {
               kForceEvery * world::kTick;
 }
 
-// The sums over a car's wheels depend on neither the side nor the direction of what is felt.
+// The sums over a car's wheels depend on neither the side nor the direction of the force.
 void take_wheels(const Ghost& ghost, double cutoff, Ratings& r) {
   const CarBody body{ghost.start.mass, ghost.start.length, ghost.heartline};
   for (int car = 0; car < ghost.start.cars; ++car) {
@@ -56,7 +56,7 @@ void take_jolts(const Ghost& ghost, double cutoff, Ratings& r) {
     take(r.jolt_most, jolt_of(passage, cutoff).total, false, true, passage.entry * kForceEvery, passage.car, ghost);
 }
 
-// Heights under the first car: extremes, and descents from a top to the next bottom.
+// Updates the heights under the first car: extremes, and descents from a top to the next bottom.
 void take_heights(const Ghost& ghost, const RailTables& tables, Ratings& r) {
   std::size_t hint = 0;
   double top = 0, bottom = 0;
@@ -71,7 +71,7 @@ void take_heights(const Ghost& ghost, const RailTables& tables, Ratings& r) {
     take(r.highest, height, i == 0, true, i, 0, ghost), take(r.lowest, height, i == 0, false, i, 0, ghost);
     take(r.top_speed, std::abs(ghost.samples[i].speed), i == 0, true, i, 0, ghost);
     if (i == 0) top = bottom = height;
-    constexpr double kNoise = 0.05;  // m up, before a descent ends
+    constexpr double kNoise = 0.05;  // m of rise that does not end a descent
     if (height < bottom) bottom = height;
     if (height > bottom + kNoise) {
       end_drop();
@@ -96,7 +96,7 @@ void count_inversions(const Ghost& ghost, const RailTables& tables, Ratings& r) 
   }
 }
 
-// From 0 at 0 towards 1: half of it at `half`.
+// Returns 0 at 0, 1/2 at `half`, and approaches 1.
 double share(double value, double half) { return value > 0 ? value / (value + half) : 0.0; }
 
 }  // namespace

@@ -7,7 +7,7 @@
 namespace coaster::sim {
 namespace {
 
-// Returns whether a ride goes farther backwards than forwards.
+// Returns true if a ride goes farther backwards than forwards.
 bool runs_backwards(const Ghost& ghost) {
   double most = 0, least = 0;
   for (const GhostSample& sample : ghost.samples)
@@ -15,7 +15,7 @@ bool runs_backwards(const Ghost& ghost) {
   return -least > most;
 }
 
-// The entries at which a car is farther along than ever before, by place.
+// The entries at which a car is farther along than ever before, by position.
 class Passages {
  public:
   explicit Passages(const Rider& rider) : rider_(rider) {
@@ -30,7 +30,7 @@ class Passages {
   const std::vector<double>& places() const { return places_; }
   const std::vector<std::size_t>& entries() const { return entries_; }
 
-  // A place between two entries.
+  // A position between two entries.
   struct Between {
     std::size_t from, to;
     double part;

@@ -28,13 +28,13 @@ double top_of(const curve::Cubic& cubic) {
   return top;
 }
 
-// The curves of a ride, looked up by place. Places of a closed track are equal one lap apart.
+// The curves of a ride, looked up by position. Positions one lap apart on a closed track are equal.
 class AlongRide {
  public:
   AlongRide(const SeatCurves& curves, double lap) : curves_(curves), lap_(lap) {}
 
-  // Returns the index of the first point at or behind a place, and the place as the curves count it; nothing where the
-  // riders do not come.
+  // Returns the index of the first point at or after a position, and the position as the curves count it; nothing if
+  // the riders do not reach it.
   struct Found {
     std::size_t index;
     double place;
@@ -85,7 +85,7 @@ void add_ride(const AlongRide& ride, double from, double to, SectionFigures& of)
       consider(up_least[k], up_most[k], side_least[k], side_most[k]);
   };
   if (in) points(in->index, in->place + (to - from));
-  // The riders start on it, or came over the joint of a closed track.
+  // The riders start on it, or arrived over the joint of a closed track.
   if (out && (!in || in->place > out->place)) {
     const double place_from = out->place - (to - from);
     const auto k = std::lower_bound(ride.places().begin(), ride.places().end(), place_from) - ride.places().begin();

@@ -25,7 +25,8 @@ float curvature_at(const SegmentShape& shape, int j) {
   return static_cast<float>(std::isfinite(value) ? std::min(value, kMostCurvature) : kMostCurvature);
 }
 
-// Millimetres: each position takes the largest of its nearest vertices; with few vertices, interpolates between two.
+// Fills in millimetres: each position takes the largest of its nearest vertices, or interpolates between two if there
+// are few.
 void fill_error(const SegmentShape& shape, const world::Settings& settings, std::span<float> out) {
   const auto& profile =
       error_profile(shape.curve, base::row_of(settings.evaluation->evaluator), settings.evaluation->steps);
@@ -44,7 +45,7 @@ void fill_error(const SegmentShape& shape, const world::Settings& settings, std:
   }
 }
 
-// To a side, backwards and in a roll only the amount counts.
+// Returns the value; lateral, backward and roll values are absolute.
 double value_of(const Rider& rider, std::size_t entry, Colouring colouring) {
   if (colouring == Colouring::up_stop) return wheel_loads(*rider.ghost, entry, rider.car).of(WheelSet::car).up_stop;
   const double value = rider.value(entry, *ride_value_of(colouring));
@@ -62,7 +63,7 @@ class Spread {
         places_.push_back(
             std::lerp(derived.starts[i], derived.starts[i + 1], static_cast<double>(j) / (kValuesPerSegment - 1)));
   }
-  // From distance a with value va to distance b with value vb.
+  // Adds the values from distance a with value va to distance b with value vb.
   void add(double a, double va, double b, double vb) {
     if (a > b) std::swap(a, b), std::swap(va, vb);
     const double turn = closed_ && length_ > 0 ? length_ * std::floor(a / length_) : 0.0;
