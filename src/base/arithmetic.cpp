@@ -52,7 +52,7 @@ constexpr std::array<std::string_view, 7> kDimensions{
 
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
 bool is_sign(char c) { return c == '+' || c == '-'; }
-// Letters, also those beyond ASCII: what a unit's name is made of.
+// True for letters, including those beyond ASCII, which unit names consist of.
 bool is_letter(char c) {
   return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || static_cast<unsigned char>(c) >= 0x80;
 }
@@ -63,7 +63,7 @@ const Unit* find_unit(std::string_view name) {
   return nullptr;
 }
 
-// Returns the units that a field in `unit` takes, for messages.
+// Returns the units that a field in `unit` accepts, for messages.
 std::string known_units(std::string_view unit) {
   const Unit* const own = find_unit(unit);
   std::vector<std::string> names;
@@ -160,7 +160,7 @@ class Reader {
     return {*number, false};
   }
 
-  // Converts a value with a unit behind it.
+  // Converts a value followed by a unit.
   Value measured(Value value) {
     skip_blanks();
     if (!error_.empty() || rest_.empty() || !is_letter(rest_.front())) return own_sign(value);
@@ -181,7 +181,7 @@ class Reader {
     return value;
   }
 
-  // A wanted unit that is no word, such as "%".
+  // Accepts a wanted unit that is not a word, such as "%".
   Value own_sign(Value value) {
     if (error_.empty() && !unit_.empty() && !is_letter(unit_.front()) && rest_.starts_with(unit_) && !value.measured) {
       rest_.remove_prefix(unit_.size());

@@ -30,7 +30,7 @@ bool is_control(std::uint32_t point) {
          (point >= 0x2028 && point <= 0x202e) || (point >= 0x2066 && point <= 0x2069);
 }
 
-// Of the first write to stdout that failed: stdio keeps that there was one, not which.
+// Returns the errno of the first write to stdout that failed: stdio records only that there was one.
 int& output_error() {
   static int error = 0;
   return error;

@@ -15,9 +15,9 @@ namespace {
 
 constexpr std::array kSignals{SIGSEGV, SIGBUS, SIGABRT};
 std::array<struct sigaction, kSignals.size()> earlier{};
-std::array<char, 1u << 16> own_stack;  // a stack that cannot grow is a reason to crash
+std::array<char, 1u << 16> own_stack;  // the crash may be the overflow of a stack
 
-// Only what may be called in a signal handler.
+// Uses only functions that are allowed in a signal handler.
 extern "C" void crashed(int signal) {
   end_if_out_of_memory();
   for (std::size_t i = 0; i < kSignals.size(); ++i)

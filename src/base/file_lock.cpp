@@ -36,7 +36,7 @@ std::string describe(const Owner& owner) {
                      owner.host.empty() || owner.host == host_name() ? "" : " on " + owner.host);
 }
 
-// True if the locked file still has that name: its last owner may have removed it in between.
+// True if the locked file still has that name: its last owner may have removed it meanwhile.
 bool is_still(int fd, const Place& place) {
   struct stat mine {
   }, named{};
@@ -68,7 +68,7 @@ std::filesystem::path canonical_path(const std::filesystem::path& path) {
   std::filesystem::path whole = std::filesystem::absolute(path, error);
   if (error) whole = path;
   for (int depth = 0; depth < 40 && std::filesystem::is_symlink(whole, error);
-       ++depth)  // also one that leads to a missing file
+       ++depth)  // including a link to a missing file
     whole = whole.parent_path() / std::filesystem::read_symlink(whole, error);
   std::filesystem::path found = std::filesystem::weakly_canonical(whole, error);
   return error ? whole : found;
@@ -87,7 +87,7 @@ bool FileLock::covers(const std::filesystem::path& path) const { return held() &
 
 void FileLock::release() {
   if (!held()) return;
-  ::unlinkat(place_.folder.get(), place_.name.c_str(), 0);  // while it is locked, so that nobody else takes it
+  ::unlinkat(place_.folder.get(), place_.name.c_str(), 0);  // while it is locked, so that no other program takes it
   (void)fd_.close();
   target_.clear();
   place_ = {};

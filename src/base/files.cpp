@@ -100,7 +100,7 @@ bool remove_from(int folder, const std::string& name) {
   return ::unlinkat(folder, name.c_str(), AT_REMOVEDIR) == 0;
 }
 
-// Returns the place of a path whose last name is not followed either.
+// Returns the place of a path without following its last name.
 Result<Place> place_itself(const Root& root, const std::filesystem::path& path) {
   if (root.limited()) return root.locate(path);
   Result<Place> place = root.locate(path.parent_path() / ".");

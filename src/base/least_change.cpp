@@ -9,12 +9,12 @@ namespace {
 
 using Values = std::vector<double>;
 
-constexpr int kTurns = 16;        // gradients at most
-constexpr int kHalvings = 8;      // of a way that does not lead closer
-constexpr int kLongWay = 4;       // values that come closer, before the next gradient
-constexpr double kLongest = 40;   // steps of one unknown along one way
-constexpr double kCoarsest = 64;  // steps of a difference, where smaller ones show nothing
-constexpr double kFinest = 1e-9;  // steps: a bracket that is smaller holds a jump
+constexpr int kTurns = 16;        // maximum number of gradients
+constexpr int kHalvings = 8;      // of a step that does not come closer
+constexpr int kLongWay = 4;       // values that come closer before the next gradient
+constexpr double kLongest = 40;   // largest change of one unknown in one direction, in its steps
+constexpr double kCoarsest = 64;  // largest difference in steps, if smaller ones have no effect
+constexpr double kFinest = 1e-9;  // in steps: a smaller bracket contains a jump
 
 class Search {
  public:
@@ -53,7 +53,7 @@ class Search {
     return found && std::isfinite(*found) ? found : std::nullopt;
   }
 
-  // Returns the change of the value by that of one unknown of so many steps, per step, to the side that has room.
+  // Returns the change of the value by that of one unknown of so many steps, per step, to the side within the limits.
   double difference(std::size_t i, double steps) {
     const Unknown& unknown = e_.unknowns[i];
     for (const double sign : {1.0, -1.0}) {
@@ -67,13 +67,13 @@ class Search {
   }
 
   // Returns the change of the unknowns, in steps, that would lead to the wanted value if the function were linear;
-  // empty where no unknown has an effect.
+  // empty if no unknown has an effect.
   Values direction() {
     for (double steps = 1; steps <= kCoarsest; steps *= 4) {
       Values gradient;
       for (std::size_t i = 0; i < e_.unknowns.size(); ++i) gradient.push_back(difference(i, steps));
       double square = 0;
-      // An unknown at its limit stays there if the way leads beyond.
+      // An unknown at its limit stays there if the change would exceed it.
       for (std::size_t i = 0; i < gradient.size(); ++i) {
         const Unknown& unknown = e_.unknowns[i];
         const bool up = gradient[i] * missing(best_.value) > 0;
@@ -97,13 +97,13 @@ class Search {
     return there;
   }
 
-  // A place along the way, as a part of it, and what is missing there.
+  // A position along the direction, as a fraction of it, and the remaining difference.
   struct Place {
     double part, missing;
   };
 
-  // Goes along the way until the value is met, no longer comes closer, or has come closer kLongWay times. Returns false
-  // if it never came closer.
+  // Follows a direction until the value is met, no longer comes closer, or has come closer kLongWay times. Returns
+  // false if it never came closer.
   bool follow(const Values& way) {
     const Values from = best_.unknowns;
     Place near{0, missing(best_.value)};
@@ -131,7 +131,7 @@ class Search {
     return true;
   }
 
-  // The wanted value lies between two places.
+  // Searches between two positions that enclose the wanted value.
   bool between(const Values& from, const Values& way, Place near, Place far) {
     int kept = 0;  // > 0: how often in a row the nearer one stayed; < 0: the farther one
     while (!ended_ && far.part - near.part > kFinest) {

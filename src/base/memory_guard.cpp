@@ -15,7 +15,7 @@
 namespace coaster::base {
 namespace {
 
-// A new-handler gets no argument of ours.
+// A new-handler gets no argument, so its state is global.
 struct Guard {
   void* reserve = nullptr;
   std::thread::id owner;

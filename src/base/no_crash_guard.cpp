@@ -1,4 +1,4 @@
-// For systems without signals: crashes are theirs to tell.
+// For systems without signals, which report crashes themselves.
 #include "base/crash_guard.h"
 
 namespace coaster::base {

@@ -1,4 +1,4 @@
-// Work in one thread, where the program has no others: in a browser's page.
+// Runs work in one thread, for programs without others: in a web page.
 #include <algorithm>
 
 #include "base/parallel.h"

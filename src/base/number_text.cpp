@@ -1,5 +1,5 @@
 // A thin layer over fmt and fast_float, because not every standard library has std::to_chars and std::from_chars for
-// floating point. fmt prints the same shortest digits but has another rule for fixed and scientific notation;
+// floating point. fmt prints the same shortest digits but chooses between fixed and scientific notation differently;
 // fast_float reads the same numbers, but some versions return infinity or zero without an error for numbers out of
 // range.
 #include <fast_float/fast_float.h>
@@ -51,7 +51,7 @@ std::string print_number(T value) {
   std::string text = fmt::format("{}", value);
   if (!std::isfinite(value) || value == 0) return text;
   const auto [digits, power] = decimal(text);
-  const int count = static_cast<int>(digits.size()), whole = power + 1;  // digits, and those before the point
+  const int count = static_cast<int>(digits.size()), whole = power + 1;  // all digits, and those before the point
   const int fixed_size = whole >= count ? whole : whole > 0 ? count + 1 : count + 2 - whole;
   const int scientific_size = count + (count > 1 ? 1 : 0) + (std::abs(power) < 100 ? 4 : 5);
   const std::string_view sign = value < 0 ? "-" : "";

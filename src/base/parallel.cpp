@@ -11,7 +11,7 @@ namespace coaster::base {
 std::launch beside() { return std::launch::async; }
 
 unsigned cores() {
-  static const unsigned count = std::max(1u, std::thread::hardware_concurrency());  // asking takes 0.1 ms
+  static const unsigned count = std::max(1u, std::thread::hardware_concurrency());  // the call takes 0.1 ms
   return count;
 }
 
@@ -22,7 +22,7 @@ void in_parts(std::size_t count, std::size_t grain, unsigned workers,
     for (std::size_t begin = 0; (begin = next.fetch_add(grain)) < count;) work(begin, std::min(begin + grain, count));
   };
   const std::size_t parts = (count + grain - 1) / grain;
-  std::vector<std::jthread> others;  // joined at the end
+  std::vector<std::jthread> others;  // joined at the end of the scope
   try {
     while (others.size() + 1 < std::min<std::size_t>(workers, parts)) others.emplace_back(take_parts);
   } catch (const std::system_error&) {

@@ -29,13 +29,13 @@ constexpr UnitRow kRows[] = {
 };
 
 bool is_decimal(char c) { return c >= '0' && c <= '9'; }
-// Letters, digits and what joins them to one word.
+// True for letters, digits and characters that join them to one word.
 bool in_word(char c) {
   return is_decimal(c) || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_' || c == '/' || c == '^' ||
          static_cast<unsigned char>(c) >= 0x80;
 }
 
-// The size of the number that a text begins with, such as 12 or 0.25. 0: none.
+// Returns the length of the number at the start of a text, such as 12 or 0.25. 0: none.
 std::size_t number_size(std::string_view text) {
   std::size_t size = 0;
   while (size < text.size() && is_decimal(text[size])) ++size;
@@ -44,7 +44,7 @@ std::size_t number_size(std::string_view text) {
   return size;
 }
 
-// The metric unit that a text begins with as a whole word, or null.
+// Returns the metric unit that a text begins with as a whole word, or null.
 const UnitRow* unit_at(std::string_view text) {
   for (const UnitRow& row : kRows) {
     const std::string_view name = row.in[0].name;
@@ -68,8 +68,8 @@ std::string converted(std::string_view number, const ShownUnit& unit) {
 
 // Numbers that share a unit: "0 to 20 m", "3..5 m", "-1.5 m".
 struct Run {
-  std::vector<std::string_view> numbers, before;  // what stands before each number
-  std::size_t size = 0;                           // of all, with the blank before the unit
+  std::vector<std::string_view> numbers, before;  // the numbers, and the text before each
+  std::size_t size = 0;                           // of all numbers, with the blank before the unit
   const UnitRow* unit = nullptr;                  // null: no metric unit follows
 };
 Run run_at(std::string_view text) {
