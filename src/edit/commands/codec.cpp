@@ -27,12 +27,12 @@ struct Keyword {
   bool is(std::string_view text) const { return text == word || (!former.empty() && text == former); }
 };
 
-// The operations of a field type, so that the rest is written once for all commands.
+// The operations of a field type, so that the rest is shared by all commands.
 struct FieldType {
   std::string (*print)(const void* value);
   bool (*read)(base::Words& words, void* value);
   std::string (*usage)(const void* value);  // null: a target, whose words depend on the command
-  std::string (*words)(const void* value);  // as a sentence says it
+  std::string (*words)(const void* value);  // in words, for sentences
 };
 template <class T>
 constexpr FieldType field_type() {
@@ -122,7 +122,7 @@ bool read_field(base::Words& words, const Field& field) {
   return field.type->read(words, field.value);
 }
 
-// Returns what stands for "{KEYWORD}" or "{KEYWORD?on|off}" in CommandInfo::done.
+// Returns the text for "{KEYWORD}" or "{KEYWORD?on|off}" in CommandInfo::done.
 std::string done_part(const Fields& fields, std::string_view part) {
   const std::size_t choice = part.find('?');
   const std::string_view keyword = part.substr(0, choice);

@@ -1,4 +1,4 @@
-// Every command's way into the session, and what follows from it: joints, derived data, carts, history, notices.
+// Applies every command to the session and updates what depends on it: joints, derived data, carts, history, notices.
 #include "edit/perform/apply.h"
 
 #include <algorithm>
@@ -26,15 +26,15 @@ namespace {
 
 using base::Status;
 
-// A ride that has not started (or has no trains) shows the trains as designed; any other keeps their positions.
+// A ride that has not started (or has no trains) puts the trains at their start; any other keeps their positions.
 void settle_motion(Session& session) {
   if (session.motion.state == world::RideState::stopped || session.document.entities.pool<world::Cart>().size() == 0)
     sim::reset(session.document, session.derived, session.motion);
   else sim::reconcile(session.document, session.derived, session.motion);
 }
 
-// A split only knows `up` at the new knot, which fixes the twist of both halves up to whole turns: those follow from
-// the segment's roll.
+// A split only knows `up` at the new knot, which determines the twist of both halves except for whole turns: those
+// follow from the segment's roll.
 void share_turns(Session& session, const MotionFollowUp& split, const sim::Roll& roll) {
   const double left = session.derived.shape(split.first).arc.length(),
                right = session.derived.shape(split.second).arc.length();

@@ -14,7 +14,7 @@ namespace {
 
 using base::Status;
 
-// Says what was placed, or else its warnings.
+// Reports what was placed, or else its warnings.
 void report(const sim::ElementPlan& plan, double missing, Change& change) {
   change.clamped.insert(change.clamped.end(), plan.lines.begin(), plan.lines.end());
   if (plan.lowest < 0)

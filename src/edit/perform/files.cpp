@@ -29,7 +29,7 @@ Status write(Change& change, const std::string& path, std::string_view text) {
   return status;
 }
 
-// Shows the track as whoever shared it did.
+// Restores the view of a shared track.
 Status show_shared(Session& session, Change& change, const exchange::SharedView& view) {
   world::Settings& settings = session.settings;
   settings.camera_mode = view.mode;
@@ -138,8 +138,8 @@ Status perform(Session& session, Change& change, const LoadEnvelope& command) {
 Status perform(Session& session, Change& change, const RecoverTrack& command) {
   base::Result<exchange::LoadedTrack> loaded = exchange::load_track(change.files, command.path);
   if (!loaded) return loaded.status();
-  // It is compared with what the original file holds now; if that is another document, or there is none, it counts as
-  // unsaved.
+  // The document is compared with the present contents of the original file; if they differ, or there is no file, it
+  // counts as unsaved.
   const exchange::Format* const format = command.original.empty() ? nullptr : exchange::format_of(command.original);
   std::uint64_t saved = ~world::hash(loaded->document);
   std::optional<std::uint64_t> content;

@@ -29,7 +29,7 @@ base::Result<Entity> force_section(const Session& session, Target target) {
   return refused(fmt::format("@{} is no force section", world::label_of(session.document, *section)));
 }
 
-// Changes a section's program by `edit`, which returns why it cannot, and plans it again.
+// Changes a section's program by `edit`, which returns an error if it cannot, and plans it again.
 template <class Edit>
 Status with_program(Session& session, Change& change, Target target, bool from_start, Edit edit) {
   const auto section = force_section(session, target);
@@ -48,7 +48,7 @@ Status with_program(Session& session, Change& change, Target target, bool from_s
 
 constexpr double kSamePlace = 1e-6;  // m or s
 
-// Returns the key at a place; null, if there is none.
+// Returns the key at a position; null if there is none.
 ForceKey* key_at(ForceProgram& program, world::ForceChannel channel, double at) {
   std::vector<ForceKey>& keys = program.keys(channel);
   const auto found = std::find_if(keys.begin(), keys.end(), [&](const ForceKey& key) {

@@ -21,7 +21,7 @@ using world::Knot;
 using world::SectionKind;
 using world::SectionRun;
 
-// What track that follows a section has in common with its end, besides the knot's frame.
+// Properties of a section's end that the following track shares, besides the knot's frame.
 struct BendAndSpin {
   dvec3 curvature;  // 1/m
   double spin;      // rad/m
@@ -44,7 +44,7 @@ Entity section_after(const Document& document, const SectionRun& run) {
   return world::segment(document, segments[run.end() % segments.size()]).section;
 }
 
-// Gives the section the fit's shape and its last knot the fit's spin; what follows is where it was.
+// Gives the section the fit's shape and its last knot the fit's spin; the following track does not move.
 void put_end(Document& document, const SectionRun& run, const sim::ElementFit& fit) {
   reshape(document, run.section, fit, SectionEnd::moves);
   const std::size_t end = world::run_of(document, run.section).end();

@@ -16,9 +16,9 @@ using world::Knot;
 
 double largest(glm::vec3 v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
 
-// What the side of a knot within a section has.
+// The values of a knot that belong to a section.
 struct Side {
-  bool in, out;  // the handles that are within it; inside a section also the spin counts
+  bool in, out;  // the handles within the section; inside a section the spin also counts
 };
 
 bool same(const Knot& before, const Knot& now, Side side) {
@@ -29,7 +29,7 @@ bool same(const Knot& before, const Knot& now, Side side) {
 
 bool near(float a, float b) { return std::abs(a - b) <= 1e-6f * (1 + std::abs(b)); }
 
-// The same after the carry, but for rounding to float.
+// True if the values are the same after the carry, except for rounding to float.
 bool moved(const sim::Carry& carry, const Knot& before, const Knot& now, Side side) {
   constexpr double kTurned = 1e-5;  // rad
   const double rounding =
@@ -66,7 +66,8 @@ class Comparison {
   }
 
  private:
-  // By the headings from its first knot to the one that was farthest from it in plan: there rounding tells the least.
+  // Uses the headings from its first knot to the one that was farthest from it in plan, where rounding has the least
+  // effect.
   sim::Carry carry_of(const world::SectionRun& before, const world::SectionRun& now) const {
     const auto way = [](const Knot& from, const Knot& to) { return dvec3(to.position) - dvec3(from.position); };
     std::size_t farthest = 0;

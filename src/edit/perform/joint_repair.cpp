@@ -195,7 +195,7 @@ double movement_between(const Document& a, const Document& b) {
   return std::sqrt(sum);
 }
 
-// Goes along the track once and keeps joints that are G2. Returns the last reason for each refused joint.
+// Repairs once along the track and keeps joints that are G2. Returns the last reason for each refused joint.
 void pass_along(Document& document, std::vector<std::string>& reasons) {
   for (std::size_t i = 0; i < document.track.knots.size(); ++i) {
     reasons[i].clear();
@@ -204,7 +204,7 @@ void pass_along(Document& document, std::vector<std::string>& reasons) {
   }
 }
 
-// Goes to and fro; each repair may disturb its neighbours, until every jump is well below the tolerance or nothing
+// Sweeps to and fro; each repair may disturb its neighbours, until every jump is well below the tolerance or nothing
 // improves.
 void sweeps(Document& document, std::vector<std::string>& reasons) {
   constexpr double kWellBelow = 2e-4;  // 1/m
@@ -223,7 +223,7 @@ void sweeps(Document& document, std::vector<std::string>& reasons) {
   }
 }
 
-// Returns the result of one of the two ways for a document.
+// Returns the result of one of the two methods for a document.
 RepairReport report(const Document& before, const Document& now, const std::vector<std::string>& reasons,
                     bool& spoilt) {
   RepairReport result;

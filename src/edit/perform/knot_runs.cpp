@@ -73,7 +73,7 @@ base::Result<std::vector<world::Entity>> chosen_sections(const Session& session,
     if (!e) return e.status();
     chosen.push_back(*e);
   }
-  bool inside = false;  // of a range
+  bool inside = false;  // inside a range
   for (const world::SectionRun& run : world::sections_of(session.document)) {
     const auto named = std::count(chosen.begin(), chosen.end(), run.section);
     if (named > 0 || inside || sections.which == Knots::Which::all) ordered.push_back(run.section);

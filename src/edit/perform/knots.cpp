@@ -19,7 +19,7 @@ constexpr double kShortDirection = 1e-9;  // m, as in world::set_tangent
 
 Knot& knot_at(Session& session, world::Entity e) { return session.document.entities.get<Knot>(e); }
 
-// An automatic joint would undo the change made by hand.
+// Makes an automatic joint aligned, because it would undo the change made by hand.
 void shaped_by_hand(Knot& knot) {
   if (knot.joint == JointKind::automatic) knot.joint = JointKind::aligned;
 }

@@ -1,4 +1,4 @@
-// Moving trains under edits of topology.
+// Keeps moving trains in place when topology changes.
 #include "edit/perform/motion_follow.h"
 
 namespace coaster::edit {

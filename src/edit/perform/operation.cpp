@@ -1,4 +1,4 @@
-// Commands of equipment, trains, losses, banking, and of what the track's curve is.
+// Commands of equipment, trains, losses, banking, and the meaning of the track's curve.
 #include <cmath>
 #include <utility>
 
@@ -106,7 +106,7 @@ Status perform(Session& session, Change& change, const SetCurve& command) {
   if (!switched) return switched.status();
   const world::Track& track = switched->document.track;
   if (const Status room = room_for(session, track.knots.size(), track.segments.size()); !room) return room;
-  // Moving trains stay where they are on the rails.
+  // Moving trains stay at their positions on the rails.
   for (world::CartMotion& cart : session.motion.carts.items()) {
     const sim::SegmentShape* const former = session.derived.segments.find(cart.segment);
     if (!former) continue;

@@ -26,7 +26,7 @@ using world::Entity;
 using world::Knot;
 using world::SectionRun;
 
-// A section's trains as designed, by their fraction of its length.
+// The start positions of a section's trains, as fractions of its length.
 struct Starts {
   std::vector<std::pair<Entity, double>> carts;
 };
@@ -68,13 +68,13 @@ void put_back(const Starts& starts, const SectionRun& run, Document& document) {
   }
 }
 
-// True if the carry moves no knot by more than is seen and felt: its joint stays G2.
+// True if the carry moves no knot by a visible or palpable amount: its joint stays G2.
 bool stays(const sim::Carry& carry) {
   constexpr double kDistance = 1e-4, kAngle = 1e-6;  // m, rad
   return glm::distance(carry.from, carry.to) <= kDistance && carry.cos > 0 && std::abs(carry.sin) <= kAngle;
 }
 
-// Gives the section's knots the plan's shape. Its last knot keeps what belongs to the track behind it.
+// Gives the section's knots the plan's shape. Its last knot keeps the values that belong to the track after it.
 void shape_knots(const sim::ElementFit& fit, const SectionRun& run, bool follows, Document& document) {
   const std::vector<Entity>& knots = document.track.knots;
   const auto knot = [&](std::size_t i) -> Knot& { return document.entities.get<Knot>(knots[i % knots.size()]); };
@@ -100,7 +100,7 @@ bool same_equipment(const world::Element& a, const world::Element& b) {
                      [&](std::string_view name) { return world::found_value(a, name) == world::found_value(b, name); });
 }
 
-// Puts on what the plan brings; where that is as before, what stands there stays.
+// Applies the plan's equipment; if it is the same as before, the present equipment stays.
 void equip_again(Document& document, const sim::ElementPlan& plan, const SectionRun& run) {
   const world::Section& before = world::section(document, run.section);
   const world::Element now = world::limited(plan.element);

@@ -72,7 +72,7 @@ Status perform(Session& session, Change& change, const RideSeek& command) {
   const double distance =
       session.derived.closed ? command.to : change.clamp("distance", command.to, 0.0, session.derived.length, "m");
   sim::seek(session.document, session.derived, chosen_cart(session), distance, session.motion);
-  // Stopped means at the start, ended and failed at an end: a moved train is none of these.
+  // Stopped means at the start, ended and failed at an end: a moved train is in none of these states.
   session.motion.failure = {};
   watch_disturbed(session);
   if (session.motion.state != RideState::running) session.motion.state = RideState::paused;

@@ -19,13 +19,13 @@ using world::Entity;
 using world::Knot;
 using world::SectionRun;
 
-// Returns what a section is alone: a way home leads nowhere else.
+// Returns the section as it is without the track around it: a way home becomes free.
 world::Section alone(world::Section section) {
   if (section.kind == world::SectionKind::complete) section = {world::title_of(section)};
   return section;
 }
 
-// Returns a section alone as a track.
+// Returns a track of only this section.
 Document track_of(const Document& document, const SectionRun& run) {
   Document track = stretch_of(document, run.first, run.count);
   const world::Section& section = world::section(document, run.section);
@@ -34,7 +34,7 @@ Document track_of(const Document& document, const SectionRun& run) {
   return track;
 }
 
-// Adds a hand-shaped section at the open end, turned so that it goes on from there.
+// Adds a hand-shaped section at the open end, turned so that it continues the track.
 Status append_run(const Document& from, const SectionRun& run, Document& document) {
   const auto knot = [&](std::size_t i) {
     Knot copy = world::knot(from, from.track.knots[(run.first + i) % from.track.knots.size()]);
@@ -58,8 +58,8 @@ Status append_run(const Document& from, const SectionRun& run, Document& documen
   return {};
 }
 
-// Adds a section at the open end: planned again from there if it was planned. Its segments get the fittings of those of
-// the original; if there are more, of the last.
+// Adds a section at the open end, planned again from there if it was planned. Its segments get the fittings of those of
+// the original; additional ones get those of the last.
 Status paste(Change& change, const Document& from, const SectionRun& run, Document& document) {
   const world::Section& value = world::section(from, run.section);
   const std::size_t before = document.track.segments.size();
@@ -82,7 +82,7 @@ Status paste(Change& change, const Document& from, const SectionRun& run, Docume
 }
 
 // Adds all sections before the one that completes the circuit. That one gets a new start and is not shaped yet. Returns
-// the last section added; none if there is none.
+// the last section added; kNone if there is none.
 base::Result<Entity> paste_before(Change& change, const Document& from, const SectionRun& home, Document& document) {
   const std::size_t count = document.track.segments.size();
   const Entity last = document.track.segments[(home.first + count - 1) % count];

@@ -25,7 +25,7 @@ Knot& knot_to_change(Document& document, std::size_t index) {
   return document.entities.get<Knot>(knots[index % knots.size()]);
 }
 
-// Lets track with another first handle begin at a knot.
+// Starts track with another first handle at a knot.
 void begin_there(Knot& knot, float out_length) {
   knot.out_length = out_length;
   if (knot.in_length != out_length || knot.joint == world::JointKind::automatic) knot.joint = world::JointKind::aligned;
@@ -47,7 +47,8 @@ world::ForceProgram mirrored(world::ForceProgram program) {
   return program;
 }
 
-// Mirrors a hand-shaped section across the vertical plane of its first knot's direction, and carries what follows.
+// Mirrors a hand-shaped section across the vertical plane of its first knot's direction, and moves the track that
+// follows.
 Status mirror_knots(Document& document, const SectionRun& run) {
   constexpr double kUpright = 1e-4, kSteep = 0.1;  // of unit vectors
   const Knot start = nth_knot(document, run.first), end = nth_knot(document, run.end());

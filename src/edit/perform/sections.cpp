@@ -17,8 +17,7 @@ using world::SectionRun;
 
 namespace {
 
-// Lets the parameters of a planned section name the equipment that it has now, so that it keeps it when it is planned
-// again.
+// Stores the present equipment in the parameters of a planned section, so that it keeps it when it is planned again.
 void name_equipment(world::Section& section, const world::Equipment* equipment) {
   if (section.kind != world::SectionKind::element || !world::found_value(section.element, "equipment")) return;
   world::set_value(section.element, "equipment", equipment ? 1 + static_cast<double>(equipment->kind) : 0);

@@ -19,14 +19,14 @@ namespace {
 using base::Status;
 using Values = std::vector<double>;
 
-// A copy of a session on which values are tried.
+// A copy of a session for trying values.
 class Trial {
  public:
   Trial(const Session& session, const Seek& command, std::vector<SeekNumber> numbers)
       : start_(session.document), goal_(command.goal.text), together_(command.together), numbers_(std::move(numbers)) {
     session_.document = session.document, session_.settings = session.settings, session_.limits = session.limits;
     session_.derived = session.derived, session_.game.referee = session.game.referee;
-    // As inside a drag: a section that completes the circuit keeps its way instead of looking at all.
+    // As inside a drag: a section that completes the circuit keeps its way instead of searching all.
     session_.history.in_gesture = true, session_.history.gesture_start = session.document;
   }
 
@@ -39,7 +39,7 @@ class Trial {
     return values;
   }
 
-  // One for each number, or the one amount by which all change.
+  // One unknown for each number, or one for the amount by which all change.
   std::vector<base::Unknown> unknowns() const {
     std::vector<base::Unknown> all;
     for (const SeekNumber& number : numbers_) all.push_back(number.unknown);
@@ -56,7 +56,7 @@ class Trial {
     return values;
   }
 
-  // Gives the numbers these values. On failure they have others.
+  // Sets the numbers. On failure some have other values.
   Status set(const Values& values) {
     session_.document = start_;
     edit::derive(session_);

@@ -21,7 +21,7 @@ using Numbers = std::vector<SeekNumber>;
 
 constexpr double kCoordinateStep = 0.25;  // m, of coordinates
 constexpr double kSeekRollStep = 1;       // degrees
-constexpr double kParameterStep = 0.01;   // of the parameter's usual value, or of its range where that is 0
+constexpr double kParameterStep = 0.01;   // fraction of the parameter's default value, or of its range if that is 0
 
 struct ByRow {
   std::string_view name;
@@ -47,7 +47,7 @@ bool names_sections(const Session& session, const Seek& command) {
   return !of.names.empty() && of.names.front().kind == world::Kind::section;
 }
 
-// Brings the unknown within the command's limits; false if it starts beyond them.
+// Limits the unknown to the command's limits; false if it starts beyond them.
 bool limit(const Seek& command, Unknown& unknown) {
   unknown.low = std::max(unknown.low, command.above), unknown.high = std::min(unknown.high, command.below);
   return unknown.low <= unknown.start && unknown.start <= unknown.high;
@@ -61,7 +61,7 @@ base::Status beyond_limits(const Session& session, world::Entity e, const Seek& 
 Unknown of_knot(const world::Knot& knot, SeekKind kind) {
   if (kind == SeekKind::roll) return {world::roll_deg(knot), kSeekRollStep, -360, 360};
   const double most = world::kMaxCoordinate, start = knot.position[axis_of(kind)];
-  // What stands on the ground or above stays there.
+  // Knots at or above the ground stay there.
   return {start, kCoordinateStep, kind == SeekKind::height && start >= 0 ? 0 : -most, most};
 }
 

@@ -27,8 +27,8 @@ Status perform(Session& session, Change& change, const Select& command) {
 
 namespace {
 
-// Selects what a command names. The one named last becomes active; for all or selected, the active one stays if it is
-// among them.
+// Selects the items that a command names. The last named one becomes active; for all or selected, the active one stays
+// if it is among them.
 template <class Several>
 Status select_several(Session& session, base::Result<std::vector<world::Entity>> chosen, const Several& named) {
   if (!chosen) return chosen.status();

@@ -35,7 +35,7 @@ struct Places {
   std::size_t before(std::size_t place) const { return (place + count - 1) % count; }
 };
 
-// Smooths a run; the knots beside it do not change.
+// Smooths a run; the neighbouring knots do not change.
 void smooth_run(const Places& at, const KnotRun& run, world::SplineSteps by) {
   std::vector<std::size_t> places = run.places;
   const bool before = !run.whole && at.has_before(places.front()), after = !run.whole && at.has_after(places.back());
@@ -144,7 +144,7 @@ Status perform(Session& session, Change&, const Straighten& command) {
 
 Status perform(Session& session, Change& change, const SetRadius& command) {
   constexpr double kLeast = 0.1, kMost = 1e5;  // m
-  constexpr int kSweeps = 30;                  // neighbours that are both set affect each other
+  constexpr int kSweeps = 30;                  // adjacent changed knots affect each other
   const auto knots = knots_of(session, command.knots);
   if (!knots) return knots.status();
   if (!std::isfinite(command.to)) return refused("expected a finite radius");

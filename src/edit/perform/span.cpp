@@ -121,7 +121,7 @@ Status perform(Session& session, Change& change, const CloseExactly& command) {
     return {};
   }
   if (const Status room = room_for(session, track.knots.size(), track.knots.size()); !room) return room;
-  close_by_segment(document, 0);  // handles that fit the gap, whatever the ends had
+  close_by_segment(document, 0);  // handles that fit the gap, whatever the ends' handles
   change.respun = {first, last};
   return {};
 }

@@ -19,7 +19,7 @@ using world::Document;
 using world::Knot;
 using world::SectionRun;
 
-// What the track beside a section demands of its ends.
+// The conditions that the track imposes on a section's ends.
 struct Ends {
   Knot start, end;
   glm::dvec3 before, after;  // 1/m, the curvature of the track beside them
@@ -40,7 +40,7 @@ Ends ends_of(const Document& document, const SectionRun& run) {
   return ends;
 }
 
-// Whether trains get a speed from equipment between the first knot that is another one, or elsewhere, and the section.
+// True if equipment between the first changed knot and the section gives trains a speed.
 bool driven_between(const Document& former, const SectionRun& was, const Document& next, const SectionRun& run) {
   std::size_t same = 0;
   while (same < std::min(was.first, run.first) && nth_knot(former, same).position == nth_knot(next, same).position)
@@ -53,7 +53,7 @@ bool driven_between(const Document& former, const SectionRun& was, const Documen
   return driven(former, was.first) || driven(next, run.first);
 }
 
-// Returns the task of the section: from its start to its end. `opened` is the one whose shapes the memory has.
+// Returns the task of the section, from its start to its end. `opened` is the track whose shapes are cached.
 base::Result<sim::CircuitTask> task_of(const Session& session, const Document& opened, const world::WayHome& way,
                                        double risen) {
   sim::CircuitTask task = *sim::circuit_task(opened, session.findings.memory.opened.derived, nullptr);

@@ -29,7 +29,7 @@ struct Map {
   bool rigid_shift = false;  // linear is 1: only positions change, by one addition
 };
 
-// Returns the knot as it was when the gesture began, or as it is.
+// Returns the knot as it was when the gesture began, or as it is now.
 const Knot& source(const Session& session, Entity e, bool from_start) {
   if (from_start && session.history.in_gesture)
     if (const Knot* const then = session.history.gesture_start.entities.find<Knot>(e)) return *then;

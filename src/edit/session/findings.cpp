@@ -23,14 +23,14 @@ void update_riders(Session& session, sim::CarRange cars) {
   found.riders = &found.memory.riders;
 }
 
-// Of the chosen seat, or with `all` of every car.
+// Finds the riders of the selected seat, or with `all` of every car.
 void find_riders(Session& session, bool all) {
   const int cars = session.findings.ride != nullptr ? session.findings.ride->start.cars : 1;
   const world::LabView& lab = *session.settings.lab;
   update_riders(session, sim::cars_of(all ? world::Seat::all : lab.seat, lab.seat_car, cars));
 }
 
-// The middle car colours the track.
+// Finds the values that colour the track: those of the middle car.
 void find_values(Session& session) {
   Findings& found = session.findings;
   const world::Colouring colouring = session.settings.lab->colouring;
@@ -55,7 +55,7 @@ void find_overloads(Session& session) {
                                                  [&] { return sim::red_spans(*found.ride, session.limits.envelope); });
 }
 
-// Needs the overloads.
+// Requires the overloads.
 void find_ratings(Session& session) {
   static const sim::Ratings kNone;
   Findings& found = session.findings;
@@ -79,7 +79,7 @@ void find_jolts(Session& session) {
     });
 }
 
-// Needs the riders.
+// Requires the riders.
 void find_sections(Session& session) {
   Findings& found = session.findings;
   const world::LabView& lab = *session.settings.lab;

@@ -1,5 +1,5 @@
-// Undo and redo by what differs between the documents, bit by bit: exact by construction, in memory that follows from
-// what the steps changed.
+// Undo and redo by the differences between documents, bit by bit: exact by construction, with memory proportional to
+// the changes.
 #include "edit/session/history.h"
 
 #include <utility>
@@ -7,7 +7,7 @@
 namespace coaster::edit {
 namespace {
 
-// Goes over the newest step of one stack and puts it on the other. Its size may change: the other side may be larger.
+// Applies the newest step of one stack and moves it to the other. Its size may change: the other side may be larger.
 template <class From, class To>
 bool step_over(History& history, From& from, To& to, world::Document& document) {
   if (from.empty()) return false;

@@ -1,4 +1,4 @@
-// The ends of rides, in numbers and in words.
+// The ends of rides, as values and in words.
 #include "edit/session/ride_watch.h"
 
 #include <algorithm>
@@ -23,10 +23,10 @@ double mean_height(const sim::Ghost& ghost, const sim::RailTables& tables, doubl
   return sum / ghost.start.cars;
 }
 
-// The train's next top after its furthest point: how much higher it is, and where its first car would be; nothing if
+// The next top after the train's furthest point: how much higher it is, and where its first car would be; nothing if
 // the rails do not rise from there.
 struct Shortfall {
-  double height = 0, distance = 0, furthest = 0;  // m; m along the track, both of them
+  double height = 0, distance = 0, furthest = 0;  // m; m along the track, both
 };
 std::optional<Shortfall> shortfall(const sim::Ghost& ghost, const sim::RailTables& tables) {
   if (ghost.samples.empty() || tables.size() == 0) return std::nullopt;

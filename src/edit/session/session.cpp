@@ -18,7 +18,7 @@ void notify(Session& session, NoticeKind kind, std::string text) {
   constexpr std::size_t kMost = 32;
   std::vector<Notice>& notices = session.notices.list;
   const std::uint64_t serial = ++session.notices.serial;
-  // A drag along a limit gives the same notice at every move: renew it instead of repeating it.
+  // A drag along a limit gives the same notice at every move, so it is renewed instead of repeated.
   if (!notices.empty() && notices.back().kind == kind && notices.back().text == text) {
     notices.back().serial = serial;
     return;
