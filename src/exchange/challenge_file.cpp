@@ -70,7 +70,7 @@ bool read_texts(Fields& fields, std::string_view member, std::size_t most, std::
   return true;
 }
 
-// Reads the start track: a file beside the challenge, or a whole track as a member. Errors in it are reported as for
+// Reads the start track: a file next to the challenge, or a whole track as a member. Errors in it are reported as for
 // any track.
 bool read_track(ChallengeParse& parse, Fields& fields, const Json& tree, const std::filesystem::path& folder,
                 base::Files& files) {

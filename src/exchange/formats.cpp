@@ -51,7 +51,7 @@ std::string unfit_ending(const std::filesystem::path& path, const Format* format
                      known_endings(direction));
 }
 
-// Makes a track that comes without trains and speeds ready to ride.
+// Prepares a track without trains and speeds for riding.
 void equip(LoadedTrack& loaded) {
   world::Document& document = loaded.document;
   if (document.track.segments.empty()) return;
@@ -66,7 +66,7 @@ void equip(LoadedTrack& loaded) {
   }
 }
 
-// Warns of a document that is valid but can hardly be meant.
+// Warns of a document that is valid but probably not intended.
 void warn_of_odd(LoadedTrack& loaded, const std::string& name) {
   const world::Document& document = loaded.document;
   const std::vector<world::Entity>& knots = document.track.knots;
@@ -76,7 +76,8 @@ void warn_of_odd(LoadedTrack& loaded, const std::string& name) {
     loaded.warnings.push_back(fmt::format("{}: warning: all {} knots are at one point", name, knots.size()));
 }
 
-// Returns the track whose rails a format that does not hold everything prints, or why they cannot be printed.
+// Returns the track with the rails for a format that does not hold everything, or the reason why they cannot be
+// printed.
 base::Result<world::Document> rails_of(const world::Document& document, const Format& format) {
   const sim::Derived derived = sim::shapes_of(document);
   const double height = world::rails_height(document);
@@ -95,7 +96,7 @@ base::Status print_to(base::Files& files, const std::filesystem::path& path, con
       return {fit.code, fmt::format("{}: {}", path.string(), fit.message)};
   const std::string bytes = format.print(document);
   if (content) *content = base::content_hash(bytes);
-  // Does not write a file too large to be read again.
+  // Refuses to write a file that would be too large to read.
   if (format.parse && bytes.size() > format.most_bytes)
     return {base::Code::refused, fmt::format("{}: error: {} bytes are over the limit of {}", path.string(),
                                              bytes.size(), format.most_bytes)};

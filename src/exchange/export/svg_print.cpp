@@ -24,7 +24,7 @@ using Project = glm::vec2 (*)(glm::vec3);
 glm::vec2 plan(glm::vec3 p) { return {p.x, p.z}; }
 glm::vec2 elevation(glm::vec3 p) { return {p.x, 0.0f - p.y}; }  // never -0
 
-// Sizes in proportion to the drawing, m on the ground.
+// Sizes in proportion to the drawing, in metres of the track.
 struct Style {
   double margin, text, line;
 };

@@ -24,7 +24,7 @@ constexpr double kShortestSection = 0.5;                    // m
 constexpr double kKeyTolerance = 0.01, kRollTolerance = 1;  // g, deg/s
 constexpr double kFaster = 0.5;                             // m/s
 
-// Sections placed so far, and what they became.
+// The sections placed so far and their kinds.
 struct Import {
   const FvdTrack& track;
   LoadedTrack loaded;
@@ -32,7 +32,7 @@ struct Import {
   int forced = 0, shaped = 0;
 };
 
-// openFVD starts at -Z; pitch turns up, yaw and roll to the left.
+// Returns the first knot. openFVD starts towards -Z; pitch turns up, yaw and roll to the left.
 world::Knot first_knot(const FvdTrack& track) {
   const base::SinCos pitch = base::sin_cos(base::radians(track.pitch)), yaw = base::sin_cos(base::radians(track.yaw));
   world::Knot knot;

@@ -18,7 +18,7 @@ constexpr std::size_t kBezierPoint = 42;  // three vectors, two flags, roll
 constexpr std::size_t kVector = 12;
 constexpr double kMost = 1e6;  // of any number
 
-// The first fault stays; everything read behind it is 0.
+// Keeps the first error; everything read after it is 0.
 class FvdReader {
  public:
   FvdReader(std::string_view bytes, std::string_view name) : bytes_(bytes), name_(name) {}
@@ -83,7 +83,7 @@ FvdPiece read_piece(FvdReader& reader) {
   else piece.shape = static_cast<FvdShape>(shape);
   piece.from = reader.number("the start of a piece"), piece.to = reader.number("the end of a piece");
   piece.start = reader.number("the value of a piece");
-  // Only shapes that have a form set it.
+  // Only shapes with a form set it.
   const float form = std::bit_cast<float>(reader.whole("the form of a piece"));
   piece.form = std::abs(form) <= kMost ? form : 0;
   piece.change = reader.number("the change of a piece");

@@ -9,7 +9,7 @@
 namespace coaster::exchange {
 namespace {
 
-// Shifts the middle of a piece, and lets it hurry through its middle or its ends.
+// Shifts the middle of a piece, and makes it steeper in its middle or at its ends.
 double warped(const FvdPiece& piece, double x) {
   constexpr double kNone = 0.0005;
   if (piece.centre > 0) x = std::pow(x, std::exp2(piece.centre / 2));
@@ -20,7 +20,7 @@ double warped(const FvdPiece& piece, double x) {
   return x;
 }
 
-// Goes from 0 by way of two extrema back to 0, with slope 0 at both ends, and is 0 at `zero`; one extremum is 1.
+// Goes from 0 over two extrema back to 0, with slope 0 at both ends, and is 0 at `zero`; one extremum is 1.
 double two_humps(double x, double form) {
   const double zero = std::abs(form) / 10, root = std::sqrt(9 + 16 * zero * (zero - 1));
   const auto humps = [&](double at) { return at * at * (at - 1) * (at - 1) * (at - zero); };
@@ -28,7 +28,7 @@ double two_humps(double x, double form) {
   return peak == 0 ? 0 : humps(x) / peak;
 }
 
-// Returns to its start, so that the next piece begins there.
+// True if the piece returns to its start value, with which the next piece begins.
 bool returns(const FvdPiece& piece) {
   switch (piece.shape) {
     case FvdShape::quadratic: return std::abs(piece.form) < 0.5;
@@ -39,7 +39,7 @@ bool returns(const FvdPiece& piece) {
   }
 }
 
-// The share of the change at a share x of the piece.
+// Returns the fraction of the change at a fraction x of the piece.
 double shape_at(const FvdPiece& piece, double x) {
   const double y = 1 - x, form = piece.form;
   switch (piece.shape) {
@@ -63,7 +63,7 @@ double shape_at(const FvdPiece& piece, double x) {
   }
 }
 
-// A quartic that begins with the rate and its slope, ends with both 0, and turns by -roll in all.
+// Returns a quartic that begins with the rate and its slope, ends with both 0, and turns by -roll in total.
 double to_horizon(const FvdPiece& piece, double x, const FvdLevelling& from) {
   const double rate = piece.start, mean = -from.roll / std::max(piece.to - piece.from, 1e-6), slope = from.slope;
   const double quartic = -2.5 * (slope + 6 * (rate - 2 * mean)), cubic = 6 * slope + 32 * rate - 60 * mean,
@@ -76,7 +76,7 @@ double end_of(const FvdPiece& piece) {
   return piece.start + (returns(piece) ? 0 : piece.change);
 }
 
-// Adds keys strictly between two, where their curve misses f.
+// Adds keys strictly between two, where their curve differs from f.
 void refine(const std::function<double(double)>& f, const world::ForceKey& from, const world::ForceKey& to,
             double tolerance, double gap, std::vector<world::ForceKey>& keys) {
   constexpr int kChecks = 8;

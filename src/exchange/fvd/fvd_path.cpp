@@ -54,14 +54,14 @@ class Walk {
   Train train_;
   double length_ = 0;  // of `at`
   FvdLevelling levelling_;
-  std::size_t piece_ = ~std::size_t{0};  // of the roll; none at first
+  std::size_t piece_ = ~std::size_t{0};  // index of the roll's piece; none at first
   std::optional<double> out_from_;       // m where a turn's lead-out begins
   double lead_in_ = 0, lead_out_ = 0;    // m
   std::vector<double> corners_;          // of `at`
   FvdPath path_;
 };
 
-// Degrees of heading to the left per metre.
+// Returns degrees of heading to the left per metre.
 double yaw_of(dvec3 forward, dvec3 curvature) {
   const double level = forward.x * forward.x + forward.z * forward.z;
   return level > 1e-6 ? base::degrees(glm::dot(curvature, glm::cross(kUp, forward)) / level) : 0.0;
@@ -87,7 +87,7 @@ Walk::Walk(const FvdTrack& track, FvdSection& section, const FvdStart& start)
   lead_out_ = std::max(degree * section.lead_out, kShortestLead);
 }
 
-// The curvature of a turn: it rises and falls as a smooth step of the length.
+// Returns the curvature of a turn, which rises and falls as a smooth step of the length.
 double Walk::turn_at(const Train& train) const {
   double share = std::min(train.s / lead_in_, 1.0);
   if (out_from_) share = std::min(share, std::clamp(1 - (train.s - *out_from_) / lead_out_, 0.0, 1.0));
@@ -103,7 +103,7 @@ Rates Walk::rates(const Train& train) const {
   const dvec3 left = glm::cross(train.up, train.forward);
   switch (section_.kind) {
     case FvdKind::curved: {
-      // The plane of the turn stays where it is while the train rolls.
+      // The plane of the turn is fixed while the train rolls.
       const base::SinCos to = base::sin_cos(base::radians(section_.direction));
       const dvec3 axis = to.sin * start_.up - to.cos * start_.left();
       r.curvature = turn_at(train) * glm::cross(axis, train.forward);
@@ -135,7 +135,7 @@ Rates Walk::rates(const Train& train) const {
   return r;
 }
 
-// Each piece that levels the roll begins from the roll that there is.
+// Each piece that levels the roll begins from the present roll.
 void Walk::enter_piece(const Train& train) {
   constexpr double kBefore = 1e-3;
   std::size_t now = 0;
@@ -159,7 +159,7 @@ void Walk::enter_lead_out(const Train& train) {
   }
 }
 
-// `rates` are those in the middle of the step: a turn about a fixed axis.
+// Returns the train after a step with the rates of its middle: a turn about a fixed axis.
 Train Walk::moved(const Train& train, const Rates& rates, double by) const {
   Train next = train;
   const dvec3 turn = glm::cross(rates.forward, rates.curvature) + rates.twist * rates.forward;

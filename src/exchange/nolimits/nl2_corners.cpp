@@ -19,7 +19,7 @@ struct Fillet {
   double off = 0;  // m
 };
 
-// Returns the fillet that starts `reach` m before the corner and ends as far behind it.
+// Returns the fillet that starts `reach` m before the corner and ends as far after it.
 Fillet fillet_of(const Bezier& before, const Bezier& after, const curve::ArcLengthMap& arc_before,
                  const curve::ArcLengthMap& arc_after, double reach) {
   const auto leaves = [&](double m) { return arc_before.parameter(arc_before.length() - m); };
@@ -40,7 +40,7 @@ Fillet round_corner(const Bezier& before, const Bezier& after, double angle) {
   constexpr double kShare = 0.45, kShorter = 0.8;
   constexpr int kTries = 40;
   const curve::ArcLengthMap arc_before(in_float(before)), arc_after(in_float(after));
-  // Between straight lines the fillet is reach sin(angle / 2) / 2 off.
+  // Between straight lines the fillet is reach sin(angle / 2) / 2 from the corner.
   double reach = std::min(
       {2 * kCornerOff / base::sin_cos(angle / 2).sin, kShare * arc_before.length(), kShare * arc_after.length()});
   Fillet fillet = fillet_of(before, after, arc_before, arc_after, reach);

@@ -86,7 +86,7 @@ struct Reader {
   std::vector<sim::FitRow> rows;
   std::vector<int> row_lines;  // of each row
   std::vector<std::string> warnings;
-  std::size_t more_warnings = 0;  // that were left out
+  std::size_t more_warnings = 0;  // number of omitted warnings
   Separator separator = kSeparators[0];
   std::size_t data_rows = 0;
   std::size_t first_decimals = 0;  // the fewest decimals of the first row's numbers
@@ -109,7 +109,7 @@ bool read_header(Reader& r) {
     r.error = std::string(r.name) + ":1: error: expected the header \"No.\" \"PosX\" ..., found an empty file";
     return false;
   }
-  // Column names hold no separators, so the one that the header has is the file's.
+  // Column names contain no separators, so the separator in the header is the file's.
   std::size_t kinds = 0;
   for (const Separator& s : kSeparators)
     if (line.find(s.mark) != std::string_view::npos) r.separator = s, ++kinds;

@@ -58,7 +58,7 @@ std::vector<double> spline_rates(const std::vector<Sample>& samples, const std::
   return rates;
 }
 
-// Returns true if every reading of the rolls between two samples meets the samples between them.
+// Returns true if every interpretation of the rolls between two samples matches the samples between them.
 bool reads_well(const std::vector<Sample>& samples, std::size_t from, std::size_t to, double rate_from,
                 double rate_to) {
   const double bound = base::radians(kRollError);

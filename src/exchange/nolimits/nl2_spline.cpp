@@ -12,7 +12,7 @@ using glm::dvec3;
 
 constexpr double kNoDirection = 1e-4;  // m: shorter differences of control points have no direction
 
-// Exact at w = 0 and w = 1.
+// Interpolates; exact at w = 0 and w = 1.
 dvec3 between(dvec3 a, dvec3 b, double w) { return (1 - w) * a + w * b; }
 
 // Returns the blossom (polar form) of one span of a cubic B-spline, by de Boor's recurrence with an argument for each

@@ -13,14 +13,14 @@ namespace {
 
 using glm::dvec3;
 
-constexpr int kFrameSteps = 32;  // between stops, as derived frames have in a segment
+constexpr int kFrameSteps = 32;  // between stops, as in the derived frames of a segment
 constexpr double kTurn = 2 * base::kPi;
 
-// A place that may become a knot.
+// A position that may become a knot.
 struct Candidate {
   Stop stop;
   bool knot = false;
-  double off = 0;  // m between the place and its roll
+  double off = 0;  // m between the position and its roll
   curve::Frame carried;
 };
 
@@ -124,9 +124,9 @@ double angle_at(const std::vector<Angle>& angles, double s) {
   return before.value + (after->value - before.value) * (s - before.s) / (after->s - before.s);
 }
 
-// A symmetric system of equations for the spins of knots, each tied to its neighbours alone.
+// A symmetric system of equations for the spins of knots, each coupled only to its neighbours.
 struct SpinSystem {
-  std::vector<double> diagonal, beside, right;  // beside: with the next one, cyclically
+  std::vector<double> diagonal, beside, right;  // beside: coupling to the next one, cyclically
 
   std::vector<double> times(const std::vector<double>& x) const {
     const std::size_t n = x.size();
@@ -164,8 +164,8 @@ struct SpinSystem {
   }
 };
 
-// Returns the roll between neighbouring stops among `at`: with the spins that meet the rolls between them by least
-// squares, drawn weakly to the automatic ones.
+// Returns the roll between neighbouring stops among `at`, with the spins that match the rolls between them by least
+// squares, weakly drawn to the automatic ones.
 std::vector<sim::Roll> rolls_between(const std::vector<Candidate>& all, const std::vector<std::size_t>& at,
                                      bool closed) {
   constexpr double kPull = 1e-4;
@@ -198,10 +198,10 @@ std::vector<sim::Roll> rolls_between(const std::vector<Candidate>& all, const st
   return rolls;
 }
 
-// The roll between two stops that the track misses by most, if it misses any.
+// The roll between two stops with the largest error, if there is any.
 struct Miss {
   std::size_t at = 0;
-  double off = 0;  // rad; 0: it meets all of them
+  double off = 0;  // rad; 0: all match
 };
 Miss worst_miss(const std::vector<Candidate>& all, std::size_t a, std::size_t b, const sim::Roll& roll) {
   if (b - a > 1 && std::abs(roll.twist) > kTurn * (world::kMaxTurns - 1)) return {(a + b) / 2, kTurn};
@@ -214,8 +214,8 @@ Miss worst_miss(const std::vector<Candidate>& all, std::size_t a, std::size_t b,
   return worst;
 }
 
-// Makes knots of rolls until the track meets all of them. Of neighbouring spans that miss some only the worst is
-// divided: spins that fit it better may mend the others.
+// Makes knots of rolls until the track matches all of them. Of neighbouring spans with errors only the worst is
+// divided, because spins that fit it better may correct the others.
 void choose_knots(std::vector<Candidate>& all, bool closed) {
   for (bool changed = true; changed;) {
     changed = false;

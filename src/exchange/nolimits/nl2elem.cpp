@@ -73,8 +73,8 @@ bool read_strict(XmlReader& r, const XMLElement& parent, bool& strict) {
          r.fail(element->GetLineNum(), "true or false in <strict>", base::quoted_start(text));
 }
 
-// Vertices of NoLimits 2 can have a weight, but no public source names its tag: any tag that may be one is rejected
-// unless it is 1, what a vertex without weight has.
+// Vertices of NoLimits 2 can have a weight, but no public source names its tag. Any tag that may be one is rejected
+// unless it is 1, the weight of a vertex without a tag.
 bool check_weight(XmlReader& r, const XMLElement& vertex) {
   for (const XMLElement* e = vertex.FirstChildElement(); e; e = e->NextSiblingElement()) {
     const std::string tag = base::lower(e->Name());

@@ -109,7 +109,7 @@ void append_knots(const std::vector<Bezier>& segments, const std::vector<Stop>& 
   if (closed) world::set_closed(document, true);
 }
 
-// Adds the whole turns that the least twist between the knots' `up` lacks.
+// Adds the whole turns that the smallest twist between the knots' `up` omits.
 void set_turns(const std::vector<Stop>& stops, world::Document& document) {
   const sim::Derived derived = sim::shapes_of(document);
   for (std::size_t i = 0; i < derived.order.size(); ++i) {

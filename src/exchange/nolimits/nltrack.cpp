@@ -83,12 +83,12 @@ base::Result<world::Knot> make_knot(std::string_view name, const std::vector<Nlt
 
 struct Twist {
   double least = 0;  // rad in (-pi, pi], from the carried frame to the second knot's up
-  double whole = 0;  // the same plus whole turns, as meant by the file
+  double whole = 0;  // the same plus whole turns, as in the file
 };
 
 // Returns the rotation of the horizon relative to the rotation-minimising frame, plus the track's roll relative to the
-// horizon. On steep track the horizon turns over in a direction that depends on small leans and that no file states:
-// for each steep stretch the direction that brings the sum closer to 0 is chosen.
+// horizon. On steep track the horizon turns over in a direction that depends on small inclinations and that no file
+// states: for each steep part the direction that brings the sum closer to 0 is used.
 Twist twist_of(const curve::Cubic& cubic, glm::vec3 up_from, glm::vec3 up_to, double rolled) {
   const dvec3 up(0, 1, 0), start = curve::unit_tangent(cubic, 0);
   curve::Frame carried{start, curve::perpendicular(start, dvec3(up_from))},
@@ -118,14 +118,14 @@ Twist twist_of(const curve::Cubic& cubic, glm::vec3 up_from, glm::vec3 up_to, do
   return twist;
 }
 
-// Sets the whole turns that the least twist between the knots' `up` lacks.
+// Sets the whole turns that the smallest twist between the knots' `up` omits.
 base::Status set_turns(std::string_view name, world::Document& document, std::size_t i,
                        const std::vector<NltrackKnot>& records) {
   const NltrackKnot &from = records[i], &to = records[(i + 1) % records.size()];
   const world::Entity e = document.track.segments[i];
   world::Segment& segment = document.entities.get<world::Segment>(e);
   const curve::Cubic cubic = world::cubic_of(document, e);
-  // Back at the first knot the roll may differ by whole turns: that joint gets the least turn.
+  // Back at the first knot the roll may differ by whole turns: that joint gets the smallest turn.
   double rolled = kRollSign * (double{to.roll} - double{from.roll});
   if (i + 1 == records.size()) rolled = std::remainder(rolled, 2 * base::kPi);
   const Twist twist =

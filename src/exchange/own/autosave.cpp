@@ -91,7 +91,7 @@ base::Status Autosave::write(base::Files& files, const std::filesystem::path& fo
     const auto named = now ? parse_autosave_info(*now, "") : base::Result<AutosaveInfo>(now.status());
     const bool names_new = named && folder / named->track == track;
     if (names_new) std::swap(track_, track);
-    remove_file(files, track);  // the one that it does not name
+    remove_file(files, track);  // the track that the info file does not name
     return told;
   }
   if (track_ != track) remove_file(files, track_);

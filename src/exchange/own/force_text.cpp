@@ -7,9 +7,9 @@
 namespace coaster::exchange {
 namespace {
 
-constexpr std::size_t kFew = 2, kAll = 5;  // numbers of a key
+constexpr std::size_t kFew = 2, kAll = 5;  // numbers in a key, at least and at most
 
-std::string number_text(double value) { return value == 0 ? "0" : base::to_text(value); }  // not -0
+std::string number_text(double value) { return value == 0 ? "0" : base::to_text(value); }  // never "-0"
 
 std::string key_text(const world::ForceKey& key) {
   const bool shaped = key.slope != 0 || key.before != 0 || key.after != 0;
@@ -29,7 +29,7 @@ bool read_key(Fields& fields, std::string_view channel, std::size_t index, const
   for (std::size_t i = 0; i < value.size(); ++i) {
     if (!value[i].is_number()) return wrong();
     *members[i] = value[i].get<double>();
-    if (*members[i] == 0) *members[i] = 0;  // not -0, which is written as 0
+    if (*members[i] == 0) *members[i] = 0;  // not -0, which is printed as 0
   }
   return true;
 }
@@ -71,7 +71,7 @@ base::Result<CopiedKeys> parse_keys(std::string_view text) {
     return bad_file("clipboard", error);
   }
   copied.over = *named;
-  world::ForceProgram program;  // whose limits they keep
+  world::ForceProgram program;  // for its limits
   program.over = copied.over, program.length = world::longest_of(copied.over);
   program.keys(world::ForceChannel::roll) = copied.keys;
   if (copied.keys.empty()) return bad_file("clipboard", "no keys");

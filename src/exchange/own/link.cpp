@@ -1,4 +1,4 @@
-// Packed are a line of JSON, the view, and the text of a track file.
+// A link packs a line of JSON, the view, and the text of a track file.
 #include "exchange/own/link.h"
 
 #include <cmath>
@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::string_view kMark = "#coaster=", kName = "link";
 
-// Of a fragment: the version and what is packed.
+// The version and the packed text of a fragment.
 struct Parts {
   std::string_view version, packed;
 };
@@ -73,7 +73,7 @@ bool place(Fields& fields, std::string_view member, glm::vec3& value) {
   return true;
 }
 
-// Fills view and hash, or sets `error`. Whoever shows the view brings it within the cameras' limits.
+// Fills view and hash, or sets `error`. The caller clamps the view to the cameras' limits.
 bool read_view(const Json& tree, SharedView& view, std::string& hash, std::string& error) {
   constexpr float kTurn = 360, kFarthest = 1e6f;
   Fields fields(tree, {}, error);

@@ -14,16 +14,16 @@ namespace coaster::exchange {
 namespace {
 
 constexpr std::string_view kAlphabet = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789-_";
-constexpr int kRawDeflate = -15;  // zlib's windowBits: the largest window, neither header nor checksum
+constexpr int kRawDeflate = -15;  // zlib's windowBits: the largest window, without header and checksum
 constexpr std::size_t kUnpackStep = std::size_t{64} << 10;  // bytes unpacked at once
 
 base::Status damaged(std::string message) { return {base::Code::bad_file, std::move(message)}; }
 
-// zlib reads through a pointer that is not const, and does not write there.
+// zlib reads through a pointer that is not const, but does not write.
 Bytef* bytes_of(std::string_view text) { return reinterpret_cast<Bytef*>(const_cast<char*>(text.data())); }
 
 std::string deflate_raw(std::string_view text) {
-  constexpr int kMemory = 9;  // the most, for the best match
+  constexpr int kMemory = 9;  // the maximum, for the best compression
   z_stream stream{};
   COASTER_CHECK(deflateInit2(&stream, Z_BEST_COMPRESSION, Z_DEFLATED, kRawDeflate, kMemory, Z_DEFAULT_STRATEGY) == Z_OK,
                 "deflate starts if there is memory");

@@ -15,7 +15,7 @@ constexpr world::SectionKind kOwnKinds[] = {world::SectionKind::free, world::Sec
                                             world::SectionKind::force};
 constexpr std::string_view kSides[] = {"left", "right"};
 
-// Returns the words of "kind".
+// Returns the values of "kind".
 std::vector<std::string> kinds() {
   std::vector<std::string> names = base::names_in(world::elements());
   names.insert(names.begin(), std::string(base::name_of(world::SectionKind::free)));
@@ -53,7 +53,7 @@ bool read_parameters(Fields& fields, world::Element& element) {
       continue;
     }
     if (!fields.number(parameter.name, value, parameter.low, parameter.high)) return false;
-    if (value == 0) value = 0;  // not -0, which is written as 0
+    if (value == 0) value = 0;  // not -0, which is printed as 0
   }
   return true;
 }

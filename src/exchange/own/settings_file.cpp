@@ -1,5 +1,5 @@
-// A user's settings from and to JSON: one row for each member, each with its own default where the file has something
-// else. The rows of what a session keeps are made from the tables of its settings.
+// Reads and prints a user's settings as JSON: one row for each member, each with a default for invalid values. The rows
+// of session settings are made from the tables of the settings.
 #include "exchange/own/settings_file.h"
 
 #include <algorithm>
@@ -45,8 +45,8 @@ Json exact(T value) {
   return shortest && static_cast<T>(*shortest) == value ? *shortest : double{value};
 }
 
-// Members in the order of the file. Each reads its value and leaves the settings alone where it is no such thing, and
-// says what it expects.
+// Members in the order of the file. Each reads its value, or leaves the settings unchanged if it is invalid, and
+// describes what it expects.
 struct Member {
   std::string_view name;
   std::string expected;
@@ -123,7 +123,7 @@ bool read_keys(const Json& value, UserSettings& to) {
     } else if (!read(chosen, choice.keys, 2)) {
       return false;
     }
-    std::erase(choice.keys, "");  // no key
+    std::erase(choice.keys, "");  // "" is no key
     keys.push_back(std::move(choice));
   }
   to.keys = std::move(keys);
@@ -138,7 +138,7 @@ Json print_keys(const UserSettings& s) {
   return keys;
 }
 
-// Members that no session knows stand where they always stood.
+// Members outside the session keep their former positions.
 const std::vector<Member>& members() {
   static const std::vector<Member> all = [] {
     std::vector<Member> made;
@@ -175,7 +175,7 @@ bool is_known(std::string_view name) {
          std::any_of(members().begin(), members().end(), [&](const Member& m) { return m.name == name; });
 }
 
-// Keeps the members that this version does not know, unless they are too large.
+// Keeps the unknown members, unless they are too large.
 void keep_others(const Json& tree, LoadedSettings& loaded) {
   Json others = Json::object();
   auto& members = static_cast<Json::object_t::Container&>(others.get_ref<Json::object_t&>());

@@ -60,7 +60,7 @@ bool read_knot(TrackParse& parse, const Json& value, std::size_t index) {
   return true;
 }
 
-// A fitting is there when its first member is.
+// A segment has a fitting if its first member is present.
 template <class T>
 bool read_fitting(TrackParse& parse, Fields& fields, Entity segment) {
   std::string_view first;
@@ -116,7 +116,7 @@ bool read_section(TrackParse& parse, const Json& value, std::size_t index, std::
   return true;
 }
 
-// Files before version 3 have no sections: all they hold is one free section.
+// Files before version 3 have no sections: the whole track is one free section.
 bool read_sections(TrackParse& parse, Fields& fields) {
   const std::size_t count = parse.document.track.segments.size();
   if (parse.version < 3 && !fields.has("sections"))
@@ -193,7 +193,7 @@ bool read_lists(TrackParse& parse, Fields& fields) {
   return true;
 }
 
-// A foreign file may have an unknown member on every knot.
+// Shortens the warnings: a foreign file may have an unknown member on every knot.
 void shorten(std::vector<std::string>& warnings) {
   constexpr std::size_t kMost = 20;
   if (warnings.size() <= kMost) return;

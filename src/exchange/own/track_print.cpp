@@ -17,7 +17,7 @@ namespace {
 using world::Document;
 using world::Entity;
 
-// -0 is read back as the whole number 0, so it is written as 0; else printing twice would differ.
+// -0 is read back as the whole number 0, so it is written as 0; otherwise printing twice would differ.
 std::string number(double value) { return value == 0 ? "0" : base::to_text(value); }
 
 // Readers parse to double. If rounding twice would miss the float, its exact value in double is written.
@@ -59,7 +59,7 @@ std::string value_text(const Document&, T value) {
   else return number(value);
 }
 
-// The members of a component, each after `separator`. What is as usual is left out where files may leave it out.
+// Returns the members of a component, each after `separator`. Default values are omitted where files may omit them.
 template <class T>
 std::string members(const Document& document, const T& component, std::string_view separator = ", ") {
   const T usual;
