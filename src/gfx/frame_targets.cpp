@@ -7,7 +7,7 @@
 namespace coaster::gfx {
 namespace {
 
-// Ends as a failed `new` does: any driver makes framebuffers of the screen's size while it has memory for them.
+// Ends as a failed `new` does: every driver makes framebuffers of the screen's size unless memory is exhausted.
 [[noreturn]] void no_memory() {
   if (const std::new_handler handler = std::get_new_handler()) handler();
   throw std::bad_alloc();

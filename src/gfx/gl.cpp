@@ -13,7 +13,7 @@ std::string text_of(const Gl& gl, GLenum name) {
   return text == nullptr ? std::string("unknown") : std::string(reinterpret_cast<const char*>(text));
 }
 
-// Returns whether "4.50 - Build 1" is at least 3.30.
+// True if "4.50 - Build 1" is at least 3.30.
 bool shaders_at_least_330(std::string_view version) {
   const std::size_t point = version.find('.');
   const auto major = base::parse_int(version.substr(0, point));

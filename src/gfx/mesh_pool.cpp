@@ -8,11 +8,11 @@ namespace {
 
 static_assert(sizeof(sim::MeshVertex) == 36, "vertices are uploaded with their memory layout");
 
-constexpr std::size_t kMostRuns = 96;  // of neighbours drawn in full; with more runs everything is
+constexpr std::size_t kMostRuns = 96;  // of neighbours drawn in full; if there are more, everything is drawn in full
 
-// An edit changes the number of rings and ties: spare room keeps a mesh in its range while a knot is dragged.
+// An edit changes the number of rings and ties: spare capacity keeps a mesh in its range during a drag.
 std::uint32_t with_room(std::size_t count) { return static_cast<std::uint32_t>(count + count / 4 + 3); }
-// Whole triangles, so that every slot and every gap starts with a triangle.
+// Rounds to whole triangles, so that every slot and every gap starts with a triangle.
 std::uint32_t with_room_for_triangles(std::size_t count) { return (with_room(count) + 2) / 3 * 3; }
 bool fits(Range range, std::size_t count) { return count <= range.size && range.size <= 2 * with_room(count); }
 
@@ -32,7 +32,7 @@ bool reaches(const glm::mat4& light, glm::vec3 middle, float radius) {
   return std::abs(at.x) <= 1 + scale.x * radius && std::abs(at.y) <= 1 + scale.y * radius;
 }
 
-// Makes room for a solid.
+// Allocates ranges for a solid.
 void MeshPool::fit(const sim::Mesh& mesh, Id& id) {
   if (id == kNone) {
     if (free_.empty()) free_.push_back(static_cast<Id>(solids_.size())), solids_.emplace_back();

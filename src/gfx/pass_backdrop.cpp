@@ -1,4 +1,4 @@
-// Ground and sky, on their sides of the horizon, by shaders that follow the ray of each pixel.
+// Ground and sky on their sides of the horizon, by shaders that follow the ray of each pixel.
 #include <algorithm>
 #include <array>
 
@@ -10,13 +10,13 @@
 namespace coaster::gfx {
 namespace {
 
-// A convex part of the viewport, -1 to 1, with as many corners as the shader takes.
+// A convex part of the viewport, -1 to 1, with the number of corners that the shader expects.
 struct Part {
   std::array<glm::vec2, 6> corners{};
   int count = 0;
 };
 
-// The part where a + b x + c y is not negative.
+// Returns the part where a + b x + c y is not negative.
 Part part_of_viewport(float a, float b, float c) {
   constexpr glm::vec2 kCorners[] = {{-1, -1}, {1, -1}, {1, 1}, {-1, 1}};
   const auto height = [&](glm::vec2 at) { return a + b * at.x + c * at.y; };
@@ -33,7 +33,7 @@ Part part_of_viewport(float a, float b, float c) {
 
 struct Rays {
   glm::vec3 forward, right, up;            // right and up: to the viewport's edges at distance 1
-  glm::vec3 eye, eye_right{0}, eye_up{0};  // m; where rays begin, and how far this moves to the edges
+  glm::vec3 eye, eye_right{0}, eye_up{0};  // m; origin of the rays, and its change towards the edges
 };
 
 void draw_part(const Pass& pass, const Program& program, const Rays& rays, const Part& part) {
@@ -49,8 +49,8 @@ void draw_part(const Pass& pass, const Program& program, const Rays& rays, const
   pass.count(part.count - 2);
 }
 
-// Two draws: the sunlit ground, which writes depth 0.5 where a shadow may be; then the shadows, only there. So
-// unshadowed pixels cost little.
+// Draws twice: the sunlit ground, which writes depth 0.5 where a shadow may be; then the shadows, only there. Pixels
+// without shadow therefore cost little.
 void draw_ground(const Pass& pass, const SunShadows& shadows, const Rays& rays, const Part& part) {
   const Gl& gl = pass.gl;
   pass.programs.ground.use();
@@ -83,8 +83,8 @@ void draw_sky(const Pass& pass, const Rays& rays, const Part& part) {
   draw_part(pass, pass.programs.sky, rays, part);
 }
 
-// An orthographic view from above shows the ground all over. One along the ground shows it as a line: earth below it,
-// and above it the sky of a perspective view whose horizon is there.
+// An orthographic view from above shows only ground. One along the ground shows it as a line: earth below it, and above
+// it the sky of a perspective view with the same horizon.
 void draw_parallel_backdrop(const Pass& pass, const SunShadows& shadows) {
   const view::View& view = pass.scene.view;
   const glm::mat3 axes = glm::transpose(glm::mat3(view.view));

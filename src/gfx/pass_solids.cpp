@@ -15,17 +15,17 @@ constexpr float kOutline = 0.9f;    // px, outline of solids in the blueprint st
 constexpr float kLeastTube = 1.6f;  // px, smallest half width of distant coloured rails
 
 // Returns the radius in metres per metre of distance that appears `pixels` wide: the projection scales a metre at
-// distance one to half the viewport's height times its entry. Right for the subject of an orthographic view.
+// distance one to half the viewport's height times its entry. Exact for the subject of an orthographic view.
 float metres_of_pixels(const view::View& view, float pixels) {
   return pixels * view::metres_per_pixel(view, 1) / (view.parallel > 0 ? view.parallel : 1);
 }
 
-// Returns the eye for which solids are lit: above the ground, so that an orthographic view shows what is there.
+// Returns the eye used for lighting: above the ground, so that an orthographic view from below is lit as well.
 glm::vec3 lit_from(const view::View& view) {
   return view.parallel > 0 ? glm::vec3(view.eye.x, std::max(view.eye.y, view::kLowestEye), view.eye.z) : view.eye;
 }
 
-// Returns how far a rail is more than two pixels wide, and ties are a pixel apart.
+// Returns up to which distance a rail is more than two pixels wide, and up to which ties are a pixel apart.
 SweptTrack::Reach reach_of(const view::View& view) {
   return {static_cast<float>(sim::kRailRadius) / metres_of_pixels(view, 1),
           static_cast<float>(sim::kTieSpacing) / metres_of_pixels(view, 1)};

@@ -1,4 +1,4 @@
-// PNG in memory, by stb. The caller reads and writes files (base::Files), so that faults can be injected there.
+// PNG in memory, by stb. The caller reads and writes files (base::Files), which allows fault injection.
 #include <climits>
 
 #include <fmt/format.h>

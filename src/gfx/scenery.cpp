@@ -98,7 +98,7 @@ glm::vec3 around_of(world::Theme theme) {
 
 Air air_of(const Scenery& s) {
   const glm::vec3 sun = glm::normalize(s.sun);
-  // The paint that makes the ground look as the table says in sunlight.
+  // The paint that gives the ground the table's colour in sunlight.
   const glm::vec3 lit = s.drawing ? glm::vec3(1) : s.sun_light * sun.y + s.sky_light;
   Air air;
   air.sun = {sun, s.drawing ? 1 : 0};

@@ -7,9 +7,9 @@ namespace coaster::gfx {
 namespace {
 
 constexpr float kEyeStep = 16;  // m
-constexpr float kEyeOff = 14;   // m, how far the eye is from the nearest step at most
+constexpr float kEyeOff = 14;   // m, largest distance of the eye from the nearest step
 
-// Vertices of a polyline, with the break at its end.
+// Returns the vertices of a polyline, with the break at its end.
 std::int64_t vertices(int lines) { return lines + 2; }
 
 float nearest(const Sight& sight, const SegmentSize& size) {
@@ -83,7 +83,7 @@ SegmentLevels LevelChoice::levels() const {
       break;
     }
   }
-  if (levels.all()) levels.sight = {};  // wherever the eye is
+  if (levels.all()) levels.sight = {};  // independent of the eye
   return levels;
 }
 

@@ -45,7 +45,7 @@ bool ShadowMap::update(int size, const SunAxes& axes, const ShadowFit& fit, std:
     blend(gl, false);
     gl.Enable(GL_DEPTH_TEST);
     gl.DepthFunc(GL_LESS);
-    // Draws the far sides: a sunlit surface is then a thickness away from the map's depth and cannot shade itself.
+    // Draws the back faces: a sunlit surface is then a thickness away from the map's depth and cannot shade itself.
     gl.Enable(GL_CULL_FACE);
     gl.CullFace(GL_FRONT);
     draw(clip_of(axes, fit));

@@ -7,7 +7,7 @@ namespace {
 
 constexpr float kTrackSide = 256, kTrainSide = 16;  // m, the smallest squares
 
-// Texels per side: not more than the picture can show, above all for small pictures.
+// Returns the texels per side: no more than the picture can show, which matters for small pictures.
 int texels_for(const view::Viewport& viewport) {
   int size = 512;
   while (size < 2048 && static_cast<float>(size) < 2 * std::max(viewport.width, viewport.height)) size *= 2;

@@ -8,7 +8,7 @@ namespace {
 
 static_assert(sizeof(Piece) == 96, "pieces are uploaded with their memory layout");
 
-// An edit changes the number of pieces: spare room keeps a segment in its range while a knot is dragged.
+// An edit changes the number of pieces: spare capacity keeps a segment in its range during a drag.
 std::uint32_t room_for(std::size_t count) { return static_cast<std::uint32_t>(count + count / 4); }
 bool has_room(Range range, std::size_t count) { return count <= range.size && range.size <= room_for(count) + 2; }
 
@@ -26,14 +26,14 @@ Piece piece_between(const sim::Ring& from, const sim::Ring& to, std::uint32_t se
           .next_along = to.along};
 }
 
-// The piece at a ring, reaching `half` metres to both sides.
+// Returns the piece at a ring, extended by `half` metres to both sides.
 Piece piece_at(const sim::Ring& at, double half, std::uint32_t segment) {
   sim::Ring from = at, to = at;
   from.position -= half * at.frame.forward, to.position += half * at.frame.forward;
   return piece_between(from, to, segment);
 }
 
-// The same ring seen in the opposite direction.
+// Returns the same ring seen in the opposite direction.
 sim::Ring turned(sim::Ring ring) {
   ring.frame.forward = -ring.frame.forward;
   return ring;
@@ -93,7 +93,7 @@ void SweptTrack::stage_far(const sim::SegmentShape& shape, const sim::Detail& de
   staged_[kFarTubes] = {piece_between(sim::ring_at(shape, 0), sim::ring_at(shape, shape.arc.length()), segment)};
 }
 
-// Makes room for the staged pieces.
+// Allocates ranges for the staged pieces.
 void SweptTrack::fit(Id& id) {
   if (id == kNone) {
     if (free_.empty()) free_.push_back(static_cast<Id>(segments_.size())), segments_.emplace_back();
@@ -122,7 +122,7 @@ void SweptTrack::put(Row& row, Range range, std::vector<Piece>& pieces) {
 }
 
 void SweptTrack::measure(Segment& segment) const {
-  constexpr float kReach = 1.2f;  // m, of everything about a ring
+  constexpr float kReach = 1.2f;  // m, contains everything about a ring
   glm::vec3 low(3e38f), high(-3e38f);
   for (const std::size_t kind : {kTubes, kCaps, kFarTubes})
     for (const Piece& piece : staged_[kind])

@@ -1,4 +1,4 @@
-// Which pieces of the track a picture and a shadow map draw.
+// Chooses the pieces of the track that a picture and a shadow map draw.
 #include <algorithm>
 #include <utility>
 
@@ -27,7 +27,7 @@ void SweptTrack::sort() {
 }
 
 void SweptTrack::group() {
-  constexpr std::uint32_t kMostPieces = 64;  // of a part
+  constexpr std::uint32_t kMostPieces = 64;  // in a part
   near_.clear();
   for (std::size_t kind = 0; kind < kKinds; ++kind) {
     std::vector<Part>& parts = parts_[kind];

@@ -1,4 +1,4 @@
-// Keeps the slots of the track's buffers equal to the derived track.
+// Keeps the slots of the track's buffers up to date with the derived track.
 #include "gfx/track_cache.h"
 
 #include <algorithm>
@@ -25,7 +25,7 @@ TrackCache::Synced TrackCache::sync(const sim::Derived& derived, const sim::Cloc
   if (!(evaluation_ == derived.made.evaluation)) changes.reset();
   if (const sim::Detail detail = sim::detail_of(derived); !(detail == detail_)) {
     detail_ = detail;
-    for (Slot& slot : slots_) slot.shape_build = 0;  // every mesh again
+    for (Slot& slot : slots_) slot.shape_build = 0;  // every mesh is rewritten
     changes.reset();
   }
   last_build_ = derived.last_build, evaluation_ = derived.made.evaluation;
@@ -186,7 +186,7 @@ void TrackCache::empty_control(Range range) {
   write(controls_, range, std::span(&none, 1));
 }
 
-// Frees the buffer itself, not only its ranges: the other kind of slots takes over.
+// Frees the buffer itself, not only its ranges, because the other kind of slots replaces it.
 void TrackCache::drop_lines() {
   if (line_ranges_.used() == 0) return;
   for (Slot& slot : slots_) slot.line = {}, slot.polyline_build = 0;
