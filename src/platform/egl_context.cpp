@@ -54,14 +54,14 @@ EGLDisplay open_display(const Egl& egl) {
   return display != EGL_NO_DISPLAY && egl.initialize(display, nullptr, nullptr) ? display : EGL_NO_DISPLAY;
 }
 
-// A context with a buffer of its own, as small as possible: without one, transform feedback is an error in Mesa.
+// A context with a separate buffer, as small as possible: without one, transform feedback is an error in Mesa.
 struct Made {
   EGLDisplay display = EGL_NO_DISPLAY;
   EGLContext context = EGL_NO_CONTEXT;
   EGLSurface buffer = EGL_NO_SURFACE;
 };
 
-// Without a context if the driver has no such version: OpenGL 3.`minor` core, or with `es` OpenGL ES 3.`minor`.
+// Returns no context if the driver lacks the version: OpenGL 3.`minor` core, or with `es` OpenGL ES 3.`minor`.
 Made create(const Egl& egl, EGLDisplay display, bool es, int minor) {
   const EGLint wanted[] = {EGL_SURFACE_TYPE, EGL_PBUFFER_BIT, EGL_RENDERABLE_TYPE,
                            es ? EGL_OPENGL_ES3_BIT : EGL_OPENGL_BIT, EGL_NONE};

@@ -225,7 +225,7 @@ std::string last_error() {
   return text ? text : "unknown reason";
 }
 
-// Returns the version of OpenGL that a window gets without any wishes.
+// Returns the version of OpenGL that a window gets without hints.
 std::string version_at_hand() {
   glfwDefaultWindowHints();
   glfwWindowHint(GLFW_VISIBLE, GLFW_FALSE);
@@ -255,7 +255,7 @@ base::Result<std::unique_ptr<Surface>> make_window(const SurfaceOptions& options
   if (!set("DISPLAY") && !set("WAYLAND_DISPLAY"))
     return base::Status{base::Code::graphics, "no display (DISPLAY and WAYLAND_DISPLAY are not set); use --headless"};
 #ifdef GLFW_PLATFORM
-  // Of its own accord GLFW tries Wayland first, whose library prints a line where there is none.
+  // By default GLFW tries Wayland first, whose library prints a line if there is no compositor.
   if (!set("WAYLAND_DISPLAY")) glfwInitHint(GLFW_PLATFORM, GLFW_PLATFORM_X11);
 #endif
   if (!glfwInit())

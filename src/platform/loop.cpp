@@ -2,7 +2,7 @@
 
 namespace coaster::platform {
 
-// NOLINTNEXTLINE(performance-unnecessary-value-param): a page keeps them
+// NOLINTNEXTLINE(performance-unnecessary-value-param): a web page keeps them
 int run_frames(std::function<bool()> step, std::function<int()> finish) {
   while (step()) {
   }

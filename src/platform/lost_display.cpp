@@ -7,14 +7,14 @@
 namespace coaster::platform {
 namespace {
 
-// Xlib's handler gets no argument of ours.
+// Xlib's handler gets no argument, so this is global.
 std::function<void()>& lost_handler() {
   static std::function<void()> handler;
   return handler;
 }
 
 void call_lost() {
-  // At most once: the handler may come back here if it uses the display after all.
+  // At most once: the handler may be called again if it uses the display.
   if (const auto handler = std::exchange(lost_handler(), {})) handler();
 }
 

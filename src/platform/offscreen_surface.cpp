@@ -62,8 +62,8 @@ constexpr Library kLibraries[] = {{"osmesa", "OSMesa", make_osmesa_context},
 }  // namespace
 
 base::Result<std::unique_ptr<Surface>> make_offscreen(const SurfaceOptions& options) {
-  // Mesa's software renderer optimises its shaders for longer than most runs without a display draw. Read once, by its
-  // first context.
+  // Mesa's software renderer optimises its shaders for longer than most off-screen runs take to draw. Its first context
+  // reads this once.
   setenv("GALLIVM_PERF", "nopt", 0);
   const char* const named = std::getenv("COASTER_HEADLESS");
   const std::string wanted = options.headless.empty() && named ? named : options.headless;

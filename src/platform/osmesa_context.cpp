@@ -1,4 +1,4 @@
-// Its functions are declared here, not included: distributions drop the header with the library.
+// OSMesa's functions are declared here instead of included: distributions drop the header with the library.
 #include <array>
 #include <memory>
 #include <string>

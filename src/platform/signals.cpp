@@ -6,7 +6,7 @@
 namespace coaster::platform {
 namespace {
 
-// A handler may access only such a flag and gets no argument of ours: the one global variable that cannot be avoided.
+// A handler may access only such a flag and gets no argument: the one global variable that cannot be avoided.
 volatile std::sig_atomic_t came = 0;
 
 extern "C" void note_signal(int number) { came = number; }

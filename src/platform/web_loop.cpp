@@ -1,4 +1,4 @@
-// The browser's loop, before each picture of the page that is shown.
+// The browser's loop, which runs before each repaint of the page.
 #include <emscripten.h>
 
 #include <utility>

@@ -23,7 +23,7 @@ namespace {
 
 constexpr const char* kCanvas = "#canvas";
 
-// Transform feedback is read by mapping a buffer, which WebGL does not have: a copy of its bytes stands in.
+// Transform feedback is read by mapping a buffer, which WebGL lacks, so this returns a copy of its bytes.
 void* mapped = nullptr;
 void* map_range(GLenum target, GLintptr offset, GLsizeiptr length, GLbitfield) {
   mapped = std::malloc(static_cast<std::size_t>(length));
@@ -38,7 +38,7 @@ GLboolean unmap(GLenum) {
 }
 
 class WebSurface;
-WebSurface* of_page = nullptr;  // for what the page calls by name
+WebSurface* of_page = nullptr;  // for functions that the page calls by name
 
 class WebSurface final : public Surface {
  public:
@@ -165,10 +165,10 @@ class WebSurface final : public Surface {
     constexpr std::array<Button, 3> kButtons{Button::left, Button::middle, Button::right};
     if (event.button < kButtons.size())
       pending_.push_back(MouseButton{kButtons[event.button], type == EMSCRIPTEN_EVENT_MOUSEDOWN, modifiers_of(event)});
-    return EM_FALSE;  // a press gives the canvas the keys
+    return EM_FALSE;  // a press gives the keyboard to the canvas
   }
-  // Follows what the fingers did since the last frame, up to a press or release that needs a frame of its own. Fingers
-  // that stay are followed in every frame: a press becomes long by itself.
+  // Follows the fingers since the last frame, up to a press or release that needs a separate frame. Fingers that do not
+  // move are followed in every frame, because a press becomes long with time.
   void follow_fingers(Events& events) {
     while (!fingers_.empty()) {
       Fingers& then = fingers_.front();
@@ -250,7 +250,7 @@ class WebSurface final : public Surface {
     double time = 0;
     bool followed = false;
   };
-  std::deque<Fingers> fingers_;  // after each event of the screen; the last stays
+  std::deque<Fingers> fingers_;  // after each event of the screen; the last one is kept
   Touch touch_;
   double last_;
   std::string clipboard_;
