@@ -105,7 +105,7 @@ std::string full_name(const Rule& rule) {
   return fmt::format("{}{}{}", rule.query->name, argument.empty() ? "" : " ", argument);
 }
 
-// Returns the value found, where, and the wanted one; for an overload, its kind and duration.
+// Returns the value found, its position, and the wanted value; for an overload, its kind and duration.
 std::string words_of(const edit::Finder& find, const Rule& rule, const Finding& finding) {
   const auto overloads =
       rule.query->name == "ride.envelope" ? find(edit::Want::overloads).overloads : std::span<const sim::RedSpan>();

@@ -25,7 +25,7 @@ constexpr std::array kGoals{GoalRow{"ride.lap_time", "Lap time", 2},
                             GoalRow{"ride.drop_max", "Highest drop", 1},
                             GoalRow{"open_end.distance", "Open end to start", 1}};
 
-// Returns "Lap time"; for a query that is none of goals() its name and argument.
+// Returns "Lap time"; for a query that is not in goals(), its name and argument.
 std::string name_of(const Query& query, std::string_view argument) {
   for (const GoalRow& row : kGoals)
     if (row.query == query.name) return std::string(row.label);

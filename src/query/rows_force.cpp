@@ -1,4 +1,4 @@
-// Queries of force sections: what was asked for, and what the first train's riders feel in its ride over the present
+// Queries of force sections: the required values, and what the first train's riders feel in its ride over the present
 // track.
 #include <array>
 #include <cmath>
@@ -19,7 +19,7 @@ Answer of_plan(const Context& c, View argument, Function function) {
   return plan != nullptr ? function(*plan) : Answer(text("none"));
 }
 
-// A place of a channel: "@q3.vertical/40".
+// A position of a channel: "@q3.vertical/40".
 struct ForcePlace {
   View section;
   world::ForceChannel channel{};
@@ -34,7 +34,7 @@ base::Result<ForcePlace> force_place(View word) {
                                                      base::alternatives_of<world::ForceChannel>(), base::quoted(word))};
 }
 
-// Returns a value of the plan's points at a place: linear between them.
+// Returns a value of the plan's points at a position, linear between them.
 double asked_at(const sim::ForcePlan& plan, const ForcePlace& spot) {
   const auto value = [&](std::size_t i) { return plan.path.points[i].asked(spot.channel); };
   return sim::between_points(plan, spot.at, value);

@@ -1,4 +1,4 @@
-// Queries about the last frame and its picture: a row for each number of the two tables, and what follows from several.
+// Queries about the last frame and its picture: a row for each figure of the two tables, and derived figures.
 #include <array>
 #include <utility>
 
@@ -18,7 +18,7 @@ constexpr auto rows_of(std::index_sequence<row...>) {
   return std::array{Query{table[row].query, "", table[row].unit, table[row].text, number_of_frame<table, row>}...};
 }
 
-// The processor's, or what was captured from the GPU.
+// The deviation of the processor, or the one captured from the GPU.
 Answer deviation(const Context& c, View) {
   const sim::Derived& derived = c.session.derived;
   return number(derived.evaluated_by == curve::EvaluatedBy::processor ? derived.deviation : c.stats.deviation);

@@ -30,7 +30,7 @@ Answer passed(const Context& c, View) {
 Answer failure(const Context& c, View) {
   return text(c.session.game.challenge ? c.session.game.challenge->last.reason : "");
 }
-// A member of an optional value of the game: what it is at first without one.
+// A member of an optional value of the game; its initial value if there is none.
 template <auto optional, auto member>
 Answer of_game(const Context& c, View) {
   const auto& object = c.session.game.*optional;

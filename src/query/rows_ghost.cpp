@@ -21,7 +21,7 @@ template <sim::Extreme sim::Ratings::*member>
 Answer extreme(const Context& c, View) {
   return number(((*c.find(edit::Want::ratings).ratings).*member).value);
 }
-// Of all cars and in either direction.
+// The largest value of all cars, in either direction.
 template <sim::RideValue value>
 Answer most(const Context& c, View) {
   const edit::Findings& found = c.find(edit::Want::riders);

@@ -160,7 +160,7 @@ Answer cart_up(const Context& c, View) {
 }
 
 // --- errata
-// Of the selected segment, else of the first one.
+// Those of the selected segment, else of the first one.
 Answer of_erratum(const Context& c, View name, double sim::Erratum::*number_of) {
   const sim::Derived& derived = c.session.derived;
   std::vector<std::string> names(sim::kErrata.begin(), sim::kErrata.end());

@@ -67,7 +67,7 @@ Answer roll(const Context& c, View) {
     return glm::degrees(sim::rolling(c.session.document, c.session.derived, e, cart).*member);
   });
 }
-// Jerk needs what comes before it, so it is that of the whole ride's simulation.
+// Jerk depends on earlier values, so it comes from the simulation of the whole ride.
 Answer jerk(const Context& c, View) {
   return of_cart(c, [&](world::Entity, const world::CartMotion& cart) {
     const sim::Riders* const riders = c.find(edit::Want::riders).riders;

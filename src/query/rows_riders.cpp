@@ -12,7 +12,7 @@
 namespace coaster::query {
 namespace {
 
-// A place on the track, and the seat that comes there.
+// A position on the track and a seat that passes it.
 struct Spot {
   double distance = 0;  // m along the track
   world::Seat seat{};

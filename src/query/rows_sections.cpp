@@ -50,7 +50,7 @@ Answer section_of(const Context& c, View argument) {
     return world::label_of(c.session.document, world::segment(c.session.document, e).section);
   });
 }
-// A figure of the section; "none" where the ride does not get.
+// Returns a figure of the section; "none" if the ride does not reach it.
 template <auto Member>
 Answer section_figure(const Context& c, View argument) {
   return of_run(c, argument, [&](const world::SectionRun& run) -> Value {

@@ -1,4 +1,4 @@
-// Queries about the settings that have a row: one each, made from it.
+// Queries about the settings with a row: one for each row.
 #include <vector>
 
 #include "query/rows.h"
