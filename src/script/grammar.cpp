@@ -25,7 +25,7 @@ class Parser {
             Block& block);
 
  private:
-  // An open block and the place where it began.
+  // An open block and where it began.
   struct Open {
     Statement opener;
     Block body;

@@ -1,4 +1,4 @@
-// The table of statements and the readers of their words; ui.*, aim.* and expect have files of their own.
+// The table of statements and the readers of their words; those of ui.*, aim.* and expect are in separate files.
 #include "script/lines.h"
 
 #include <algorithm>
@@ -51,7 +51,7 @@ bool parse_env(Words& words, Action& action) {
   return true;
 }
 
-// Frames or Ticks; one without a number.
+// Reads Frames or Ticks; 1 without a number.
 template <class Count>
 bool parse_count(Words& words, Action& action) {
   constexpr std::string_view kWhat = std::is_same_v<Count, Frames> ? "a number of frames" : "a number of ticks";

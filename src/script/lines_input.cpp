@@ -71,7 +71,8 @@ bool parse_drop(Words& words, Action& action) {
   return finish(words, action, {{{platform::Drop{path->text}}}});
 }
 
-// "pad left 0 0.5 right 0 0 triggers 0 1": releases everything that is not named. "pad a": presses and releases.
+// Parses "pad left 0 0.5 right 0 0 triggers 0 1", which releases everything that is not named, and "pad a", which
+// presses and releases.
 bool parse_pad(Words& words, Action& action) {
   static const std::vector<std::string> kNames = [] {
     std::vector<std::string> names{"left", "right", "triggers", "rest"};

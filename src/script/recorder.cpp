@@ -50,7 +50,7 @@ std::vector<edit::Command> settings_commands(const edit::Session& session) {
   return commands;
 }
 
-// A recording takes the place of a link of its name.
+// Removes a link, so that the recording replaces it.
 void drop_link(base::Files& files, const std::filesystem::path& path) {
   std::error_code ignored;
   if (std::filesystem::is_symlink(path, ignored)) (void)files.remove(path);
@@ -100,7 +100,7 @@ base::Status Recorder::snapshot(const edit::Session& session) {
 }
 
 base::Status Recorder::command(const edit::Command& command, const edit::Session& after) {
-  // Exports and force limits do not affect document or motion: leave them out.
+  // Exports and force limits do not affect document or motion, so they are left out.
   if (edit::output_path(command) != nullptr || command.is<edit::LoadEnvelope>()) return {};
   if (const base::Status written = write_ticks(); !written) return written;
   if (edit::opens_link(command)) return line(edit::print(command));

@@ -48,7 +48,7 @@ std::optional<base::Status> Runner::step() {
   return places_.empty() ? std::optional(base::Status{}) : std::nullopt;
 }
 
-// The next statement, the end of a block, or a look at the lesson.
+// Runs the next statement or the end of a block, or checks the lesson.
 Failure Runner::advance() {
   if (given_ && places_.size() == given_->depth) return attend();
   Place& here = places_.back();
@@ -107,7 +107,7 @@ Failure Runner::perform(const SetEnvironment& change) {
   if (change.samples) environment_.samples = *change.samples;
   if (change.seed) environment_.seed = *change.seed;
   if (change.scale) environment_.scale = *change.scale;
-  // A folder alone keeps picture and scale: its settings may change them.
+  // If only a folder is set, picture and scale stay: its settings may change them.
   const bool home_alone = change.home && !change.width && !change.samples && !change.seed && !change.scale;
   if (!home_alone)
     if (const base::Status status = frames_.set_environment(environment_); !status) return failure(status);

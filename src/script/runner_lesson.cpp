@@ -8,7 +8,7 @@
 namespace coaster::script {
 namespace {
 
-constexpr int kMostLessonFrames = 3600;  // limit for a lesson's own lines to take effect
+constexpr int kMostLessonFrames = 3600;  // limit for a lesson's lines to take effect
 
 int lessons_in(const Block& block) {
   int count = 0;

@@ -1,4 +1,4 @@
-// Finds and operates widgets. It never activates a widget by id: what a mouse cannot press is an error.
+// Finds and operates widgets. It never activates a widget by id: if a mouse cannot press it, that is an error.
 #include "script/ui_driver.h"
 
 #include <algorithm>
@@ -80,8 +80,8 @@ Failure UiDriver::open_way_to(std::string_view path) {
   return {};
 }
 
-// Looks for a widget that is not here in each other workspace, and returns to the present one. Returns the refusal that
-// names the first that has it; `missing` where none has.
+// Looks for a missing widget in each other workspace, and returns to the present one. Returns the refusal that names
+// the first workspace that has it; `missing` if none has.
 Failure UiDriver::refuse_missing(std::string_view path, const base::Status& missing) {
   using world::Workspace;
   const Workspace here = frames_.host().context().session.settings.panels->workspace;
@@ -242,7 +242,7 @@ Failure UiDriver::drag_to(std::string_view path, double value) {
     (*number < value ? low : high) = x;
   }
   if (Failure up = release(MouseButton{Button::left, false, {}}, frames_.commands(), false); !up) return up;
-  // A plot takes no text: there the nearest pixel has to do.
+  // A plot accepts no text, so the nearest pixel is used.
   return there || widget_.kind == "plot" ? Failure{} : type(path, base::to_text(value));
 }
 
