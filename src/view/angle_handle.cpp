@@ -14,8 +14,9 @@ namespace {
 using glm::dvec3;
 
 constexpr dvec3 kUp{0, 1, 0};
-constexpr double kTurnShare = 0.6;  // radius of a turn's ring by that of the turn: clear of the rails
-constexpr double kBankShare = 0.08, kLeastBank = 3, kMostBank = 9;  // radius of a bank's ring by the length; m, m
+constexpr double kTurnShare = 0.6;  // radius of a turn's ring relative to that of the turn: clear of the rails
+constexpr double kBankShare = 0.08, kLeastBank = 3,
+                 kMostBank = 9;  // radius of a bank's ring relative to the length; m, m
 
 AngleHandle turn_handle(const world::Element& element, const sim::Derived& derived, const world::SectionRun& run,
                         std::string_view parameter) {
@@ -30,7 +31,7 @@ AngleHandle turn_handle(const world::Element& element, const sim::Derived& deriv
           side * kUp,     -kTurnShare * radius * inside};
 }
 
-// Where an S-bend is steepest in its first turn, and the others in their middle.
+// Returns the bank's handle: for an S-bend where its first turn is steepest, for others in the middle.
 AngleHandle bank_handle(const world::Element& element, const sim::Derived& derived, const world::SectionRun& run) {
   const double from = derived.starts[run.first], length = derived.starts[run.end()] - from;
   const double share = element.kind == world::ElementKind::s_bend ? 0.25 : 0.5;

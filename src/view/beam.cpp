@@ -56,7 +56,7 @@ Beam::Beam(const View& view, dvec2 pixel) {
   set_coarse();
 }
 
-// The cylinder about the line of sight is within a cone from a far point of that line, whose radius is right where the
+// The cylinder about the line of sight is within a cone from a far point of that line, whose radius is exact where the
 // view begins and at most twice as large where it ends.
 void Beam::set_parallel(const View& view) {
   constexpr double kSameDepth = 1e-3;  // of the distance of the subject

@@ -33,7 +33,7 @@ glm::vec3 towards_eye(float yaw_deg, float pitch_deg) {
   return {std::sin(yaw) * std::cos(pitch), std::sin(pitch), std::cos(yaw) * std::cos(pitch)};
 }
 
-// The axes of a camera: to the right, to the top and back of its picture.
+// Returns the axes of a camera: to the right, to the top and back of its picture.
 glm::mat3 axes_of(const world::Camera& camera) {
   switch (camera.projection) {
     case world::Projection::front: return {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
@@ -46,14 +46,14 @@ glm::mat3 axes_of(const world::Camera& camera) {
   return {right, glm::cross(back, right), back};
 }
 
-// Returns the nearest camera with the same yaw and pitch that shows all points p with which each_point() calls
-// visit(p): a long track has millions.
+// Returns the nearest camera with the same yaw and pitch that shows all points p for which each_point() calls visit(p):
+// a long track has millions.
 world::Camera frame_points(const world::Camera& from, Viewport viewport, const auto& each_point) {
   viewport = with_area(viewport);
   world::Camera out = from;
   const glm::mat3 axes = axes_of(from);
   const glm::vec3 right = axes[0], up = axes[1], back = axes[2];
-  // Depth does not move what an orthographic view shows.
+  // Depth does not affect an orthographic view.
   const float by_depth = from.projection == world::Projection::perspective ? 1.0f : 0.0f;
   const float tan_y = std::tan(glm::radians(from.field_of_view_deg) * 0.5f) / kMargin,
               tan_x = tan_y * viewport.width / viewport.height;
@@ -94,13 +94,13 @@ View view_of(const Eye& eye, Viewport viewport) {
   const float fov = glm::radians(
       std::clamp(static_cast<float>(eye.field_of_view_deg), world::kMinFieldOfView, world::kMaxFieldOfView));
   if (eye.parallel) {
-    // The eye's own plane is no limit: everything before and behind it shows.
+    // The eye's own plane is no limit: everything in front of and behind it shows.
     out.parallel = std::max(static_cast<float>(eye.far_off), 0.1f);
     const float half = out.parallel * std::tan(0.5f * fov), wide = half * out.viewport.width / out.viewport.height;
     out.projection = glm::orthoRH_NO(-wide, wide, -half, half, -kFarPlane, kFarPlane);
     return out;
   }
-  // The near plane moves out with the viewing distance, so that depth stays precise over a large track.
+  // The near plane moves away with the viewing distance, so that depth stays precise over a large track.
   const float far_off = static_cast<float>(eye.far_off), near_plane = std::max(kNearPlane, far_off * 2e-3f),
               far_plane = std::max(kFarPlane, far_off * 4.0f);
   out.projection = glm::perspectiveRH_NO(fov, out.viewport.width / out.viewport.height, near_plane, far_plane);
@@ -238,7 +238,7 @@ world::Camera frame_box(const world::Camera& from, glm::vec3 low, glm::vec3 high
 
 world::Camera frame_all(const world::Camera& from, const world::Document& document, Viewport viewport) {
   if (document.track.knots.empty()) return frame_box(from, {-20, 0, -20}, {20, 10, 20}, viewport);
-  // Track has a volume, and a lone knot should not fill the picture.
+  // Track has a volume, and a single knot should not fill the picture.
   const float half = 1 + static_cast<float>(std::abs(world::rails_height(document)));
   return frame_points(from, viewport, [&](const auto& visit) {
     const auto around = [&](glm::vec3 p) {

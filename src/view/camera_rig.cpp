@@ -1,4 +1,4 @@
-// One eye for all cameras: which camera is shown, and the transition between two.
+// One eye for all cameras: selects the displayed camera, and eases between two.
 #include "view/camera_rig.h"
 
 #include <algorithm>
@@ -31,7 +31,7 @@ Ridden ridden_of(const Watched& w, world::Entity cart, const world::CartMotion& 
   Ridden out{cart, motion, {}, {}, 0};
   if (design) out.length = (sim::cars_on(w.derived, *design) - 1) * static_cast<double>(design->spacing);
   out.front = sim::pose(w.derived, front, w.settings.frames);
-  // Banked by the knots for every frame method: an eye outside has no seat.
+  // Banked by the knots for every frame method, because this eye is not in a seat.
   out.middle = sim::pose(w.derived, sim::behind(w.derived, front, 0.5 * out.length), world::FrameMethod::knots);
   return out;
 }
@@ -118,7 +118,7 @@ void follow(CameraRig& rig, const Watched& w, int ticks) {
   rig.with_train = rig.with_train && goes_along(mode);
   rig.mode = mode, rig.reduced = reduced;
   const Eye to = target_eye(rig, w, ticks, switched);
-  const bool cut = before.parallel || to.parallel;  // nothing lies between the two projections
+  const bool cut = before.parallel || to.parallel;  // the two projections cannot be interpolated
   if (reduced || !rig.begun || cut || (changed && !w.eased)) rig.ticks_left = 0;
   else if (changed) begin_transition(rig, before, to);
   else rig.ticks_left = std::max(0, rig.ticks_left - ticks);

@@ -86,7 +86,7 @@ PickKind pick_gizmo(const Gizmo& gizmo, const View& view, float scale, glm::vec2
     if (distance < least) least = distance, best = axis_kind(i);
   }
   if (best != PickKind::none) return best;
-  double nearest = 0;  // for overlapping squares
+  double nearest = 0;  // among overlapping squares
   for (int i = 0; i < 3; ++i) {
     std::array<dvec2, 4> corners;
     bool seen = true;

@@ -51,7 +51,7 @@ void add_polygons(const world::Document& document, const world::Settings& settin
   }
 }
 
-// The selection, for very many questions.
+// The selection as a table, for fast lookup.
 class Selected {
  public:
   explicit Selected(const world::Settings& settings) : active_(settings.selected) {
@@ -128,7 +128,7 @@ Overlay build_overlay(const world::Document& document, const sim::Derived& deriv
   if (findings.element) add_element(*findings.element, findings.narrow, rails, view, scale, overlay);
   add_sections(document, derived, settings, hovered, overlay);
   add_polygons(document, settings, overlay);
-  // The picked position is no pickable mark, so it lies under all that are.
+  // The picked position is not a pickable mark, so it is drawn below all that are.
   if (const sim::SegmentShape* const shape = derived.segments.find(settings.selected))
     add_disc(curve::point(shape->key.cubic, settings.selected_t), kPlaceRadius * scale, kPlaceColour, overlay);
   if (hovered.kind == PickKind::curve) add_disc(hovered.position, kPlaceRadius * scale, kHoveredPlaceColour, overlay);

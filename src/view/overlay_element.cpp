@@ -13,7 +13,7 @@ using glm::dvec3;
 using sim::ElementPoint;
 
 constexpr std::uint32_t kRimColour = 0x1b1f2766;
-constexpr double kDashPx = 9;        // and gaps of the same length
+constexpr double kDashPx = 9;        // px, also of the gaps
 constexpr double kPlumbSpacing = 8;  // m along the track; more for long elements
 constexpr double kLeastPlumb = 0.5;  // m above the ground
 

@@ -55,7 +55,7 @@ void add_sign(glm::dvec3 at, std::uint32_t rgba, std::span<const glm::dvec2> gly
   const double px_per_metre = PixelScale(view)(at);
   if (!(px_per_metre > 0)) return;
   add_disc(at, 11 * scale, rgba, overlay);
-  // Dots, because marks are drawn over lines.
+  // Uses dots, because marks are drawn over lines.
   const glm::dvec3 right(right_of(view)), up(top_of(view));
   const double metres = static_cast<double>(scale) / px_per_metre;
   for (const glm::dvec2 dot : glyph) add_disc(at + metres * (dot.x * right + dot.y * up), 1.5f * scale, kInk, overlay);

@@ -33,9 +33,9 @@ double fitting_distance(std::span<const SeenSegment> seen, double px, int most, 
 
 constexpr int kFewestTeeth = 8, kMostTeeth = 64;
 
-// Of conflicts and folds.
+// Sizes of conflicts and folds.
 constexpr int kPieces = 24;    // per stretch
-constexpr double kOver = 1.6;  // m, of a sign
+constexpr double kOver = 1.6;  // m, height of a sign
 constexpr std::array<glm::dvec2, 6> kExclamation{{{0, 4.8}, {0, 3.5}, {0, 2.2}, {0, 0.9}, {0, -0.4}, {0, -4.2}}};  // px
 
 // Returns the number of teeth of a segment, both ends included. Segments smaller than `px` on screen share teeth: one

@@ -58,7 +58,7 @@ class Search {
     }
   }
 
-  // Returns the winner by the rule in pick.h. It does not depend on the order of the visits.
+  // Returns the winner by the rule in pick.h, independent of the order of the visits.
   const Candidate* meant() {
     std::erase_if(candidates_,
                   [&](const Candidate& c) { return c.distance > limit() || !is_nearest_at_joint(derived_, beam_, c); });

@@ -11,8 +11,8 @@ namespace {
 
 using glm::dvec3;
 
-// Returns the place of the section that is farthest above or below its start: a joint of its segments, or one of 16
-// places on each.
+// Returns the position of the section that is farthest above or below its start: a joint of its segments, or one of 16
+// positions on each.
 dvec3 farthest_in_height(const sim::Derived& derived, const world::SectionRun& run, double from) {
   constexpr int kPlaces = 16;
   dvec3 farthest(0, from, 0);
