@@ -16,19 +16,19 @@ void for_each_column(auto visit, auto&... documents) {
   Entities::for_each_column(visit, documents.entities...);
 }
 
-// Compares bits where there are only bits.
+// Compares bits if the type has no other state.
 template <class T>
 bool same(const T* a, const T* b, std::size_t count) {
   if constexpr (std::is_trivially_copyable_v<T>) return base::same_bits(std::span(a, count), std::span(b, count));
   else return std::equal(a, a + count, b);
 }
 
-// Stretches of a column: [at, at + there) of one document and `here` items from `at` on of the other.
+// Parts of a column: [at, at + there) of one document and `here` items from `at` on of the other.
 struct Stretch {
   std::size_t at, there, here;
 };
 
-// Items before and after which both columns are the same are left out: the least for an order with an insertion.
+// Returns the part between the common start and end of both columns: minimal for an order with an insertion.
 template <class T>
 std::vector<Stretch> middle_of(const std::vector<T>& other, const std::vector<T>& column) {
   const std::size_t common = std::min(other.size(), column.size());
@@ -40,8 +40,8 @@ std::vector<Stretch> middle_of(const std::vector<T>& other, const std::vector<T>
   return {{before, column.size() - before - after, other.size() - before - after}};
 }
 
-// Items that differ at the same index, and the longer column's end: the least for a pool. Stretches join where an edit
-// would take more than the items between them.
+// Returns the runs of items that differ at the same index, and the longer column's end: minimal for a pool. Runs are
+// joined where a separate edit would take more memory than the items between them.
 template <class T>
 std::vector<Stretch> places_of(const std::vector<T>& other, const std::vector<T>& column) {
   constexpr std::size_t kBlock = 64, kEdit = sizeof(ColumnEdit<T>), kItem = sizeof(T), kJoin = kEdit / kItem;
@@ -65,7 +65,7 @@ std::size_t bytes_of(const std::vector<Stretch>& stretches) {
   return bytes;
 }
 
-// Only the last edit of a column changes its size, so the others' places hold in both documents.
+// Only the last edit of a column changes its size, so the positions of the others are valid in both documents.
 template <class T>
 void exchange(ColumnEdit<T>& edit, std::vector<T>& column) {
   const auto first = column.begin() + static_cast<std::ptrdiff_t>(edit.at),

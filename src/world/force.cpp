@@ -69,7 +69,7 @@ std::vector<ForceKey> shaping_keys(const ForceProgram& program, ForceChannel cha
 }
 
 std::array<glm::dvec2, 4> curve_between(const ForceKey& from, const ForceKey& to) {
-  constexpr double kShortest = 0.02;  // of the gap
+  constexpr double kShortest = 0.02;  // fraction of the gap
   const double gap = to.at - from.at;
   double after = from.after > 0 ? std::clamp(from.after, kShortest * gap, gap) : gap / 3,
          before = to.before > 0 ? std::clamp(to.before, kShortest * gap, gap) : gap / 3;

@@ -1,4 +1,4 @@
-// Keeps the promises of joints: equal lengths if smooth, the shape given by the neighbours if automatic.
+// Maintains joints: equal handle lengths if smooth, the shape given by the neighbours if automatic.
 #include "world/topology.h"
 
 namespace coaster::world {

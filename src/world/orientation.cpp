@@ -38,7 +38,7 @@ void set_tangent(Knot& knot, glm::vec3 direction) {
   const glm::dvec3 from = forward_of(knot), up = curve::perpendicular(from, glm::dvec3(knot.up));
   knot.tangent = tangent;
   const glm::dvec3 forward = forward_of(knot);
-  // For a reversal the axis is up itself, which then stays.
+  // For a reversal the axis is up itself, which does not change.
   knot.up = glm::vec3(curve::perpendicular(forward, curve::least_rotation(from, forward, up, up)));
 }
 

@@ -11,7 +11,7 @@
 namespace coaster::world {
 namespace {
 
-// Returns 0 for a dead entity, a number that no name has.
+// Returns the number of an entity; 0, which no name has, if it is dead.
 std::uint32_t number_of(const Document& document, Entity e) {
   const Name* const name = document.entities.find<Name>(e);
   return name ? name->number : 0;
@@ -40,15 +40,15 @@ void add_component(base::Hasher& hasher, const Document& document, const T& comp
   });
 }
 
-// What a plain segment does not have adds nothing, so that its hash is that of the first version of the format.
+// Missing fittings add nothing, so that the hash of a plain segment is that of the first version of the format.
 void add_fittings(base::Hasher& hasher, const Document& document, Entity segment) {
   Fittings::for_each([&]<class T>() {
     if (const T* const fitting = document.entities.find<T>(segment)) add_component(hasher, document, *fitting);
   });
 }
 
-// True if nobody has made sections: all segments are one free section without a title. It adds nothing, so that tracks
-// keep the hash that they had before there were sections.
+// True if there are no explicit sections: all segments are one free section without a title. It adds nothing, so that
+// tracks keep the hash from before sections existed.
 bool undivided(const Document& document, const std::vector<SectionRun>& runs) {
   if (runs.empty()) return true;
   const Entity e = runs.front().section;

@@ -28,7 +28,7 @@ void for_carts_on(Document& document, Entity segment_entity, Fn fn) {
     if (cart.segment == segment_entity) fn(cart);
 }
 
-// Fractions stay below 1, where the next segment begins.
+// Returns a fraction below 1, where the next segment begins.
 double as_fraction(double part, double whole) {
   const double below_one = std::nextafter(1.0, 0.0);
   return whole > 0 ? std::clamp(part / whole, 0.0, below_one) : 0.0;
