@@ -1,5 +1,5 @@
 // Time per segment of every arc-length method for relative errors of 1e-3, 1e-6, 1e-9 and 1e-12, on track-like and on
-// harder cubics, interleaved with adaptive Simpson; with the error reached, and whether the tolerance was met.
+// harder cubics, interleaved with adaptive Simpson. Reports the error reached, and whether the tolerance was met.
 #include <benchmark/benchmark.h>
 
 #include <algorithm>

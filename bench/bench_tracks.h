@@ -23,8 +23,8 @@ inline std::vector<curve::PreparedCubic> track_cubics(std::size_t count) {
   return all;
 }
 
-// A closed circuit with hills, ten metres per segment, with one train: as many loops away from a centre and back as
-// keep its bends wide and, with 100,000 segments, all of it within 20 km.
+// Returns a closed circuit with hills, ten metres per segment, with one train: as many loops away from a centre and
+// back as keep its bends wide and, with 100,000 segments, the whole track within 20 km.
 inline world::Document circuit(int segments) {
   constexpr double kTurn = 6.283185307179586;
   constexpr int kSamples = 4000;  // per loop

@@ -1,4 +1,4 @@
-// Measurements in a process of its own, so that memory is what they add to it.
+// Measurements in a child process, so that memory is what the work adds to it.
 #pragma once
 
 #include <sys/resource.h>

@@ -1,5 +1,5 @@
-// Completing a circuit: the search for three ways home on an open track with free room, where every way is blocked, and
-// on random tracks; a change of a circuit of 40 elements that the section that completes it takes up.
+// Completing a circuit: the search for three ways home on an open track with free space, where every way is blocked,
+// and on random tracks; and a change of a circuit of 40 elements, to which the completing section adapts.
 #include <cmath>
 #include <random>
 
@@ -14,7 +14,7 @@
 namespace coaster::bench {
 namespace {
 
-// Along x, round, and back across itself: the open end is 40 m before the crossing, or 4 m.
+// Returns a track along x, round a turn, and back across itself: the open end is 40 m before the crossing, or 4 m.
 world::Document open_track(bool blocked) {
   world::Document document;
   const auto add = [&](glm::vec3 at, glm::vec3 along) {
@@ -87,7 +87,8 @@ void complete_random(benchmark::State& state) {
 }
 BENCHMARK(complete_random)->DenseRange(1, 20)->Unit(benchmark::kMillisecond);
 
-// Two turns and hills between them, 40 elements in all. A lift is changed by a drag; what shows then follows.
+// Two turns and hills between them, 40 elements in total. A drag changes a lift, and everything that depends on it is
+// updated.
 void change_40_elements(benchmark::State& state) {
   Builder builder;
   builder.apply("element straight length 30 equipment station");

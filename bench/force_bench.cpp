@@ -1,11 +1,12 @@
-// Force sections: the plan of 200 m as a drag in the graph makes it anew, with its parts.
+// Force sections: planning 200 m as after a drag in the graph, and its parts.
 #include "paired.h"
 #include "sim/plan/force_plan.h"
 
 namespace coaster::bench {
 namespace {
 
-// Two hills of 0 g and valleys of 3.5 g between, at 25 m/s, with a roll of 40 degrees and back: `moved` g at one key.
+// Two hills of 0 g with valleys of 3.5 g between them, at 25 m/s, with a roll of 40 degrees and back: `moved` g at one
+// key.
 sim::ForceTask task_of(double moved) {
   sim::ForceTask task;
   task.end.position = {0, 40, 0};

@@ -1,7 +1,7 @@
 // Frames of 5,000 and 100,000 segments at 64 steps, drawn off screen: processor time outside OpenGL (panels, commands,
 // derived data, the cache), for a still frame and for a frame of a knot drag; and of 1,000 segments at 1280x720 while a
-// train runs. Opening a file, to the end of the first picture. Beside them a memset of the bytes of all polylines and
-// of those that a drag uploads, so that the ratio is comparable between machines.
+// train runs. Opening a file, to the end of the first picture. For comparison, a memset of the bytes of all polylines
+// and of those that a drag uploads, so that the ratio is comparable between machines.
 #include <benchmark/benchmark.h>
 
 #include <cmath>

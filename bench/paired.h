@@ -59,7 +59,7 @@ inline void paired(benchmark::State& state, const std::string& unit, double unit
     }
   }
   if (times.empty()) return;
-  work();  // a reference may have overwritten the result that is summed up next
+  work();  // a reference may have overwritten the result that is summed next
   state.counters["ns_per_" + unit] = median(times) * 1e9 / units;
   for (std::size_t i = 0; i < references.size(); ++i) state.counters[references[i].counter] = median(ratios[i]);
 }

@@ -1,5 +1,5 @@
 // Other libraries for the same work: positions of 1000 cubics at 64 parameters each, by each library's usual calls.
-// Each is measured beside track_points(); ratio_to_peer: the library's time relative to it. Built for the installed
+// Each is compared with track_points(); ratio_to_peer: the library's time relative to it. Built for the installed
 // libraries.
 #include "bench_tracks.h"
 #include "curve/kernels.h"

@@ -1,7 +1,7 @@
 // Picking on tracks of 1,000 to 100,000 segments that cross themselves all over the screen: by the hierarchy, by
-// testing every segment, and beside Embree's flat curves; and the cost of a drag for the hierarchy. Views from 60 to
-// 140 m, 1280x720; half the pixels are aimed at the track (with a reach of 8 px, among everything along the line of
-// sight), half are anywhere in the picture.
+// testing every segment, and compared with Embree's flat curves; and the cost of a drag for the hierarchy. Views from
+// 60 to 140 m, 1280x720; half the pixels are aimed at the track (with a reach of 8 px, among everything along the line
+// of sight), half are anywhere in the picture.
 #include <cmath>
 #include <random>
 
@@ -163,8 +163,8 @@ RTCRayHit ray_of(const view::Ray& ray) {
   return out;
 }
 
-// Alternates our picks with Embree's first hit of the same rays: our time / Embree's. Its curves have a constant
-// thickness.
+// Alternates the program's picks with Embree's first hit of the same rays: program's time / Embree's. Embree's curves
+// have a constant thickness.
 void pick_beside_embree(benchmark::State& state) {
   const sim::Derived derived = tangle(static_cast<int>(state.range(0)));
   const std::vector<Aim> all = aims(derived);

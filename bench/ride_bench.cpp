@@ -1,5 +1,5 @@
 // The ride: the ghost during a drag (2,000 m in 100 segments, 8 cars), what riders feel in it, and 10,000 carts on a
-// precomputed table of one lap beside a walk over the same bytes.
+// precomputed table of one lap, compared with a walk over the same bytes.
 #include <cmath>
 #include <random>
 
@@ -48,7 +48,7 @@ double checksum(const sim::Ghost& ghost) {
 }
 
 // A frame of a drag: one knot moved, derived data updated, the tables of its two segments filled, the whole lap
-// simulated. Beside it the same without tables kept from ride to ride.
+// simulated. The reference does the same without tables kept from ride to ride.
 void drag(benchmark::State& state) {
   Riding riding(8);
   const world::Entity knot = riding.document.track.knots[40];
@@ -80,7 +80,7 @@ void drag(benchmark::State& state) {
   state.counters["checksum"] = checksum(riding.ghost());
 }
 
-// What the riders of one car feel besides g, of all its samples in the lap; beside it the lap's simulation itself.
+// What the riders of one car feel besides g, for all samples of the lap; the reference is the lap's simulation itself.
 void riders(benchmark::State& state) {
   Riding riding(8);
   const sim::Ghost& ghost = riding.ghost();
@@ -145,7 +145,7 @@ void carts(benchmark::State& state) {
   state.counters["checksum"] = sum;
 }
 
-// The trains of a whole session, moved by ticks: 10,000 on the timetable, and by Runge-Kutta as many and 64.
+// The trains of a whole session, moved by ticks: 10,000 on the timetable, and by Runge-Kutta both 10,000 and 64.
 struct Crowd {
   Riding riding{1};
   world::Motion motion;
@@ -160,7 +160,7 @@ struct Crowd {
                 riding.derived.length * static_cast<double>(i) / static_cast<double>(trains), motion);
   }
   void step(std::string_view integrator) {
-    motion.state = world::RideState::running, motion.failure = {};  // they touch each other, and go on
+    motion.state = world::RideState::running, motion.failure = {};  // they touch each other, and continue
     sim::step(riding.document, riding.derived, base::value_named<world::IntegratorId>(integrator).value(), 1,
               riding.memo, motion);
   }

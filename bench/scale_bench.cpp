@@ -1,5 +1,5 @@
-// Very long tracks: processor time and memory of what opening one takes, and of a step of undo. Each size is measured
-// in a process of its own, so that memory is what it adds to the process.
+// Very long tracks: processor time and memory for opening one, and for an undo step. Each size is measured in a child
+// process, so that memory is what it adds to the process.
 #include <benchmark/benchmark.h>
 
 #include <malloc.h>
@@ -27,9 +27,9 @@ struct Figures {
   double undo_kb_few = 0, undo_kb_all = 0;
 };
 
-// Measures one part and adds what it took.
+// Measures one part and adds its cost.
 void part(Figures& figures, Part part, auto work) {
-  malloc_trim(0);  // so that what an earlier part freed is not counted as had
+  malloc_trim(0);  // so that memory freed by an earlier part does not count as available
   const double seconds = bench::cpu_seconds(), mb = bench::resident_mb();
   work();
   figures.seconds[part] = bench::cpu_seconds() - seconds, figures.mb[part] = bench::resident_mb() - mb;
