@@ -23,7 +23,7 @@ class FilmingTest : public ProgramTest {
     ProgramTest::TearDown();
   }
   base::Status start(int fps) { return start_movie(*program_, {folder_ / "movie", fps, false, {}}, true); }
-  // The steps that go by between pictures.
+  // Returns the steps between pictures.
   std::vector<int> film(int ticks) {
     std::vector<int> steps;
     app::film(*program_, ticks, [&](int some) { steps.push_back(some); });

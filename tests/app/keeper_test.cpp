@@ -29,7 +29,7 @@ class Keeping : public ProgramTest {
     EXPECT_TRUE(text.ok());
     return text ? exchange::parse_settings(*text, "settings.json")->settings : exchange::UserSettings{};
   }
-  // A program that has put its unsaved track aside and ends as by a crash: nobody says that it is done.
+  // Autosaves a track with unsaved changes and ends as by a crash.
   void crash_with_track(const std::string& name) {
     std::unique_ptr<Program> other = make();
     start(*other);

@@ -1,4 +1,4 @@
-// Programs on a surface whose clock stands until a test moves it, and which says to be a window when a test wants one.
+// Programs on a surface whose clock is set by the test, and which is a window if the test wants one.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -51,7 +51,7 @@ class ProgramTest : public testing::Test {
  protected:
   void SetUp() override { program_ = make(); }
 
-  // A program without a renderer: it can do all but draw the scene.
+  // Returns a program without a renderer: it can do everything except drawing the scene.
   static std::unique_ptr<Program> make() {
     auto program = std::make_unique<Program>();
     auto memory = platform::make_offscreen({.size = {64, 48}});
@@ -67,7 +67,7 @@ class ProgramTest : public testing::Test {
     program->session = edit::make_session({});
     return program;
   }
-  // And with one.
+  // Returns a program with a renderer.
   static std::unique_ptr<Program> make_drawing() {
     std::unique_ptr<Program> program = make();
     auto renderer = gfx::Renderer::make(program->gl, 0);
@@ -75,7 +75,8 @@ class ProgramTest : public testing::Test {
     program->renderer = std::move(*renderer);
     return program;
   }
-  // Makes the test's program one that draws. The former one's context goes first: the next one is the current one.
+  // Makes the test's program one that draws. The context of the former one is destroyed first, so that the new one is
+  // current.
   void restart_drawing() {
     program_.reset();
     program_ = make_drawing();

@@ -1,4 +1,4 @@
-// The tutorial in a window that its player leaves at once.
+// The tutorial in a window whose player leaves it at once.
 #include "app/keeper.h"
 #include "app/program_fixture.h"
 #include "app/script_host.h"

@@ -27,7 +27,7 @@ class file_lock : public testing::Test {
     int ready[2];
     EXPECT_EQ(::pipe(ready), 0);
     const pid_t child = ::fork();
-    if (child < 0) std::abort();  // kill(-1) would be everybody's end
+    if (child < 0) std::abort();  // kill(-1) would end every process
     if (child == 0) {
       const LockAttempt attempt = try_lock(folder / "a.json");
       const char byte = attempt.outcome == Outcome::taken ? '1' : '0';

@@ -1,4 +1,4 @@
-// Tables of names beside their enumerations.
+// Tables of names of enumerations.
 #include "base/names.h"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
-// Writing below a folder: whatever links, pipes and names are prepared there, nothing outside of it is made,
-// changed or removed.
+// Writing below a folder: links, pipes and names prepared in it never lead to a file outside it being created, changed
+// or removed.
 #include "base/root.h"
 
 #include <fcntl.h>

@@ -1,4 +1,4 @@
-// A new, empty folder for one test. Cases run side by side, so a name made from the test's own is not enough.
+// A new, empty folder for one test. Cases run in parallel, so the name of the test alone is not unique.
 #pragma once
 
 #include <cstdlib>

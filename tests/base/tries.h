@@ -1,4 +1,4 @@
-// How many cases a test of random cases tries.
+// The number of cases of a randomised test.
 #pragma once
 
 namespace coaster::test {
@@ -11,7 +11,7 @@ inline constexpr bool kSanitized = __has_feature(address_sanitizer);
 inline constexpr bool kSanitized = false;
 #endif
 
-// `full` cases; a quarter of them with the sanitizers, where each takes ten times as long.
+// Returns `full` cases; a quarter of them with the sanitizers, where each takes ten times as long.
 constexpr int tries(int full) { return kSanitized ? (full + 3) / 4 : full; }
 
 }  // namespace coaster::test

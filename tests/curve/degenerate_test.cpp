@@ -1,4 +1,5 @@
-// Shapes at which formulas break: each has the result that docs/conventions.md states, never NaN, never unbounded work.
+// Shapes at which formulas break: each has the result documented in docs/conventions.md, never NaN, never unbounded
+// work.
 #include <gtest/gtest.h>
 
 #include <cmath>

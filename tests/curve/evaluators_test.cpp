@@ -1,4 +1,4 @@
-// Iterates the table: a new row is covered as soon as it stands there.
+// Iterates the table, so that a new row is covered at once.
 #include "curve/evaluators.h"
 
 #include <gtest/gtest.h>

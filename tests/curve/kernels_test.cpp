@@ -1,4 +1,4 @@
-// Every processor path that this machine has keeps the bounds, in every layout, for whole groups and what is left over.
+// Every processor path of this machine keeps the bounds, in every layout, for whole groups and the remaining vertices.
 #include "curve/kernels.h"
 
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
-// The length of a cubic by the tanh-sinh rule in long double, cut where the curve is slowest: an oracle that shares
-// neither nodes, nor subdivision, nor the integrand's form with what it judges. The rule's nodes crowd at the ends of
-// each piece, so cusps cost nothing.
+// The length of a cubic by the tanh-sinh rule in long double, split where the curve is slowest: an oracle that shares
+// neither nodes, nor subdivision, nor the integrand's form with the code under test. The rule's nodes are dense at the
+// ends of each piece, so cusps cost nothing.
 #pragma once
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// Cubics for the tests: off the origin, skew, with coordinates that no float holds exactly.
+// Cubics for the tests: off the origin, skew, with coordinates that are not exact in float.
 #pragma once
 
 #include <cmath>

@@ -1,4 +1,4 @@
-// Random commands of every kind, through the same lists of fields that the codec uses.
+// Random commands of every kind, made from the lists of fields that the codec uses.
 #pragma once
 
 #include <array>
@@ -20,7 +20,7 @@ class RandomCommands {
   std::uint32_t below(std::uint32_t n) { return bits_() % n; }
   double uniform(double low, double high) { return low + (high - low) * (bits_() / 4294967296.0); }
 
-  // A command of the kind at that place of the list, with every field set.
+  // Returns a command of the kind at that index of the list, with every field set.
   edit::Command of_kind(std::size_t kind);
 
  private:

@@ -18,8 +18,8 @@ class RandomTracks : public SessionTest {
   std::uint32_t below(std::uint32_t n) { return bits_() % n; }
   double uniform(double low, double high) { return low + (high - low) * (bits_() / 4294967296.0); }
 
-  // A station, then up to six elements as a player would choose them; those below the ground or in the way of others
-  // are left out.
+  // Builds a station, then up to six elements as a player would choose them; those below the ground or too close to
+  // others are left out.
   void random_track(std::uint32_t seed) {
     bits_.seed(seed);
     start_on(world::Document{});
@@ -32,7 +32,7 @@ class RandomTracks : public SessionTest {
     const std::uint32_t count = 1 + below(6);
     for (std::uint32_t i = 0; i < count; ++i) {
       const char* const side = below(2) ? "left" : "right";
-      // Drawn one after the other, since compilers evaluate a call's arguments in different orders.
+      // Drawn one after the other, because compilers evaluate a call's arguments in different orders.
       const double roll = below(3) ? 0 : uniform(-40, 40), straight = uniform(5, 60);
       const double bank = uniform(0, 60), turn = uniform(20, 200), radius = uniform(12, 50);
       const double up = uniform(10, 50), rise = uniform(3, 20), down = uniform(10, 60), drop = uniform(3, 20);

@@ -1,4 +1,4 @@
-// A session on a track for tests of commands, with short ways to apply commands by their text.
+// A session on a track for tests of commands, with short functions to apply commands by their text.
 #pragma once
 
 #include <string>
@@ -44,7 +44,7 @@ class SessionTest : public testing::Test {
     EXPECT_TRUE(status) << line << ": " << status.message;
     EXPECT_EQ(world::broken_invariant(session.document), std::nullopt) << line;
   }
-  // Refused with a notice, and nothing else has changed.
+  // Expects that the command is refused with a notice, and that nothing else has changed.
   void refused(const edit::Command& c, std::string_view part) {
     const world::Document document = session.document;
     const world::Settings settings = session.settings;
@@ -61,7 +61,7 @@ class SessionTest : public testing::Test {
     EXPECT_EQ(session.notices.list.back().kind, edit::NoticeKind::error);
   }
   void refused(const std::string& line, std::string_view part) { refused(command(line), part); }
-  // Applied with a warning about a limit.
+  // Expects that the command is applied with a warning about a limit.
   void clamped(const std::string& line, std::string_view part) {
     const std::uint64_t serial = session.notices.serial;
     good(line);

@@ -1,4 +1,4 @@
-// What readers say of a bad file.
+// Checks of readers' errors for invalid files.
 #pragma once
 
 #include <string>
@@ -10,7 +10,7 @@
 
 namespace coaster::test {
 
-// One line that starts with the file's name and has `expected` in it.
+// Expects one line that starts with the file's name and contains `expected`.
 template <class Loaded>
 void expect_bad_file(const Loaded& loaded, std::string_view name, std::string_view expected) {
   ASSERT_FALSE(loaded.ok()) << expected;

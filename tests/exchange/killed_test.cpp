@@ -1,4 +1,4 @@
-// Processes that are killed while they save: whatever the moment, the file is one that was saved whole.
+// Processes that are killed while they save: at any moment, the file is a complete saved one.
 #include <gtest/gtest.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -32,11 +32,11 @@ void wait_microseconds(unsigned microseconds) {
   ::nanosleep(&time, nullptr);
 }
 
-// Runs `work` in a process of its own and kills it after so long.
+// Runs `work` in a child process and kills it after the given time.
 template <class Work>
 void killed_after(unsigned microseconds, Work work) {
   const pid_t child = ::fork();
-  ASSERT_GE(child, 0);  // kill(-1) would be everybody's end
+  ASSERT_GE(child, 0);  // kill(-1) would end every process
   if (child == 0) {
     for (int serial = 1;; serial = serial % 100 + 1) work(serial);
   }
@@ -45,7 +45,7 @@ void killed_after(unsigned microseconds, Work work) {
   ::waitpid(child, nullptr, 0);
 }
 
-// How long `work` takes on this machine now, in microseconds: kills are to come before, in and after it.
+// Returns how long `work` takes on this machine now, in microseconds: kills must happen before, in and after it.
 template <class Work>
 unsigned duration_of(Work work) {
   constexpr int kTimes = 20;

@@ -1,4 +1,4 @@
-// The target named by FUZZ_TARGET in the environment, for libFuzzer; without that, lists the names of all.
+// Runs the target named by FUZZ_TARGET in the environment under libFuzzer; without it, lists the names of all targets.
 #include <cstddef>
 #include <cstdint>
 #include <cstdio>

@@ -1,5 +1,5 @@
-// Gives every file of a folder and of those in it to every target, without a fuzzer: replay FOLDER. What one reader
-// crashed on stays fixed, and is tried on the others.
+// Runs every target on every file below a folder, without a fuzzer: replay FOLDER. An input that crashed one reader
+// remains a test, and is tried on the others.
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>

@@ -31,7 +31,7 @@ void check_error(const base::Status& status) {
 }
 
 void check_track(const exchange::Format& format, std::string_view bytes) {
-  // Fitting takes milliseconds a hundred rows: longer inputs tell the fuzzer nothing new about the reader.
+  // Fitting takes milliseconds per hundred rows, and longer inputs test nothing more of the reader.
   if (bytes.size() > 16'000) return;
   const auto loaded = format.parse(bytes, "track");
   if (!loaded) return check_error(loaded.status());
@@ -42,7 +42,7 @@ void check_track(const exchange::Format& format, std::string_view bytes) {
                 "saving and loading changes nothing");
 }
 
-// The text of a link, or what one packs.
+// The text of a link, or text to pack into one.
 void link(std::string_view bytes) {
   if (bytes.size() > 16'000) return;
   const std::string text = exchange::is_link(bytes) ? std::string(bytes) : "#coaster=1." + exchange::pack(bytes);
@@ -71,7 +71,7 @@ void settings(std::string_view bytes) {
 }
 
 void challenge(std::string_view bytes) {
-  base::Files files;  // a start track that the text names is looked for in a folder that is not there
+  base::Files files;  // a start track that the text names is searched for in a folder that does not exist
   const auto loaded = exchange::parse_challenge(bytes, "challenge", "no such folder", files);
   if (!loaded) return check_error(loaded.status());
   COASTER_CHECK(!loaded->challenge.list(exchange::RuleList::goals).empty(), "a challenge has a goal");
@@ -85,7 +85,7 @@ void progress(std::string_view bytes) {
   COASTER_CHECK(again.ok() && *again == *loaded, "what is kept of progress is read back the same");
 }
 
-// Everything below a folder, links not followed: path, mode, inode, bytes.
+// Returns everything below a folder, without following links: path, mode, inode, bytes.
 std::string census(const std::filesystem::path& folder) {
   std::vector<std::string> lines;
   for (const auto& entry : std::filesystem::recursive_directory_iterator(folder)) {
@@ -101,8 +101,8 @@ std::string census(const std::filesystem::path& folder) {
   return all;
 }
 
-// A folder with ways out of it, "run", beside the folder that they lead to, "outside". Both lie deep, for names with
-// many "..".
+// A folder "run" with links out of it, next to the folder that they lead to, "outside". Both are deeply nested, for
+// names with many "..".
 class LinkFarm {
  public:
   LinkFarm() {

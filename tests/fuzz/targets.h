@@ -1,5 +1,5 @@
-// What is fuzzed: every format of tracks that can be read (exchange/formats.h), and a row for each other reader. Each
-// takes any bytes, must not crash, and checks what a reader promises about what it accepts.
+// The fuzz targets: every format of tracks that can be read (exchange/formats.h), and a row for each other reader. Each
+// accepts any bytes, must not crash, and checks the reader's guarantees for accepted input.
 #pragma once
 
 #include <string_view>
@@ -10,9 +10,10 @@
 namespace coaster::fuzz {
 
 struct Target {
-  std::string_view name;  // a format's ending without the dot; of its folder in tests/fuzz/corpus, where it has one
+  std::string_view
+      name;  // a format's extension without the dot; also of its folder in tests/fuzz/corpus, if it has one
   void (*reader)(std::string_view bytes) = nullptr;
-  const exchange::Format* format = nullptr;  // in place of a reader
+  const exchange::Format* format = nullptr;  // instead of a reader
 
   void run(std::string_view bytes) const;
 };

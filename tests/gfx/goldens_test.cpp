@@ -1,4 +1,4 @@
-// The golden pictures themselves: each would show a small defect, wherever it lies.
+// The golden pictures themselves: each would show a small defect, wherever it is.
 #include <gtest/gtest.h>
 
 #include <filesystem>

@@ -1,5 +1,5 @@
-// Polylines from control points alone: the same picture as from cached vertices, whatever the stage, and no more
-// uploaded than needed.
+// Polylines from control points alone: the same picture as from cached vertices, for every stage, without unnecessary
+// uploads.
 #include "gfx/gpu_curves.h"
 
 #include <array>

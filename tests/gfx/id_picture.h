@@ -1,5 +1,5 @@
-// A sight of a track, and its picture whose colours are ids: drawn from the rules of view/pick.h alone, with marks
-// sorted by the depth buffer, as an oracle for pick(). The curve is not in it.
+// A view of a track, and its picture with ids as colours: drawn from the rules of view/pick.h alone, with marks sorted
+// by the depth buffer, as an oracle for pick(). The curve is not in it.
 #pragma once
 
 #include <array>
@@ -22,7 +22,7 @@ using view::PickKind;
 
 inline constexpr int kIdWidth = 160, kIdHeight = 120;
 
-// Red: the slot of the entity and one; green: the kind. 0: nothing that has an id.
+// Red: the slot of the entity plus one; green: the kind. 0: nothing with an id.
 using Id = std::array<std::uint8_t, 2>;
 inline constexpr Id kNothing{0, 0};
 inline Id id_of(PickKind kind, world::Entity entity) {
@@ -78,15 +78,15 @@ inline void look_around(std::mt19937& bits, Sight& sight) {
   sight.view = view::orbit_view(camera, {13, 7, kIdWidth, kIdHeight});
 }
 
-// The boxes of a cart, low and high corner, m ahead, up, left: the body stands on the rails' plane, the riders' heads
-// on the body.
+// The boxes of a cart, low and high corner, m ahead, up, left: the body is on the rails' plane, the riders' heads on
+// the body.
 inline constexpr double kCartBoxes[2][2][3] = {{{-1.1, 0, -0.65}, {1.1, 1.1, 0.65}},
                                                {{-1.1, 1.1, -0.4}, {0.25, 1.45, 0.4}}};
 inline glm::vec3 corner_of(const sim::Pose& pose, const double (&box)[2][3], int i) {
   return glm::vec3(pose.position + box[i & 1][0] * pose.frame.forward + box[i >> 1 & 1][1] * pose.frame.up +
                    box[i >> 2][2] * pose.frame.left());
 }
-// Nearer than this the near plane and the rider's own cart play a part, which is not this test's.
+// Closer views involve the near plane and the rider's own cart, which this test does not cover.
 inline bool near_a_cart(const Sight& sight) {
   for (const sim::Pose& pose : sight.carts())
     if (glm::distance(pose.position, glm::dvec3(sight.view.eye)) < 2.5) return true;
@@ -194,7 +194,8 @@ class IdPicture {
     if (clip.w <= 0 || std::abs(clip.z) > clip.w) return;
     const glm::dvec2 half(0.5 * kIdWidth, 0.5 * kIdHeight), middle = (glm::dvec2(clip) / clip.w + 1.0) * half;
     const float radius = size * sight.settings.look->ui_scale;
-    // Depth by the distance from the eye, which is not the depth along the line of sight: 0.25 mm fine up to 2 km.
+    // Depth by the distance from the eye, which differs from the depth along the line of sight: resolution 0.25 mm up
+    // to 2 km.
     const double depth = glm::distance(glm::dvec3(position), glm::dvec3(sight.view.eye)) / 1000 - 1;
     for (const int i : {0, 1, 2, 2, 1, 3}) {
       const glm::dvec2 corner = middle + (radius + 2.0) * glm::dvec2(i & 1 ? 1 : -1, i & 2 ? 1 : -1);

@@ -1,4 +1,4 @@
-// Solids in shared buffers, and supports in buffers of their own.
+// Solids in shared buffers, and supports in separate buffers.
 #include "gfx/mesh_pool.h"
 
 #include "gfx/studio.h"

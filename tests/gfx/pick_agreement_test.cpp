@@ -1,5 +1,5 @@
-// What is picked is what is seen: pick() against an id picture of its rules, and against the renderer's own picture
-// with the overlay's marks repainted.
+// Picked items are the visible ones: pick() against an id picture of its rules, and against the renderer's picture with
+// the overlay's marks repainted.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -1,5 +1,5 @@
-// Pictures of a small track: what is in them, and that they depend on the scene alone, not on how the renderer came to
-// it.
+// Pictures of a small track: their contents, and that they depend only on the scene, not on the renderer's earlier
+// pictures.
 #include "gfx/instances.h"
 
 #include <random>

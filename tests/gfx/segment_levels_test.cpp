@@ -1,4 +1,4 @@
-// Which segments of a very long track are held in full, and how far off the others are.
+// The segments of a very long track that are held in full, and the deviation of the others.
 #include "gfx/segment_levels.h"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// Where shadow maps lie: over all that throws shadows, at places that do not creep with the eye.
+// The area of shadow maps: it contains all shadow casters, and does not creep with the eye.
 #include "gfx/shadow_fit.h"
 
 #include <gtest/gtest.h>

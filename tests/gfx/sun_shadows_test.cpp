@@ -1,4 +1,4 @@
-// Shadows as a picture shows them, against geometry: where they fall, and when their maps are drawn.
+// Shadows in pictures, compared with geometry: where they fall, and when their maps are drawn.
 #include "gfx/sun_shadows.h"
 
 #include <cmath>

@@ -1,4 +1,4 @@
-// Rails, spine and ties near and far: how many triangles, how many uploads, and that no picture jumps between them.
+// Rails, spine and ties near and far: numbers of triangles and uploads, and that pictures do not jump between levels.
 #include "gfx/swept_track.h"
 
 #include <cmath>

@@ -1,4 +1,4 @@
-// What is uploaded when: nothing for a still frame, two segments for a moved knot, whatever the size of the track.
+// Uploads: none for a still frame, two segments for a moved knot, for any size of the track.
 #include "gfx/track_cache.h"
 
 #include "gfx/studio.h"

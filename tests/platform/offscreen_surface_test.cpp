@@ -1,4 +1,4 @@
-// What every surface promises, held by those that need no display.
+// The guarantees of every surface, tested on those that need no display.
 #include <gtest/gtest.h>
 
 #include <memory>

@@ -1,4 +1,4 @@
-// The sound device, on OpenAL Soft's null backend, which plays into nothing at the rate of the clock.
+// The sound device, on OpenAL Soft's null backend, which consumes samples at the rate of the clock.
 #include "platform/sound.h"
 
 #include <gtest/gtest.h>

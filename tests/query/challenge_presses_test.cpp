@@ -1,4 +1,4 @@
-// No challenge is passed by one press of a button, on its start track, that it does not lock.
+// No challenge is passed on its start track by one press of a button that it does not lock.
 #include <filesystem>
 
 #include <fmt/format.h>

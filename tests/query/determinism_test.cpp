@@ -1,5 +1,5 @@
-// The same document, commands and ticks give the same hashes on every compiler and build: the expected numbers stand
-// here.
+// The same document, commands and ticks give the same hashes on every compiler and build: the expected values are in
+// this file.
 #include <gtest/gtest.h>
 
 #include "base/hash.h"

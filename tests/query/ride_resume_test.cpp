@@ -1,5 +1,5 @@
-// The motion is worth as much without the session that made it: the document saved and loaded by its file's text at
-// every 100th tick, the motion kept, nothing else, gives the bits of a ride that was never interrupted.
+// Motion is independent of the session that made it: saving and loading the document by its text at every 100th tick,
+// keeping only the motion, gives exactly the same ride as without interruption.
 #include <gtest/gtest.h>
 
 #include "edit/session/session.h"

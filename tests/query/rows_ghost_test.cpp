@@ -1,4 +1,4 @@
-// What the queries of the ride's design say.
+// The queries of the ride's design.
 #include "edit/session_fixture.h"
 #include "query/query.h"
 

@@ -1,4 +1,4 @@
-// What the queries of a ride say of a cart on a level circle: v^2 / r to the inside, 1 g up, nothing forwards.
+// The queries of a ride for a cart on a level circle: v^2 / r to the inside, 1 g up, nothing forwards.
 #include <cmath>
 
 #include "edit/session_fixture.h"

@@ -1,4 +1,4 @@
-// Each setting, set by its command, answers its query.
+// Each setting's query returns the value that its command set.
 #include <type_traits>
 
 #include "edit/commands/codec.h"

@@ -1,4 +1,4 @@
-// A program without GL: a real session, frames that only count, widgets as the test sets them.
+// A program without GL: a real session, frames that only count, widgets set by the test.
 #pragma once
 
 #include <cstdio>

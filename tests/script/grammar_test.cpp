@@ -1,4 +1,4 @@
-// Scripts are parsed whole; each error has its place, the line, a caret and the nearest valid word.
+// Scripts are parsed completely; each error has its position, the line, a caret and the nearest valid word.
 #include "script/grammar.h"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// Lessons: done by the player where there is one, else by their own lines.
+// Lessons: done by the player if there is one, else by their own lines.
 #include <gtest/gtest.h>
 
 #include <algorithm>

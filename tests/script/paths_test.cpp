@@ -1,4 +1,4 @@
-// Scripts read where they are told to and write below $OUT alone.
+// Scripts read any path that they name and write only below $OUT.
 #include "script/paths.h"
 #include "base/scratch_folder.h"
 

@@ -1,4 +1,4 @@
-// What statements do to a program, told by a program without GL.
+// The effects of statements on a program without GL.
 #include "script/runner.h"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
-// Widgets by label path: which one is meant, what is refused, and that a click takes a frame each for move, press and
-// release.
+// Widgets by label path: which one is selected, which are refused, and that a click takes a frame each for move, press
+// and release.
 #include "script/ui_driver.h"
 #include "world/panels.h"
 

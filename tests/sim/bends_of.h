@@ -1,5 +1,5 @@
-// How a fitted track bends between the rows that it was fitted to, sampled finely on the document; shares nothing with
-// the fit.
+// The curvature of a fitted track between the rows that it was fitted to, sampled finely on the document; independent
+// of the fit.
 #pragma once
 
 #include <algorithm>

@@ -1,5 +1,5 @@
-// Block sections as a signalman sees them: a section is the track from one block's end to the next one's, and no two
-// trains are ever in the same.
+// Block sections: a section is the track from one block's end to the next one's, and no two trains are ever in the same
+// section.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// Elements at random parameters and ends of track, and what tests ask of their ideal curves.
+// Elements at random parameters and ends of track, and checks of their ideal curves.
 #pragma once
 
 #include <gtest/gtest.h>

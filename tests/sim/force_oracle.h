@@ -1,6 +1,6 @@
-// Force programs at random, and the track that they ask for by another way than the program's: in long double, with the
-// frame turned as a whole by rotations (Rodrigues) about axes taken in the middle of steps a hundred times finer, and
-// everything that is asked for found by regula falsi and iteration instead of closed forms.
+// Random force programs, and the track that they require by another method than the program's: in long double, with the
+// whole frame turned by rotations (Rodrigues) about axes in the middle of steps a hundred times finer, and with all
+// values found by regula falsi and iteration instead of closed forms.
 #pragma once
 
 #include <algorithm>

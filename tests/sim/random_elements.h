@@ -1,4 +1,4 @@
-// Elements with parameters anywhere within their limits, and ends of tracks that look anywhere, bend and are rolled.
+// Elements with parameters anywhere within their limits, and ends of tracks with any direction, curvature and roll.
 #pragma once
 
 #include <cmath>

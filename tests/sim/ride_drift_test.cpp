@@ -1,5 +1,5 @@
-// Simulated minutes of the samples, frictionless: what would lose energy in a day shows here already. The day itself
-// takes minutes: tools/bench --drift.
+// Simulated minutes of the sample tracks, frictionless: a method that loses energy in a day shows it here. The day
+// itself takes minutes: tools/bench --drift.
 #include <gtest/gtest.h>
 
 #include "exchange/formats.h"

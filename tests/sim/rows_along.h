@@ -1,5 +1,4 @@
-// Rows along known curves, and a check of a fitted track against rows that shares nothing with the one in
-// sim/plan/fit_check.
+// Rows along known curves, and a check of a fitted track against rows that is independent of sim/plan/fit_check.
 #pragma once
 
 #include <gtest/gtest.h>

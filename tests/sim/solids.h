@@ -1,4 +1,4 @@
-// Questions to a mesh: is it closed, does it face outwards, how much does it hold.
+// Checks of a mesh: whether it is closed, whether it faces outwards, and its volume.
 #pragma once
 
 #include <array>

@@ -1,4 +1,4 @@
-// Tracks for the tests of what is derived, built by hand: skew, off-origin, with known shapes.
+// Tracks for the tests of derived data, built by hand: skew, off-origin, with known shapes.
 #pragma once
 
 #include <cmath>

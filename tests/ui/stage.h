@@ -1,5 +1,5 @@
-// A UI on an off-screen surface with a session behind it, worked as a hand would: events in, commands out and applied,
-// frame by frame.
+// A UI on an off-screen surface with a session, operated like a user: events in, commands out and applied, frame by
+// frame.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -123,7 +123,7 @@ class Stage : public testing::Test {
     if (enter) key(platform::Key::enter);
   }
 
-  // Where a knot is on the screen, in the view of the last frame.
+  // Returns where a knot is on the screen, in the view of the last frame.
   glm::vec2 pixel_of(std::uint32_t knot) const {
     const auto at =
         view::project(host_->view(), world::knot(session_.document, entity(world::Kind::knot, knot)).position);
@@ -140,7 +140,7 @@ class Stage : public testing::Test {
     ASSERT_TRUE(edit::apply(session_, files_, edit::Select{{{kind, number}}}).ok());
     frames(2);
   }
-  // A pixel of the viewport with nothing but ground under it.
+  // Returns a pixel of the viewport that shows only ground.
   glm::vec2 empty_ground() const {
     const view::Viewport& v = host_->view().viewport;
     return {std::floor(v.x + v.width * 0.5f) + 3, std::floor(v.y + v.height * 0.93f)};

@@ -1,4 +1,4 @@
-// The camera that follows a train: what it looks at and how late it is.
+// The camera that follows a train: its direction and its lag.
 #include "view/camera_rig.h"
 
 #include <rapidcheck/gtest.h>

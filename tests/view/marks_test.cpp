@@ -1,4 +1,4 @@
-// Which knots are on screen: by the segment tree, and by a look at each.
+// The knots on screen: by the segment tree, and by checking each.
 #include "view/marks.h"
 
 #include <gtest/gtest.h>

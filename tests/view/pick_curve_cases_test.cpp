@@ -1,4 +1,4 @@
-// Picking where the nearest place is not plain: crossings on screen, joints, points, views of nothing.
+// Picking in special cases: crossings on screen, joints, points, views of nothing.
 #include <gtest/gtest.h>
 
 #include <cmath>

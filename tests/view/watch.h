@@ -1,4 +1,4 @@
-// A ride with an eye on it, tick by tick.
+// A ride followed by an eye, tick by tick.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -23,7 +23,7 @@ inline world::Document with_cart(world::Document d, double speed, int cars = 1) 
   return d;
 }
 
-// A ride with an eye on it.
+// A ride and the eye that follows it.
 struct Watch {
   world::Document document;
   world::Settings settings;

@@ -36,7 +36,7 @@ inline world::Document sample_document() {
   return d;
 }
 
-// A document of 0..12 knots with everything that a document can have; the same for the same seed.
+// Returns a document of 0..12 knots with everything that a document can have; the same for the same seed.
 inline world::Document random_document(std::uint32_t seed) {
   std::mt19937 bits(seed);  // its sequence is fixed by the standard
   const auto uniform = [&](double low, double high) { return low + (high - low) * (bits() / 4294967296.0); };

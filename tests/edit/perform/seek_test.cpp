@@ -1,5 +1,5 @@
-// Searches on a copy of the session (edit/perform/seek.h), with a referee that measures one height. What queries are
-// searched for: tests/query/goal_test.cpp.
+// Searches on a copy of the session (edit/perform/seek.h), with a referee that measures one height. Searches for real
+// queries: tests/query/goal_test.cpp.
 #include "edit/perform/seek.h"
 
 #include <cmath>

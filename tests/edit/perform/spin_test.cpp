@@ -1,4 +1,4 @@
-// Spins of knots: by command, by what follows from edits, and in files of both versions.
+// Spins of knots: set by command, derived after edits, and in files of both versions.
 #include <cmath>
 
 #include "base/scratch_folder.h"

@@ -1,5 +1,5 @@
-// Circuits that stay closed while their sections change. What the joints must be is checked on the finished document by
-// other means than the planner's.
+// Circuits that stay closed while their sections change. Joints are checked on the finished document by other means
+// than the planner's.
 #include "edit/perform/take_up.h"
 
 #include <cstdio>

@@ -1,4 +1,4 @@
-// Reads what the exports write, by the rules of the formats.
+// Reads the exported files, by the rules of the formats.
 #pragma once
 
 #include <algorithm>
@@ -73,12 +73,12 @@ inline std::string unbase64(const std::string& text) {
   return bytes;
 }
 
-// A file taken apart by the specification's rules.
+// A file parsed by the specification's rules.
 struct Gltf {
   exchange::Json file;
   std::string buffer;
 
-  // The bytes are cut out before the rest is read as JSON, which takes its time with a text of megabytes.
+  // The bytes are removed before the rest is parsed as JSON, which is slow for megabytes of text.
   explicit Gltf(const std::string& text) {
     const std::string head = "data:application/octet-stream;base64,";
     const std::size_t at = text.find(head), from = at == std::string::npos ? text.size() : at + head.size(),

@@ -1,4 +1,4 @@
-// Also tests fvd_file.h and fvd_path.h, of which it is made.
+// Also tests fvd_file.h and fvd_path.h, which it uses.
 #include "exchange/fvd/fvd.h"
 
 #include <cmath>

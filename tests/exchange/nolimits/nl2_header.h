@@ -1,4 +1,4 @@
-// The first line of NoLimits 2's rows, as NoLimits 2 writes it.
+// The first line of the rows that NoLimits 2 writes.
 #pragma once
 
 #include <string_view>

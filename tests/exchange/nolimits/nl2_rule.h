@@ -1,5 +1,6 @@
-// What NoLimits 2 makes of an element's vertices and rolls, written from the rule alone (docs/track-format.md) with the
-// recurrence of Cox and de Boor in long double: the oracle for the reader and the writer, with no code of theirs.
+// The curve that NoLimits 2 makes of an element's vertices and rolls, written from the rule alone
+// (docs/track-format.md) with the recurrence of Cox and de Boor in long double: an oracle that shares no code with
+// reader and writer.
 #pragma once
 
 #include <algorithm>

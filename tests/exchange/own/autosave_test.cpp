@@ -33,10 +33,10 @@ class autosave : public testing::Test {
     const auto track = load_track(files, found.info.track);
     return track ? track->document.name : track.status().message;
   }
-  // A process that autosaves so many times and ends without a word.
+  // A process that autosaves the given number of times and ends as by a crash.
   void crash(const std::string& name, const std::string& original, int times, std::int64_t time) {
     const pid_t child = ::fork();
-    if (child < 0) std::abort();  // kill(-1) would be everybody's end
+    if (child < 0) std::abort();  // kill(-1) would end every process
     if (child == 0) {
       Autosave own;
       for (int i = 0; i < times; ++i) (void)own.write(files, folder, document_named(name), original, time);

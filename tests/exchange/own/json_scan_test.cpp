@@ -38,7 +38,7 @@ struct Recorder {
   bool parse_error(std::size_t, const std::string&, const nlohmann::detail::exception&) { return false; }
 };
 
-// Returns whether the scan accepts a text, and checks what it then says.
+// Returns whether the scan accepts a text, and checks its events if it does.
 bool is_plain(const std::string& text) {
   Recorder scanned, parsed;
   const bool plain = scan_json(text, scanned), good = Json::sax_parse(text, &parsed);

@@ -1,4 +1,4 @@
-// The lists of a track file: read while the file is parsed where their order allows it, and after it otherwise.
+// The lists of a track file: read while the file is parsed if their order allows it, otherwise after it.
 #include <string>
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// The fade of an end's roll against sums of small steps of its slope.
+// The fade of an end's roll, compared with sums of small steps of its slope.
 #include "sim/plan/circuit_fade.h"
 
 #include <algorithm>

@@ -1,5 +1,5 @@
-// The parts of a way home against other means: turns integrated by small steps, heights by differences, ends by the
-// track's own curvature.
+// The parts of a way home, checked by other methods: turns integrated by small steps, heights by differences, ends by
+// the track's own curvature.
 #include <cmath>
 #include <random>
 

@@ -1,4 +1,4 @@
-// Every element with its usual values, ridden by the ghost at the speed it is made for: forces and inversions.
+// Every element with its default values, ridden by the ghost at its design speed: forces and inversions.
 #include <gtest/gtest.h>
 
 #include "sim/plan/elements.h"

@@ -1,4 +1,4 @@
-// What each element promises, held against its ideal curve at random parameters and ends of track.
+// The guarantees of each element, checked on its ideal curve at random parameters and ends of track.
 #include "sim/plan/element_shapes.h"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// Fits neither fold nor bend more than their rows, at any spacing of them.
+// Fits neither fold nor have more curvature than their rows, at any spacing.
 #include <functional>
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// Rails that stay where they are while the curve becomes the heartline and the rails again.
+// Rails stay in place while the curve becomes the heartline and the rails again.
 #include "sim/plan/switch_curve.h"
 
 #include <cstring>

@@ -1,4 +1,4 @@
-// A quantity of rides beside its closed form.
+// Compares a quantity of rides with its closed form.
 #pragma once
 
 #include <gtest/gtest.h>

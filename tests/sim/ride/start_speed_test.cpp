@@ -1,4 +1,4 @@
-// Start speeds by the energy that the highest point takes.
+// Start speeds by the energy needed for the highest point.
 #include "sim/ride/start_speed.h"
 
 #include <cmath>

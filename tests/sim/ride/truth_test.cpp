@@ -1,6 +1,5 @@
-// Rides on curves in closed form against the motion and forces that mechanics gives for them, by both ways to simulate
-// a ride: step() on the exact curve and the ghost over tables. tools/plot_ride_truth draws the same numbers for
-// docs/ride.md.
+// Rides on curves in closed form, compared with the motion and forces of mechanics, by both simulations: step() on the
+// exact curve and the ghost over tables. tools/plot_ride_truth draws the same numbers for docs/ride.md.
 #include <gtest/gtest.h>
 
 #include <functional>

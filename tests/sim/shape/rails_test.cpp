@@ -1,4 +1,4 @@
-// Rails below the curve: points, directions and meshes against the curve and its `up`, taken apart by hand.
+// Rails below the curve: points, directions and meshes compared with the curve and its `up`, computed by hand.
 #include "sim/shape/rails.h"
 
 #include <sstream>

@@ -1,5 +1,5 @@
-// Ways home from the end of a straight: the paths of Dubins tell how short they can be. Whole circuits are tested on
-// documents (tests/edit/perform/complete_circuit_test.cpp).
+// Ways home from the end of a straight, whose minimum length follows from the paths of Dubins. Whole circuits are
+// tested on documents (tests/edit/perform/complete_circuit_test.cpp).
 #include "sim/study/complete_circuit.h"
 
 #include <cmath>

@@ -1,5 +1,5 @@
-// A straight that would cross the track's beginning at a right angle: the room that it has is told by the two lines'
-// distance, as for track that exists (tests/sim/solids/conflicts_test.cpp).
+// A straight that would cross the track's beginning at a right angle: its clearance follows from the distance of the
+// two lines, as for existing track (tests/sim/solids/conflicts_test.cpp).
 #include "sim/study/element_room.h"
 
 #include <gtest/gtest.h>

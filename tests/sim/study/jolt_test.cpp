@@ -1,5 +1,5 @@
-// Jolts of rides against finely sampled ones: the rider's path in closed form, its second differences over 1e-5 s in
-// long double, and the low-pass as a differential equation. None of it shares code with the ride.
+// Jolts of rides, compared with finely sampled ones: the rider's path in closed form, its second differences over 1e-5
+// s in long double, and the low-pass as a differential equation. None of it shares code with the ride.
 #include "sim/study/jolt.h"
 
 #include <gtest/gtest.h>

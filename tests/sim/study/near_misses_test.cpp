@@ -1,4 +1,4 @@
-// Near misses of tracks whose distances are known: a straight that passes over another one, and columns beside it.
+// Near misses of tracks with known distances: a straight that passes over another one, and columns next to it.
 #include "sim/study/near_misses.h"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// What each workspace shows in real frames: every widget in an area of the layout, none over another or over the view.
+// Each workspace in real frames: every widget is in an area of the layout; none covers another or the view.
 #include "ui/host/areas.h"
 
 #include <set>

@@ -1,4 +1,4 @@
-// The window in the user's units: what it shows, and what typed numbers become.
+// The window in the user's units: displayed values, and the meaning of typed numbers.
 #include "base/units.h"
 
 #include <cmath>

@@ -1,4 +1,4 @@
-// Keys of forces copied and pasted by the keyboard: tests/scripts/force_copy.coaster pastes them, too.
+// Force keys copied and pasted with the keyboard; tests/scripts/force_copy.coaster also pastes them.
 #include "ui/lab/force_clip.h"
 
 #include "edit/commands/commands_force.h"

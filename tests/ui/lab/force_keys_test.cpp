@@ -1,4 +1,4 @@
-// The force graph as an editor: a mouse and a keyboard at work on a force section's keys.
+// The force graph as an editor: mouse and keyboard edit a force section's keys.
 #include "edit/commands/commands_force.h"
 #include "ui/sections_stage.h"
 #include "world/panels.h"

@@ -1,4 +1,4 @@
-// The palette, worked by mouse and keyboard.
+// The palette, operated by mouse and keyboard.
 #include <algorithm>
 
 #include "edit/commands/commands_document.h"

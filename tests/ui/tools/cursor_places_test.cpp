@@ -1,4 +1,5 @@
-// Clicks on what view::pick() does not tell: the ground, the track in front of the gizmo; what a drag snaps to.
+// Clicks on positions that view::pick() does not find: the ground, the track in front of the gizmo; and snapping of
+// drags.
 #include "ui/tools/cursor_places.h"
 
 #include "edit/commands/commands_document.h"
