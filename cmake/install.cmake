@@ -4,7 +4,7 @@ set(CMAKE_SKIP_INSTALL_ALL_DEPENDENCY ON)  # cpack packs an existing build; tool
 set(COASTER_ID org.coaster_builder.coaster CACHE STRING "Name of launcher, icon and AppStream entry")
 set(COASTER_GENERATED ${CMAKE_BINARY_DIR}/generated)
 
-# The archive has its own libraries beside the program (cmake/package.cmake).
+# The archive contains its libraries next to the program (cmake/package.cmake).
 set_target_properties(coaster PROPERTIES INSTALL_RPATH "$ORIGIN/../lib/coaster")
 install(TARGETS coaster RUNTIME_DEPENDENCY_SET coaster_libraries RUNTIME)
 install(RUNTIME_DEPENDENCY_SET coaster_libraries PRE_EXCLUDE_REGEXES "ld-linux|lib(c|m|dl|rt|pthread|gcc_s|stdc\\+\\+|asound|X[^.]*|xcb[^.]*|GL[^.]*)[.]so" LIBRARY DESTINATION lib/coaster COMPONENT libraries EXCLUDE_FROM_ALL)

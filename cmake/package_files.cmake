@@ -3,7 +3,7 @@
 file(GLOB_RECURSE staged LIST_DIRECTORIES true ${CPACK_TEMPORARY_INSTALL_DIRECTORY}/*)
 
 if(CPACK_GENERATOR STREQUAL "DEB")
-  # By Debian policy manual pages and changelogs are compressed, and the program has no library path of its own.
+  # By Debian policy manual pages and changelogs are compressed, and the program has no library path.
   find_program(GZIP gzip REQUIRED)
   foreach(path ${staged})
     if(path MATCHES "/man/man6/coaster\\.6$")

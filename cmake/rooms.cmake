@@ -1,10 +1,10 @@
 # coaster_room(NAME [COLD] [USES room ...] [LINK library ...])
-# One static library coaster_NAME from the .cpp files in and below src/NAME. Rooms include each other's headers as "room/file.h"; which room may
-# include which is checked by tools/check_layers. COLD: optimised builds compile it with -O1. That takes two thirds of -O2's time, and nobody
-# notices its own: such rooms wait for people and files.
-# Precompiled headers of the standard library, GLM and fmt for all rooms: they save a third of a file's compile time. Sources include what
-# they need all the same; clang-tidy (tools/lint) reads them without. gcc compiles what uses them at their level of optimisation, so each
-# level has its own: coaster_precompile(TARGET OPTIONS) adds the options to the target and to its headers.
+# One static library coaster_NAME from the .cpp files in and below src/NAME. Rooms include each other's headers as "room/file.h";
+# tools/check_layers checks which room may include which. COLD: optimised builds compile it with -O1, in two thirds of -O2's time. The speed
+# of such rooms does not matter: they wait for people and files.
+# Precompiled headers of the standard library, GLM and fmt for all rooms: they save a third of a file's compile time. Sources nevertheless
+# include what they need; clang-tidy (tools/lint) reads them without. A header must have the optimisation level of the sources, so each
+# level has a separate one: coaster_precompile(TARGET OPTIONS) adds the options to the target and to its headers.
 option(COASTER_PRECOMPILE "Precompile the standard headers" ON)
 function(coaster_precompile target options)
   target_compile_options(${target} PRIVATE ${options})
@@ -24,8 +24,8 @@ function(coaster_precompile target options)
   target_precompile_headers(${target} REUSE_FROM ${headers})
 endfunction()
 
-# Compiles up to `most` sources of a target as one in builds of the whole suite. So names in unnamed namespaces must be
-# unique in their room.
+# Compiles up to `most` sources of a target as one in builds of the whole suite. Names in unnamed namespaces must
+# therefore be unique in their room.
 function(coaster_unity target most)
   set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE ${most})
 endfunction()
@@ -34,7 +34,7 @@ function(coaster_room name)
   cmake_parse_arguments(room "COLD" "" "USES;LINK" ${ARGN})
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/src/${name}/*.cpp)
   list(FILTER sources EXCLUDE REGEX "/app/main\\.cpp$")
-  # A page has no threads, signals, processes, other programs and displays: web_*.cpp and no_*.cpp stand in.
+  # A web page has no threads, signals, processes, other programs or displays: web_*.cpp and no_*.cpp replace them.
   if(EMSCRIPTEN)
     list(FILTER sources EXCLUDE REGEX "/base/(parallel|crash_guard)\\.cpp$|/app/(process|driver_trial|system_dialog|beside)\\.cpp$")
     list(FILTER sources EXCLUDE REGEX "/platform/(egl|osmesa|offscreen|lost|glfw)_.*\\.cpp$|/platform/(loop|no_window|no_encoder)\\.cpp$")
@@ -59,7 +59,7 @@ function(coaster_room name)
     coaster_precompile(coaster_${name} -Oz)  # what a page loads should be small
   elseif(room_COLD AND CMAKE_BUILD_TYPE STREQUAL "Release")
     coaster_precompile(coaster_${name} -O1)
-    # gcc looks for garbage only once it has taken so much memory (kB), which saves up to a tenth of its time.
+    # gcc collects garbage only after allocating this much memory (kB), which saves up to a tenth of its time.
     target_compile_options(coaster_${name} PRIVATE $<$<CXX_COMPILER_ID:GNU>:--param=ggc-min-heapsize=600000>)
   else()
     coaster_precompile(coaster_${name} "")

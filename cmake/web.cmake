@@ -1,4 +1,4 @@
-# The page: index.html, and coaster.js, coaster.wasm and coaster.data, which it loads. The folder build/web/page can be served as it is.
+# The web page: index.html, and coaster.js, coaster.wasm and coaster.data, which it loads. The folder build/web/page can be served unchanged.
 set(page ${CMAKE_BINARY_DIR}/page)
 set_target_properties(coaster PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${page})
 # CLI11 throws; nothing else does.
@@ -9,7 +9,7 @@ target_link_options(coaster PRIVATE
 foreach(data tracks envelopes challenges tutorials)
   target_link_options(coaster PRIVATE "SHELL:--preload-file ${CMAKE_SOURCE_DIR}/${data}@/usr/share/coaster/${data}")
 endforeach()
-# The files around the program. The worker's version is of the files that it keeps.
+# The files around the program. The worker's version is a hash of the files that it caches.
 add_custom_command(TARGET coaster POST_BUILD
   COMMAND ${CMAKE_COMMAND} -Dfrom=${CMAKE_SOURCE_DIR}/packaging/web -Dto=${page} -P ${CMAKE_CURRENT_LIST_DIR}/web_files.cmake VERBATIM)
 file(GLOB page_files CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/packaging/web/*.html ${CMAKE_SOURCE_DIR}/packaging/web/*.js)

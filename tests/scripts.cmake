@@ -18,7 +18,7 @@ foreach(script ${scripts})
   endif()
 endforeach()
 
-# It counts the pictures in its folder, so it begins with an empty one.
+# The script counts the pictures in its folder, so it starts with an empty one.
 add_test(NAME script.window_states.empty COMMAND ${CMAKE_COMMAND} -E rm -rf ${CMAKE_CURRENT_BINARY_DIR}/out/window_states)
 set_tests_properties(script.window_states.empty PROPERTIES LABELS script FIXTURES_SETUP window_states_folder)
 set_tests_properties(script.window_states PROPERTIES FIXTURES_REQUIRED window_states_folder)

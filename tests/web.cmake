@@ -24,7 +24,7 @@ endif()
 # The machine's own files and a stack as on Linux.
 target_link_options(core_tests PRIVATE -O1 -sNODERAWFS=1 -sEXIT_RUNTIME=1 -sALLOW_MEMORY_GROWTH=1 -sTOTAL_STACK=8MB)
 
-# Not run: for node a name of a file is text, not any bytes, and it follows links and pipes in another way (TrackFile,
+# Not run: node's file names are text instead of arbitrary bytes, and it treats links and pipes differently (TrackFile,
 # folders, root); an oracle of quadrature has other digits in a long double of 128 bits.
 string(JOIN ":" unlike TrackFile.a_name_from_a_files_name_can_be_kept_in_any_file folders.folders_come_first* root.*
        quadrature.gauss_legendre_is_exact*)

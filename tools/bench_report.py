@@ -22,7 +22,7 @@ def median(runs, key):
 
 
 def machine_line(report, runs):
-    """Processor, cores, last cache, compiler and how many runs: what stands beside every number."""
+    """Processor, cores, last cache, compiler and number of runs, which apply to every figure."""
     context = report["context"]
     try:
         with open("/proc/cpuinfo") as file:
