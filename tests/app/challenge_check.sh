@@ -1,4 +1,4 @@
-# Challenges over several runs: medals are kept, a file that is no memory is set aside, a recording is judged the same.
+# Challenges over several runs: medals are kept, an invalid progress file is set aside, a recording is judged the same.
 . "$(dirname "$0")/lib.sh"
 progress=$OUT/home/progress.json
 mkdir -p "$OUT/home"
@@ -13,7 +13,7 @@ cp "$progress" "$OUT/first.json"
 pass
 cmp "$progress" "$OUT/first.json" || fail "the same success changed the file"
 
-# Garbage, and a file that was cut, are set aside with a notice; medals go on from nothing.
+# Garbage and a truncated file are set aside with a notice; medals start from zero.
 for garbage in 'no JSON at all' "$(head -c 100 "$OUT/first.json")"; do
   rm -f "$progress".bad*  # a second one would be set aside beside it
   printf '%s' "$garbage" >"$progress"
@@ -25,7 +25,7 @@ done
 pass
 cmp "$progress" "$OUT/first.json" || fail "medals do not go on"
 
-# Without a home nothing is kept, and where it cannot be written that is told.
+# Without a home nothing is kept; a home that cannot be written is reported.
 rm -rf "$OUT/home"
 expect_code 0 --headless --script "$OUT/pass.coaster" --out "$OUT/run"
 [ ! -e "$OUT/home" ] || fail "a script without a home kept something"

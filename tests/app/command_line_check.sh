@@ -1,4 +1,4 @@
-# The command line: what each exit code means, and what goes to stdout and stderr.
+# The command line: the meaning of each exit code, and the output on stdout and stderr.
 . "$(dirname "$0")/lib.sh"
 script() { printf 'coaster-script 1\n%b' "$2" >"$OUT/$1.coaster"; }
 
@@ -84,7 +84,7 @@ expect_text stdout '"top_speed_m_s"'
 expect_code 0 --headless "$SOURCE/tests/tracks/two_knots.json" --size 320x180 --out "$OUT/ride" --frames 3
 expect_text stdout "Two knots"
 expect_text stdout "Stopped after 0 s"
-# A ride that stands still is a stall, as in the report; no knot has a place of its own.
+# A train at rest is a stall, as in the report; all knots are at one point.
 flat() { sed -e 's/"start_speed": 4/"start_speed": 0/' -e 's/3\.75/12.25/' -e "$1" "$SOURCE/tests/tracks/two_knots.json" >"$OUT/flat.json"; }
 flat ''
 expect_code 0 --headless "$OUT/flat.json" --size 96x54 --out "$OUT/ride"
@@ -101,14 +101,14 @@ expect_text stderr "The train completes the ride with a start speed of "
 script theirs 'append at 0 5 0\nsave "$OUT/own.json"\nappend at 9 5 0\ndump "own"\nappend at 9 9 0\nsave "$OUT/own.json"\n'
 expect_code 5 --headless --script "$OUT/theirs.coaster" --out "$OUT/run"
 expect_text stderr "own.json was changed by another program since it was opened"
-# Drivers that Mesa crashes on, and versions that are too old: a child finds out.
+# Drivers that Mesa crashes on, and versions that are too old: a child process detects them.
 for driver in GALLIUM_DRIVER=none_such MESA_GLSL_VERSION_OVERRIDE=130 MESA_GL_VERSION_OVERRIDE=2.1; do
   env "$driver" "$COASTER" --headless --script "$OUT/hash.coaster" --out "$OUT/run" >"$OUT/stdout" 2>"$OUT/stderr"
   [ $? = 4 ] || fail "$driver: expected exit code 4: $(cat "$OUT/stderr")"
   [ "$(grep -vc '^error: ' "$OUT/stderr")" = 1 ] || fail "$driver: expected one line: $(cat "$OUT/stderr")"
 done
 expect_text stderr "OpenGL 3.3 is needed"
-# Which library draws; a report needs none.
+# The library that draws; a report needs none.
 for library in osmesa:OSMesa egl:EGL; do
   COASTER_HEADLESS=${library%:*} "$COASTER" --headless --script "$OUT/hash.coaster" --out "$OUT/run" >"$OUT/stdout" 2>"$OUT/stderr"
   case $? in

@@ -1,4 +1,4 @@
-# Nothing that a script writes leaves its folder, whatever links, hard links and pipes were prepared there.
+# A script writes nothing outside its folder, for any links, hard links and pipes prepared there.
 . "$(dirname "$0")/lib.sh"
 TRACK=$SOURCE/tests/tracks/two_knots.json
 away=$OUT/away
@@ -11,7 +11,7 @@ END
 chmod +x "$OUT/bin/ffmpeg"
 PATH=$OUT/bin:$PATH
 
-# prepare LINK...: a run folder of these dangling links, each to a file of its name outside.
+# prepare LINK...: makes a run folder of these dangling links, each to a file of the same name outside.
 prepare() {
   rm -rf "$OUT/run"
   mkdir -p "$OUT/run"
@@ -21,7 +21,7 @@ prepare() {
     ln -s "$away/$(basename "$link")" "$OUT/run/$link"
   done
 }
-# run CODE TEXT arguments...: a script of these lines.
+# run CODE TEXT arguments...: runs a script of these lines.
 run() {
   printf 'coaster-script 1\nenv size 96x54\nload "%s"\n%b' "$TRACK" "$2" >"$OUT/try.coaster"
   expect_code "$1" --headless --script "$OUT/try.coaster" --out "$OUT/run" "${@:3}"
@@ -34,7 +34,7 @@ nothing_outside() {
   mkdir "$away"
 }
 
-# Links in the place of the files.
+# Links instead of the files.
 prepare a.json
 run 2 'save "$OUT/a.json"\n'
 [ ! -e "$OUT/run/frame.png" ] && fail "the evidence of a failure is missing"
@@ -55,14 +55,14 @@ for line in 'report "$OUT/a.csv"' 'report "$OUT/a.txt"' 'section.save "$OUT/a.js
   run 2 "measure\nwait measuring == off max 20000 frames\n$line\n"
 done
 
-# Links in the place of a folder.
+# Links instead of a folder.
 for line in 'save "$OUT/in/a.json"' 'shot "$OUT/in/a.png"' 'dump "in/a"' 'snap in/a' 'env home "$OUT/in/home"' 'movie.start "$OUT/in/m"' 'movie.start "$OUT/in"'; do
   prepare
   ln -s "$away" "$OUT/run/in"
   run 2 "$line\nticks 8\n"
 done
 
-# Movies: pictures and the file that ffmpeg writes; in the language and by option.
+# Movies: pictures and the file that ffmpeg writes; by statement and by option.
 prepare m/frame-00000.png
 run 0 'movie.start "$OUT/m"\nticks 8\nmovie.stop\n'
 [ -f "$OUT/run/m/frame-00000.png" ] && [ ! -L "$OUT/run/m/frame-00000.png" ] || fail "the link was not replaced by the picture"
@@ -72,14 +72,14 @@ run 0 'movie.start "$OUT/m"\nticks 8\nmovie.stop\n'
 expect_text stderr "movie.mp4: is a symbolic link"
 run 0 'ticks 8\n' --movie "$OUT/run/m"
 
-# Recordings take the place of links; the folder may be one.
+# Recordings replace links; the folder itself may be a link.
 prepare rec.coaster rec.json rec-2.json
 run 0 "load \"$TRACK\"\n" --record "$OUT/run/rec.coaster"
 for name in rec.coaster rec.json rec-2.json; do
   [ -f "$OUT/run/$name" ] && [ ! -L "$OUT/run/$name" ] || fail "the recording did not take the place of $name"
 done
 
-# The user's folder of a script: made anew, without what was prepared; no lock beside a file outside.
+# The user's folder of a script: emptied before use; no lock next to a file outside.
 prepare home/settings.json
 ln -s "$away" "$OUT/run/home/recovery"
 cp "$TRACK" "$away/foreign.json"

@@ -1,4 +1,4 @@
-# An installed program: all its files are there, and it finds its data beside itself, wherever that is.
+# An installed program: all its files exist, and it finds its data relative to itself, in any folder.
 # In, besides: BUILD (the build folder), CMAKE.
 . "$(dirname "$0")/lib.sh"
 X="$OUT/a prefix"
@@ -12,7 +12,7 @@ for kind in applications/*.desktop metainfo/*.metainfo.xml icons/hicolor/scalabl
   # shellcheck disable=SC2086
   [ "$(cd "$X/share" && ls $kind 2>/dev/null | wc -l)" = 1 ] || fail "not one share/$kind"
 done
-# Launcher, icon and entry have one name; the version is the program's.
+# Launcher, icon and entry have the same name; the version is the program's.
 id=$(basename "$X"/share/applications/*.desktop .desktop)
 [ -s "$X/share/icons/hicolor/scalable/apps/$id.svg" ] && [ -s "$X/share/metainfo/$id.metainfo.xml" ] || fail "launcher, icon and AppStream entry have different names"
 grep -qx "Icon=$id" "$X/share/applications/$id.desktop" || fail "the launcher shows another icon"
@@ -21,7 +21,7 @@ diff <("$X/bin/coaster" --help-man) "$X/share/man/man6/coaster.6" >/dev/null || 
 if command -v desktop-file-validate >/dev/null; then desktop-file-validate "$X"/share/applications/*.desktop >"$OUT/log" 2>&1 || fail "launcher: $(cat "$OUT/log")"; fi
 if command -v appstreamcli >/dev/null; then "$SOURCE"/packaging/check_appstream "$X"/share/metainfo/*.xml >"$OUT/log" || fail "AppStream: $(cat "$OUT/log")"; fi
 
-# From an empty folder, without anything of the source's: the sample is the installed one.
+# From an empty folder, without the source tree: the sample is the installed one.
 COASTER="$X/bin/coaster"
 mkdir -p "$OUT/empty"
 sed -i 's/"name": *"[^"]*"/"name": "The installed one"/' "$X/share/coaster/tracks/loop.json"
@@ -31,7 +31,7 @@ expect_text stdout "The installed one"
 expect_code 0 --headless "$X/share/coaster/tracks/loop.json" --size 160x90 --frames 2 --out "$OUT/ride"
 [ -s "$OUT/ride/ride.png" ] || fail "the installed program drew no picture"
 expect_code 0 --report "$X/share/coaster/tracks/loop.json" --envelope "$X/share/coaster/envelopes/default.json"
-# COASTER_DATA is believed before.
+# COASTER_DATA has priority.
 cp -r "$X/share/coaster" "$OUT/data"
 sed -i 's/The installed one/Another one/' "$OUT/data/tracks/loop.json"
 COASTER_DATA="$OUT/data" expect_code 0 --report

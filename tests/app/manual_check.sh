@@ -1,4 +1,4 @@
-# --help, the manual page and the completion name the same options, as the program takes them.
+# --help, the manual page and the completion name the same options, and the program accepts them.
 . "$(dirname "$0")/lib.sh"
 expect_code 0 --help
 grep -oE '^ +(-h,)?--[a-z-]+' "$OUT/stdout" | grep -oE -- '--[a-z-]+' | sort >"$OUT/help.options"
@@ -9,7 +9,7 @@ cp "$OUT/stdout" "$OUT/coaster.bash"
 sed -n 's/^\\fB\(\(\\-\)\{2\}[a-z\\-]*\)\\fR.*/\1/p' "$OUT/coaster.6" | sed 's/\\//g' | sort >"$OUT/man.options"
 cmp -s "$OUT/help.options" "$OUT/man.options" || fail "--help and the manual page differ: $(diff "$OUT/help.options" "$OUT/man.options")"
 [ "$(wc -l <"$OUT/help.options")" -ge 20 ] || fail "only $(wc -l <"$OUT/help.options") options in --help"
-# Every option is taken: an unknown one would be exit code 2 with that word.
+# Every option is accepted: an unknown one would give exit code 2 and its name.
 while read -r option; do
   "$COASTER" "$option" --no-such-option >/dev/null 2>"$OUT/stderr"
   grep -q -- "not expected: $option" "$OUT/stderr" && fail "$option is told of, and unknown"
@@ -23,12 +23,12 @@ if command -v groff >/dev/null; then
   [ ! -s "$OUT/man.warnings" ] || fail "groff: $(head -c 400 "$OUT/man.warnings")"
 fi
 
-# The completion, with what it needs of bash-completion in few words.
+# The completion, with short replacements for the functions of bash-completion that it uses.
 _init_completion() { cur=${COMP_WORDS[COMP_CWORD]} prev=${COMP_WORDS[COMP_CWORD - 1]}; }
 _filedir() { asked=${1:-files}; }
 . "$OUT/coaster.bash"
 complete -p coaster | grep -q "_coaster" || fail "no completion for coaster"
-# completed WORDS...: of the last of them, in COMPREPLY; the pattern of files in `asked`.
+# completed WORDS...: completes the last word into COMPREPLY; the pattern of files is in `asked`.
 completed() {
   COMP_WORDS=(coaster "$@") COMP_CWORD=$# COMPREPLY=() asked=
   _coaster

@@ -1,8 +1,8 @@
-# Memory has a budget: readers refuse early, very long tracks are coarse, and a failed allocation saves and ends with 70.
+# The memory budget: readers refuse early, very long tracks are coarse, and a failed allocation saves and ends with 70.
 # In, besides: FAILING_NEW (a library for LD_PRELOAD, failing_new.cpp; empty in sanitized builds).
 . "$(dirname "$0")/lib.sh"
 TRACK=$SOURCE/tests/tracks/eight.json
-# within KILOBYTES CODE arguments...: in so much address space.
+# within KILOBYTES CODE arguments...: runs the program in that much address space.
 within() {
   local most=$1 wanted=$2
   shift 2
@@ -97,8 +97,8 @@ if [ -n "$limited" ]; then
   [ "$well" -gt 2 ] && [ "$short" -gt 2 ] || fail "of the runs in little memory $well ended well, $short for want of it"
 fi
 
-# The n-th allocation fails, for many n: always 70 and one line, or the end that the script has anyhow. Where there is
-# unsaved work, it can be recovered.
+# The n-th allocation fails, for many n: always 70 and one line, or the script's normal end. Unsaved work can be
+# recovered.
 if [ -n "$limited" ]; then
   printf 'coaster-script 1\nenv size 64x36\nload "%s"\nmove @k2 to 1 9 4\nframes 120\nlog "the end"\n' "$TRACK" >"$OUT/some.coaster"
   saved=0 ended=0
@@ -122,7 +122,7 @@ if [ -n "$limited" ]; then
   [ "$ended" -gt 0 ] || fail "the script never ended"
 fi
 
-# A file over the limit of its size is an error like a full disk, and the old file stays.
+# A file over the size limit is an error like a full disk, and the old file stays.
 printf 'coaster-script 1\nload "%s"\nsave "$OUT/own.json"\n' "$TRACK" >"$OUT/save.coaster"
 (ulimit -f 1; "$COASTER" --headless --script "$OUT/save.coaster" --out "$OUT/run" >/dev/null 2>"$OUT/stderr")
 [ $? = 5 ] || fail "ulimit -f: expected exit code 5: $(cat "$OUT/stderr")"

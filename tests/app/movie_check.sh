@@ -1,4 +1,4 @@
-# Movies: numbered pictures by the script's own time, a file by ffmpeg where there is one, and nothing lost where there is none or it fails.
+# Movies: numbered pictures by the script's time, a file by ffmpeg if it is installed, and nothing lost if it is missing or fails.
 . "$(dirname "$0")/lib.sh"
 mkdir -p "$OUT/none" "$OUT/good" "$OUT/bad"
 cat >"$OUT/good/ffmpeg" <<'END'
@@ -16,7 +16,7 @@ exit 3
 END
 chmod +x "$OUT"/good/ffmpeg "$OUT"/bad/ffmpeg
 export FFMPEG_LOG="$OUT/ffmpeg.log"
-# with_ffmpeg WHICH CODE arguments...: the program with that ffmpeg, or none, in PATH. The fake ones need nothing else but sh's own commands.
+# with_ffmpeg WHICH CODE arguments...: runs the program with that ffmpeg, or none, in PATH. The fake ones use only commands built into sh.
 with_ffmpeg() {
   local before=$PATH
   PATH=$OUT/$1
@@ -34,7 +34,7 @@ expect_pictures() {
 size_of() { od -An -tu1 -j16 -N8 "$1" | tr -s ' '; }  # of a PNG: width and height, four bytes each
 script() { printf 'coaster-script 1\nenv size 160x90\nload "%s/tracks/loop.json"\npanels off\ncamera chase\nride.start\n%b' "$SOURCE" "$2" >"$OUT/$1.coaster"; }
 
-# Time that is drawn and time that is not count alike; 0.4 s are 12 pictures at 30, 10 at 24, 24 at 60 a second.
+# Drawn and undrawn time count alike; 0.4 s are 12 pictures at 30, 10 at 24, 24 at 60 a second.
 script time 'frames 6\nticks 24\nwait tick >= 48\nframes 0\n'
 for rate in 30:12 24:10 60:24; do
   with_ffmpeg none 0 --headless --script "$OUT/time.coaster" --out "$OUT/run" --movie "$OUT/m" --fps ${rate%:*}
@@ -45,7 +45,7 @@ done
 [ "$(size_of "$OUT/m/frame-00000.png")" = " 0 0 0 160 0 0 0 90" ] || fail "frame-00000.png is $(size_of "$OUT/m/frame-00000.png")"
 cmp -s "$OUT/m/frame-00000.png" "$OUT/m/frame-00023.png" && fail "the first and the last picture are the same"
 
-# The same pictures again, whatever is drawn in between; 60 a second holds every second picture of 30.
+# The same pictures again, independent of frames drawn in between; 60 a second contains every second picture of 30.
 cp -r "$OUT/m" "$OUT/before"
 script bundled 'ticks 48\n'
 with_ffmpeg none 0 --headless --script "$OUT/bundled.coaster" --out "$OUT/run" --movie "$OUT/m" --fps 30
@@ -53,7 +53,7 @@ for i in 00 01 02 11; do
   cmp -s "$OUT/m/frame-000$i.png" "$OUT/before/frame-000$(printf %02d $((2 * 10#$i))).png" || fail "picture $i differs between 30 and 60 a second"
 done
 
-# ffmpeg gets its arguments in the folder of the pictures; files of the user's there are left alone.
+# ffmpeg runs in the folder of the pictures; the user's files there are not changed.
 echo mine >"$OUT/m/frame-1.png"
 with_ffmpeg good 0 --headless --script "$OUT/time.coaster" --out "$OUT/run" --movie "$OUT/m" --gif
 expect_text stderr "Saved 12 pictures in $OUT/m, with movie.mp4 and movie.gif."
@@ -62,13 +62,13 @@ expect_text stderr "Saved 12 pictures in $OUT/m, with movie.mp4 and movie.gif."
 [ "$(grep -cx "$OUT/m" "$FFMPEG_LOG")" = 2 ] || fail "ffmpeg did not run in the folder of the pictures"
 for word in frame-%05d.png -framerate 30 12 yuv420p mp4 gif; do grep -qx -- "$word" "$FFMPEG_LOG" || fail "ffmpeg was not told $word"; done
 
-# A failure of ffmpeg is one line, and no failure of the program.
+# A failure of ffmpeg gives one line and does not fail the program.
 with_ffmpeg bad 0 --headless --script "$OUT/time.coaster" --out "$OUT/run" --movie "$OUT/m2"
 expect_text stderr "Saved 12 pictures in $OUT/m2. There is no movie.mp4 because ffmpeg failed: Unknown encoder 'libx264'"
 [ "$(messages | wc -l)" = 1 ] || fail "more than one line about ffmpeg"
 expect_pictures "$OUT/m2" 12
 
-# One lap of a track, and as many pictures as asked for.
+# One lap of a track, and a given number of pictures.
 with_ffmpeg none 0 --headless --movie "$OUT/ride" --frames 3 --size 161x91 --camera ride "$SOURCE/tracks/loop.json"
 expect_pictures "$OUT/ride" 3
 [ "$(size_of "$OUT/ride/frame-00002.png")" = " 0 0 0 161 0 0 0 91" ] || fail "a picture of another size than asked for"
@@ -77,7 +77,7 @@ seconds=$(sed -n 's/.*"time_s": \([0-9]*\).*/\1/p' "$OUT/stdout")
 pictures=$(ls "$OUT/lap" | wc -l)
 [ "$pictures" -ge $((10 * seconds)) ] && [ "$pictures" -le $((10 * seconds + 11)) ] || fail "$pictures pictures of a ride of $seconds s"
 
-# In the language; below $OUT alone, at known rates, one at a time, of one size.
+# By statement: only below $OUT, at known rates, one at a time, of one size.
 script said 'movie.start "$OUT/a b" fps 60\nticks 10\nexpect movie.frames == 5\nmovie.stop\nticks 10\nexpect movie.frames == 5\nexpect file "$OUT/a b/frame-00004.png" exists\nexpect not file "$OUT/a b/frame-00005.png" exists\nexpect error movie.stop ~ "no movie"\n'
 with_ffmpeg good 0 --headless --script "$OUT/said.coaster" --out "$OUT/run"
 [ -s "$OUT/run/a b/movie.mp4" ] || fail "no movie in a folder with a blank"
@@ -96,7 +96,7 @@ expect_code 2 --headless --movie "$OUT/m" --fps 25 "$SOURCE/tracks/loop.json"
 : >"$OUT/file"
 expect_code 5 --headless --movie "$OUT/file/m" "$SOURCE/tracks/loop.json"
 
-# By hand: from the menu until Stop, or until the ride is over; the pictures show the scene alone, not the bar.
+# By hand: from the menu until Stop, or until the ride is over; the pictures show only the scene, not the bar.
 printf 'coaster-script 1
 env size 640x360
 load "%s/tests/tracks/two_knots.json"

@@ -1,9 +1,9 @@
-# The packages: what they say of themselves, and that the program in them runs from where it is unpacked.
-# In, besides: BUILD (the build folder), CMAKE. Where dpkg is missing there is no Debian package to check.
+# The packages: their metadata, and that the program in them runs from the folder where it is unpacked.
+# In, besides: BUILD (the build folder), CMAKE. Without dpkg there is no Debian package to check.
 . "$(dirname "$0")/lib.sh"
 cpack="$(dirname "$CMAKE")/cpack"
 command -v "$cpack" >/dev/null || { echo "skipped: no cpack beside $CMAKE"; exit 0; }
-# runs_from FOLDER: the program below it, with nothing of this place's environment but the tests' home.
+# runs_from FOLDER: runs the program below it, in an empty environment except for the tests' home.
 runs_from() {
   env -i PATH=/usr/bin:/bin HOME="$HOME" LSAN_OPTIONS="${LSAN_OPTIONS:-}" LP_NUM_THREADS=0 MESA_SHADER_CACHE_DISABLE=true "$1/bin/coaster" --headless "$1/share/coaster/tracks/loop.json" --size 160x90 --frames 2 --out "$OUT/ride" >"$OUT/stdout" 2>"$OUT/stderr" ||
     fail "$1/bin/coaster: $(head -c 400 "$OUT/stderr")"

@@ -1,4 +1,4 @@
-# Nothing that the program prints controls the terminal, and output that cannot be written is an error.
+# The program's output cannot control the terminal, and output that cannot be written is an error.
 . "$(dirname "$0")/lib.sh"
 esc=$(printf '\033[31m')
 csi=$(printf '\302\23331m') # the same in one character, U+009B

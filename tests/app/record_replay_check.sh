@@ -1,4 +1,4 @@
-# A recording, replayed, has the same hashes after every tick and the same document in the end.
+# A replayed recording has the same hashes after every tick and the same document at the end.
 . "$(dirname "$0")/lib.sh"
 
 cat >"$OUT/original.coaster" <<SCRIPT

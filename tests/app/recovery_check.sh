@@ -1,4 +1,4 @@
-# Programs that are killed, told to end, or run beside each other: what was not saved is offered again, and no file is written by two.
+# Programs that are killed, receive a signal, or run at the same time: unsaved changes are offered for recovery, and two programs never write the same file.
 . "$(dirname "$0")/lib.sh"
 script() { printf 'coaster-script 1\n%s\n' "$2" >"$OUT/$1.coaster"; }
 run() { expect_code "$1" --headless --script "$OUT/$2.coaster" --config "$OUT/home" --out "$OUT" --size 480x270; }
@@ -22,7 +22,7 @@ cp "$SOURCE/tracks/gentle.json" "$OUT/own.json"
 chmod 640 "$OUT/own.json"
 cp "$OUT/own.json" "$OUT/before.json"
 
-# kill -9: the autosave of the timer is there, the file is as it was.
+# kill -9: the timer's autosave exists, the file is unchanged.
 script killed 'env size 64x36
 load "$OUT/own.json"
 move @k2 to 3 9 4
@@ -39,7 +39,7 @@ wait $pid 2>/dev/null
 cmp "$OUT/own.json" "$OUT/before.json" || fail "the file has changed"
 [ "$(left)" = 1 ] || fail "no autosave was left"
 
-# Later keeps it; with both times; then it is recovered, dirty, and saved where it came from.
+# Later keeps it; the dialog shows both times; then it is recovered, unsaved, and saved to its original file.
 script later 'expect recoverable == 1
 expect visible "Recovery/File saved"
 expect visible "Recovery/Autosaved"
@@ -64,14 +64,14 @@ cmp -s "$OUT/own.json" "$OUT/before.json" && fail "what was recovered is not sav
 [ "$(stat -c %a "$OUT/own.json")" = 640 ] || fail "the file's mode has changed"
 [ "$(left)" = 0 ] || fail "an autosave is left of what is saved"
 
-# SIGTERM, SIGINT, SIGHUP: put aside at once, exit code 128 and the signal's number.
+# SIGTERM, SIGINT, SIGHUP: autosaved at once, exit code 128 plus the signal's number.
 script told 'env size 64x36
 load "$OUT/own.json"
 move @k2 to 5 8 4
 shot "ready.png"
 frames 1000000'
 for signal in 15 2 1; do
-  # A shell's background jobs ignore SIGINT from their start on; what the program sets itself holds all the same.
+  # A shell's background jobs ignore SIGINT from their start on; the handlers that the program installs work nevertheless.
   launch told
   kill -$signal $pid
   wait $pid
@@ -126,7 +126,7 @@ run 0 third
 cmp -s "$OUT/own.json" "$OUT/before.json" && fail "the file was not saved"
 [ ! -e "$OUT/.own.json.lock" ] || fail "a lock is left"
 
-# A folder for autosaves that cannot be made: one notice, and the program goes on.
+# A folder for autosaves that cannot be created: one notice, and the program continues.
 rm -rf "$OUT/home/recovery"
 : >"$OUT/home/recovery"
 script unwritable 'env size 64x36

@@ -1,11 +1,11 @@
-# The settings file: kept from run to run, garbage set aside, keys given away, and none of it in scripts that do not ask.
+# The settings file: kept from run to run, garbage set aside, keys reassigned, and none of it in scripts that do not request it.
 . "$(dirname "$0")/lib.sh"
 script() { printf 'coaster-script 1\n%s\n' "$2" >"$OUT/$1.coaster"; }
 run() { expect_code "$1" --headless --script "$OUT/$2.coaster" --config "$OUT/home" --out "$OUT" --size 800x600 "${@:3}"; }
 mkdir -p "$OUT/home"
 settings=$OUT/home/settings.json
 
-# What is changed by hand is there at the next start.
+# Changes by the user are kept for the next start.
 script change 'ui.menu "View/Light theme"
 key Ctrl+,
 ui.click "Settings/Scale/125 %"
@@ -37,14 +37,14 @@ expect panels == on'
 run 0 reset --reset-layout
 cp "$settings" "$OUT/kept.json"
 
-# Without --config a script knows nothing of it, wherever it is.
+# Without --config a script does not read it, in any location.
 script plain 'expect theme == "dark"
 expect scale == 1'
 cp "$settings" "$OUT/home/coaster.json"
 mkdir -p "$OUT/xdg/coaster" && cp "$settings" "$OUT/xdg/coaster/settings.json"
 XDG_CONFIG_HOME="$OUT/xdg" expect_code 0 --headless --script "$OUT/plain.coaster" --out "$OUT/plain"
 
-# Garbage is set aside, whatever it is; a member that is wrong costs nothing but itself.
+# Any garbage is set aside; an invalid member affects only itself.
 script garbage 'expect theme == "dark"
 expect toast ~ "set aside as settings.json.bad"'
 for garbage in 'no json' '' '{"format": "coaster-track"}' '[]'; do
@@ -76,7 +76,7 @@ run 0 partly
 grep -q '"later"' "$settings" || fail "unknown members are lost"
 grep -q '"panels": false' "$settings" || fail "the panels are not kept"
 
-# Keys: unknown actions and keys, and keys assigned twice, are reported in one notice; menus and tooltips show what holds.
+# Keys: unknown actions and keys, and keys assigned twice, are reported in one notice; menus and tooltips show the keys in effect.
 printf '{"format": "coaster-settings", "version": 1, "keys": {"Undo": "Ctrl+U", "Undoo": "F3", "Redo": "Ctrl+U", "Save": "Splat", "Frame all": "R", "Add curve": ""}}' >"$settings"
 script keys 'expect toast ~ "There is no action \"Undoo\"; did you mean \"Undo\"?"
 expect toast ~ "Ctrl+U is assigned to both Undo and Redo."
@@ -93,7 +93,7 @@ expect knots == 2'
 run 0 keys
 grep -q '"Undoo"' "$settings" || fail "keys of unknown actions are lost"
 
-# A folder that cannot be written: told once, and the program goes on.
+# A folder that cannot be written: reported once, and the program continues.
 rm -rf "$OUT/home"
 : >"$OUT/home"
 script unwritable 'theme light
@@ -105,7 +105,7 @@ expect dirty == on'
 run 0 unwritable
 rm "$OUT/home"
 
-# The desktop's own dialog, where there is one: started with the folder, asked without waiting, its answer taken or not.
+# The desktop's own dialog, if there is one: started with the folder, polled without waiting, its answer used or not.
 mkdir -p "$OUT/bin" "$OUT/home"
 cat >"$OUT/bin/zenity" <<FAKE
 #!/bin/sh
