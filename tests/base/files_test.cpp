@@ -123,7 +123,7 @@ TEST_F(files, a_long_name_can_be_saved_to) {
 
 // The temporary file that a process with this number would be writing now.
 fs::path temporary_of(const fs::path& target, int pid) {
-  // A child writes one and dies before it can put it in place: its name tells this machine's mark.
+  // A child writes one and ends before it can put it in place: its name contains this machine's mark.
   const pid_t child = ::fork();
   if (child < 0) std::abort();
   if (child == 0) {

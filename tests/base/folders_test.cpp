@@ -47,7 +47,7 @@ TEST_F(folders, data_are_where_the_variable_says_else_in_the_source_tree) {
     const Variable named("COASTER_DATA", "/opt/some where/coaster");
     EXPECT_EQ(data_folder(), "/opt/some where/coaster");
   }
-  // The test program has no share folder beside its own.
+  // The test program has no share folder next to its folder.
   const Variable relative("COASTER_DATA", "share");
   EXPECT_EQ(data_folder(), fs::path(COASTER_SOURCE_DIR)) << "relative paths are ignored";
   EXPECT_TRUE(fs::exists(data_folder() / "tracks" / "loop.json"));

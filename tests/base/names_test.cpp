@@ -55,7 +55,7 @@ void expect_rows_up_to(E last) {
   for (const std::string& name : names_of<E>()) EXPECT_TRUE(!name.empty() && names.insert(name).second) << name;
 }
 
-// The compiler does not count enumerators: the last one of each enumeration stands here.
+// The compiler does not count enumerators, so the last one of each enumeration is listed here.
 TEST(names, every_enumerator_has_its_row_and_a_name_of_its_own) {
   expect_rows_up_to(world::Kind::section);
   expect_rows_up_to(world::JointKind::automatic);

@@ -29,13 +29,13 @@ TEST(number_text, the_shorter_of_fixed_and_scientific_is_printed) {
   EXPECT_EQ(to_text(0.1f), "0.1");
   EXPECT_EQ(to_text(-61.375), "-61.375");
   EXPECT_EQ(to_text(0.001), "0.001");
-  EXPECT_EQ(to_text(0.0001), "1e-04");     // as long as "0.0001" less one
+  EXPECT_EQ(to_text(0.0001), "1e-04");     // one character shorter than "0.0001"
   EXPECT_EQ(to_text(0.00012), "0.00012");  // as long as "1.2e-04": fixed
   EXPECT_EQ(to_text(10000.0), "10000");    // as long as "1e+04": fixed
   EXPECT_EQ(to_text(100000.0), "1e+05");
   EXPECT_EQ(to_text(16777216.0f), "16777216");
   EXPECT_EQ(to_text(123456789012.0f),
-            "123456790528");  // all digits exact, not only those that tell it from its neighbours
+            "123456790528");  // all digits exact, not only those that distinguish it from its neighbours
   EXPECT_EQ(to_text(1152921504606846976.0), "1152921504606846976");
   EXPECT_EQ(to_text(1.2345e-300), "1.2345e-300");
   EXPECT_EQ(to_text(std::numeric_limits<double>::max()), "1.7976931348623157e+308");
@@ -72,7 +72,7 @@ RC_GTEST_PROP(number_text, every_finite_double_reads_back_to_the_same_bits, (std
 // The standard library's functions are the oracle where it has them.
 #ifdef __cpp_lib_to_chars
 
-// Random values of each kind; NUMBER_TEXT_TRIES in the environment asks for more: ten million take ten minutes.
+// Random values of each kind; NUMBER_TEXT_TRIES in the environment sets their number: ten million take ten minutes.
 int tries() {
   const char* const told = std::getenv("NUMBER_TEXT_TRIES");
   return told ? std::atoi(told) : 5'000;
@@ -97,7 +97,7 @@ void expect_same_text(T value) {
   expect_same_reading<T>(expected);
 }
 
-// Both ends of every power of two, and what lies next to them.
+// Both ends of every power of two, and their neighbours.
 template <class T>
 void compare_exponents() {
   constexpr int mantissa = std::numeric_limits<T>::digits - 1;

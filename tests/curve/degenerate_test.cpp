@@ -29,7 +29,7 @@ std::vector<CubicSet> all_kinds(int count, unsigned seed) {
   return sets;
 }
 
-// The greatest leg of the control polygon: what "small" means for the cubic.
+// The longest leg of the control polygon, relative to which "small" is measured.
 double size_of(const Cubic& c) {
   return std::max({glm::length(dvec3(c.p1) - dvec3(c.p0)), glm::length(dvec3(c.p2) - dvec3(c.p1)),
                    glm::length(dvec3(c.p3) - dvec3(c.p2))});
@@ -164,7 +164,7 @@ TEST(degenerate, four_equal_points_have_no_length_and_point_along_x) {
 TEST(degenerate, a_handle_on_its_anchor_points_to_the_next_control_point) {
   const Cubic c{a, a, a + y, a + x};
   EXPECT_LT(glm::length(unit_tangent(c, 0) - dvec3(0, 1, 0)), 1e-6);
-  EXPECT_EQ(curvature(c, 0), 0);  // B' = 0: undefined, said to be 0
+  EXPECT_EQ(curvature(c, 0), 0);  // B' = 0: undefined, documented as 0
   EXPECT_FALSE(frenet(c, 0));
   const Cubic end{a + x, a + y, a, a};
   EXPECT_LT(glm::length(unit_tangent(end, 1) - dvec3(0, -1, 0)), 1e-6);

@@ -127,7 +127,7 @@ TEST(evaluators, horner_uses_the_stored_coefficients_alone) {
   std::vector<glm::vec3> before(17), after(17);
   const Evaluator& row = base::row_of(*base::value_named<curve::EvaluatorId>("horner"));
   row.polyline(curve, before, {});
-  curve.cubic.p1 += glm::vec3(5, 5, 5);  // without preparing anew
+  curve.cubic.p1 += glm::vec3(5, 5, 5);  // without preparing it again
   row.polyline(curve, after, {});
   EXPECT_EQ(before, after);
 }

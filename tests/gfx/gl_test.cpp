@@ -113,7 +113,7 @@ TEST(gl, these_functions_are_outside_opengl_es_3_0) {
   for (const std::string& name : optional) EXPECT_EQ(text->find(" " + name + " ("), std::string::npos) << name;
 }
 
-// Mesa reads the variable once in a process, so the old driver lives in one of its own.
+// Mesa reads the variable once in a process, so the old driver runs in a separate one.
 TEST(gl, an_older_version_is_refused_with_both_versions) {
   testing::FLAGS_gtest_death_test_style = "threadsafe";
   const auto try_old = [] {

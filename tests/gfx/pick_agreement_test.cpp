@@ -155,7 +155,7 @@ TEST_F(PickAgreement, the_renderer_shows_at_each_mark_the_mark_that_is_picked_th
   }
   EXPECT_GT(agreement.by_kind[PickKind::knot], 500);
   EXPECT_GT(agreement.by_kind[PickKind::handle_in], 50);
-  // A quarter of the middles lie under the rim of a nearer mark.
+  // A quarter of the middles are under the rim of a nearer mark.
   EXPECT_LT(agreement.not_shown, agreement.compared() / 3);
   EXPECT_LT(agreement.at_edges, agreement.compared() / 20);
 }

@@ -34,7 +34,7 @@ TEST(ranges, the_end_shrinks_over_gaps) {
   EXPECT_EQ(ranges.used(), 0u);
 }
 
-// Against a plain array that says whose each element is.
+// Compares with a plain array of each element's owner.
 TEST(ranges, no_two_owners_share_an_element) {
   Ranges ranges;
   std::mt19937 bits(977);

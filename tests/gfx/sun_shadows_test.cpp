@@ -39,7 +39,7 @@ TEST_F(Shadows, fall_where_the_light_through_the_track_meets_the_ground) {
       for (const glm::vec3 p : test::polyline_of(shape)) {
         const auto pixel = view::project(view, on_ground(p, style));
         if (!pixel || pixel->x < 1 || pixel->y < 1 || pixel->x > 318 || pixel->y > 178) continue;
-        // Of what lies about that pixel, as the spine is half a metre below the rails.
+        // Searches around that pixel, because the spine is half a metre below the rails.
         int least = 0;
         for (int y = -1; y <= 1; ++y)
           for (int x = -1; x <= 1; ++x)

@@ -108,9 +108,9 @@ TEST_F(Swept, an_orbit_of_a_large_track_stays_within_the_budget_and_uploads_noth
   EXPECT_LT(cast.triangles, 60 * 600);  // 600 triangles in each of the segments in 256 m and a bit
 }
 
-// Flies away from a track. Where the number of triangles changes, the pictures a little before and after are the same
-// but for outlines: where a rail is two pixels wide, its outline moves by 0.29 px at most and the spine's by 0.68 px,
-// and so much of their contrast is the most that a pixel changes by.
+// Flies away from a track. Where the number of triangles changes, the pictures just before and after differ only in
+// outlines: where a rail is two pixels wide, its outline moves by at most 0.29 px and the spine's by 0.68 px, and a
+// pixel changes by at most that fraction of their contrast.
 TEST_F(Swept, pictures_do_not_jump_where_the_detail_changes) {
   width_ = 320, height_ = 180, samples_ = 4, show_polyline_ = false;
   renderer_ = fresh();
@@ -122,7 +122,7 @@ TEST_F(Swept, pictures_do_not_jump_where_the_detail_changes) {
     camera.distance = distance;
     const view::View view = view::orbit_view(camera, viewport);
     Scene scene{track.derived, view, overlay, {}, false};
-    scene.shadows = false;  // their map has steps of its own
+    scene.shadows = false;  // their map changes in steps
     return renderer_->draw(scene, width_, height_);
   };
   int changes = 0;

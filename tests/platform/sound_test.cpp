@@ -34,7 +34,7 @@ TEST(sound, a_device_takes_its_blocks_at_first_and_one_for_each_that_was_played)
   const double seconds =
       std::chrono::duration<double>(now() - start).count();  // a busy machine may have kept this process waiting
   EXPECT_LE(again, 1 + static_cast<int>(seconds * kSoundRate / kSoundBlock)) << "no more can have been played yet";
-  // Waits, up to 5 s on a busy machine, for 0.3 s of sound to have been asked for.
+  // Waits, up to 5 s on a busy machine, until 0.3 s of sound have been requested.
   for (int i = 0; i < 500 && frames < 3 * kSoundRate / 10; ++i) {
     std::this_thread::sleep_for(std::chrono::milliseconds(10));
     device->feed(fill);

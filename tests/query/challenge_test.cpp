@@ -105,8 +105,8 @@ TEST_F(ChallengeTest, a_lap_is_judged_when_it_is_ridden_and_not_before) {
   edit::advance(session, 120 * 200);
   EXPECT_EQ(session.game.challenge->judged, 1u);
   EXPECT_EQ(session.game.challenge->medal, 2) << session.game.challenge->last.reason;
-  // The lap ended at the tick after the train was back, whatever the number of ticks asked for: the ghost's own lap
-  // says when.
+  // The lap ended at the tick after the train's return, for any number of ticks per call: the ghost's own lap gives the
+  // time.
   ASSERT_TRUE(session.game.result);
   const double lap = edit::find(session, edit::Want::ride).ride->lap_time;
   EXPECT_NEAR(session.game.result->seconds, lap, 2 * world::kTick);

@@ -26,7 +26,7 @@ struct FakeHost {
   std::vector<std::string> printed;
   std::map<std::string, std::string> snapped;
   std::uint64_t commands = 0;
-  int changes = 0;  // commands since the last frame; a frame tells them as uploads
+  int changes = 0;  // commands since the last frame; a frame counts them as uploads
   std::string toast;
   Environment environment;
 

@@ -13,7 +13,7 @@ const char* const kLesson =
     "lesson \"Add a knot\" at \"Track/Add curve\" until knots == 1\n  append at 1 2 3\nend\n"
     "lesson \"And one more\" until knots == 2\n  append at 9 2 3\nend\n";
 
-// A player who answers as told, and acts before some frames.
+// A player with given answers, who acts before some frames.
 struct Class {
   FakeHost fake;
   std::vector<query::LessonCard> cards;  // as they were shown; an empty one where a card was taken away

@@ -29,7 +29,7 @@ world::Document operated_ring(const std::set<std::size_t>& blocks, double statio
   return d;
 }
 
-// The section that a place is in: how many of the ascending ends lie before it, the last one's being the first's.
+// Returns the section of a position: the number of the ascending ends before it; that of the last is the first's.
 std::size_t section_of(const std::vector<double>& ends, double length, double at) {
   at -= length * std::floor(at / length);
   std::size_t before = 0;
@@ -61,7 +61,7 @@ Watched watch(const world::Document& d, const std::set<std::size_t>& blocks, int
     for (std::size_t train = 0; train < motion.carts.size(); ++train) {
       const world::CartMotion& cart = motion.carts.items()[train];
       std::set<std::size_t> mine;
-      // A train that stands at a block's very end has not left it: half a car of grace.
+      // A train at a block's exact end has not left it: half a car of tolerance.
       for (int car = 0; car < 3; ++car)
         mine.insert(section_of(ends, derived.length, cart.track_distance - 3.0 * car - 0.1));
       for (const std::size_t section : mine) seen.shared += !taken.insert(section).second;

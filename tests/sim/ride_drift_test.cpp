@@ -78,7 +78,7 @@ TEST(ride_drift, verlet_goes_over_joints_and_counts_laps_as_runge_kutta_does) {
     EXPECT_EQ(x.laps, y.laps);
     EXPECT_GT(std::abs(x.laps), 4);
     EXPECT_NEAR(x.travelled, y.travelled, 0.5);
-    // Laps, place and way tell the same.
+    // Laps, position and distance travelled agree.
     const double start = derived.starts[4] + 0.37 * derived.shape(derived.order[4]).arc.length();
     EXPECT_NEAR(static_cast<double>(y.laps) * derived.length + y.track_distance - start, y.travelled, 1e-6);
   }

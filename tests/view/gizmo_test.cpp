@@ -52,7 +52,7 @@ TEST(gizmo, every_part_is_picked_where_a_script_aims_from_any_side) {
         const auto kind = static_cast<PickKind>(part);
         const PickKind picked = pick_gizmo(*gizmo, view, 1, pixel_of(view, gizmo_place(*gizmo, 1, kind)));
         found += picked == kind;
-        // What is not found is seen from its end or its edge, or lies behind another part.
+        // Parts that are not found are seen from their end or edge, or are behind another part.
         EXPECT_TRUE(picked == PickKind::none || is_gizmo(picked)) << yaw << ' ' << pitch << ' ' << part;
       }
       EXPECT_GE(found, 4) << yaw << ' ' << pitch;

@@ -50,7 +50,7 @@ double power_at(const std::vector<float>& samples, double hertz) {
   return power / static_cast<double>(blocks);
 }
 
-// Where half of the power between 100 Hz and 4 kHz lies below.
+// Returns the frequency below which half of the power between 100 Hz and 4 kHz is.
 double middle_frequency(const std::vector<float>& samples) {
   std::vector<double> powers;
   double all = 0;

@@ -51,8 +51,8 @@ TEST(sighted_curve, roots_of_a_polynomial_are_found_between_zero_and_one) {
   }
 }
 
-// Against 10,000 samples: each least distance on screen is among the places, near the eye and far off, with curves that
-// pass it.
+// Compares with 10,000 samples: each minimum of the distance on screen is among the positions, near the eye and far
+// away, also with curves that pass it.
 TEST(sighted_curve, no_place_nearest_among_its_neighbours_is_missed) {
   std::mt19937 bits(9);
   std::vector<curve::Cubic> cubics = curve::random_cubics(500, 17, 15, 20);

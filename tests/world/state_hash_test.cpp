@@ -21,7 +21,7 @@ Document plain_document() {
   return d;
 }
 
-// Scripts and bug reports hold such hashes: a change here changes them all.
+// Scripts and bug reports contain such hashes: a change here changes them all.
 TEST(state_hash, the_hash_of_a_document_is_fixed) {
   EXPECT_EQ(base::hex16(hash(plain_document())), "4ad13f3896ea9e17");
   EXPECT_EQ(base::hex16(hash(Document{})), "d615b7336fc9e6d6");
@@ -56,7 +56,7 @@ TEST(state_hash, every_member_counts) {
   EXPECT_TRUE(differs([](Document& d) { add_cart(d, d.track.segments[0], 0); }));
 }
 
-// Tracks that nobody divided keep the hash that they had before there were sections.
+// Tracks without explicit sections keep the hash from before sections existed.
 TEST(state_hash, sections_count_where_somebody_made_one) {
   const Document plain = test::sample_document();
   const auto differs = [&](Section value, std::size_t first, std::size_t count) {

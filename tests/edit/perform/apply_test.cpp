@@ -72,7 +72,7 @@ TEST_F(Applying, exporting_leaves_the_path_and_what_is_unsaved) {
   EXPECT_FALSE(dirty(session));
 }
 
-// Changes by another program are lost only when the command says so.
+// Changes by another program are lost only if the command requests it.
 TEST_F(Applying, a_file_that_another_program_changed_is_not_overwritten) {
   ASSERT_TRUE(apply(Save{file("a.json")}));
   const auto replaced = [&] { return base::Files().read(file("a.json")); };
@@ -117,7 +117,7 @@ TEST_F(Applying, a_recovered_track_may_replace_the_file_that_it_was_compared_wit
   EXPECT_EQ(apply(Save{file("a.json")}).code, base::Code::io) << "nobody has seen what is there";
 }
 
-// Saving an import goes to a file of its own, never to the one that it came from.
+// Saving an import goes to a new file, never to the imported one.
 TEST_F(Applying, an_imported_track_has_no_path) {
   ASSERT_TRUE(apply(Save{file("a.json")}));
   std::string bytes("BEZR\0\0\0\x14", 8);
@@ -182,9 +182,8 @@ TEST_F(Applying, undoing_everything_returns_to_the_first_document_and_redoing_to
   }
 }
 
-// What costs milliseconds comes less often and in smaller portions: whole rides of up to 900 s (banking, a timetable
-// anew after each edit), steps of up to an hour. Everything still comes: in 100 sessions of 60 commands each of these
-// is done some ten times.
+// Expensive commands are rarer and smaller: whole rides of up to 900 s (banking, a new timetable after each edit),
+// steps of up to an hour. All still occur: in 100 sessions of 60 commands each of them is run some ten times.
 bool too_costly(Command& command, test::RandomCommands& random) {
   if (RideStep* const step = command.as<RideStep>())
     step->ticks = std::min(step->ticks, 1 + static_cast<int>(random.below(120)));

@@ -26,7 +26,7 @@ bool joins(const Document& d, std::size_t index) {
   return d.track.closed || (index > 0 && index + 1 < d.track.knots.size());
 }
 
-// Like a person's track: knots about 17 m apart along a wavy way, crooked directions and lengths, kinds as asked.
+// Returns a track like a user's: knots about 17 m apart along a wavy way, crooked directions and lengths, given kinds.
 Document wavy_track(std::uint32_t seed, bool closed, int knots = 9) {
   std::mt19937 bits(seed);
   const auto uniform = [&](double low, double high) { return low + (high - low) * (bits() / 4294967296.0); };

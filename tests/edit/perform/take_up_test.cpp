@@ -255,7 +255,7 @@ TEST_F(TakeUp, its_copy_is_hand_shaped) {
   EXPECT_EQ(world::title_of(world::section(session.document, entity("q1"))), "Complete circuit");
 }
 
-// The circuit begins with the lift: what was its start lies behind the section that completes it.
+// The circuit begins with the lift: its former start is after the section that completes it.
 TEST_F(TakeUp, sections_behind_it_stay) {
   circuit();
   world::Document turned = session.document;

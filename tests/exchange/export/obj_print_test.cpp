@@ -39,8 +39,8 @@ double volume(const std::vector<glm::vec3>& positions, const std::vector<std::ui
 // Of two rails and a spine, at one end: a fan over n corners has n - 2 triangles.
 constexpr std::size_t kCapTriangles = 2 * (sim::kRailSides - 2) + sim::kSpineSides - 2;
 
-// The triangles of a tube's cap are the flat faces across the track: counts those at each place of a segment's end.
-// Corners of sides lie in two rings.
+// The triangles of a tube's cap are the flat faces across the track: counts those at each end of a segment. Corners of
+// sides are in two rings.
 std::size_t caps_of(const Obj& obj, const char* group, const world::Document& d) {
   std::size_t caps = 0;
   const std::vector<std::uint32_t>& faces = obj.faces.at(group);
@@ -58,7 +58,8 @@ std::size_t caps_of(const Obj& obj, const char* group, const world::Document& d)
   return caps;
 }
 
-// Edges that lie not in two triangles, once each way. Corners are the same where their positions are, bit for bit.
+// Returns the edges that are not in two triangles, once in each direction. Corners are equal if their positions are,
+// bit for bit.
 std::size_t open_edges(const Obj& obj, const char* group) {
   using Point = std::array<float, 3>;
   std::map<std::pair<Point, Point>, int> ways;

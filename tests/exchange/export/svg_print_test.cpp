@@ -46,7 +46,7 @@ TEST(Svg, draws_the_cubics_themselves_within_the_sheet) {
       EXPECT_GT(path[2 * i + 1] + moved[1], 0);
       EXPECT_LT(path[2 * i + 1] + moved[1], sheet[3]);
     }
-    // The bar is as long as the text beside it says: the length stands behind the last blank before " m<".
+    // The bar has the length given in the text next to it: the number after the last blank before " m<".
     const std::size_t bar = text.find(std::string("<path id=\"") + id + "-bar\"");
     const auto numbers = numbers_after(text, " d=\"", bar);
     const std::size_t end = text.find(" m</text>", bar), start = text.rfind('>', end) + 1;

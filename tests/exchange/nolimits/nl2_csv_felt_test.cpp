@@ -66,7 +66,7 @@ struct Wrong {
   double rms = 0, most = 0;  // g, of both axes, after a low-pass of 5 Hz
 };
 
-// Rides on the document with the speeds of the known ride at the places beside it.
+// Rides on the document with the speeds of the known ride at the corresponding positions.
 Wrong wrong_on(const world::Document& document, double heart, const std::vector<Moment>& ride) {
   Ridden track(document, heart);
   std::array<std::vector<float>, 4> g;
@@ -92,7 +92,7 @@ Wrong wrong_on(const world::Document& document, double heart, const std::vector<
   return wrong;
 }
 
-// Of rows 0.05 m apart, those about `spacing` m apart, each step by up to a fifth longer or shorter, numbered anew.
+// Returns rows about `spacing` m apart from rows 0.05 m apart, each step up to a fifth longer or shorter, renumbered.
 std::string thinned(const std::string& text, double spacing, std::uint32_t seed) {
   std::istringstream in(text);
   std::string kept, line;

@@ -15,7 +15,7 @@
 namespace coaster::exchange {
 namespace nltrack_test {
 
-// An encoder of the test's own.
+// An encoder independent of the program.
 struct Vertex {
   glm::vec3 point, in, out;
   float roll = 0;

@@ -15,7 +15,7 @@ using test::rows_along;
 const dvec3 kOrigin(113.7, 31.3, -47.9);
 dvec3 sky(double) { return {0.01, 1, 0.02}; }
 
-// Within bounds by the test's own measure, and the report says what that measures; returns the fit.
+// Checks the bounds by the test's own measure, and that the report agrees with it; returns the fit.
 FittedTrack expect_fit(const std::vector<FitRow>& rows, bool closed) {
   FittedTrack fitted = fit_track(rows, closed);
   EXPECT_EQ(world::broken_invariant(fitted.document), std::nullopt);
@@ -24,7 +24,7 @@ FittedTrack expect_fit(const std::vector<FitRow>& rows, bool closed) {
   EXPECT_LE(fitted.report.max_error, kFitDistance);
   EXPECT_LE(fitted.report.frame_error, kFitAngle);
   const test::Misses misses = test::misses_of(fitted.document, rows);
-  // At a knot the report takes the worse of the two sides. A row there lies a little beside both: some micrometres.
+  // At a knot the report uses the worse of the two sides. A row there is some micrometres from both.
   EXPECT_LE(misses.distance, fitted.report.max_error + 1e-9);
   EXPECT_NEAR(misses.distance, fitted.report.max_error, 1e-5);
   // So it does with angles: handles of 2 cm at 100 m turn by 4e-4 rad when they are rounded to float.

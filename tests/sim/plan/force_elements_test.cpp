@@ -45,7 +45,7 @@ ForceTask with(ForceTask task, const ForceElement& element) {
 }
 double angle_of(const test::ForceOracle& o) { return base::degrees(std::asin(double(o.forward[1]))); }
 
-// Seconds for which a value is asked for.
+// Returns the seconds for which a program requires a value.
 double seconds_at(const world::ForceProgram& program, double g) {
   double seconds = 0;
   const auto& keys = program.keys(ForceChannel::vertical);
@@ -143,7 +143,7 @@ TEST(force_elements, what_cannot_be_is_refused_with_the_reason) {
   refused(of(ElementKind::force_turn), banked, "banked");
 }
 
-// Whatever is asked for, the answer is a program within all limits, or a word.
+// For any values, the result is a program within all limits, or a reason.
 TEST(force_elements, values_at_their_limits_and_beyond_give_sound_programs_or_refusals) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   world::Document document;

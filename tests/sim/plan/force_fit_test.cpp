@@ -47,7 +47,7 @@ struct Worst {
   double felt = 0, at = 0, distance = 0;
 };
 
-// The largest difference between what is felt in a fine ride and what the oracle's reading of the keys asks for there.
+// Returns the largest difference between what is felt in a fine ride and the oracle's value of the keys there.
 Worst worst_of(const ForcePlan& plan) {
   const world::Document document = track_of(plan, plan.task.riders);
   const Derived derived = shapes_of(document);

@@ -23,7 +23,7 @@ ForceTask level(double speed, double length, ForceOver over = ForceOver::distanc
 
 dvec3 of(const test::Vector& v) { return {double(v[0]), double(v[1]), double(v[2])}; }
 
-// The start of a program that asks for what is felt there needs no ramp, so that the oracle needs none.
+// A program that starts with the values felt there needs no ramp, so the oracle needs none.
 class ForceOracle : public testing::TestWithParam<unsigned> {};
 INSTANTIATE_TEST_SUITE_P(seed, ForceOracle, testing::Values(7, 8, 9, 10));
 
@@ -120,7 +120,7 @@ TEST(force_path, the_start_continues_the_curvature_and_the_spin_of_the_track) {
     EXPECT_LT(glm::distance(first.curvature, task.end.curvature), 1e-12);
     EXPECT_NEAR(first.spin, task.end.spin, 1e-12);
     EXPECT_GT(path.ramp, 0);
-    // What is asked for is reached behind the ramp, and without a jump before.
+    // The required value is reached after the ramp, and without a jump before.
     for (std::size_t k = 1; k < path.points.size(); ++k) {
       EXPECT_LT(std::abs(path.points[k].up - path.points[k - 1].up), 0.2) << k;
       if (path.points[k].at >= path.ramp) {

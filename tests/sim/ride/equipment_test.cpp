@@ -260,7 +260,8 @@ TEST(train_length, trains_collide_where_the_bodies_of_their_cars_touch) {
   EXPECT_EQ(crowded.body(), 1.5f);
 }
 
-// As every pair says, on open and closed rails, with trains across the start, beyond the ends, and longer than the lap.
+// Compares with all pairs, on open and closed rails, with trains across the start, beyond the ends, and longer than the
+// lap.
 TEST(train_length, the_first_collision_is_that_of_all_pairs) {
   std::mt19937 random(29);
   const auto any = [&](double low, double high) { return std::uniform_real_distribution(low, high)(random); };

@@ -210,8 +210,8 @@ TEST(ghost, no_track_and_no_length_give_a_ghost_that_stands) {
   EXPECT_EQ(memo.from(d, {}, {}).samples.size(), 1u);
 }
 
-// At rest at the open end where the train starts: on the level it stalls after two seconds, live and as a ghost; where
-// the track rises it is pulled out of the end; where it falls it goes.
+// At rest at the open end where the train starts: on level track it stalls after two seconds, live and as a ghost; on
+// rising track it is pulled off the end; on falling track it moves on.
 TEST(ghost, a_train_that_stands_at_its_start_ends_as_it_does_live) {
   const struct {
     float rise;

@@ -277,7 +277,7 @@ TEST(derived, tells_what_was_rebuilt_since_a_build) {
   EXPECT_EQ(since(second), std::vector<std::size_t>{999}) << "indices are others now";
   const std::uint64_t third = derived.last_build;
   EXPECT_TRUE(since(third).empty());
-  // However long the edits go on, the list stays as short as the track.
+  // The list stays as short as the track, for any number of edits.
   for (int i = 0; i < 200; ++i) {
     d.entities.get<world::Knot>(d.track.knots[20]).position.y += 0.01f;
     derive(d, {}, {}, derived);

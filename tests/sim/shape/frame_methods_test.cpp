@@ -11,8 +11,8 @@ namespace frame_methods_test {
 using glm::dvec3;
 using world::FrameMethod;
 
-// The oracle: `up` carried along the track by the differential equation U' = -(U . T') T, in Runge-Kutta steps of its
-// own; per segment boundary the turn against the method's frame is looked at.
+// The oracle: `up` carried along the track by the differential equation U' = -(U . T') T, in its own Runge-Kutta steps;
+// at each segment boundary the rotation relative to the method's frame is compared.
 dvec3 carried(const curve::Cubic& c, dvec3 up, int steps) {
   const auto rate = [&](double t, dvec3 u) {
     const dvec3 d = curve::derivative(c, t), dd = curve::second_derivative(c, t);
@@ -138,7 +138,7 @@ TEST(frame_methods, world_up_is_level_to_the_left_and_marked_on_a_vertical) {
 }
 
 TEST(frame_methods, frenet_keeps_the_last_normal_over_a_straight_and_says_so) {
-  // A quarter circle to the left, then two straights: the normal of the bend's end goes on, though the knots roll.
+  // A quarter circle to the left, then two straights: the normal at the bend's end continues, although the knots roll.
   world::Document d;
   const float h = 20.0f * 0.5522847f;
   world::append_knot(d, test::skew_knot({23.3f, 5.5f, -7.7f}, {1, 0, 0}, h, h));

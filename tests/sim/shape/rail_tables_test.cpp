@@ -46,7 +46,7 @@ TEST(rail_tables, rails_go_on_straight_beyond_their_ends) {
   EXPECT_EQ(rail_at(table, length + 2).slope, rail_at(table, length + 5).slope);
 }
 
-// What the ride says of a cart on the exact curve, at the same place, speed and acceleration.
+// Compares with the ride's value for a cart on the exact curve, at the same position, speed and acceleration.
 TEST(rail_tables, what_riders_feel_is_what_the_ride_says_on_the_exact_curve) {
   world::Document d = hilly();
   world::set_roll(d.entities.get<world::Knot>(d.track.knots[3]), 37);

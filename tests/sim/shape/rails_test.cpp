@@ -84,7 +84,7 @@ TEST(rails, spin_about_their_own_tangent) {
   EXPECT_GT(std::abs(wanted), 3);
 }
 
-// Every vertex of a rail is on a tube beside the line below the curve.
+// Every vertex of a rail is on a tube next to the line below the curve.
 TEST(rails, have_their_mesh_below_the_curve) {
   const world::Document d = heartline_document();
   const Derived derived = test::derived_of(d);

@@ -81,7 +81,7 @@ TEST(roll, frames_roll_at_the_same_rate_on_both_sides_of_every_joint) {
     for (std::size_t i = 0; i < derived.order.size(); ++i) {
       const SegmentShape &before = derived.shape_at(i), &after = derived.shape_at((i + 1) % derived.order.size());
       const double spin = double{world::knot(d, d.track.knots[(i + 1) % d.track.knots.size()]).spin};
-      // Three places beside the joint, and their parabola's value at it.
+      // Three positions next to the joint, and their parabola's value at it.
       const auto at_joint = [&](const SegmentShape& shape, bool end) {
         constexpr double h = 0.02;
         double values[3];

@@ -39,7 +39,7 @@ world::Document crossing(float over) {
   return d;
 }
 
-// A level straight there and, after a wide turn, one back beside it.
+// A level straight and, after a wide turn, one back next to it.
 world::Document two_tracks(float apart) {
   world::Document d;
   add_knot(d, {0, 5, 0}, {1, 0, 0}, 20);

@@ -72,7 +72,7 @@ std::vector<Sample> samples_of(const Derived& derived, double spacing) {
   return out;
 }
 
-// How many samples are within the envelope of a bar, which is looked at point by point.
+// Returns the number of samples within the envelope of a bar, which is tested point by point.
 int disturbed(const Derived& derived, const Supports& supports) {
   const std::vector<Sample> track = samples_of(derived, 0.25);
   int found = 0;

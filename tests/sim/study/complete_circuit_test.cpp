@@ -46,7 +46,7 @@ TEST(complete_circuit, assumes_a_speed_where_no_train_reaches_the_end) {
   EXPECT_EQ(found.speed, kAssumedSpeed);
 }
 
-// The ghost's own speeds tell the drag: v falls by the factor exp(-C s) on a level straight.
+// The ghost's speeds give the drag: v falls by the factor exp(-C s) on a level straight.
 TEST(complete_circuit, plans_with_the_drag_that_the_train_has_by_its_mass) {
   for (const float mass : {0.5f * world::kCarMass, world::kCarMass, 3.0f * world::kCarMass}) {
     world::Document document = straight();

@@ -41,11 +41,11 @@ TEST(near_misses, a_train_that_creeps_past_misses_nothing) {
   EXPECT_EQ(misses(d, 4.5, false).track, 0);
 }
 
-// The columns of high track stand beside the track below it; those that hold the track under the riders do not count.
+// The columns of high track are next to the track below it; those that hold the track under the riders do not count.
 TEST(near_misses, columns_beside_the_track_count_and_its_own_do_not) {
   world::Document straight = test::straight_document({1.1f, 9.3f, 2.7f}, {91.1f, 9.3f, 12.7f}, 3);
   EXPECT_EQ(misses(straight, 15, true).supports, 0);
-  // A strand 12 m above the first one, `aside` metres beside it.
+  // A strand 12 m above the first one, `aside` metres to the side.
   const auto beside = [](float aside) {
     world::Document d;
     const auto add = [&](glm::vec3 at, glm::vec3 along) { world::append_knot(d, test::skew_knot(at, along, 15, 15)); };

@@ -79,7 +79,7 @@ TEST(ratings, airtime_is_the_time_on_a_parabola_that_is_taken_too_fast) {
   EXPECT_NEAR(slow.highest.value - 5.7, speed * speed * 0.5 / (2 * kG), 1e-2);
 }
 
-// Every member that excites raises the excitement by ever less, and jolts and overloads lower it.
+// Every exciting member raises the excitement by decreasing amounts, and jolts and overloads lower it.
 TEST(ratings, excitement_rises_with_what_excites_and_falls_with_what_hurts) {
   Ratings base;
   base.highest_drop = 12, base.airtime = 1, base.drops = 2, base.near_misses = 1, base.inversions = 1;

@@ -93,7 +93,7 @@ TEST(track_values, jerk_and_roll_are_those_of_the_middle_car) {
     for (std::size_t k = 0; k < rider.entries(); ++k) most = std::max(most, std::abs(rider.value(k, value)));
     for (const float one : values.values) of_colours = std::max(of_colours, static_cast<double>(one));
     EXPECT_GT(most, 0.1) << base::name_of(colouring);
-    // Colours stand at places, which may miss the peak beside a joint.
+    // Colours are given at positions, which may miss the peak next to a joint.
     EXPECT_NEAR(of_colours, most, 0.12 * most) << base::name_of(colouring);
     EXPECT_GE(*std::min_element(values.values.begin(), values.values.end()), 0) << base::name_of(colouring);
   }

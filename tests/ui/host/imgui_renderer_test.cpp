@@ -75,7 +75,7 @@ TEST_F(ImGuiRendererTest, a_window_of_many_vertices_is_drawn_to_the_last_one) {
   EXPECT_GT(of_curve, 300);
 }
 
-// Their textures are the program's own, beside those of fonts.
+// Their textures are the program's, in addition to those of fonts.
 TEST_F(ImGuiRendererTest, the_start_screen_shows_pictures_of_tracks) {
   host_->show_start();
   frame();

@@ -198,7 +198,7 @@ TEST_F(SectionsTable, a_refused_number_is_told_in_words) {
   EXPECT_EQ(parameter(2, "height"), 300);
   ASSERT_NE(find("Section/Refusal"), nullptr);
   EXPECT_NE(host_->toast().find("300"), std::string::npos) << host_->toast();
-  // A row without parameters says so.
+  // A row without parameters gives a notice.
   edit::Knots knots;
   knots.names = {{world::Kind::knot, 1}, {world::Kind::knot, 2}};
   good(edit::MakeSection{knots});

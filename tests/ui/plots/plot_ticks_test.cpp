@@ -60,7 +60,7 @@ RC_GTEST_PROP(plot_ticks, ticks_lie_within_and_are_no_more_than_asked, ()) {
   RC_ASSERT(is_round_step(all.step));
   for (const double value : all.major) RC_ASSERT(value >= axis.low - slack && value <= axis.high + slack);
   for (std::size_t i = 1; i < all.major.size(); ++i) RC_ASSERT(all.major[i] > all.major[i - 1]);
-  // Never so few that a reader has nothing to hold on to: the next finer round step would have broken the limit.
+  // Never too few: the next finer round step would have exceeded the limit.
   const double span = axis.high - axis.low;
   RC_ASSERT(all.step <= 5.0 * span / most + 8 * 2.3e-16 * std::abs(axis.high) * 10);
 }

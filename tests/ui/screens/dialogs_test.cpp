@@ -140,7 +140,7 @@ TEST_F(DialogsTest, a_file_in_use_elsewhere_is_saved_under_another_name) {
   EXPECT_EQ(all<edit::Save>()[0].path, (folder / "b.json").string());
 }
 
-// Save and Save as to the document's own file ask when another program changed it; each answer does what it says.
+// Save and Save as to the document's own file ask if another program changed it; each answer has its effect.
 TEST_F(DialogsTest, a_file_that_another_program_changed_is_asked_about) {
   const std::string own = (folder / "a.json").string();
   const auto theirs = [&] {

@@ -194,7 +194,7 @@ TEST_F(ViewportToolTest, a_drag_of_empty_space_orbits_and_leaves_document_and_se
 }
 
 TEST_F(ViewportToolTest, orbit_and_pan_carry_the_scene_with_the_cursor) {
-  // What lies between target and eye moves to the right with a drag to the right.
+  // Objects between target and eye move to the right when dragged to the right.
   const auto near_x = [&] {
     const view::View& v = host_->view();
     return view::project(v, glm::mix(session_.settings.camera.target, v.eye, 0.3f));
