@@ -95,22 +95,22 @@ Answer force_stopped(const Context& c, View word) {
 
 constexpr std::array kForceRows{
     Query{"force.asked", "@section.CHANNEL/PLACE", "",
-          "What a force section asks for at a place (m or s from its start), such as @q3.vertical/40: vertical or "
+          "The value that a force section requires at a position (m or s from its start), such as @q3.vertical/40: "
+          "vertical or "
           "lateral g, or roll in degrees per metre or second, with the ramp at its start.",
           force_asked},
     Query{"force.met", "@section.CHANNEL/PLACE", "",
-          "What the riders of the first car feel there; 0 where the ride does not get.", force_met},
+          "What the riders of the first car feel there; 0 where the ride does not arrive.", force_met},
     Query{"force.keys", "@section.CHANNEL", "", "Number of keys of a channel.", force_keys},
-    Query{"force.over", "@section", "", "What the keys count in: distance or time.",
-          of_program<&world::ForceProgram::over>},
-    Query{"force.length", "@section", "", "The length that a force section asks for, m or s.",
+    Query{"force.over", "@section", "", "Axis of the keys: distance or time.", of_program<&world::ForceProgram::over>},
+    Query{"force.length", "@section", "", "Length of a force section's program, m or s.",
           of_program<&world::ForceProgram::length>},
-    Query{"force.tolerance", "@section", "g", "How far what riders feel may be from the keys.",
+    Query{"force.tolerance", "@section", "g", "Largest allowed difference between what riders feel and the keys.",
           of_program<&world::ForceProgram::tolerance>},
     Query{"force.speed", "@section", "m/s", "The speed at its start that a force section was planned for.",
           of_program<&world::ForceProgram::speed>},
     Query{"force.error", "@section", "g",
-          "Largest difference between what riders feel on its spans and what was asked for, vertical or lateral.",
+          "Largest difference between what riders feel on its spans and the required value, vertical or lateral.",
           of_force<&sim::ForcePlan::fit, &sim::ForceFit::felt_error>},
     Query{"force.shape_error", "@section", "m", "Largest distance of its spans from the path with those forces.",
           of_force<&sim::ForcePlan::fit, &sim::ForceFit::spans, &sim::ElementFit::error>},
@@ -122,9 +122,9 @@ constexpr std::array kForceRows{
     Query{"force.unmet_at", "@section", "", "Where that is, m or s from its start.",
           of_force<&sim::ForcePlan::unmet_at>},
     Query{"force.ramp", "@section", "",
-          "Length of the ramp at its start from what is felt there to what the keys say, m or s.",
+          "Length of the ramp at its start from the felt values to those of the keys, m or s.",
           of_force<&sim::ForcePlan::path, &sim::ForcePath::ramp>},
-    Query{"force.stopped", "@section", "", "Why a force section is shorter than it asks for; none if it is not.",
+    Query{"force.stopped", "@section", "", "Why a force section is shorter than its program; none if it is not.",
           force_stopped},
 };
 

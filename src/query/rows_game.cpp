@@ -64,7 +64,7 @@ constexpr std::array kGameRows{
     Query{"challenge.failure", "", "", "Why the last judgement failed; empty if it passed or there was none.", failure},
     Query{"challenge.hints", "", "", "Number of hints shown.", of_challenge<&edit::ActiveChallenge::hints>},
     Query{"challenge.deviation", "", "m",
-          "How far the track and the challenge's start track are apart at most, whatever their knots; 0 without a "
+          "Largest distance between the track and the challenge's start track, independent of their knots; 0 without a "
           "challenge.",
           challenge_deviation},
     Query{"card.shows", "", "", "on while a score card is shown.", card_shows},

@@ -94,7 +94,7 @@ constexpr std::array kSectionRows{
     Query{"section.length", "@section", "m", "A section's length.", section_length},
     Query{"section.top", "@section", "m", "A section's largest height.", section_figure<&sim::SectionFigures::top>},
     Query{"section.speed_in", "@section", "m/s",
-          "Speed of the chosen seat where a section begins; none where the ride does not get there.",
+          "Speed of the chosen seat where a section begins; none where the ride does not arrive.",
           section_figure<&sim::SectionFigures::speed_in>},
     Query{"section.speed_out", "@section", "m/s", "The same where it ends.",
           section_figure<&sim::SectionFigures::speed_out>},

@@ -17,7 +17,7 @@ constexpr std::span<const base::NameRow> rows_of(CameraMode) { return kCameraMod
 // The projection of the orbit camera. The last three are orthographic along an axis, for any yaw and pitch.
 enum class Projection : std::uint8_t { perspective, front, side, top };
 inline constexpr base::NameRow kProjections[] = {
-    {"perspective", "Perspective", "What is farther away is smaller."},
+    {"perspective", "Perspective", "Distant objects are smaller."},
     {"front", "Front", "Orthographic, along -Z: x to the right, height up."},
     {"side", "Side", "Orthographic, along -X: z to the left, height up."},
     {"top", "Top", "Orthographic, from above: x to the right, z down."}};

@@ -30,7 +30,7 @@ struct CameraFeel {
       setting(&CameraFeel::reduced_motion, "camera.reduced_motion",
               "Whether the rider's horizon stays level, cameras cut, and nothing bobs or widens.",
               {.query = "reduced_motion", .kept_as = "reduced_motion"}),
-      setting(&CameraFeel::head_bob, "camera.head_bob", "Whether the rider's head gives way to g.",
+      setting(&CameraFeel::head_bob, "camera.head_bob", "Whether the rider's head moves with g.",
               {.query = "head_bob", .kept_as = "head_bob"}),
       setting(&CameraFeel::follow, "camera.follow",
               "Whether the orbit camera follows the open end and the preview where they leave the picture.",

@@ -69,7 +69,7 @@ constexpr std::span<const base::NameRow> rows_of(Seat) { return kSeats; }
   PAGE(lengths, "Lengths", "Every arc-length method on the segment and on the track, and its convergence.")       \
   PAGE(frames, "Frames", "Frames along the track, curvature, torsion, and where Frenet-Serret fails.")            \
   PAGE(joints, "Joints", "Continuity at the joints, what riders feel there, and buttons that repair it.")         \
-  PAGE(errata, "Errata", "Claims of the 2012 paper beside what holds, in numbers of the segment.")                \
+  PAGE(errata, "Errata", "Wrong claims of the 2012 paper and the correct values for the segment.")                \
   PAGE(measurements, "Measurements", "Time and error of every evaluator, measured on this machine.")              \
   PAGE(forces, "Forces", "Speed, height and g over the whole ride, overloads, and ratings, before it is ridden.") \
   PAGE(riders, "Riders", "g, jerk, roll, speed and height of any seat over the whole ride, with one cursor.")

@@ -133,14 +133,16 @@ struct SetDatum {
 // Makes all joints of a track G2 with the least movement (edit/perform/joint_repair.h).
 struct MakeG2 {
   Target knot;
-  COASTER_COMMAND(MakeG2, "make_g2",
-                  "Give a knot's two segments one curvature (G2) by moving the least; other joints keep their class.",
-                  Effect::document, "Made {} G2");
+  COASTER_COMMAND(
+      MakeG2, "make_g2",
+      "Give a knot's two segments the same curvature (G2) with the least movement; other joints keep their class.",
+      Effect::document, "Made {} G2");
   COASTER_FIELDS(visit("", self.knot))
 };
 struct MakeAllG2 {
-  COASTER_COMMAND(MakeAllG2, "make_all_g2", "Make every joint G2 by moving little; says which could not be.",
-                  Effect::document, "Made all joints G2");
+  COASTER_COMMAND(MakeAllG2, "make_all_g2",
+                  "Make every joint G2 with little movement; reports the joints that cannot be.", Effect::document,
+                  "Made all joints G2");
   COASTER_FIELDS()
 };
 

@@ -9,15 +9,15 @@ namespace coaster::edit {
 struct PlaceElement {
   world::Element what;
   COASTER_COMMAND(PlaceElement, "element",
-                  "Add an element at the open end of the track, e.g. element loop right height 20; what is not named "
-                  "has its usual value.",
+                  "Add an element at the open end of the track, e.g. element loop right height 20; parameters that are "
+                  "not named get their defaults.",
                   Effect::document, "Placed {}");
   COASTER_FIELDS(visit("", self.what))
 };
 struct ChooseElement {
   world::Element what;
   COASTER_COMMAND(ChooseElement, "element.choose",
-                  "Choose the palette's element and its parameters, and show where it would go.", Effect::settings);
+                  "Select the palette's element and its parameters, and show its preview.", Effect::settings);
   COASTER_FIELDS(visit("", self.what))
 };
 

@@ -101,17 +101,18 @@ struct SetForceLength {
 struct SetForceTolerance {
   Target section;
   double to = 0;
-  COASTER_COMMAND(SetForceTolerance, "force.tolerance",
-                  "Set how far what riders feel on a force section may be from its keys, g: 0.02 to 0.5.",
-                  Effect::document, "Set the tolerance of {} to {to} g");
+  COASTER_COMMAND(
+      SetForceTolerance, "force.tolerance",
+      "Set the largest difference between what riders feel on a force section and its keys, g: 0.02 to 0.5.",
+      Effect::document, "Set the tolerance of {} to {to} g");
   COASTER_FIELDS(visit("", self.section), visit("to", self.to))
 };
 struct SetForceOver {
   Target section;
   world::ForceOver to{};
   COASTER_COMMAND(SetForceOver, "force.over",
-                  "Let the keys of a force section count in metres or in seconds; they stay at their places.",
-                  Effect::document, "Counted the keys of {} over {to}");
+                  "Use metres or seconds for the keys of a force section; they keep their positions.", Effect::document,
+                  "Counted the keys of {} over {to}");
   COASTER_FIELDS(visit("", self.section), visit("to", self.to))
 };
 
@@ -137,7 +138,7 @@ struct ReadForces {
 };
 struct FreeForces {
   Target section;
-  COASTER_COMMAND(FreeForces, "force.free", "Make a force section hand-shaped: its knots stay, its keys go.",
+  COASTER_COMMAND(FreeForces, "force.free", "Make a force section hand-shaped: its knots stay, its keys are removed.",
                   Effect::document, "Made {} hand-shaped");
   COASTER_FIELDS(visit("", self.section))
 };

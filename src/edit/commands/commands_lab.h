@@ -23,12 +23,12 @@ struct Measure {
   COASTER_FIELDS()
 };
 struct StopMeasuring {
-  COASTER_COMMAND(StopMeasuring, "measure.stop", "Stop measuring; what is measured stays.", Effect::settings);
+  COASTER_COMMAND(StopMeasuring, "measure.stop", "Stop measuring; results so far are kept.", Effect::settings);
   COASTER_FIELDS()
 };
 struct SaveMeasurements {
   std::string path;
-  COASTER_COMMAND(SaveMeasurements, "measure.save", "Write what was measured to a file of comma-separated values.",
+  COASTER_COMMAND(SaveMeasurements, "measure.save", "Write the measurements to a file of comma-separated values.",
                   Effect::session);
   COASTER_FIELDS(visit("", self.path))
 };

@@ -28,8 +28,8 @@ struct SetTrain {
   int cars = 1;
   float spacing = 0, length = 0, mass = 0;  // 0: unchanged
   COASTER_COMMAND(SetTrain, "train",
-                  "Set how many cars a train has, how far their middles are apart (m), how long (m) and how heavy (kg) "
-                  "each is; what is 0 or left out stays.",
+                  "Set a train's number of cars, the distance of their centres (m), and the length (m) and mass (kg) "
+                  "of each; values that are 0 or left out do not change.",
                   Effect::document, "Changed the train {}");
   COASTER_FIELDS(visit("", self.cart), visit("cars", self.cars), visit("spacing?", self.spacing),
                  visit("length?", self.length), visit("mass?", self.mass))
@@ -85,7 +85,7 @@ struct SaveReport {
 struct LoadEnvelope {
   std::string path;
   COASTER_COMMAND(LoadEnvelope, "envelope",
-                  "Hold forces against the limits by duration in a file (.json): data to edit, not a compliance check.",
+                  "Compare forces with the limits by duration in a file (.json): data to edit, not a compliance check.",
                   Effect::session);
   COASTER_FIELDS(visit("", self.path))
 };

@@ -6,15 +6,15 @@
 namespace coaster::edit {
 
 struct RideStart {
-  COASTER_COMMAND(RideStart, "ride.start", "Let the carts run, from where they are.", Effect::motion);
+  COASTER_COMMAND(RideStart, "ride.start", "Start or resume the ride.", Effect::motion);
   COASTER_FIELDS()
 };
 struct RidePause {
-  COASTER_COMMAND(RidePause, "ride.pause", "Hold the carts where they are.", Effect::motion);
+  COASTER_COMMAND(RidePause, "ride.pause", "Pause the ride.", Effect::motion);
   COASTER_FIELDS()
 };
 struct RideStop {
-  COASTER_COMMAND(RideStop, "ride.stop", "Put the carts back to their start.", Effect::motion);
+  COASTER_COMMAND(RideStop, "ride.stop", "Return the carts to their start.", Effect::motion);
   COASTER_FIELDS()
 };
 struct RideStep {

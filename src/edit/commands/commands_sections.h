@@ -30,9 +30,8 @@ struct JoinSections {
 struct SetSectionTitle {
   Target section;
   std::string to;
-  COASTER_COMMAND(SetSectionTitle, "section.title",
-                  "Set the title of a section; with an empty one it is shown by its kind.", Effect::document,
-                  "Titled {} {to}");
+  COASTER_COMMAND(SetSectionTitle, "section.title", "Set the title of a section; without one, its kind is shown.",
+                  Effect::document, "Titled {} {to}");
   COASTER_FIELDS(visit("", self.section), visit("to", self.to))
 };
 // `from_start on` starts from the section as it was when the open gesture began.
@@ -41,8 +40,8 @@ struct ChangeSection {
   bool from_start = false;
   world::Element to;
   COASTER_COMMAND(ChangeSection, "section.change",
-                  "Plan a section again as an element with these parameters; what follows moves with its end. What is "
-                  "not named has its usual value.",
+                  "Plan a section again as an element with these parameters; the track that follows moves with its "
+                  "end. Parameters that are not named get their defaults.",
                   Effect::document, "Changed {} to {to}");
   COASTER_FIELDS(visit("", self.section), visit("from_start?|anew", self.from_start), visit("to", self.to))
 };
@@ -64,15 +63,15 @@ struct UnequipSection {
 struct DeleteSection {
   Target section;
   COASTER_COMMAND(DeleteSection, "section.delete",
-                  "Delete a section of an open track; what follows moves to where it began.", Effect::document,
+                  "Delete a section of an open track; the track that follows moves to its start.", Effect::document,
                   "Deleted {}");
   COASTER_FIELDS(visit("", self.section))
 };
 struct MirrorSection {
   Target section;
   COASTER_COMMAND(MirrorSection, "section.mirror",
-                  "Swap left and right of a section, with its roll; what follows moves with its end.", Effect::document,
-                  "Mirrored {}");
+                  "Swap left and right of a section, with its roll; the track that follows moves with its end.",
+                  Effect::document, "Mirrored {}");
   COASTER_FIELDS(visit("", self.section))
 };
 enum class Neighbour : std::uint8_t { before, after };
@@ -82,9 +81,10 @@ constexpr std::span<const base::NameRow> rows_of(Neighbour) { return kNeighbours
 struct MoveSection {
   Target section;
   Neighbour to{};
-  COASTER_COMMAND(MoveSection, "section.move",
-                  "Swap a section of an open track with the one before or after it; what follows moves along.",
-                  Effect::document, "Moved {} along the track");
+  COASTER_COMMAND(
+      MoveSection, "section.move",
+      "Swap a section of an open track with the one before or after it; the track that follows moves along.",
+      Effect::document, "Moved {} along the track");
   COASTER_FIELDS(visit("", self.section), visit("", self.to))
 };
 struct CopySection {
@@ -96,7 +96,7 @@ struct CopySection {
 struct PasteSections {
   std::string text;  // a track; empty: the sections copied last
   COASTER_COMMAND(PasteSections, "section.paste",
-                  "Add what was copied, or all sections of a track's text, at the open end of the track.",
+                  "Add the copied sections, or all sections of a track's text, at the open end of the track.",
                   Effect::document, "Pasted sections");
   COASTER_FIELDS(visit("text?", self.text))
 };

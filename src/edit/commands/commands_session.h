@@ -17,7 +17,7 @@ struct Redo {
 };
 // Commands between begin and end are one undo step; cancel restores the document from begin exactly.
 struct BeginGesture {
-  COASTER_COMMAND(BeginGesture, "gesture.begin", "Commands up to gesture.end are one step of undo.", Effect::history);
+  COASTER_COMMAND(BeginGesture, "gesture.begin", "Commands up to gesture.end are one undo step.", Effect::history);
   COASTER_FIELDS()
 };
 struct EndGesture {
@@ -25,13 +25,13 @@ struct EndGesture {
   COASTER_FIELDS()
 };
 struct CancelGesture {
-  COASTER_COMMAND(CancelGesture, "gesture.cancel", "End a gesture and put everything back as it was before.",
+  COASTER_COMMAND(CancelGesture, "gesture.cancel", "End a gesture and restore the document from before it.",
                   Effect::history);
   COASTER_FIELDS()
 };
 struct Load {
   std::string path;
-  COASTER_COMMAND(Load, "load", "Open a track file; its ending tells the format. Or open a shared link.",
+  COASTER_COMMAND(Load, "load", "Open a track file; its extension selects the format. Or open a shared link.",
                   Effect::session);
   COASTER_FIELDS(visit("", self.path))
 };
@@ -40,8 +40,8 @@ struct Save {
   std::string path;
   Flag overwrite{};
   COASTER_COMMAND(Save, "save",
-                  "Save the track to a file, or export it: the ending tells the format. With overwrite, also over "
-                  "changes by another program.",
+                  "Save the track to a file, or export it: the extension selects the format. With overwrite, also "
+                  "replace changes by another program.",
                   Effect::session);
   COASTER_FIELDS(visit("", self.path), visit("overwrite?", self.overwrite))
 };

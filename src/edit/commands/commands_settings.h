@@ -43,10 +43,10 @@ struct SelectSections {
 struct SetSnapping {
   world::SnapTo to{};
   double step = world::Snapping{}.step, angle = world::Snapping{}.angle;
-  COASTER_COMMAND(SetSnapping, "snapping",
-                  "Let what is moved by hand snap to a grid (step in m), to other knots or to the ground; turns to an "
-                  "angle (degrees).",
-                  Effect::settings);
+  COASTER_COMMAND(
+      SetSnapping, "snapping",
+      "Snap dragged knots to a grid (step in m), to other knots or to the ground, and rotations to an angle (degrees).",
+      Effect::settings);
   COASTER_FIELDS(visit("", self.to), visit("step?", self.step), visit("angle?", self.angle))
 };
 struct SetPolyline {

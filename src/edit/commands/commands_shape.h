@@ -89,7 +89,7 @@ struct DropToGround {
   COASTER_FIELDS(visit("", self.knots), visit("to?", self.to))
 };
 struct Reverse {
-  COASTER_COMMAND(Reverse, "reverse", "Turn the direction of travel round; the shape stays.", Effect::document,
+  COASTER_COMMAND(Reverse, "reverse", "Reverse the direction of travel; the shape stays.", Effect::document,
                   "Reversed the track");
   COASTER_FIELDS()
 };

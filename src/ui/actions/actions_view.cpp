@@ -154,8 +154,9 @@ void laboratory(Act& act) {
 }
 
 constexpr Action kViewActions[] = {
-    {"Build workspace", "Window", key(Key::f8), kInDrag, "Show what builds: palette, parameters and force graph.",
-     go_to<Workspace::build>, kAlways, is<kWorkspace, Workspace::build>},
+    {"Build workspace", "Window", key(Key::f8), kInDrag,
+     "Show the building tools: palette, parameters and force graph.", go_to<Workspace::build>, kAlways,
+     is<kWorkspace, Workspace::build>},
     {"Ride workspace", "Window", key(Key::f9), kInDrag, "Show the view and a slim bar to ride with.",
      go_to<Workspace::ride>, kAlways, is<kWorkspace, Workspace::ride>},
     {"Laboratory workspace", "Window", key(Key::f10), kInDrag,
@@ -210,7 +211,7 @@ constexpr Action kViewActions[] = {
      project<Projection::side>, kAlways, projected<Projection::side>, ctrl(Key::d3)},
     {"Top view", "View", key(Key::keypad_7), kInDrag, "Look down without perspective. Orbiting leaves the view.",
      project<Projection::top>, kAlways, projected<Projection::top>, ctrl(Key::d7)},
-    {"Perspective", "View", key(Key::keypad_5), kInDrag, "Show what is farther away smaller.",
+    {"Perspective", "View", key(Key::keypad_5), kInDrag, "Draw distant objects smaller.",
      project<Projection::perspective>, kAlways, projected<Projection::perspective>, ctrl(Key::d5)},
     {"Head-bob", "View", kNoKey, kInDrag, "Move the rider's head with g.", toggle<&CameraFeel::head_bob>, kAlways,
      on<&CameraFeel::head_bob>},

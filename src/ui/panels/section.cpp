@@ -39,7 +39,8 @@ void kind_box(Ui& ui, const Chosen& chosen) {
     kinds.push_back({std::string(row.label), std::string(row.help)});
   }
   const int now = planned ? static_cast<int>(section.element.kind) : static_cast<int>(kinds.size()) - 1;
-  const auto to = combo(ui, "Kind", kinds, now, "Plan the section as another element. What follows moves along.", true);
+  const auto to =
+      combo(ui, "Kind", kinds, now, "Plan the section as another element. The track that follows moves along.", true);
   if (to && *to != now && *to < static_cast<int>(world::elements().size())) {
     ask_change(ui, chosen.name(), "kind");
     ui.emit(edit::ChangeSection{{chosen.name()}, false, world::usual_element(static_cast<world::ElementKind>(*to))});
@@ -74,17 +75,18 @@ void force_parameters(Ui& ui, const Chosen& chosen) {
                       .unit = world::unit_of(program.over).data(),
                       .low = world::shortest_of(program.over),
                       .high = world::longest_of(program.over)};
-  if (const auto to = number(ui, "Asked length", length, "Length that the keys count in."))
+  if (const auto to = number(ui, "Asked length", length, "Length of the section, in metres or seconds."))
     ui.emit(edit::SetForceLength{{chosen.name()}, true, *to});
   const Number tolerance{.value = program.tolerance,
                          .unit = "g",
                          .step = 0.002,
                          .low = world::kLeastTolerance,
                          .high = world::kMostTolerance};
-  if (const auto to =
-          number(ui, "Tolerance", tolerance, "How far what riders feel may be from the keys. Less needs more knots."))
+  if (const auto to = number(ui, "Tolerance", tolerance,
+                             "Largest difference between what riders feel and the keys. Less needs more knots."))
     ui.emit(edit::SetForceTolerance{{chosen.name()}, *to});
-  if (const auto to = combo_of(ui, "Keys over", program.over, "What the keys count in. They stay at their places."))
+  if (const auto to =
+          combo_of(ui, "Keys over", program.over, "Unit of the keys: metres or seconds. Keys keep their positions."))
     ui.emit(edit::SetForceOver{{chosen.name()}, *to});
   if (const auto on = checkbox(ui, "Keep both ends", program.hold,
                                "Neither end moves when keys change. Riders feel what the keys say as nearly as that "
@@ -103,7 +105,7 @@ void section_equipment(Ui& ui, const Chosen& chosen) {
   const auto& all = chosen.document.track.segments;
   for (const world::SectionRun& run : chosen.runs)
     for (std::size_t i = run.first; i < run.end(); ++i) segments.push_back(all[i]);
-  heading(ui, "Equipment", "Equipment of all of the section.");
+  heading(ui, "Equipment", "Equipment of the whole section.");
   const Equipped now = equipped(chosen.document, segments);
   world::Equipment to = now.equipment ? *now.equipment : world::Equipment{};
   const auto equip = [&] {
@@ -154,7 +156,7 @@ void section_buttons(Ui& ui, const Chosen& chosen) {
   const auto each = [&](const auto& make) {
     ui.emit_each(chosen.runs, [&](const world::SectionRun& run) { ui.emit(make(chosen.name(run))); });
   };
-  if (pressed("Mirror", "Swap left and right. What follows moves along.", "Mirror section", true))
+  if (pressed("Mirror", "Swap left and right. The track that follows moves along.", "Mirror section", true))
     each([](world::Name name) { return edit::MirrorSection{{name}}; });
   if (pressed("Join next", "Join the section with the next one. The result is hand-shaped.", "Join with next",
               chosen.single() && !last))
@@ -189,7 +191,7 @@ void section_figures_rows(Ui& ui, const Chosen& chosen) {
   const auto of_ride = [&](std::string_view label, std::optional<double> value, int decimals, std::string_view unit,
                            std::string_view help) {
     if (value) read_out(ui, label, *value, decimals, unit, help);
-    else read_out(ui, label, "--", "", "The ride does not get here.");
+    else read_out(ui, label, "--", "", "The ride does not reach this section.");
   };
   of_ride("Speed in", of.speed_in, 1, "m/s", "Speed where the section begins, of the chosen seat.");
   of_ride("Speed out", of.speed_out, 1, "m/s", "Speed where it ends.");

@@ -60,7 +60,7 @@ void begin_cell(Ui& ui, std::span<const SectionColumn> columns) {
   if (section == nullptr || world::name_of(session.document, session.settings.selected) != cell->section)
     return cell.reset();
   if (!cell->column) cell->column = next_cell(*section, columns, 0);
-  if (!cell->column) ui.warn("The section has no number that the table shows and that can be typed.");
+  if (!cell->column) ui.warn("The section has no editable number in this table.");
   if (!cell->column || std::find(columns.begin(), columns.end(), *cell->column) == columns.end()) cell.reset();
 }
 
