@@ -16,7 +16,7 @@
 #include "exchange/nolimits/nl2elem.h"
 #include "exchange/nolimits/nltrack.h"
 #include "exchange/own/link.h"
-#include "sim/plan/switch_curve.h"
+#include "sim/fit/switch_curve.h"
 #include "sim/ride/start_speed.h"
 #include "sim/shape/folds.h"
 #include "world/topology.h"

@@ -1,11 +1,11 @@
-// Rows along known curves, and a check of a fitted track against rows that is independent of sim/plan/fit_check.
+// Rows along known curves, and a check of a fitted track against rows that is independent of sim/fit/fit_check.
 #pragma once
 
 #include <gtest/gtest.h>
 
 #include <functional>
 
-#include "sim/plan/fit_track.h"
+#include "sim/fit/fit_track.h"
 #include "sim/shape/derived.h"
 #include "world/evaluation.h"
 

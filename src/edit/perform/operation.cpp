@@ -6,8 +6,8 @@
 
 #include "edit/commands/commands_operation.h"
 #include "edit/perform/equipping.h"
+#include "sim/fit/switch_curve.h"
 #include "sim/plan/banking.h"
-#include "sim/plan/switch_curve.h"
 #include "world/topology.h"
 
 namespace coaster::edit {

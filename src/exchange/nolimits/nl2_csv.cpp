@@ -9,7 +9,7 @@
 
 #include "base/text.h"
 #include "base/words.h"
-#include "sim/plan/fit_track.h"
+#include "sim/fit/fit_track.h"
 #include "world/topology.h"
 
 namespace coaster::exchange {

@@ -15,7 +15,7 @@ inline constexpr std::array<std::string_view, 13> kNl2Columns{
 inline constexpr std::size_t kMaxNl2Rows = 500'000;
 inline constexpr double kNl2Spacing = 0.05;  // m between saved rows; the same as in NoLimits 2
 
-// Parses a whole file and fits a track to its rows (sim/plan/fit_track.h), with one train at its start. Errors are
+// Parses a whole file and fits a track to its rows (sim/fit/fit_track.h), with one train at its start. Errors are
 // Code::bad_file with one line "NAME:LINE: error: expected ..., found ...". Columns are separated by tabs, commas or
 // semicolons; LF or CRLF; accepts a byte-order mark, blank lines at the end, a missing last newline, and column names
 // without quotes. Rejects other columns, row numbers that do not count up from 1, NaN, infinities, positions beyond

@@ -8,7 +8,7 @@
 #include "base/portable_math.h"
 #include "base/text.h"
 #include "exchange/nolimits/nl2_corners.h"
-#include "sim/plan/fit_track.h"
+#include "sim/fit/fit_track.h"
 #include "sim/shape/roll.h"
 #include "world/topology.h"
 

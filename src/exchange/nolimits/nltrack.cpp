@@ -11,7 +11,7 @@
 #include "base/text.h"
 #include "curve/frames.h"
 #include "exchange/nolimits/nltrack_records.h"
-#include "sim/plan/fit_track.h"
+#include "sim/fit/fit_track.h"
 #include "sim/shape/roll.h"
 #include "world/topology.h"
 

@@ -20,7 +20,7 @@ inline constexpr std::string_view kTrackFormat = "coaster-track";
 inline constexpr int kTrackVersion = 3;  // 1: without spins, which become automatic. 1 and 2: without
                                          // sections, so that all is one free section
 
-// The errors of a track that was fitted to a file's rows (sim/plan/fit_track.h), measured at every row on the document
+// The errors of a track that was fitted to a file's rows (sim/fit/fit_track.h), measured at every row on the document
 // itself.
 struct ImportReport {
   double max_error = 0;    // m, the largest distance of a row from the curve

@@ -1,5 +1,5 @@
 // The window of rolls that a span's rows allow.
-#include "sim/plan/fit_span.h"
+#include "sim/fit/fit_span.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "sim/plan/fit_track.h"
+#include "sim/fit/fit_track.h"
 
 #include <algorithm>
 #include <cmath>

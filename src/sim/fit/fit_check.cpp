@@ -2,7 +2,7 @@
 #include <algorithm>
 
 #include "base/check.h"
-#include "sim/plan/fit_track.h"
+#include "sim/fit/fit_track.h"
 
 namespace coaster::sim {
 namespace {

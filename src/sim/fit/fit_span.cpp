@@ -1,4 +1,4 @@
-#include "sim/plan/fit_span.h"
+#include "sim/fit/fit_span.h"
 
 #include <algorithm>
 #include <cmath>

@@ -5,7 +5,7 @@
 #include <span>
 
 #include "base/progress.h"
-#include "sim/plan/fit_span.h"
+#include "sim/fit/fit_span.h"
 #include "sim/shape/derived.h"
 
 namespace coaster::sim {

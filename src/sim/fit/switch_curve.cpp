@@ -1,4 +1,4 @@
-#include "sim/plan/switch_curve.h"
+#include "sim/fit/switch_curve.h"
 
 #include <algorithm>
 #include <cmath>

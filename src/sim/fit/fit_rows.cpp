@@ -1,4 +1,4 @@
-#include "sim/plan/fit_rows.h"
+#include "sim/fit/fit_rows.h"
 
 #include <algorithm>
 #include <cmath>

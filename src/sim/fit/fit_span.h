@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "sim/plan/fit_rows.h"
+#include "sim/fit/fit_rows.h"
 
 namespace coaster::sim {
 

@@ -1,5 +1,5 @@
 // Rails stay in place while the curve becomes the heartline and the rails again.
-#include "sim/plan/switch_curve.h"
+#include "sim/fit/switch_curve.h"
 
 #include <cstring>
 
