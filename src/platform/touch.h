@@ -25,6 +25,10 @@ class Touch {
 
  private:
   enum class State { none, pending, drag, two, spent };  // spent: nothing until all fingers are up
+  // Parts of follow(), by the number of fingers.
+  bool follow_none(Events& events);
+  bool follow_one(const Finger& finger, double now, float scale, Events& events);
+  bool follow_two(const Finger& first, const Finger& second, Events& events);
   void press(Button button, Events& events);
   void release(Events& events);
 

@@ -93,7 +93,8 @@ class WebSurface final : public Surface {
   void set_clipboard(const std::string& text) override {
     clipboard_ = text;
     // clang-format off
-    if (window_) EM_ASM({ if (navigator.clipboard) navigator.clipboard.writeText(UTF8ToString($0)).catch(() => {}); }, text.c_str());
+    if (window_)
+      EM_ASM({ if (navigator.clipboard) navigator.clipboard.writeText(UTF8ToString($0)).catch(() => {}); }, text.c_str());
     // clang-format on
   }
   void offer(const std::string& path) override {
