@@ -221,8 +221,7 @@ void take_output(Program& program, Keeper& keeper, const ui::Output& output) {
 void start_keeping(Program& program, const base::UserFolders& folders, const base::Root& root, bool default_layout) {
   auto made = std::make_unique<Keeper>();
   Keeper& keeper = *made;
-  keeper.files = program.files.with(root);
-  keeper.folders = folders;
+  keeper.files = program.files.with(root), keeper.folders = folders;
   std::vector<std::string> problems;
   exchange::UserSettings settings = load_settings(keeper, problems);
   keeper.written = settings;

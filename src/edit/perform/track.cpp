@@ -1,9 +1,10 @@
-// Commands that add and remove knots, segments and trains.
+// Commands that add and remove knots, segments and trains, and those of the document: name, start speed, datum.
 #include <algorithm>
 #include <cmath>
 
 #include <fmt/format.h>
 
+#include "base/utf8.h"
 #include "edit/commands/commands_document.h"
 #include "edit/perform/append_shape.h"
 #include "edit/perform/perform.h"
@@ -129,6 +130,27 @@ Status perform(Session& session, Change& change, const AddCart& command) {
   if (session.document.entities.pool<world::Cart>().size() >= world::kMaxCarts)
     return refused(fmt::format("a track has at most {} trains", world::kMaxCarts));
   change.select = world::add_cart(session.document, *e, change.clamp("fraction", command.at, 0.0, 1.0));
+  return {};
+}
+
+Status perform(Session& session, Change&, const SetName& command) {
+  if (command.to.size() > world::kMaxNameBytes)
+    return refused(fmt::format("the name is over the limit of {} bytes", world::kMaxNameBytes));
+  if (!base::is_printable_utf8(command.to)) return refused("expected a name in UTF-8 without control characters");
+  session.document.name = command.to;
+  return {};
+}
+
+Status perform(Session& session, Change& change, const SetStartSpeed& command) {
+  if (!std::isfinite(command.to)) return refused("expected a finite speed");
+  session.document.start_speed = change.clamp("start speed", command.to, -world::kMaxSpeed, world::kMaxSpeed, "m/s");
+  return {};
+}
+
+Status perform(Session& session, Change& change, const SetDatum& command) {
+  if (!std::isfinite(command.to)) return refused("expected a finite height");
+  session.document.datum =
+      change.clamp("datum", command.to, -double{world::kMaxCoordinate}, double{world::kMaxCoordinate}, "m");
   return {};
 }
 
