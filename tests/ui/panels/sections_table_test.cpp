@@ -205,7 +205,7 @@ TEST_F(SectionsTable, a_refused_number_is_told_in_words) {
   frames(2);
   key(Key::enter);
   frames(2);
-  EXPECT_NE(host_->toast().find("no number"), std::string::npos) << host_->toast();
+  EXPECT_NE(host_->toast().find("no editable number"), std::string::npos) << host_->toast();
 }
 
 TEST_F(SectionsTable, the_mouse_over_a_row_marks_its_section_in_the_view) {
