@@ -68,7 +68,7 @@ TEST(near_track, is_all_that_comes_within_reach_of_the_eye) {
   const std::size_t moved = 23'990;
   near.look_from({at(d, moved), 60});
   near.update(derived);
-  EXPECT_TRUE(std::ranges::binary_search(near.indices(), moved));
+  EXPECT_TRUE(std::binary_search(near.indices().begin(), near.indices().end(), moved));
   d.entities.get<world::Knot>(d.track.knots[moved]).position.y += 800;
   const std::vector<std::size_t> before = near.indices();
   derive(d, {}, {}, derived);
