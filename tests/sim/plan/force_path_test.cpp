@@ -142,7 +142,7 @@ TEST(force_path, equipment_of_the_section_counts_in_its_speed) {
   const auto square_at = [](const ForceTask& task, double s) {
     const ForcePath path = force_path(task);
     EXPECT_EQ(path.stopped, "");
-    const auto at = std::ranges::lower_bound(path.points, s - 1e-9, {}, &ForcePoint::at);
+    const auto at = std::ranges::upper_bound(path.points, s - 1e-9, {}, &ForcePoint::at);
     EXPECT_NEAR(at->at, s, 1e-6);
     return at->square;
   };
