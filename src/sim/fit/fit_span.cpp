@@ -24,7 +24,6 @@ constexpr double kBendMargin = 0.98;  // of the limit, because curvature is chec
 constexpr double kMoment = 0.064;     // s: second differences over this time act as a low-pass of 5 Hz
 constexpr double kSharp = 1.5;        // times the bound, before a low-pass
 constexpr double kMostFitRoll = 2 * base::kPi * (world::kMaxTurns - 1);
-
 using Curve = curve::CoefficientsD;
 
 struct Handles {
@@ -33,6 +32,14 @@ struct Handles {
 struct Ends {
   dvec3 p0, t0, p3, t3;
 };
+
+// Returns the shortest and the longest handle of a span over so many metres of rows, within a knot's limits.
+double least_handle(double length) {
+  return std::clamp<double>(kLeastHandle * length, world::kMinHandle, world::kMaxHandle);
+}
+double most_handle(double length) {
+  return std::clamp<double>(kMostHandle * length, least_handle(length), world::kMaxHandle);
+}
 
 Curve curve_of(const Ends& e, Handles h) {
   const dvec3 d0 = h.out * e.t0, p1 = e.p0 + d0, p2 = e.p3 - h.in * e.t3, d1 = p2 - p1, d2 = e.p3 - p2;
@@ -69,8 +76,7 @@ Handles fit_handles(std::span<const FitRow> rows, std::span<const double> distan
   const auto row_of = [&](std::size_t k) { return first + (last - first) * k / (inner + 1); };
   for (std::size_t k = 0; k < inner + 2; ++k)
     parameters[k] = stations[k] = (distances[row_of(k)] - distances[first]) / length;
-  const double low = std::max(kLeastHandle * length, double{world::kMinHandle}),
-               high = std::clamp(kMostHandle * length, low, double{world::kMaxHandle});
+  const double low = least_handle(length), high = most_handle(length);
   // Without rows between the ends: the handles of a circle through both.
   const double third = inner > 0 ? length / 3 : length / (1.5 + 0.75 * glm::length(ends.t0 + ends.t3));
   Handles h{std::clamp(third, low, high), std::clamp(third, low, high)};
@@ -118,8 +124,7 @@ Handles most_alike(const Ends& ends, double length, dvec3 from, dvec3 to, double
     const double moved = std::abs(at.out - start.out) + std::abs(at.in - start.in);
     return glm::length(off) + kBeyond * std::max(0.0, most - limit) + kStay * moved / length;
   };
-  const double low = std::max(kLeastHandle * length, double{world::kMinHandle}),
-               high = std::clamp(kMostHandle * length, low, double{world::kMaxHandle});
+  const double low = least_handle(length), high = most_handle(length);
   double best = cost(h);
   for (double step = 0.08 * length; step > 0.002 * length;) {
     const Handles before = h;
