@@ -28,10 +28,13 @@ ForceTask planted(test::RandomForces& programs, std::mt19937& random, double met
   const auto uniform = [&](double most) { return std::uniform_real_distribution<double>(-most, most)(random); };
   ForceTask task = programs.next(metres);
   TrackEnd end = end_of(task);
-  end.position += dvec3(uniform(2), uniform(1.5), uniform(2));
+  // Drawn one by one: compilers evaluate arguments in different orders.
+  const double z = uniform(2), y = uniform(1.5), x = uniform(2);
+  end.position += dvec3(x, y, z);
   turn(end, end.up, uniform(0.06)), turn(end, glm::cross(end.up, end.forward), uniform(0.06));
   turn(end, end.forward, uniform(0.15));
-  end.curvature += uniform(0.004) * end.up + uniform(0.004) * glm::cross(end.up, end.forward);
+  const double to_left = uniform(0.004), to_up = uniform(0.004);
+  end.curvature += to_up * end.up + to_left * glm::cross(end.up, end.forward);
   end.spin += uniform(0.01);
   task.held = end;
   return task;
