@@ -25,6 +25,15 @@ class Forces : public SessionTest {
   const world::Section& value() { return world::section(session.document, entity(section.c_str())); }
   const world::ForceProgram& program() { return value().force; }
   const sim::ForcePlan& plan() { return *edit::force_plan(session, entity(section.c_str())); }
+  // Returns the knots from the section's end on, without the handle before it, which is the section's own.
+  std::vector<world::Knot> knots_behind() {
+    const auto& order = session.document.track.knots;
+    std::vector<world::Knot> knots;
+    for (std::size_t i = world::run_of(session.document, entity(section.c_str())).end(); i < order.size(); ++i)
+      knots.push_back(world::knot(session.document, order[i]));
+    knots.front().in_length = 0;
+    return knots;
+  }
   void key(const std::string& words) { good("force @" + section + " " + words); }
   // Largest difference between what the plan asks for and what the first train's riders feel in the simulated ride.
   double missed() {

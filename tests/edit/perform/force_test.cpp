@@ -43,19 +43,11 @@ TEST_F(Forces, both_ends_stay_while_the_keys_are_met_as_far_as_possible) {
   refused("force @" + section + " vertical key 1.9 at 20", "than what follows begins");
   good("force.hold @" + section + " on");
   EXPECT_LT(plan().unmet, 0.02);
-  const auto followers = [&] {
-    std::vector<world::Knot> knots;
-    const world::SectionRun run = world::run_of(session.document, entity(section.c_str()));
-    for (std::size_t i = run.end(); i < session.document.track.knots.size(); ++i)
-      knots.push_back(world::knot(session.document, session.document.track.knots[i]));
-    knots.front().in_length = 0;
-    return knots;
-  };
-  const std::vector<world::Knot> behind = followers();
+  const std::vector<world::Knot> followers = knots_behind();
   const world::Document before = session.document;
   const std::size_t steps = session.history.undo.size();
   key("vertical key 1.9 at 20"), key("lateral key 0.3 at 25"), key("lateral key 0 at 5"), key("lateral key 0 at 45");
-  EXPECT_EQ(followers(), behind);
+  EXPECT_EQ(knots_behind(), followers);
   EXPECT_EQ(session.history.undo.size(), steps + 4);
   EXPECT_EQ(value().kind, world::SectionKind::force);
   EXPECT_GT(plan().unmet, 0.1);
@@ -66,7 +58,7 @@ TEST_F(Forces, both_ends_stay_while_the_keys_are_met_as_far_as_possible) {
   EXPECT_NE(notice.find(" riders feel 0."), std::string::npos) << notice;
   // A change of speed, a file and the way back.
   good("section.equip @q1 as lift speed 8");
-  EXPECT_EQ(followers(), behind);
+  EXPECT_EQ(knots_behind(), followers);
   EXPECT_LT(missed(), 0.06);
   const auto loaded = exchange::parse_track(exchange::print_track(session.document), "text");
   ASSERT_TRUE(loaded) << loaded.status().message;
@@ -87,18 +79,10 @@ TEST_F(Forces, a_circuit_is_closed_by_the_same_way_home_while_both_ends_stay) {
   key("vertical key 1 at 0"), key("vertical key 1.8 at 15"), key("vertical key 0.9 at 32");
   good("complete 1");
   good("force.hold @" + section + " on");
-  const auto way_home = [&] {
-    std::vector<world::Knot> knots;
-    const world::SectionRun run = world::run_of(session.document, entity(section.c_str()));
-    for (std::size_t i = run.end(); i < session.document.track.knots.size(); ++i)
-      knots.push_back(world::knot(session.document, session.document.track.knots[i]));
-    knots.front().in_length = 0;
-    return knots;
-  };
-  const std::vector<world::Knot> before = way_home();
+  const std::vector<world::Knot> before = knots_behind();
   key("vertical key 2.1 at 15");
   EXPECT_TRUE(session.document.track.closed);
-  EXPECT_EQ(way_home(), before);
+  EXPECT_EQ(knots_behind(), before);
   EXPECT_EQ(world::section(session.document, last()).kind, world::SectionKind::complete);
   EXPECT_GT(plan().unmet, 0.05);
   EXPECT_LT(missed(), 0.06);
