@@ -1,20 +1,21 @@
 // Prepended to every shader: light and air of the scene's style, and the conversion from linear light to the screen.
 // All colours are linear light.
 layout(std140) uniform Air {
-  vec4 sun;  // unit, towards the sun; w: 1 for the blueprint style
+  vec4 sun;           // unit, towards the sun; w: 1 for the blueprint style
   vec4 sun_light;     // w: strength of reflections
-  vec4 sky_light;  // on surfaces that face up; w: penumbra in metres per metre of height
+  vec4 sky_light;     // on surfaces that face up; w: penumbra in metres per metre of height
   vec4 ground_light;  // on surfaces that face down; w: light of lamps, per part of paint
-  vec4 horizon;  // distant air, away from the sun; w: distance of dense fog in metres
-  vec4 haze;  // distant air towards the sun; w: its narrowness
-  vec4 middle;  // of the sky; w: amount of clouds
+  vec4 horizon;       // distant air, away from the sun; w: distance of dense fog in metres
+  vec4 haze;          // distant air towards the sun; w: its narrowness
+  vec4 middle;        // of the sky; w: amount of clouds
   vec4 zenith;
-  vec4 glow;  // around the sun; w: brightness of the sun's disc
-  vec4 hills;  // w: their height, as a tangent; without hills the colour of distant air
+  vec4 glow;    // around the sun; w: brightness of the sun's disc
+  vec4 hills;   // w: their height, as a tangent; without hills the colour of distant air
   vec4 ground;  // paint; w: its unevenness
-  vec4 grid;  // paint of its lines; w: their strength
-  vec4 ink;  // outlines of the blueprint style; w: fraction of the ground's light that a full shadow removes
-} air;
+  vec4 grid;    // paint of its lines; w: their strength
+  vec4 ink;     // outlines of the blueprint style; w: fraction of the ground's light that a full shadow removes
+}
+air;
 const float kHighest = 128.0;  // m above the ground: shadow maps do not distinguish greater heights
 
 // sRGB and back for 0..1, by roots instead of powers, which are slow to compile and compute in software renderers:
@@ -25,7 +26,8 @@ vec3 linear_of(vec3 colour) {
 }
 vec3 srgb_of(vec3 light) {
   vec3 root = sqrt(light);
-  return mix(12.92 * light, 0.8337491 * root + 0.2981106 * sqrt(root) - 0.0553147 * light - 0.0769040, step(0.0031308, light));
+  return mix(12.92 * light, 0.8337491 * root + 0.2981106 * sqrt(root) - 0.0553147 * light - 0.0769040,
+             step(0.0031308, light));
 }
 // Encodes to the screen's sRGB. The shoulder keeps highlights below white and the toe keeps shadows above black; the
 // blueprint style keeps its colours.
@@ -58,7 +60,8 @@ vec3 sky(vec3 sight) {
   float height = clamp(sight.y, 0.0, 1.0);
   vec3 low = mix(far_air(sight), air.middle.rgb, 1.0 - exp(-9.0 * height * height / (height + 0.07)));
   float near = max(dot(sight, air.sun.xyz), 0.0);
-  return mix(low, air.zenith.rgb, 1.0 - exp(-2.2 * height * height / (height + 0.25))) + air.glow.rgb * (0.16 * to_7(near) + 0.5 * to_90(near));
+  return mix(low, air.zenith.rgb, 1.0 - exp(-2.2 * height * height / (height + 0.25))) +
+         air.glow.rgb * (0.16 * to_7(near) + 0.5 * to_90(near));
 }
 // Returns how much the air covers an object at `metres`. The air clears with the height of the eye, so a high eye sees
 // a whole large track.
@@ -77,6 +80,7 @@ float noise(vec2 place) {
   ivec2 cell = ivec2(floor(place));
   vec2 t = fract(place);
   t = t * t * (3.0 - 2.0 * t);
-  float a = random(cell), b = random(cell + ivec2(1, 0)), c = random(cell + ivec2(0, 1)), d = random(cell + ivec2(1, 1));
+  float a = random(cell), b = random(cell + ivec2(1, 0)), c = random(cell + ivec2(0, 1)),
+        d = random(cell + ivec2(1, 1));
   return 2.0 * mix(mix(a, b, t.x), mix(c, d, t.x), t.y) - 1.0;
 }

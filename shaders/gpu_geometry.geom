@@ -1,5 +1,5 @@
-// The polyline evaluated by the geometry shader: a point becomes up to kLines lines, a strip of two triangles each. With MEASURE it becomes
-// the polyline's vertices, captured with number and slot.
+// The polyline evaluated by the geometry shader: a point becomes up to kLines lines, a strip of two triangles each.
+// With MEASURE it becomes the polyline's vertices, captured with number and slot.
 layout(points) in;
 in vec3 q0[], q1[], q2[], q3[];
 flat in int piece[];
@@ -25,7 +25,8 @@ flat out vec4 tint;
 void emit(vec3 from, vec3 to) {
   for (int corner = 0; corner < 4; ++corner) {
     float off, wide;
-    gl_Position = polyline_corner(view_projection, eye, viewport, width_px, from, to, vec2(corner & 1, (corner & 2) - 1), off, wide);
+    gl_Position = polyline_corner(view_projection, eye, viewport, width_px, from, to,
+                                  vec2(corner & 1, (corner & 2) - 1), off, wide);
     across = off, width = wide, tint = paint;
     EmitVertex();
   }

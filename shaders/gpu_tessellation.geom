@@ -17,7 +17,8 @@ void main() {
   int later = number[0] < number[1] ? 1 : 0;
   for (int corner = 0; corner < 4; ++corner) {
     float off, wide;
-    gl_Position = polyline_corner(view_projection, eye, viewport, width_px, place[1 - later], place[later], vec2(corner & 1, (corner & 2) - 1), off, wide);
+    gl_Position = polyline_corner(view_projection, eye, viewport, width_px, place[1 - later], place[later],
+                                  vec2(corner & 1, (corner & 2) - 1), off, wide);
     across = off, width = wide, tint = paint;
     EmitVertex();
   }

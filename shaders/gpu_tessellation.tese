@@ -1,4 +1,5 @@
-// The polyline evaluated by the tessellation shader, as lines of equal steps; with MEASURE as its vertices, captured with number and slot.
+// The polyline evaluated by the tessellation shader, as lines of equal steps; with MEASURE as its vertices, captured
+// with number and slot.
 #ifdef MEASURE
 layout(isolines, equal_spacing, point_mode) in;
 #else

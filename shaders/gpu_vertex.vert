@@ -36,7 +36,8 @@ void main() {
   }
   int line = gl_VertexID / 6, at = gl_VertexID % 6;
   int corner = at < 3 ? at : at == 3 ? 2 : at == 4 ? 1 : 3;  // the triangles 0 1 2 and 2 1 3 of a strip
-  gl_Position = polyline_corner(view_projection, eye, viewport, width_px, cubic_point(p0, p1, p2, p3, line, steps),
-                                cubic_point(p0, p1, p2, p3, line + 1, steps), vec2(corner & 1, (corner & 2) - 1), across, width);
+  gl_Position =
+      polyline_corner(view_projection, eye, viewport, width_px, cubic_point(p0, p1, p2, p3, line, steps),
+                      cubic_point(p0, p1, p2, p3, line + 1, steps), vec2(corner & 1, (corner & 2) - 1), across, width);
 }
 #endif

@@ -1,6 +1,6 @@
 // The plane y = 0 by the ray of each pixel: no geometry, so no far edge. Its depth marks where ground_shadow.frag must
 // run.
-uniform vec3 eye;  // above it
+uniform vec3 eye;                // above it
 uniform vec3 eye_right, eye_up;  // of an orthographic view: from its middle to its edges; else 0
 in vec3 direction;
 in vec2 across;
@@ -32,7 +32,8 @@ void main() {
   float metres = eye.y / max(-sight.y, 1e-5);
   vec2 place = eye.xz + across.x * eye_right.xz + across.y * eye_up.xz + sight.xz * metres;
   vec2 along_x = dFdx(place), along_y = dFdy(place);
-  vec3 light = ground_paint(place, abs(along_x) + abs(along_y)) * mix(air.sun_light.rgb * air.sun.y + air.sky_light.rgb, vec3(1.0), air.sun.w);
+  vec3 light = ground_paint(place, abs(along_x) + abs(along_y)) *
+               mix(air.sun_light.rgb * air.sun.y + air.sky_light.rgb, vec3(1.0), air.sun.w);
   colour = vec4(encode(mix(light, mist(sight), fog(metres, eye.y))), 1.0);
   gl_FragDepth = maybe_shaded(place, along_x, along_y) ? 0.5 : 1.0;
 }

@@ -26,13 +26,15 @@ float coverage(float across, float width_px) {
 }
 
 // Returns a corner of the line from `from` to `to` (world) of the laboratory's polyline.
-vec4 polyline_corner(mat4 view_projection, vec3 eye, vec2 viewport, float widest_px, vec3 from, vec3 to, vec2 corner, out float across,
-                     out float width) {
+vec4 polyline_corner(mat4 view_projection, vec3 eye, vec2 viewport, float widest_px, vec3 from, vec3 to, vec2 corner,
+                     out float across, out float width) {
   // Half a percent nearer to the eye, on the same pixel: in front of the rails and ties that it touches.
   vec4 a = view_projection * vec4(mix(eye, from, 0.995), 1.0), b = view_projection * vec4(mix(eye, to, 0.995), 1.0);
   vec3 height = vec3(view_projection[0][1], view_projection[1][1], view_projection[2][1]);
-  if (view_projection[0][3] == 0.0 && view_projection[1][3] == 0.0 && view_projection[2][3] == 0.0) {  // orthographic: by as much at the subject
-    float nearer = 0.012 * length(vec3(view_projection[0][2], view_projection[1][2], view_projection[2][2])) / length(height);
+  if (view_projection[0][3] == 0.0 && view_projection[1][3] == 0.0 &&
+      view_projection[2][3] == 0.0) {  // orthographic: by as much at the subject
+    float nearer =
+        0.012 * length(vec3(view_projection[0][2], view_projection[1][2], view_projection[2][2])) / length(height);
     a = view_projection * vec4(from, 1.0) - vec4(0.0, 0.0, nearer, 0.0);
     b = view_projection * vec4(to, 1.0) - vec4(0.0, 0.0, nearer, 0.0);
   }

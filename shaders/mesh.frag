@@ -1,10 +1,10 @@
 // Painted steel in sun and sky light, or the flat faces of the blueprint style; with OUTLINE its outlines. The ground
 // hides solids on its other side.
 uniform vec3 eye;
-uniform int colouring;        // 1: rails and spine by the segment's values
+uniform int colouring;     // 1: rails and spine by the segment's values
 uniform sampler2D values;  // 32 per segment, uniform in arc length; 32 segments per row; over 1e38: unknown
-uniform vec2 value_range;     // from and to
-uniform vec3 stops[10];       // the colour map, uniform from 0 to 1
+uniform vec2 value_range;  // from and to
+uniform vec3 stops[10];    // the colour map, uniform from 0 to 1
 uniform vec3 unknown;
 in vec3 world;
 in vec3 facing;
@@ -21,7 +21,7 @@ const vec3 kPaints[19] = vec3[19](
     vec3(0.788, 0.816, 0.847), vec3(0.165, 0.545, 0.655), vec3(0.545, 0.573, 0.608),  // fin, stator, deck
     vec3(0.170, 0.185, 0.215), vec3(0.850, 0.660, 0.525), vec3(0.240, 0.560, 0.525),  // seat, skin, teal
     vec3(0.851, 0.773, 0.560), vec3(0.480, 0.360, 0.600), vec3(0.910, 0.895, 0.860),  // sand, plum, linen
-    vec3(0.260, 0.200, 0.160));                                                      // hair
+    vec3(0.260, 0.200, 0.160));                                                       // hair
 vec3 paint(int part) { return kPaints[clamp(part, 0, 18)]; }
 
 vec3 value_colour() {
@@ -54,9 +54,11 @@ vec3 lit(vec3 paint_light, float shiny, float sun, vec3 normal, vec3 to_eye) {
   float grazing = (1.0 - upright) * (1.0 - upright);
   float mirror = shiny * air.sun_light.w * (0.04 + 0.5 * grazing * grazing * (1.0 - upright));
   vec3 bounce = reflect(-to_eye, normal);
-  vec3 seen = mix(air.ground.rgb * (air.sun_light.rgb * air.sun.y + air.sky_light.rgb), sky(vec3(bounce.x, max(bounce.y, 0.0), bounce.z)), smoothstep(-0.12, 0.12, bounce.y));
+  vec3 seen = mix(air.ground.rgb * (air.sun_light.rgb * air.sun.y + air.sky_light.rgb),
+                  sky(vec3(bounce.x, max(bounce.y, 0.0), bounce.z)), smoothstep(-0.12, 0.12, bounce.y));
   float half_way = max(dot(normal, normalize(air.sun.xyz + to_eye)), 0.0);
-  vec3 shine = air.sun_light.rgb * shiny * (0.45 * to_90(half_way) + 0.04 * to_7(half_way * half_way)) * min(4.0 * sun, 1.0);
+  vec3 shine =
+      air.sun_light.rgb * shiny * (0.45 * to_90(half_way) + 0.04 * to_7(half_way * half_way)) * min(4.0 * sun, 1.0);
   return light + mirror * seen + shine * air.sun_light.w;
 }
 
@@ -77,7 +79,8 @@ void main() {
     light = own * (0.78 + 0.28 * sun + 0.12 * normal.y);
   } else if (air.sun.w > 0.5) {
     float bright = dot(own, vec3(0.2126, 0.7152, 0.0722));
-    light = mix(air.ground.rgb, air.ink.rgb, (0.05 + 0.34 * bright) * (0.75 + 0.45 * normal.y + 0.2 * dot(normal, to_eye)));
+    light =
+        mix(air.ground.rgb, air.ink.rgb, (0.05 + 0.34 * bright) * (0.75 + 0.45 * normal.y + 0.2 * dot(normal, to_eye)));
   } else {
     light = lit(own, gloss(part), sun, normal, to_eye);
     if (part == 4) light += air.ground_light.w * own;

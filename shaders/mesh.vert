@@ -19,13 +19,13 @@ uniform mat4 view_projection;
 #ifndef SHADOW
 uniform vec3 eye;
 uniform float least_width;  // radius of tubes in metres per metre of distance; 0: unchanged
-uniform float outline;  // width of outlines, likewise, at most 6 cm
+uniform float outline;      // width of outlines, likewise, at most 6 cm
 #endif
 out vec3 world;
 out vec3 facing;  // outwards
 flat out float material;
-out float along;  // fraction of the segment's length, 0..1
-flat out float segment;    // index
+out float along;         // fraction of the segment's length, 0..1
+flat out float segment;  // index
 
 void main() {
   bool second = end > 0.5;

@@ -1,4 +1,5 @@
-// The evaluated polyline: instance i is the line from vertex i to vertex i+1 of the one buffer; breaks between segments have no area.
+// The evaluated polyline: instance i is the line from vertex i to vertex i+1 of the one buffer; breaks between segments
+// have no area.
 layout(location = 0) in vec3 from;
 layout(location = 1) in vec3 from_tangent;
 layout(location = 2) in vec3 to;
@@ -20,5 +21,6 @@ void main() {
     gl_Position = vec4(2.0, 2.0, 2.0, 1.0);
     return;
   }
-  gl_Position = polyline_corner(view_projection, eye, viewport, width_px, from, to, vec2(gl_VertexID & 1, (gl_VertexID & 2) - 1), across, width);
+  gl_Position = polyline_corner(view_projection, eye, viewport, width_px, from, to,
+                                vec2(gl_VertexID & 1, (gl_VertexID & 2) - 1), across, width);
 }

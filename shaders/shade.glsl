@@ -28,7 +28,9 @@ Spot spot(mat4 to_map, vec2 texel, vec2 place, vec2 x, vec2 y) {
 // Returns whether there may be a shadow at a point; fast.
 bool maybe_shaded(vec2 place, vec2 x, vec2 y) {
   Spot track = spot(track_light, track_texel, place, x, y), train = spot(train_light, train_texel, place, x, y);
-  return track.inside * textureLod(track_cover, track.at, track.level).r + train.inside * textureLod(train_cover, train.at, train.level).r > 0.0;
+  return track.inside * textureLod(track_cover, track.at, track.level).r +
+             train.inside * textureLod(train_cover, train.at, train.level).r >
+         0.0;
 }
 
 // Returns the fraction of light removed from a point on the ground: coverage over a pixel's footprint, stretched along
@@ -45,7 +47,8 @@ float cover_at(sampler2D cover, vec2 texel, Spot spot) {
   }
   float covered = 0.25 * sum;
   float far = clamp(0.25 * length(spot.major) / texel.y, 0.0, 1.0);
-  return spot.inside * covered * (1.0 + 0.6 * far * (1.0 - covered));  // thin distant rails remain visible by their shadow
+  return spot.inside * covered *
+         (1.0 + 0.6 * far * (1.0 - covered));  // thin distant rails remain visible by their shadow
 }
 float ground_shadow(vec2 place, vec2 x, vec2 y) {
   float track = cover_at(track_cover, track_texel, spot(track_light, track_texel, place, x, y));
@@ -70,5 +73,6 @@ float reached(highp sampler2DShadow depth, mat4 to_map, vec2 texel, vec3 world, 
 
 float sun_reaches(vec3 world, vec3 normal) {
   if (world.y < 0.0) return 1.0;
-  return min(reached(track_depth, track_light, track_texel, world, normal), reached(train_depth, train_light, train_texel, world, normal));
+  return min(reached(track_depth, track_light, track_texel, world, normal),
+             reached(train_depth, train_light, train_texel, world, normal));
 }

@@ -7,15 +7,18 @@ out vec4 colour;
 
 // Two distant ridges, as tangents of their height: sums of waves around the horizon.
 vec2 ridges(float turn) {
-  float far = 0.62 + 0.22 * sin(3.0 * turn + 1.1) + 0.13 * sin(7.0 * turn + 4.0) + 0.06 * sin(17.0 * turn) + 0.025 * sin(41.0 * turn + 2.0);
-  float near = 0.34 + 0.16 * sin(4.0 * turn + 5.2) + 0.09 * sin(9.0 * turn + 0.7) + 0.05 * sin(23.0 * turn + 3.0) + 0.02 * sin(53.0 * turn);
+  float far = 0.62 + 0.22 * sin(3.0 * turn + 1.1) + 0.13 * sin(7.0 * turn + 4.0) + 0.06 * sin(17.0 * turn) +
+              0.025 * sin(41.0 * turn + 2.0);
+  float near = 0.34 + 0.16 * sin(4.0 * turn + 5.2) + 0.09 * sin(9.0 * turn + 0.7) + 0.05 * sin(23.0 * turn + 3.0) +
+               0.02 * sin(53.0 * turn);
   return air.hills.w * vec2(far, near);
 }
 
 // Thin clouds, stretched by the wind, that end above the horizon.
 float clouds(vec3 sight) {
   vec2 at = sight.xz / (sight.y + 0.14) * vec2(0.9, 2.1) + vec2(3.1, 7.7);
-  float billows = 0.5 * noise(at) + 0.27 * noise(at * 2.3 + 5.0) + 0.15 * noise(at * 5.1 + 11.0) + 0.08 * noise(at * 11.0 + 2.0);
+  float billows =
+      0.5 * noise(at) + 0.27 * noise(at * 2.3 + 5.0) + 0.15 * noise(at * 5.1 + 11.0) + 0.08 * noise(at * 11.0 + 2.0);
   return air.middle.w * smoothstep(-0.05, 0.6, billows) * smoothstep(0.04, 0.3, sight.y);
 }
 

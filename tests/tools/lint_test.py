@@ -9,7 +9,7 @@ source = pathlib.Path(sys.argv[1])
 for text, expected in [("int a = 1;\n", 0), ("int  a=1;\n", 1)]:
     with tempfile.TemporaryDirectory() as name:
         root = pathlib.Path(name)
-        for folder in ("tools", "src", "tests", "bench"):
+        for folder in ("tools", "src", "tests", "bench", "shaders"):
             (root / folder).mkdir()
         shutil.copy(source / ".clang-format", root)
         shutil.copy(source / "tools/lint", root / "tools")
