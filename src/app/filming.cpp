@@ -203,7 +203,7 @@ base::Status film_ride(Program& program, const MovieOrder& order, std::optional<
     film(program, 1, tick);
     if (filming.movie && filming.movie->wait() == 0) show_progress(program, "movie");
   }
-  summary.end = end_of_ride(program.session, summary);
+  finish_summary(program.session, summary);
   return finish_movie(program);
 }
 

@@ -132,10 +132,10 @@ base::Status ride(Program& program, RideSummary& summary) {
   if (const base::Status started = apply(program, edit::RideStart{}); !started) return started;
   if (program.options.frames) {
     for (std::int64_t frame = 0; frame < *program.options.frames; ++frame) tick(), tick(), draw();
-    summary.end = end_of_ride(program.session, summary);
+    finish_summary(program.session, summary);
   } else {
     while (summary.ticks < kMostRideTicks && !lap_is_done(program.session)) tick();
-    summary.end = end_of_ride(program.session, summary);
+    finish_summary(program.session, summary);
     if (const base::Status again = begin_lap(program); !again) return again;
     advance(program, static_cast<int>(summary.ticks / 2));
   }

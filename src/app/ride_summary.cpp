@@ -16,6 +16,15 @@ double height_of(const edit::Session& session, const world::CartMotion& cart) {
   return sim::rail_point(session.derived.shape(cart.segment), cart.s).height;
 }
 
+std::string end_of_ride(const edit::Session& session, const RideSummary& summary) {
+  if (const std::string failure = edit::failure_text(session); !failure.empty()) return failure;
+  const world::CartMotion& cart = session.motion.carts.items()[0];
+  if (cart.laps != 0) return "The train completed the lap.";
+  if (session.motion.state == world::RideState::ended) return "The train reached the end of the track.";
+  return fmt::format("Stopped after {:.0f} s at {:.1f} m ({:.1f} m/s), before the end of the ride.",
+                     static_cast<double>(summary.ticks) * world::kTick, cart.travelled, cart.speed);
+}
+
 }  // namespace
 
 RideSummary begin_summary(const edit::Session& session) {
@@ -25,6 +34,7 @@ RideSummary begin_summary(const edit::Session& session) {
   summary.segments = session.document.track.segments.size();
   summary.closed = session.document.track.closed;
   summary.length = session.derived.length;
+  summary.cutoff = session.limits.envelope.cutoff;
   if (session.motion.carts.size() == 0) return summary;
   summary.highest = summary.lowest = height_of(session, session.motion.carts.items()[0]);
   return summary;
@@ -36,26 +46,22 @@ void measure(const edit::Session& session, RideSummary& summary) {
   const world::CartMotion& cart = session.motion.carts.items()[0];
   const double height = height_of(session, cart);
   const world::Entity train = session.motion.carts.entities()[0];
-  const sim::Felt felt = sim::felt(session.document, session.derived, train, cart);
   summary.laps = cart.laps;
   summary.distance = cart.travelled;
   summary.top_speed = std::max(summary.top_speed, std::abs(cart.speed));
   summary.highest = std::max(summary.highest, height);
   summary.lowest = std::min(summary.lowest, height);
-  summary.most_up = std::max(summary.most_up, felt.up);
-  summary.least_up = std::min(summary.least_up, felt.up);
-  summary.most_side = std::max(summary.most_side, std::abs(felt.left));
   summary.worst_drift =
       std::max(summary.worst_drift, sim::energy_drift(session.document, session.derived, train, cart));
 }
 
-std::string end_of_ride(const edit::Session& session, const RideSummary& summary) {
-  if (const std::string failure = edit::failure_text(session); !failure.empty()) return failure;
-  const world::CartMotion& cart = session.motion.carts.items()[0];
-  if (cart.laps != 0) return "The train completed the lap.";
-  if (session.motion.state == world::RideState::ended) return "The train reached the end of the track.";
-  return fmt::format("Stopped after {:.0f} s at {:.1f} m ({:.1f} m/s), before the end of the ride.",
-                     static_cast<double>(summary.ticks) * world::kTick, cart.travelled, cart.speed);
+void finish_summary(edit::Session& session, RideSummary& summary) {
+  summary.end = end_of_ride(session, summary);
+  const edit::Findings& found = edit::find(session, edit::Want::ride);
+  if (found.ride == nullptr) return;
+  const sim::Ratings felt = sim::rate(*found.ride, *found.tables, summary.cutoff);
+  summary.most_up = felt.up_most.value, summary.least_up = felt.up_least.value,
+  summary.most_side = felt.side_most.value;
 }
 
 std::string to_text(const RideSummary& s) {
@@ -63,12 +69,12 @@ std::string to_text(const RideSummary& s) {
       "{}: {} knots, {} segments, {}, {:.2f} m\n"
       "rode {:.2f} m in {:.2f} s, {} laps\n"
       "top speed {:.2f} m/s, heights {:.2f}..{:.2f} m\n"
-      "up {:.2f}..{:.2f} g, sideways at most {:.2f} g\n"
+      "felt g, low-passed at {:.3g} Hz: vertical {:.2f}..{:.2f}, lateral at most {:.2f}\n"
       "energy drift at most {:.1e}\n"
       "{}\n",
       s.name, s.knots, s.segments, s.closed ? "closed" : "open", s.length, s.distance,
-      static_cast<double>(s.ticks) * world::kTick, s.laps, s.top_speed, s.lowest, s.highest, s.least_up, s.most_up,
-      s.most_side, s.worst_drift, s.end);
+      static_cast<double>(s.ticks) * world::kTick, s.laps, s.top_speed, s.lowest, s.highest, s.cutoff, s.least_up,
+      s.most_up, s.most_side, s.worst_drift, s.end);
 }
 
 std::string to_json(const RideSummary& s) {

@@ -85,7 +85,8 @@ constexpr std::array kElementRows{
     Query{"element.refusal", "", "", "Why it cannot be placed; none if it can.", refusal},
     Query{"complete.proposals", "", "", "Number of ways from the open end to the first knot: 0 to 3.", proposals},
     Query{"complete.length", "1|2|3", "m", "Length of a way home; 0 without it.", circuit_length},
-    Query{"complete.worst_g", "1|2|3", "g", "Largest vertical g on a way home; 0 without it.", circuit_g},
+    Query{"complete.worst_g", "1|2|3", "g", "Largest vertical felt g on a way home, not low-passed; 0 without it.",
+          circuit_g},
     Query{"complete.refusal", "", "", "Why there is no way home; none if there is one.", circuit_refusal},
 };
 

@@ -98,7 +98,7 @@ constexpr std::array kSectionRows{
           section_figure<&sim::SectionFigures::speed_in>},
     Query{"section.speed_out", "@section", "m/s", "The same where it ends.",
           section_figure<&sim::SectionFigures::speed_out>},
-    Query{"section.g_most", "@section", "g", "Largest vertical g of the chosen seat on a section.",
+    Query{"section.g_most", "@section", "g", "Largest vertical felt g of the chosen seat on a section, not low-passed.",
           section_figure<&sim::SectionFigures::g_most>},
     Query{"section.g_least", "@section", "g", "Least vertical g on it.", section_figure<&sim::SectionFigures::g_least>},
     Query{"section.g_side", "@section", "g", "Largest lateral g on it, to either side.",

@@ -39,9 +39,9 @@ inline constexpr base::NameRow kSectionColumns[] = {
     {"top", "Top", "Largest height."},
     {"speed_in", "In", "Speed of the chosen seat where it begins."},
     {"speed_out", "Out", "Speed of the chosen seat where it ends."},
-    {"g_most", "g max", "Largest vertical g of the chosen seat."},
-    {"g_least", "g min", "Least vertical g of the chosen seat."},
-    {"g_side", "Side g", "Largest lateral g of the chosen seat, to either side."},
+    {"g_most", "g max", "Largest vertical felt g of the chosen seat, not low-passed."},
+    {"g_least", "g min", "Least vertical felt g of the chosen seat, not low-passed."},
+    {"g_side", "Side g", "Largest lateral felt g of the chosen seat, to either side, not low-passed."},
     {"equipment", "Equipment", "Equipment of its segments."}};
 constexpr std::span<const base::NameRow> rows_of(SectionColumn) { return kSectionColumns; }
 

@@ -36,6 +36,7 @@ std::string report_text(const Ghost& ghost, const Ratings& r, std::span<const Ri
   add(out, "  {:<22} {:8.2f} m/s\n", "mean speed", r.mean_speed);
   add_extreme(out, "highest", r.highest, "m");
   add_extreme(out, "lowest", r.lowest, "m");
+  if (!riders.empty()) add(out, "  {:<22} low-passed at {:.3g} Hz, of all cars\n", "felt g", riders.front().cutoff);
   add_extreme(out, "most vertical", r.up_most, "g");
   add_extreme(out, "least vertical", r.up_least, "g");
   add_extreme(out, "most lateral", r.side_most, "g");

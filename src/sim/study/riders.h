@@ -29,9 +29,9 @@ struct RideValueRow {
   std::string_view name, label, unit, help;
 };
 inline constexpr RideValueRow kRideValues[] = {
-    {"seat.g_up", "Vertical g", "g", "Felt acceleration towards the rider's head; 1 at rest on level track."},
-    {"seat.g_side", "Lateral g", "g", "Felt acceleration to the rider's left."},
-    {"seat.g_forward", "Longitudinal g", "g", "Felt acceleration forwards."},
+    {"seat.g_up", "Vertical g", "g", "Felt g towards the rider's head, not low-passed; 1 at rest on level track."},
+    {"seat.g_side", "Lateral g", "g", "Felt g to the rider's left, not low-passed."},
+    {"seat.g_forward", "Longitudinal g", "g", "Felt g forwards, not low-passed."},
     {"seat.jerk", "Jerk", "g/s", "Magnitude of the change of the low-passed felt g per second."},
     {"seat.jerk_up", "Vertical jerk", "g/s", "Change of the low-passed vertical g per second."},
     {"seat.jerk_side", "Lateral jerk", "g/s", "Change of the low-passed lateral g per second."},

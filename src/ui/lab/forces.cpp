@@ -37,8 +37,9 @@ void side(Ui& ui, const sim::Ghost& ghost, const sim::Ratings& r, bool within_li
   read_out(ui, ghost.lap ? "Lap time" : "Ride time", fixed(r.seconds, 2), "s", "Time of the whole simulated ride.");
   read_out(ui, "Top speed", r.top_speed.value, 2, "m/s", "Highest speed of the ride.");
   read_out(ui, "Vertical", fmt::format("{} .. {}", fixed(r.up_least.value, 2), fixed(r.up_most.value, 2)), "g",
-           "Smallest and largest, low-pass filtered at 5 Hz, all cars.");
-  read_out(ui, "Lateral", fixed(r.side_most.value, 2), "g", "Largest to either side, low-pass filtered.");
+           fmt::format("Smallest and largest felt g, low-passed at {:.3g} Hz, all cars.",
+                       ui.session().limits.envelope.cutoff));
+  read_out(ui, "Lateral", fixed(r.side_most.value, 2), "g", "Largest felt g to either side, low-passed.");
   read_out(ui, "Airtime", fixed(r.airtime, 2), "s", "Time with vertical g below 0.");
   read_out(ui, "Inversions", std::to_string(r.inversions), "", "Number of times that riders are upside down.");
   for (const auto& [label, value] :

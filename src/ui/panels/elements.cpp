@@ -74,7 +74,7 @@ void ways_home(Ui& ui) {
   read_out(ui, "Way home", fmt::format("{} of {}", at + 1, found.list.size()), "",
            fmt::format("{} shows the next one.", ui.keys.shown("Panels")));
   read_out(ui, "Length home", way.plan.length, 1, "m", "Length of this way home.");
-  read_out(ui, "Worst g", way.felt.most, 1, "g", "Largest vertical g on this way home.");
+  read_out(ui, "Worst g", way.felt.most, 1, "g", "Largest vertical felt g on this way home, not low-passed.");
   if (found.assumed)
     tinted(in_units(ui, fmt::format("No train reaches the open end. Planned for {} m/s.", base::to_text(found.speed))),
            palette().warning);

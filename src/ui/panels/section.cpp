@@ -195,8 +195,8 @@ void section_figures_rows(Ui& ui, const Chosen& chosen) {
   };
   of_ride("Speed in", of.speed_in, 1, "m/s", "Speed where the section begins, of the chosen seat.");
   of_ride("Speed out", of.speed_out, 1, "m/s", "Speed where it ends.");
-  of_ride("Most g", of.g_most, 2, "g", "Largest vertical g on it, of the chosen seat.");
-  of_ride("Least g", of.g_least, 2, "g", "Least vertical g on it.");
+  of_ride("Most g", of.g_most, 2, "g", "Largest vertical felt g on it, of the chosen seat, not low-passed.");
+  of_ride("Least g", of.g_least, 2, "g", "Least vertical felt g on it, not low-passed.");
 }
 
 }  // namespace

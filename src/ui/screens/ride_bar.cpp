@@ -81,7 +81,7 @@ void values(RideRow& row) {
     return number ? measured(row.ui, *number, decimals, unit) : "--";
   };
   value(row, "Speed", shown("ride.speed", 1, "m/s"), 64, "Speed of the first cart along the track.");
-  value(row, "g up", shown("ride.g_up", 2, "g"), 48, "Felt acceleration towards the rider's head.");
+  value(row, "g up", shown("ride.g_up", 2, "g"), 48, "Felt g towards the rider's head, not low-passed.");
   value(row, "Height", shown("ride.height", 1, "m"), 56, "Height of the first cart above the ground.");
   value(row, "Time", ride_time(row.ui), 96, "Time since the start of the ride, and of the whole ride.");
 }

@@ -58,7 +58,7 @@ void values(Ui& ui, const edit::RideResult& result) {
   else row.value(result.end == RideEnd::lap ? "Lap time" : "Time", fixed(r.seconds, 2) + " s", "Time of the ride.");
   row.value("Top speed", measured(ui, r.top_speed.value, 1, "m/s"), "Highest speed of the ride.");
   row.value("Vertical g", range(r.up_least.value, r.up_most.value),
-            "Smallest and largest, low-pass filtered, all cars.");
+            "Smallest and largest felt g, low-passed, all cars.");
   row.value("Airtime", fixed(r.airtime, 1) + " s", "Time with vertical g below 0.");
   row.value("Excitement", fixed(r.excitement, 1),
             "From 0 to 10: from g, drops, airtime, near misses, jolts, overloads.");
@@ -68,7 +68,7 @@ void details(Ui& ui, const edit::RideResult& result) {
   const sim::Ratings& r = result.ratings;
   read_out(ui, "Length", r.length, 1, "m", "Length of the track.");
   read_out(ui, "Highest drop", r.highest_drop, 1, "m", fmt::format("Largest of {} descents of 3 m or more.", r.drops));
-  read_out(ui, "Lateral g", fixed(r.side_most.value, 2), "g", "Largest to either side, low-pass filtered.");
+  read_out(ui, "Lateral g", fixed(r.side_most.value, 2), "g", "Largest felt g to either side, low-passed.");
   read_out(ui, "Inversions", std::to_string(r.inversions), "", "Number of times that riders are upside down.");
   constexpr std::string_view kTerms = "From g, drops, airtime, near misses, jolts and overloads.";
   read_out(ui, "Intensity", fixed(r.intensity, 1), "", kTerms);
