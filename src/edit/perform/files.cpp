@@ -69,9 +69,11 @@ Status perform(Session& session, Change& change, const Load& command) {
   base::Result<exchange::LoadedTrack> loaded =
       read ? std::move(ahead->track) : exchange::load_track(change.files, command.path);
   if (!loaded) return loaded.status();
-  // A format that does not hold everything is an import: the next save needs a file name.
+  // A format that does not hold everything is an import: the next save needs a file name, and until then the track
+  // counts as unsaved. A link holds everything.
   const exchange::Format* const format = loaded->view ? nullptr : exchange::format_of(command.path);
   start_over(session, std::move(loaded->document), format && format->whole ? command.path : std::string());
+  if (format != nullptr && !format->whole) session.file.saved_hash = ~session.file.saved_hash;
   session.file.import = loaded->import;
   session.file.content = loaded->content;
   session.file.version = loaded->version;

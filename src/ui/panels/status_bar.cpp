@@ -31,7 +31,7 @@ std::vector<Part> parts(const Ui& ui) {
   const bool timed = !ui.state.scripted && fps > 0;
   return {{"Length", real(ui, "length", 1, "m"), "Length of the track, by the method selected in Evaluation.", 76},
           {"Speed", real(ui, "ride.speed", 1, "m/s"), "Speed of the first cart.", 68},
-          {"g", real(ui, "ride.g_up", 1, "g"), "Felt acceleration towards the rider's head.", 40},
+          {"g", real(ui, "ride.g_up", 1, "g"), "Felt g towards the rider's head, not low-passed.", 40},
           {"Selection", world::label_of(session.document, session.settings.selected), "The selection.", 36},
           {"fps", timed ? fixed(fps, 0) : "--", "Frames per second.", 28}};
 }
@@ -61,10 +61,12 @@ struct Bar {
 
 void unsaved_mark(Bar& bar) {
   const bool unsaved = edit::dirty(bar.ui.state.find);
-  const std::string mark = unsaved ? "\u25CF unsaved" : "saved";
+  const bool none = bar.ui.session().file.path.empty();  // it has no file
+  const std::string_view word = unsaved ? (none ? "not saved yet" : "unsaved") : none ? "no file" : "saved";
+  const std::string mark = unsaved ? fmt::format("\u25CF {}", word) : std::string(word);
   bar.draw(mark, unsaved ? palette().warning : palette().dim, bar.x);
   const float end = bar.x + std::max(text_size(mark).x, text_size("\u25CF unsaved").x);
-  bar.place("Unsaved", "Whether the track has unsaved changes.", unsaved ? "on" : "off", bar.x, end);
+  bar.place("Unsaved", "Whether the track's file has all of it.", std::string(word), bar.x, end);
   bar.x = end + bar.between;
 }
 

@@ -40,8 +40,9 @@ void Dialogs::build_unsaved(Ui& ui, const platform::Events& events) {
   title("Unsaved changes");
   const std::string& name = ui.session().document.name;
   paragraph(ui, "Question",
-            fmt::format("{} has unsaved changes. They will be lost unless you save.",
-                        name.empty() ? "This track" : fmt::format("\u201C{}\u201D", name)),
+            fmt::format(
+                "{} {} lost unless you save.", name.empty() ? "This track" : fmt::format("\u201C{}\u201D", name),
+                ui.session().file.path.empty() ? "is not saved yet. It will be" : "has unsaved changes. They will be"),
             palette().text);
   const bool enter = pressed(events, Key::enter, Key::keypad_enter);
   const bool save_now = button(ui, "Save", "Save, then continue. Key Enter.") || enter;

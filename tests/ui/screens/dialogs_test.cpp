@@ -40,6 +40,29 @@ TEST_F(DialogsTest, closing_asks_and_each_answer_does_what_it_says) {
   EXPECT_TRUE(quit);
 }
 
+TEST_F(DialogsTest, an_import_has_no_file_and_closing_asks) {
+  const std::string own = (folder / "a.json").string(), rows = (folder / "a.csv").string();
+  ASSERT_TRUE(edit::apply(session_, files_, edit::Save{own}));
+  frames(2);
+  EXPECT_EQ(find("Status/Unsaved")->value, "saved");
+  ASSERT_TRUE(edit::apply(session_, files_, edit::Save{rows}));
+  ASSERT_TRUE(edit::apply(session_, files_, edit::Load{rows}));
+  frames(2);
+  EXPECT_EQ(find("Status/Unsaved")->value, "not saved yet");
+  EXPECT_FALSE(frame({platform::CloseRequest{}}).quit);
+  frames(2);
+  ASSERT_NE(find("Unsaved changes/Question"), nullptr);
+  EXPECT_NE(find("Unsaved changes/Question")->value.find("is not saved yet."), std::string::npos);
+  click("Unsaved changes/Cancel");
+  ASSERT_TRUE(edit::apply(session_, files_, edit::Save{own}));
+  frames(2);
+  EXPECT_EQ(find("Status/Unsaved")->value, "saved");
+  ASSERT_TRUE(edit::apply(session_, files_, edit::NewTrack{}));
+  frames(2);
+  EXPECT_EQ(find("Status/Unsaved")->value, "no file");
+  EXPECT_TRUE(frame({platform::CloseRequest{}}).quit);
+}
+
 TEST_F(DialogsTest, an_answer_closes_the_dialog_in_the_same_frame) {
   frame({platform::CloseRequest{}});
   frames(2);
