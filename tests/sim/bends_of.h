@@ -18,7 +18,7 @@ struct Bends {
   double handle = 0;  // longest, over its segment's length
 };
 
-// Knots must be at rows, in their order.
+// Knots must be in the order of the rows, at them or between.
 inline Bends bends_of(const world::Document& document, const std::vector<sim::FitRow>& rows) {
   const bool closed = document.track.closed;
   const std::size_t n = rows.size(), steps = closed ? n : n - 1;
@@ -41,22 +41,35 @@ inline Bends bends_of(const world::Document& document, const std::vector<sim::Fi
     return most;
   };
   Bends bends;
-  std::size_t from = 0;
+  // Returns the place on the rows' polyline that is nearest to a point, between two places.
+  const auto place_of = [&](glm::dvec3 point, double low, double high) {
+    double nearest = 1e9, place = low;
+    for (std::size_t i = 0; i < steps; ++i) {
+      if (along[i + 1] <= low || along[i] >= high) continue;
+      const glm::dvec3 a = rows[i].position, chord = rows[(i + 1) % n].position - a;
+      const double share = std::clamp(glm::dot(point - a, chord) / glm::dot(chord, chord), 0.0, 1.0);
+      const double distance = glm::distance(a + share * chord, point);
+      if (distance < nearest) nearest = distance, place = along[i] + share * (along[i + 1] - along[i]);
+    }
+    return place;
+  };
+  double from = 0;
   for (const world::Entity e : document.track.segments) {
     const curve::Cubic c = world::cubic_of(document, e);
-    std::size_t to = from + 1;  // the row of the knot at its end
-    while (to < steps && glm::distance(rows[to % n].position, glm::dvec3(c.p3)) > 2e-5) ++to;
-    const int samples = std::max(300, static_cast<int>((along[to] - along[from]) / 0.02));
+    const double reach = glm::distance(c.p0, c.p1) + glm::distance(c.p1, c.p2) + glm::distance(c.p2, c.p3);
+    const double to =
+        e == document.track.segments.back() ? along.back() : place_of(glm::dvec3(c.p3), from, from + reach + 1e-3);
+    const int samples = std::max(300, static_cast<int>((to - from) / 0.02));
     std::vector<double> length{0};
     for (int i = 1; i <= samples; ++i)
       length.push_back(length.back() +
                        glm::distance(curve::point(c, (i - 1.0) / samples), curve::point(c, i / (samples + 0.0))));
     for (const float handle : {glm::distance(c.p0, c.p1), glm::distance(c.p2, c.p3)})
       bends.handle = std::max(bends.handle, handle / length.back());
-    std::size_t step = from;
+    std::size_t step = 0;
     for (int i = 0; i <= samples; ++i) {
-      const double s = along[from] + length[i] / length.back() * (along[to] - along[from]);
-      while (step + 1 < to && along[step + 1] < s) ++step;
+      const double s = from + length[i] / length.back() * (to - from);
+      while (step + 1 < steps && along[step + 1] < s) ++step;
       const glm::dvec3 d = curve::derivative(c, i / (samples + 0.0)),
                        dd = curve::second_derivative(c, i / (samples + 0.0));
       bends.folds += glm::dot(d, rows[(step + 1) % n].position - rows[step].position) <= 0;

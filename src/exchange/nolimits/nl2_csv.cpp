@@ -22,6 +22,7 @@ using Cells = std::array<std::string_view, kColumns.size()>;
 constexpr double kSquare = 0.01;     // tolerance for unit and perpendicular frames
 constexpr double kSamePlace = 2e-6;  // m: rounding of printed positions
 constexpr double kReversed = 0.75;   // of the steps against Front: the rows are reversed
+constexpr double kDoubt = 0.4;       // g: what riders may feel more or less before it is reported
 constexpr double kGap = 3;           // times the usual spacing: longer steps are reported
 
 std::string_view trimmed(std::string_view text) {
@@ -258,9 +259,15 @@ base::Result<LoadedTrack> parse_nl2_csv(std::string_view text, std::string_view 
   loaded.document = std::move(fitted.document);
   loaded.document.name = name_of_file(name);
   world::add_cart(loaded.document, loaded.document.track.segments[0], 0);
+  const sim::FitReport& report = fitted.report;
+  if (report.doubt > kDoubt)
+    r.warn(
+        r.row_lines[report.doubt_row],
+        fmt::format("the rows are too far apart for the roll here: riders may feel {:.1f} g more or less than on the "
+                    "track they were taken from",
+                    report.doubt));
   loaded.warnings = std::move(r.warnings);
   if (r.more_warnings > 0) loaded.warnings.push_back(fmt::format("{}: {} more warnings", name, r.more_warnings));
-  const sim::FitReport& report = fitted.report;
   loaded.import = ImportReport{report.max_error,  report.frame_error,      report.knots,
                                report.jump_error, report.distances.root(), report.angles.root()};
   return loaded;

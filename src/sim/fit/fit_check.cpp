@@ -24,7 +24,8 @@ curve::NearestPoint nearest_from(const curve::Cubic& cubic, const curve::Coeffic
 }  // namespace
 
 std::vector<FitReport> measure_spans(const Derived& derived, std::span<const FitRow> rows,
-                                     std::span<const std::size_t> ends, std::span<const char> free) {
+                                     std::span<const std::size_t> ends, std::span<const char> free,
+                                     std::span<const char> given) {
   COASTER_CHECK(ends.size() == derived.order.size() + 1, "every segment covers a span of rows");
   std::vector<FitReport> reports(derived.order.size());
   for (std::size_t i = 0; i < reports.size(); ++i) {
@@ -38,6 +39,7 @@ std::vector<FitReport> measure_spans(const Derived& derived, std::span<const Fit
       const double start = k == ends[i] ? 0.0 : k == ends[i + 1] ? 1.0 : std::min(1.0, guess + mean);
       const curve::NearestPoint near = nearest_from(shape.key.cubic, c, rows[r].position, start);
       guess = near.t;
+      if (!given[r]) continue;
       reports[i].max_error = std::max(reports[i].max_error, near.distance);
       const curve::Frame frame = frame_at(shape, shape.arc.distance(near.t));
       const double angle = frame_angle_deg(frame, {rows[r].forward, rows[r].up});

@@ -37,26 +37,6 @@ inline constexpr double kBendShare = 1.5;    // of the rows' own
 inline constexpr double kBendSpare = 0.005;  // 1/m
 std::vector<double> bend_limits(std::span<const FitRow> rows, bool closed);
 
-// How rows turn about their direction against rotation-minimising frames, per row.
-struct RowRolls {
-  std::vector<double> spins;   // rad/m
-  std::vector<double> slopes;  // rad/m^2: their rate of change, of the spline
-};
-
-// Returns the rolls of the rows. The spin is the median of the rates of the steps within kSpinReach on both sides, but
-// no less and no more than the rates of the steps before and after the row: a jump on one side leaves it as it is.
-// Where a step on each side reaches further, it is that of the cubic spline through the rolls of all rows.
-inline constexpr double kSpinReach = 0.6;  // m
-RowRolls row_rolls(std::span<const FitRow> rows, bool closed);
-
-// Returns the curvature vector at each row, 1/m, perpendicular to its `forward`. On each side, the positions and
-// directions of the row and of the nearest one at least kCurvatureReach away give that of a curve whose curvature
-// changes linearly; the row's is the mean of both sides, corrected to that of the polynomial of degree 5 through all
-// three. It is limited to twice the corrections of those neighbours in its direction (a limiter as in van Leer 1979, J.
-// Comput. Phys. 32, 101-136): a bend may begin or end between two rows. At an open track's ends one side is used.
-inline constexpr double kCurvatureReach = 1.0;  // m
-std::vector<glm::dvec3> row_curvatures(std::span<const FitRow> rows, bool closed);
-
 // Returns for each row the squared speed over g, m, of a train that passes the highest row at kTopSpeed without losses.
 inline constexpr double kTopSpeed = 10.0;  // m/s
 std::vector<double> row_speeds(std::span<const FitRow> rows);

@@ -5,6 +5,7 @@
 
 #include "base/portable_math.h"
 #include "curve/frames.h"
+#include "sim/fit/fit_smooth.h"
 #include "sim/shape/roll.h"
 #include "world/components.h"
 #include "world/motion.h"
@@ -21,7 +22,7 @@ constexpr double kMostHandle = 0.495;  // of the rows' length: a little less tha
 constexpr double kBeyond = 40;         // weight of curvature beyond the limit, relative to that of a deviation
 constexpr double kStay = 1e-3;  // 1/m: weight of a change of the handles by the length, relative to that of a deviation
 constexpr double kBendMargin = 0.98;  // of the limit, because curvature is checked only at some positions
-constexpr double kMoment = 0.064;     // s: second differences over this time act as a low-pass of 5 Hz
+constexpr double kLeanRoom = 0.25;    // of the bound of angles: what knots may lean more or less than the smooth roll
 constexpr double kSharp = 1.5;        // times the bound, before a low-pass
 constexpr double kMostFitRoll = 2 * base::kPi * (world::kMaxTurns - 1);
 using Curve = curve::CoefficientsD;
@@ -138,23 +139,6 @@ Handles most_alike(const Ends& ends, double length, dvec3 from, dvec3 to, double
   return h;
 }
 
-// Keeps the part of the polygon with normal . x <= limit. A corner that is off by rounding stays: otherwise each row of
-// a straight, whose lines all meet in two corners, would add corners there.
-void clip(RollWindow& polygon, dvec2 normal, double limit, RollWindow& spare) {
-  constexpr double kRounding = 1e-12;  // radians
-  bool all = true;
-  for (const dvec2 p : polygon) all = all && glm::dot(normal, p) <= limit + kRounding;
-  if (all) return;
-  spare.clear();
-  for (std::size_t i = 0; i < polygon.size(); ++i) {
-    const dvec2 a = polygon[i], b = polygon[i + 1 < polygon.size() ? i + 1 : 0];
-    const double x = glm::dot(normal, a) - limit, y = glm::dot(normal, b) - limit;
-    if (x <= 0) spare.push_back(a);
-    if ((x < 0 && y > 0) || (x > 0 && y < 0)) spare.push_back(a + (x / (x - y)) * (b - a));
-  }
-  polygon.swap(spare);
-}
-
 // Carries the frame along the curve from row to row, in steps of at most 1/32, and integrates the length.
 class Carrier {
  public:
@@ -232,7 +216,8 @@ bool felt_wrong(std::span<const FitRow> rows, std::span<const double> distances,
                 const Curve& c, const Roll& roll, const SpanBounds& bounds, SpanScratch& s) {
   const std::size_t count = last - first + 1;
   for (std::size_t i = 1; i + 1 < count; ++i) {
-    const double off = roll.angle(s.shares[i] * s.length) - s.rolls[i];
+    const double lean = bounds.leans[first] - bounds.leans[first + i];
+    const double off = roll.angle(s.shares[i] * s.length) + lean - s.rolls[i];
     s.misses[i] += bounds.heartline * off * glm::cross(rows[first + i].forward, rows[first + i].up);
   }
   const auto apart = [&](std::size_t a, std::size_t b) { return distances[first + b] - distances[first + a]; };
@@ -270,7 +255,9 @@ SpanFit fit_span(std::span<const FitRow> rows, std::span<const double> distances
     const bool near = follow_rows(rows, distances, first, last, c, ends, bounds, s);
     fit.out_length = h.out, fit.in_length = h.in, fit.roll = s.rolls.back();
     roll = {s.length, fit.roll, bounds.spins[first], bounds.spins[last]};
-    return near && !felt_wrong(rows, distances, first, last, c, roll, bounds, s);
+    Roll smooth = roll;
+    smooth.twist += bounds.leans[last] - bounds.leans[first];
+    return near && !felt_wrong(rows, distances, first, last, c, smooth, bounds, s);
   };
   if (!good()) {
     if (last > first + 1) return fit;
@@ -280,7 +267,13 @@ SpanFit fit_span(std::span<const FitRow> rows, std::span<const double> distances
     good();
   }
   const double most = bounds.angle;
-  fit.window = {{roll_low, -most}, {roll_high, -most}, {roll_high, most}, {roll_low, most}};
+  // Other rolls than the smooth one's would be felt, the more the shorter the span is.
+  const double slack = kLeanRoom * most, from_lean = bounds.leans[first], to_lean = bounds.leans[last];
+  const double low = std::max({roll_low, from_lean - slack, -most}),
+               high = std::min({roll_high, from_lean + slack, most}), least = std::max(to_lean - slack, -most),
+               largest = std::min(to_lean + slack, most);
+  if (!(low <= high)) return fit;
+  fit.window = {{low, least}, {high, least}, {high, largest}, {low, largest}};
   RollWindow spare;
   // Additional rolls of the knots add a fraction of both, with spins of 0, to the roll by the rows' own spins.
   const Roll part{1, 1, 0, 0};

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "sim/fit/fit_rows.h"
+#include "sim/fit/roll_window.h"
 
 namespace coaster::sim {
 
@@ -17,15 +18,12 @@ struct SpanBounds {
   std::span<const double> bends;   // per step from a row to the next: largest curvature, 1/m
   std::span<const double> spins;   // per row: spin of a knot there, rad/m
   std::span<const double> slopes;  // per row: rate of change of a smooth roll's spin there, rad/m^2
+  std::span<const double> leans;   // per row: of that smooth roll against the row, rad
   double felt = 0.2;               // g: what riders may feel more or less than on the rows, after a low-pass of 5 Hz
   double heartline = 0;            // m above the rails, of the riders
   std::span<const double> speeds;  // per row: squared speed of the train over g, m
   std::span<const glm::dvec3> curvatures;  // per row: that of a smooth curve, 1/m
 };
-
-// The additional rolls (a, b) of the first and the second knot, radians, that keep all frames within the bound: a
-// convex polygon, empty if there are none.
-using RollWindow = std::vector<glm::dvec2>;
 
 struct SpanFit {
   bool within = false;                   // both bounds can be met; if false, only the handles are set

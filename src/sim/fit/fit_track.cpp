@@ -5,6 +5,7 @@
 
 #include "base/check.h"
 #include "base/portable_math.h"
+#include "sim/fit/fit_smooth.h"
 #include "world/topology.h"
 
 namespace coaster::sim {
@@ -26,16 +27,6 @@ struct Span {
   SpanFit fit;
 };
 
-// The smallest and largest roll of the second knot within a window; low > high if it is empty.
-struct Range {
-  double low = 1, high = -1;
-};
-Range second_rolls(const RollWindow& window) {
-  Range range;
-  for (const glm::dvec2 p : window) range.low = std::min(range.low, p.y), range.high = std::max(range.high, p.y);
-  return range;
-}
-
 // The state of a fit. On a closed track `rows` repeats the first row at the end.
 struct Work {
   std::vector<FitRow> rows;
@@ -44,6 +35,8 @@ struct Work {
   std::vector<double> bends, speeds;
   RowRolls row_rolls;
   std::vector<dvec3> curvatures;
+  double doubt = 0;  // as in FitReport
+  std::size_t doubt_row = 0;
   bool closed = false;
   double scale = 1;  // relative to the bounds
   SpanScratch scratch;
@@ -62,16 +55,16 @@ struct Work {
   SpanBounds bounds() const {
     SpanBounds b;
     b.distance *= scale, b.angle *= scale, b.felt *= scale;
-    b.free = free, b.bends = bends, b.spins = row_rolls.spins, b.slopes = row_rolls.slopes, b.speeds = speeds,
-    b.curvatures = curvatures;
+    b.free = free, b.bends = bends, b.spins = row_rolls.spins, b.slopes = row_rolls.slopes, b.leans = row_rolls.leans;
+    b.speeds = speeds, b.curvatures = curvatures;
     b.heartline = world::Document{}.heartline;
     return b;
   }
   SpanFit fit(std::size_t first, std::size_t last, double low, double high) {
     SpanFit f = fit_span(rows, distances, first, last, low, high, bounds(), scratch);
-    if (f.within && closed && last + 1 == rows.size()) {  // ends where it began: without additional roll
+    if (f.within && closed && last + 1 == rows.size()) {  // ends with the roll that it began with
       const auto [least, most] = second_rolls(f.window);
-      f.within = least <= 0 && most >= 0;
+      f.within = least <= row_rolls.leans[last] && most >= row_rolls.leans[last];
     }
     return f;
   }
@@ -115,14 +108,14 @@ Span longest_span(Work& w, std::size_t first, double low, double high, std::size
 void fit_spans(Work& w) {
   const std::size_t end = w.rows.size() - 1;
   w.spans.clear();
-  const double most = w.closed ? 0 : w.bounds().angle;
-  Range allowed{-most, most};
+  const double most = w.bounds().angle, seam = w.row_rolls.leans[0];
+  RollRange allowed = w.closed ? RollRange{seam, seam} : RollRange{-most, most};
   std::size_t usual = kFirstStride;
   for (std::size_t first = 0; first < end && !w.cancelled();) {
     Span span = longest_span(w, first, allowed.low, allowed.high, usual);
     usual = std::max<std::size_t>(2, span.last - first);
     allowed = second_rolls(span.fit.window);
-    if (allowed.low > allowed.high) allowed = {0, 0};
+    if (allowed.low > allowed.high) allowed = {w.row_rolls.leans[span.last], w.row_rolls.leans[span.last]};
     first = span.last;
     w.spans.push_back(std::move(span));
     w.tell(static_cast<double>(first) / static_cast<double>(end));
@@ -149,31 +142,18 @@ void even_out(Work& w) {
   w.spans = std::move(best);
 }
 
-// Returns the middle of the window for the first knot when the second has `second`.
-double middle_of_first(const RollWindow& window, double second) {
-  double low = 1, high = -1;
-  const auto take = [&](double x) { low = std::min(low, x), high = std::max(high, x); };
-  const glm::dvec2* nearest = nullptr;
-  for (std::size_t i = 0; i < window.size(); ++i) {
-    const glm::dvec2 &a = window[i], &b = window[i + 1 < window.size() ? i + 1 : 0];
-    if (!nearest || std::abs(a.y - second) < std::abs(nearest->y - second)) nearest = &a;
-    if (a.y == second) take(a.x);
-    if ((a.y < second && b.y > second) || (a.y > second && b.y < second))
-      take(a.x + (second - a.y) / (b.y - a.y) * (b.x - a.x));
-  }
-  if (low > high) return nearest ? nearest->x : 0;  // rounding has put `second` just outside
-  return 0.5 * (low + high);
-}
-
-// Chooses a roll for every knot, from the last to the first, so that each span keeps its frames within the bound.
+// Chooses a roll for every knot, from the last to the first, so that each span keeps its frames within the bound: that
+// of the smooth roll, or as near to it as the bound allows. Beside other rolls a short span would turn quickly.
 void choose_rolls(Work& w) {
   w.rolls.assign(w.rows.size(), 0);
   if (w.spans.empty()) return;
   const auto [low, high] = second_rolls(w.spans.back().fit.window);
-  double roll = w.closed || low > high ? 0 : 0.5 * (low + high);
+  const std::vector<double>& leans = w.row_rolls.leans;
+  double roll = leans[w.spans.back().last];
+  if (low <= high) roll = std::clamp(roll, low, high);
   w.rolls[w.spans.back().last] = roll;
   for (std::size_t i = w.spans.size(); i-- > 0;) {
-    roll = i == 0 && w.closed ? 0 : middle_of_first(w.spans[i].fit.window, roll);
+    roll = i == 0 && w.closed ? leans[0] : first_roll(w.spans[i].fit.window, roll, leans[w.spans[i].first]);
     w.rolls[w.spans[i].first] = roll;
   }
 }
@@ -218,30 +198,38 @@ world::Document document_of(const Work& w, Derived& derived) {
   return document;
 }
 
-// Halves the span: the new knot has its row's own frame.
+// Halves the span: the new knot has the smooth roll.
 void halve(Work& w, const Span& span, std::vector<Span>& out) {
   const std::size_t middle = span.first + (span.last - span.first) / 2;
   const double most = w.bounds().angle;
-  w.rolls[middle] = 0;
+  w.rolls[middle] = w.row_rolls.leans[middle];
   out.push_back({span.first, middle, w.fit(span.first, middle, -most, most)});
   out.push_back({middle, span.last, w.fit(middle, span.last, -most, most)});
 }
 
-Work prepare(std::span<const FitRow> rows, bool closed) {
+// `given`: the rows that `filled` are between.
+Work prepare(std::span<const FitRow> given, const FilledRows& filled, bool closed) {
+  const std::vector<FitRow>& rows = filled.rows;
   Work w;
   w.closed = closed;
   w.rows.assign(rows.begin(), rows.end());
   w.free = near_jumps(rows, closed, kInnerReach);
-  w.bends = bend_limits(rows, closed);
+  const std::vector<double> bends = bend_limits(given, closed);
+  for (std::size_t i = 0; i + (closed ? 0 : 1) < rows.size(); ++i) w.bends.push_back(bends[filled.from[i]]);
   w.row_rolls = row_rolls(rows, closed);
   w.speeds = row_speeds(rows), w.curvatures = row_curvatures(rows, closed);
   for (std::size_t i = 0; i < rows.size(); ++i)
     if (w.free[i]) w.curvatures[i] = dvec3(0);
+  const std::vector<double> doubts =
+      felt_doubts(given, closed, row_rolls(given, closed), row_speeds(given), world::Document{}.heartline);
+  const std::vector<char> jumps = near_jumps(given, closed, kInnerReach);
+  for (std::size_t i = 0; i < given.size(); ++i)
+    if (!jumps[i] && doubts[i] > w.doubt) w.doubt = doubts[i], w.doubt_row = i;
   for (double& spin : w.row_rolls.spins)
     spin = std::abs(spin) < kLeastSpin ? 0 : std::clamp<double>(spin, -world::kMaxSpin, world::kMaxSpin);
   if (closed) {
     w.rows.push_back(rows[0]), w.free.push_back(w.free[0]);
-    for (std::vector<double>* const values : {&w.row_rolls.spins, &w.row_rolls.slopes})
+    for (std::vector<double>* const values : {&w.row_rolls.spins, &w.row_rolls.slopes, &w.row_rolls.leans})
       values->push_back(values->front());
     w.speeds.push_back(w.speeds[0]), w.curvatures.push_back(w.curvatures[0]);
   }
@@ -255,7 +243,8 @@ Work prepare(std::span<const FitRow> rows, bool closed) {
 
 FittedTrack fit_track(std::span<const FitRow> rows, bool closed, base::Progress* progress) {
   COASTER_CHECK(rows.size() >= (closed ? 3u : 2u), "a track needs 2 rows, a closed one 3");
-  Work w = prepare(rows, closed);
+  const FilledRows filled = fill_rows(rows, closed);
+  Work w = prepare(rows, filled, closed);
   w.progress = progress;
   fit_spans(w);
   if (!w.cancelled()) even_out(w);
@@ -266,7 +255,9 @@ FittedTrack fit_track(std::span<const FitRow> rows, bool closed, base::Progress*
     halve(w, w.spans[0], two);
     w.spans = std::move(two);
   }
-  const std::vector<char> free = near_jumps(rows, closed, kJumpReach);
+  const std::vector<char> free = near_jumps(filled.rows, closed, kJumpReach);
+  std::vector<char> given;
+  for (std::size_t i = 0; i < filled.rows.size(); ++i) given.push_back(filled.given(i) ? 1 : 0);
   FittedTrack fitted;
   Derived derived;
   for (int round = 0; round < kMaxRounds; ++round) {
@@ -274,8 +265,8 @@ FittedTrack fit_track(std::span<const FitRow> rows, bool closed, base::Progress*
     std::vector<std::size_t> ends;
     for (const Span& span : w.spans) ends.push_back(span.first);
     ends.push_back(w.spans.back().last);
-    const std::vector<FitReport> reports = measure_spans(derived, rows, ends, free);
-    fitted.report = {0, 0, 0, static_cast<int>(fitted.document.track.knots.size())};
+    const std::vector<FitReport> reports = measure_spans(derived, filled.rows, ends, free, given);
+    fitted.report = {0, 0, 0, static_cast<int>(fitted.document.track.knots.size()), w.doubt, w.doubt_row};
     std::vector<Span> next;
     for (std::size_t i = 0; i < reports.size(); ++i) {
       fitted.report.max_error = std::max(fitted.report.max_error, reports[i].max_error);

@@ -29,14 +29,17 @@ struct FitReport {
   double frame_error = 0;  // degrees, the largest angle between a row's frame and the track's, except near jumps
   double jump_error = 0;   // degrees, the same near jumps, where frames are ignored
   int knots = 0;
+  double doubt = 0;              // g, the largest of felt_doubts(), except near jumps
+  std::size_t doubt_row = 0;     // its row
   MeanSquare distances, angles;  // m and degrees, of the rows that `max_error` and `frame_error` are the largest of
 };
 
 // Returns the error of each segment of a track. Segment i covers rows ends[i] to ends[i + 1] (ends.size() is the number
 // of segments + 1; the row after the last is the first). `free` says for each row whether its frame counts in
-// `jump_error`. `knots` stays 0.
+// `jump_error`, `given` whether the row counts at all. `knots` stays 0.
 std::vector<FitReport> measure_spans(const Derived& derived, std::span<const FitRow> rows,
-                                     std::span<const std::size_t> ends, std::span<const char> free);
+                                     std::span<const std::size_t> ends, std::span<const char> free,
+                                     std::span<const char> given);
 
 struct FittedTrack {
   world::Document document;

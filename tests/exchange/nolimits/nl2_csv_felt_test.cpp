@@ -14,6 +14,7 @@
 #include "exchange/nolimits/nl2_spline.h"
 #include "sim/shape/rail_tables.h"
 #include "sim/study/envelope.h"
+#include "sim/study/jolt.h"
 #include "world/motion.h"
 
 namespace coaster::exchange {
@@ -249,6 +250,57 @@ TEST(nl2_csv_felt, quick_rolls_are_felt_as_closed_forms_say_though_rows_are_metr
       // A knot every 2.5 m in the four rolls, every 20 m elsewhere.
       expect_felt(rows_on(curve, kLength, spacing, seed), ride, heart, 4 * width / 2.5 + kLength / 20);
     }
+}
+
+// A level straight that rolls by 90 degrees in 20 m and back, at an even rate that starts and stops at once: each time
+// the velocity of riders h above the rails changes by v h roll', which they feel as one impulse.
+TEST(nl2_csv_felt, rolls_that_start_at_once_throw_riders_as_hard_as_in_closed_form) {
+  constexpr double kRate90 = M_PI / 2 / 20, kLength = 120, kSpeed = 10;
+  const auto roll = [](double s) { return kRate90 * (std::clamp(s - 30, 0.0, 20.0) - std::clamp(s - 70, 0.0, 20.0)); };
+  const auto curve = [&](double s) {
+    const dvec3 forward(0.8, 0, 0.6);
+    return Place{dvec3(3.3, 20.7, -8.1) + s * forward, forward, curve::rotate({0, 1, 0}, forward, roll(s))};
+  };
+  const double heart = world::Document{}.heartline, v2 = kSpeed * kSpeed / world::kGravity;
+  std::vector<Moment> ride;
+  for (double s = 0; s < kLength; s += kSpeed / kRate) {
+    const double next = s + kSpeed / kRate, rate = (roll(s + 1e-6) - roll(s)) / 1e-6;
+    double impulse = 0;  // of the rate, within this sample's time, seen as one sample
+    for (const auto& [place, way] : {std::pair(30.0, 1.0), {50.0, -1.0}, {70.0, -1.0}, {90.0, 1.0}})
+      if (place >= s && place < next) impulse += way * kRate90 / (next - s);
+    ride.push_back({curve(s).place,
+                    curve(s).forward,
+                    v2,
+                    {std::cos(roll(s)) - heart * rate * rate * v2, std::sin(roll(s)) - heart * impulse * v2}});
+  }
+  for (const double spacing : {0.05, 0.25, 0.5}) {
+    SCOPED_TRACE(fmt::format("rows every {} m", spacing));
+    const std::string rows = rows_on(curve, kLength, spacing, 5);
+    expect_felt(rows, ride, heart);
+    // An impulse is felt as a peak of 2.40 f dv / g; no joint is told to jolt by over three times that.
+    world::Document document = parse_nl2_csv(rows, "t.csv")->document;
+    document.start_speed = kSpeed;
+    const sim::Derived derived = sim::shapes_of(document);
+    sim::GhostMemo memo;
+    const sim::Ghost* const ghost = memo.ride(document, derived, world::first_cart(document));
+    double most = 0;
+    for (const sim::Jolt& jolt : sim::jolts(*ghost, document.track.knots.size(), 5)) most = std::max(most, jolt.total);
+    EXPECT_LT(most, 3 * 2.40 * 5 * heart * kRate90 * kSpeed / world::kGravity);
+  }
+}
+
+TEST(nl2_csv_felt, rows_too_far_apart_for_a_roll_are_warned_of_with_their_line) {
+  const auto warnings = [](double width, double spacing) {
+    return parse_nl2_csv(rows_on(Rolling{width}, 200, spacing, 3), "t.csv")->warnings;
+  };
+  const std::vector<std::string> told = warnings(14, 5);
+  ASSERT_EQ(told.size(), 1u);
+  EXPECT_TRUE(told[0].starts_with("t.csv:")) << told[0];
+  EXPECT_NE(told[0].find("the rows are too far apart for the roll here: riders may feel "), std::string::npos);
+  const int line = std::stoi(told[0].substr(6));  // within a roll: 30 to 44, 75 to 89, 115 to 129, 160 to 174 m
+  EXPECT_TRUE(line >= 6 && line <= 38) << told[0];
+  EXPECT_TRUE(warnings(14, 1).empty());
+  EXPECT_TRUE(warnings(30, 3).empty());
 }
 
 }  // namespace nl2_csv_felt_test

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "sim/bends_of.h"
+#include "sim/fit/fit_smooth.h"
 #include "sim/fit/fit_track.h"
 #include "sim/rows_along.h"
 #include "sim/study/jolt.h"

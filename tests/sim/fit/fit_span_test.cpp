@@ -38,14 +38,32 @@ TEST(FitSpan, AStraightLeavesAWindowOfFewCorners) {
   const std::vector<double> bends(kRows, 1.0), spins(kRows, 0.0), speeds(kRows, 20.0);
   const std::vector<dvec3> curvatures(kRows, dvec3(0));
   SpanBounds bounds;
-  bounds.free = free, bounds.bends = bends, bounds.spins = bounds.slopes = spins, bounds.speeds = speeds,
+  bounds.free = free, bounds.bends = bends, bounds.spins = bounds.slopes = bounds.leans = spins, bounds.speeds = speeds,
   bounds.curvatures = curvatures;
   SpanScratch scratch;
   const SpanFit fit = fit_span(rows, distances, 0, kRows - 1, -bounds.angle, bounds.angle, bounds, scratch);
   ASSERT_TRUE(fit.within);
   EXPECT_LT(fit.window.size(), 200u);
-  const double side = 2 * bounds.angle;
+  const double side = 2 * 0.25 * bounds.angle;  // a quarter of the bound about the smooth roll
   EXPECT_NEAR(area(fit.window), side * side, 1e-3 * side * side);
+}
+
+TEST(FitSpan, LinesThatMeetInTwoCornersCutNoneButTheirOwn) {
+  constexpr double kHalf = 0.0083;
+  RollWindow window{{-kHalf, -kHalf}, {kHalf, -kHalf}, {kHalf, kHalf}, {-kHalf, kHalf}}, spare;
+  for (int i = 1; i < 5000; ++i) {
+    const double share = i / 5000.0, rounding = 1e-13 * std::sin(7.0 * i);
+    clip(window, {1 - share, share}, kHalf + rounding, spare);
+    clip(window, {share - 1, -share}, kHalf - rounding, spare);
+  }
+  EXPECT_LT(window.size(), 200u);
+  EXPECT_NEAR(area(window), 4 * kHalf * kHalf, 1e-3 * kHalf * kHalf);
+  clip(window, {0, 1}, 0, spare);
+  EXPECT_NEAR(area(window), 2 * kHalf * kHalf, 1e-3 * kHalf * kHalf);
+  EXPECT_NEAR(second_rolls(window).low, -kHalf, 1e-9);
+  EXPECT_NEAR(second_rolls(window).high, 0, 1e-9);
+  EXPECT_EQ(first_roll(window, -0.001, 0.002), 0.002);
+  EXPECT_NEAR(first_roll(window, -0.001, 0.02), kHalf, 1e-9);
 }
 
 }  // namespace

@@ -1,0 +1,54 @@
+// The rolls and curvatures of a smooth track through rows.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "sim/fit/fit_rows.h"
+
+namespace coaster::sim {
+
+// How rows turn about their direction against rotation-minimising frames, per row.
+struct RowRolls {
+  std::vector<double> spins;   // rad/m
+  std::vector<double> slopes;  // rad/m^2: their rate of change, of the spline
+  std::vector<double> leans;   // rad: of a smooth roll with these spins against the row
+};
+
+// Returns the rolls of the rows. Where steps are shorter than kSpinReach, a smooth roll is the mean of the rows' rolls
+// nearby, with weights that fall linearly to 0 within kSpinReach, or within less where that would lean it by over
+// kMostLean: rolls may start at once. Where it leans still more, the rows jump: the spin is the median of the rates
+// within the reach. Where steps are longer, the smooth roll is the cubic spline through all rows.
+inline constexpr double kSpinReach = 0.6;   // m
+inline constexpr double kMostLean = 0.006;  // rad, 0.34 degrees
+RowRolls row_rolls(std::span<const FitRow> rows, bool closed);
+
+// Returns the curvature vector at each row, 1/m, perpendicular to its `forward`: that of the spline of degree 5 through
+// the positions with their directions whose third derivative is continuous, and 0 at open ends. On each side of a row
+// it leads to the nearest row at least kCurvatureReach away, because positions are rounded.
+inline constexpr double kCurvatureReach = 1.0;  // m
+std::vector<glm::dvec3> row_curvatures(std::span<const FitRow> rows, bool closed);
+
+// Rows with more rows of the smooth track between them where they are far apart.
+struct FilledRows {
+  std::vector<FitRow> rows;
+  std::vector<std::size_t> from;  // per row: the given row that it is, or follows
+  bool given(std::size_t i) const { return i == 0 || from[i] != from[i - 1]; }
+};
+
+// Divides steps of kLeastFill to kMostFill into equal parts of at most kFillStep. The curve is of degree 5 with
+// the positions, directions and curvatures of both rows, the roll the cubic with their spins. A step stays whole where
+// that curve would bend more than a fit may: a bend begins or ends within it.
+inline constexpr double kFillStep = 2.5;                    // m
+inline constexpr double kLeastFill = 3.75, kMostFill = 10;  // m
+FilledRows fill_rows(std::span<const FitRow> rows, bool closed);
+
+// Returns for each row what riders `heartline` m above the rails may feel more or less there, g, than on the track that
+// the rows were taken from, because its roll changes within a few rows: twice the first term of the error of the smooth
+// roll's second derivative, h^2 / 12 of its fourth. 0 where steps are shorter than kMoment of the ride at these speeds:
+// there rows are close enough.
+inline constexpr double kMoment = 0.064;  // s: second differences over this time act as a low-pass of 5 Hz
+std::vector<double> felt_doubts(std::span<const FitRow> rows, bool closed, const RowRolls& rolls,
+                                std::span<const double> speeds, double heartline);
+
+}  // namespace coaster::sim

@@ -1,0 +1,122 @@
+// Smooth rolls and rows between rows, by closed forms.
+#include "sim/fit/fit_smooth.h"
+
+#include <gtest/gtest.h>
+
+#include "base/portable_math.h"
+#include "world/motion.h"
+
+namespace coaster::sim {
+namespace fit_smooth_test {
+
+using glm::dvec3;
+
+// Rows on a level straight, of any roll over the places, radians.
+template <class Roll>
+std::vector<FitRow> straight_rows(Roll roll, double length, double spacing) {
+  std::vector<FitRow> rows;
+  for (int i = 0; i * spacing <= length + 1e-9; ++i) {
+    const dvec3 forward(0.6, 0, 0.8);
+    rows.push_back(
+        {dvec3(3.1, 20.3, -7) + i * spacing * forward, forward, curve::rotate({0, 1, 0}, forward, roll(i * spacing))});
+  }
+  return rows;
+}
+
+TEST(fit_smooth, a_roll_that_starts_at_once_is_spread_as_far_as_the_rows_allow) {
+  constexpr double kStart = 10, kSpacing = 0.05;
+  for (const double w : {0.08, 0.21, 0.5}) {
+    SCOPED_TRACE(w);
+    const std::vector<FitRow> rows =
+        straight_rows([&](double s) { return w * std::max(0.0, s - kStart); }, 20, kSpacing);
+    const RowRolls rolls = row_rolls(rows, false);
+    // The step w of the rate, averaged with the weights of a triangle that reaches a to either side.
+    const double a = 6 * kMostLean / w;
+    double most = 0;
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+      const double x = kSpacing * static_cast<double>(i) - kStart, near = std::max(0.0, 1 - std::abs(x) / a);
+      EXPECT_NEAR(rolls.spins[i], w * (x > 0 ? 1 - near * near / 2 : near * near / 2), 1e-3 * w) << x;
+      EXPECT_NEAR(rolls.leans[i], w * a * near * near * near / 6, 1e-5) << x;
+      most = std::max(most, rolls.leans[i]);
+    }
+    EXPECT_NEAR(most, kMostLean, 1e-5);
+  }
+}
+
+TEST(fit_smooth, smooth_rolls_keep_their_rates_and_jumps_do_not_turn_the_rows_beside_them) {
+  const auto even = [](double s) { return 0.7 * std::sin(s / 9); };
+  const std::vector<FitRow> rows = straight_rows(even, 40, 0.05);
+  const RowRolls rolls = row_rolls(rows, false);
+  for (std::size_t i = 20; i + 20 < rows.size(); ++i) {
+    const double s = 0.05 * static_cast<double>(i);
+    EXPECT_NEAR(rolls.spins[i], 0.7 / 9 * std::cos(s / 9), 1e-4) << s;  // the mean over 0.6 m to either side
+    EXPECT_NEAR(rolls.leans[i], -0.7 / 81 * std::sin(s / 9) * 0.36 / 12, 1e-5) << s;
+  }
+  const RowRolls jump = row_rolls(straight_rows([](double s) { return s > 10 ? 0.5 : 0.0; }, 20, 0.05), false);
+  for (std::size_t i = 0; i < jump.spins.size(); ++i) {
+    EXPECT_LE(std::abs(jump.spins[i]), 0.3) << i;
+    EXPECT_LE(std::abs(jump.leans[i]), 1.1 * kMostLean) << i;
+  }
+}
+
+TEST(fit_smooth, rows_between_are_on_the_helix_of_the_rows) {
+  // Radius 14 m, rising by 0.3 rad, with the roll 0.4 sin(s / 8) to its right against the rotation-minimising frame.
+  const double slope = 0.3, turn = std::cos(slope) / 14;
+  const auto at = [&](double s) {
+    const double a = turn * s;
+    return FitRow{{14 * std::sin(a), s * std::sin(slope), -14 * std::cos(a)},
+                  {std::cos(slope) * std::cos(a), std::sin(slope), std::cos(slope) * std::sin(a)},
+                  {}};
+  };
+  constexpr int kFine = 1000;  // steps per m
+  std::vector<FitRow> fine;
+  curve::Frame frame{at(0).forward, curve::perpendicular(at(0).forward, {0, 1, 0})};
+  for (int i = 0; i <= 80 * kFine; ++i) {
+    const double s = static_cast<double>(i) / kFine;
+    FitRow row = at(s);
+    if (i > 0) frame = curve::transport(frame, fine.back().position, row.position, row.forward);
+    row.up = curve::rotate(frame.up, row.forward, 0.4 * std::sin(s / 8));
+    fine.push_back(row);
+  }
+  std::vector<FitRow> rows;
+  for (double s = 0; s <= 80; s += rows.size() % 3 == 0 ? 3.9 : 4.6)
+    rows.push_back(fine[static_cast<std::size_t>(std::lround(s * kFine))]);
+  const FilledRows filled = fill_rows(rows, false);
+  ASSERT_EQ(filled.rows.size(), 2 * rows.size() - 1);
+  for (std::size_t i = 0; i < filled.rows.size(); ++i) {
+    EXPECT_EQ(filled.given(i), i % 2 == 0);
+    EXPECT_EQ(filled.from[i], i / 2);
+    const FitRow& row = filled.rows[i];
+    double nearest = 1e9, angle = 0;
+    for (const FitRow& known : fine)
+      if (const double d = glm::distance(known.position, row.position); d < nearest)
+        nearest = d, angle = frame_angle_deg({known.forward, known.up}, {row.forward, row.up});
+    const bool inner = i > 4 && i + 5 < filled.rows.size();  // at open ends the spline's second derivative is 0
+    EXPECT_LT(nearest, inner ? 1.5e-3 : 6e-3) << i;
+    EXPECT_LT(angle, inner ? 0.1 : 0.5) << i;
+  }
+  const std::vector<FitRow> far{at(0), at(12), at(15.6), at(40)};
+  EXPECT_EQ(fill_rows(far, false).rows.size(), 4u) << "gaps stay, and so do short steps";
+}
+
+TEST(fit_smooth, quick_rolls_between_rows_far_apart_are_in_doubt) {
+  const auto doubt = [](double width, double spacing) {
+    const auto roll = [&](double s) {
+      const double u = std::clamp((s - 40) / width, 0.0, 1.0);
+      return 1.2 * u * u * u * (10 - 15 * u + 6 * u * u);
+    };
+    const std::vector<FitRow> rows = straight_rows(roll, 100, spacing);
+    const std::vector<double> speeds(rows.size(), 400 / world::kGravity);  // 20 m/s
+    double most = 0;
+    for (const double d : felt_doubts(rows, false, row_rolls(rows, false), speeds, 1.1)) most = std::max(most, d);
+    return most;
+  };
+  EXPECT_GT(doubt(14, 4.5), 0.4);
+  EXPECT_LT(doubt(40, 4.5), 0.1);
+  // Twice h^2 / 12 of the fourth derivative, which is largest where the roll begins and ends.
+  EXPECT_NEAR(doubt(14, 1.5), 2 * 1.5 * 1.5 / 12 * 1.2 * 360 / std::pow(14, 4) * 1.1 * 400 / world::kGravity, 0.03);
+  EXPECT_EQ(doubt(14, 0.05), 0);
+}
+
+}  // namespace fit_smooth_test
+}  // namespace coaster::sim
