@@ -40,10 +40,10 @@ base::Status remove_pictures(base::Files& files, const std::filesystem::path& fo
   return {};
 }
 
-// Returns ffmpeg's arguments for one file, written to `output`; words[0] is `program`. Names are relative to the
+// Returns ffmpeg's arguments for one file, written to kGivenFile; words[0] is `program`. Names are relative to the
 // folder, where the process runs, because ffmpeg would read a "%" in the folder's name as a pattern.
 std::vector<std::string> arguments(const std::string& program, const MovieOrder& order, int frames,
-                                   const std::string& file, const std::string& output) {
+                                   const std::string& file) {
   std::vector<std::string> words{program,         "-nostdin",  "-y",     "-loglevel",      "error",
                                  "-nostats",      "-progress", "pipe:1", "-framerate",     std::to_string(order.fps),
                                  "-start_number", "0",         "-i",     "frame-%05d.png", "-frames:v"};
@@ -63,7 +63,7 @@ std::vector<std::string> arguments(const std::string& program, const MovieOrder&
     words.insert(words.end(), {"-vf", "pad=ceil(iw/2)*2:ceil(ih/2)*2", "-c:v", "libx264", "-preset", "medium", "-crf",
                                "18", "-pix_fmt", "yuv420p", "-movflags", "+faststart"});
   }
-  words.insert(words.end(), {"-f", file.substr(file.rfind('.') + 1), output});
+  words.insert(words.end(), {"-f", file.substr(file.rfind('.') + 1), kGivenFile});
   return words;
 }
 
@@ -147,8 +147,8 @@ void MovieEncoder::next() {
   base::Status started = made.status();
   if (made) {
     making_.emplace(std::move(*made));
-    started = process_.start(arguments(program_, order_, frames_, files_.front(), making_->temporary()),
-                             making_->folder(), true);
+    started = process_.start(arguments(program_, order_, frames_, files_.front()), making_->folder(), true,
+                             making_->file().get());
   }
   if (started) return;
   making_.reset();

@@ -7,7 +7,7 @@ namespace coaster::app {
 std::string find_program(const char*) { return {}; }
 
 Process::~Process() = default;
-base::Status Process::start(std::vector<std::string>, int, bool) {
+base::Status Process::start(std::vector<std::string>, int, bool, int) {
   return {base::Code::io, "a page starts no programs"};
 }
 std::optional<int> Process::poll() { return std::nullopt; }

@@ -32,7 +32,7 @@ std::string find_program(const char* name) {
 
 Process::~Process() { end(); }
 
-base::Status Process::start(std::vector<std::string> words, int folder, bool errors) {
+base::Status Process::start(std::vector<std::string> words, int folder, bool errors, int file) {
   end();
   output_.clear();
   int ends[2];
@@ -45,6 +45,8 @@ base::Status Process::start(std::vector<std::string> words, int folder, bool err
   posix_spawn_file_actions_adddup2(&actions, ends[1], STDOUT_FILENO);
   if (errors) posix_spawn_file_actions_adddup2(&actions, ends[1], STDERR_FILENO);
   if (folder >= 0) posix_spawn_file_actions_addfchdir_np(&actions, folder);
+  constexpr int kGiven = 3;  // last, because the others may have this number here; loses its O_CLOEXEC
+  if (file >= 0) posix_spawn_file_actions_adddup2(&actions, file, kGiven);
   std::vector<char*> argv;
   argv.reserve(words.size() + 1);
   for (std::string& word : words) argv.push_back(word.data());

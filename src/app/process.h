@@ -14,6 +14,9 @@ namespace coaster::app {
 // Returns the full path of an executable of this name in PATH; empty if there is none.
 std::string find_program(const char* name);
 
+// The path under which a process finds the open file that it was given. No name leads to it, so no link can replace it.
+inline constexpr const char* kGivenFile = "/proc/self/fd/3";
+
 class Process {
  public:
   Process() = default;
@@ -22,8 +25,9 @@ class Process {
   Process& operator=(const Process&) = delete;
 
   // Starts words[0], a full path, in an open folder (-1: the current one), after ending the previous process. Reads its
-  // standard output and, with `errors`, its standard error; it gets no input. Code::io with the reason.
-  base::Status start(std::vector<std::string> words, int folder = -1, bool errors = false);
+  // standard output and, with `errors`, its standard error; it gets no input, and `file` (-1: none) as kGivenFile.
+  // Code::io with the reason.
+  base::Status start(std::vector<std::string> words, int folder = -1, bool errors = false, int file = -1);
   bool running() const { return pid_ > 0; }
   // Reads the available output without waiting; returns the exit status once it has ended, 128 + N if signal N ended
   // it.

@@ -124,6 +124,13 @@ bool NewFile::write(std::string_view bytes) {
 }
 
 bool NewFile::put_in_place() {
+  struct stat named {
+  }, own{};
+  if (file_.valid()) {
+    if (::fstat(file_.get(), &own) != 0 || ::fstatat(folder(), temporary_.c_str(), &named, AT_SYMLINK_NOFOLLOW) != 0)
+      return false;
+    if (named.st_dev != own.st_dev || named.st_ino != own.st_ino) return errno = ESTALE, false;
+  }
   placed_ = ::renameat(folder(), temporary_.c_str(), folder(), place_.name.c_str()) == 0;
   return placed_;
 }

@@ -33,10 +33,10 @@ class NewFile {
 
   Descriptor& file() { return file_; }
   int folder() const { return place_.folder.get(); }
-  const std::string& temporary() const { return temporary_; }  // its name in the folder
   // Appends bytes. Returns false with errno.
   bool write(std::string_view bytes);
-  // Renames it over the target name, whose old file is never opened. Returns false with errno.
+  // Renames it over the target name, whose old file is never opened. Returns false with errno: ESTALE if another file,
+  // or a link, has taken the temporary name of a file that is still open.
   bool put_in_place();
 
  private:

@@ -17,15 +17,20 @@ namespace movie_test {
 class MovieFiles : public testing::Test {
  protected:
   void SetUp() override {
-    const std::filesystem::path bin = scratch_.path() / "bin", program = bin / "ffmpeg";
-    std::filesystem::create_directories(bin);
-    std::ofstream(program) << "#!/bin/sh\nfor last; do :; done\nprintf '%s\\n' \"$@\" >>'" << noted_.string()
-                           << "'\necho made >\"$last\"\n";
-    std::filesystem::permissions(program, std::filesystem::perms::owner_all);
+    std::filesystem::create_directories(bin_);
     if (const char* const path = std::getenv("PATH")) path_ = path;
-    ::setenv("PATH", (bin.string() + ":" + path_).c_str(), 1);
+    ::setenv("PATH", (bin_.string() + ":" + path_).c_str(), 1);
+    make_ffmpeg("");
   }
   void TearDown() override { ::setenv("PATH", path_.c_str(), 1); }
+
+  // `before`: commands of sh, with $last the output and the folder of the movie as working folder.
+  void make_ffmpeg(const std::string& before) {
+    const std::filesystem::path program = bin_ / "ffmpeg";
+    std::ofstream(program) << "#!/bin/sh\nfor last; do :; done\nprintf '%s\\n' \"$@\" >>'" << noted_.string() << "'\n"
+                           << before << "\necho made >\"$last\"\n";
+    std::filesystem::permissions(program, std::filesystem::perms::owner_all);
+  }
 
   // The line about the result, of a movie with so many pictures a second for one second.
   std::string encode(int fps) {
@@ -43,7 +48,7 @@ class MovieFiles : public testing::Test {
   }
 
   test::ScratchFolder scratch_;
-  std::filesystem::path noted_ = scratch_.path() / "arguments";
+  std::filesystem::path noted_ = scratch_.path() / "arguments", bin_ = scratch_.path() / "bin";
   std::string path_;
 };
 
@@ -57,6 +62,18 @@ TEST_F(MovieFiles, a_gif_has_25_pictures_a_second_at_most) {
 TEST_F(MovieFiles, a_gif_keeps_a_lower_rate) {
   EXPECT_NE(encode(20).find(", with movie.mp4 and movie.gif."), std::string::npos);
   EXPECT_NE(arguments().find("-frames:v\n20\n-filter_complex\nfps=20,"), std::string::npos) << arguments();
+}
+
+// Another program puts a link in place of each new file while it is written.
+TEST_F(MovieFiles, a_link_in_place_of_a_new_file_leads_nothing_outside) {
+  const std::filesystem::path outside = scratch_.path() / "outside";
+  std::ofstream(outside) << "mine";
+  make_ffmpeg("for new in .movie.*; do rm \"$new\" && ln -s ../outside \"$new\"; done");
+  EXPECT_NE(encode(30).find("There is no movie.mp4"), std::string::npos);
+  std::string kept;
+  std::getline(std::ifstream(outside), kept);
+  EXPECT_EQ(kept, "mine");
+  EXPECT_TRUE(std::filesystem::is_empty(scratch_.path() / "movie"));
 }
 
 }  // namespace movie_test
