@@ -8,10 +8,14 @@
 namespace coaster::world {
 
 Entity first_cart(const Document& document) {
-  const auto& carts = document.entities.pool<Cart>().entities();
-  const auto first = std::min_element(carts.begin(), carts.end(),
-                                      [&](Entity a, Entity b) { return name_of(document, a) < name_of(document, b); });
-  return first == carts.end() ? kNone : *first;
+  Entity first = kNone;
+  Name least;
+  for (const Entity cart : document.entities.pool<Cart>().entities()) {
+    const Name name = name_of(document, cart);
+    if (!first.valid() || name < least) first = cart, least = name;
+    if (least.number == 1) break;  // there is no lower one
+  }
+  return first;
 }
 
 Entity find(const Document& document, Name name) {
