@@ -2,6 +2,8 @@
 #pragma once
 
 #include <span>
+#include <utility>
+#include <vector>
 
 #include "sim/ride/ride.h"
 
@@ -33,6 +35,31 @@ void step_trains(const RideInput& input, const Integrator& row, int ticks, world
 // moves nothing, if there would still be more tables than that, or if laps do not repeat.
 inline constexpr std::size_t kMostTimetables = 64;
 bool step_by_timetable(const RideInput& input, int ticks, GhostMemo& memo, world::Motion& motion);
+
+// Returns the start of a train's timetable at its present motion.
+world::TimetablePlace timetable_from(const world::CartMotion& cart);
+GhostStart start_of(const RideInput& input, world::Entity entity, const world::TimetablePlace& table);
+
+// The tables of one lap for many trains, each looked up in the memo once.
+class LapTables {
+ public:
+  LapTables(const RideInput& input, GhostMemo& memo) : input_(input), memo_(memo) {}
+  const LapTable& of(world::Entity entity, const world::TimetablePlace& place);
+  // Returns that of each train, in the order of the items.
+  std::vector<const LapTable*> of(const world::Pool<world::CartMotion>& carts);
+
+ private:
+  const RideInput& input_;
+  GhostMemo& memo_;
+  std::vector<std::pair<GhostStart, const LapTable*>> tables_;  // at most kMostTimetables
+};
+
+// If a train is without a timetable, gives each the one of its kind and energy. Returns false if there are too many, or
+// if a train may not complete a lap.
+bool share_timetables(const RideInput& input, GhostMemo& memo, world::Motion& motion);
+// Runs all ticks of those `trains` (indices of `carts` and of their tables) whose laps repeat.
+void follow_laps(const RideInput& input, std::span<const LapTable* const> table_of, std::span<const std::size_t> trains,
+                 int ticks, std::vector<world::CartMotion>& carts);
 
 // The data of a train for integrators without a TrainContext.
 struct TrainLoad {

@@ -10,20 +10,6 @@
 namespace coaster::sim {
 namespace {
 
-void begin_timetable(const world::CartMotion& cart, world::TimetablePlace& table) {
-  table = {true, cart.track_distance, cart.speed, cart.dwell, cart.braking, 0, 0};
-}
-
-void note_extremes(world::CartMotion& cart) {
-  cart.furthest = std::max(cart.furthest, cart.travelled);
-  cart.peak_kinetic = std::max(cart.peak_kinetic, 0.5 * cart.speed * cart.speed);
-}
-
-GhostStart start_of(const RideInput& input, world::Entity entity, const world::TimetablePlace& table) {
-  return start_at(input.derived, input.document.entities.get<world::Cart>(entity), table.front, table.speed,
-                  {table.dwell, table.braking});
-}
-
 // Applies the next tick's entry. Returns false if the timetable ends the ride.
 bool follow_timetable(const RideInput& input, GhostMemo& memo, world::Entity entity, world::CartMotion& cart,
                       world::FailureKind& failure) {
@@ -34,7 +20,7 @@ bool follow_timetable(const RideInput& input, GhostMemo& memo, world::Entity ent
       failure = ghost->end;
       return false;
     }
-    begin_timetable(cart, cart.timetable);
+    cart.timetable = timetable_from(cart);
     ghost = &memo.from(input.document, input.derived, start_of(input, entity, cart.timetable));
     if (ghost->samples.size() < 2) return false;
   }
@@ -47,27 +33,11 @@ bool follow_timetable(const RideInput& input, GhostMemo& memo, world::Entity ent
   cart.travelled += after.travelled - before.travelled;
   cart.work += after.work - before.work;
   cart.speed = after.speed;
-  note_extremes(cart);
+  cart.furthest = std::max(cart.furthest, cart.travelled);
+  cart.peak_kinetic = std::max(cart.peak_kinetic, 0.5 * cart.speed * cart.speed);
   settle_on(input.derived, place_at(input.derived, ghost->distance(next)), cart);
   cart.timetable.tick = static_cast<std::int64_t>(next);
   return true;
-}
-
-// Runs all ticks of a train whose laps repeat, on one lap's table.
-void follow_laps(const RideInput& input, const LapTable& table, int ticks, world::CartMotion& cart) {
-  LapCart on = lap_cart(table, cart.timetable.phase);
-  const double front = cart.timetable.front, length = table.length();
-  const double rounds_before = std::floor((front + on.along) / length);
-  for (int tick = 0; tick < ticks; ++tick) {
-    const double along = on.along, laps = on.laps;
-    advance(table, on);
-    cart.travelled += (on.laps - laps) * length + (on.along - along);
-    cart.speed = on.speed;
-    note_extremes(cart);
-  }
-  cart.laps += static_cast<std::int64_t>(on.laps + std::floor((front + on.along) / length) - rounds_before);
-  cart.timetable.phase = on.phase, cart.timetable.tick += ticks;
-  settle_on(input.derived, place_at(input.derived, front + on.along), cart);
 }
 
 // Returns the speed by the energy, with the first car at height `height` m (of a vertex: not exactly on the curve) and
@@ -85,90 +55,9 @@ double speed_at(const RideInput& input, const TrainLoad& load, const world::Cart
   return kinetic > 0 ? std::sqrt(2.0 * kinetic) : 0.0;
 }
 
-// The tables of one lap for many trains, each looked up in the memo once.
-class LapTables {
- public:
-  LapTables(const RideInput& input, GhostMemo& memo) : input_(input), memo_(memo) {}
-  const LapTable& of(world::Entity entity, const world::TimetablePlace& place) {
-    const GhostStart start = start_of(input_, entity, place);
-    for (const auto& [known, table] : tables_)
-      if (known == start) return *table;
-    tables_.emplace_back(start, &memo_.lap(input_.document, input_.derived, start));
-    return *tables_.back().second;
-  }
-
- private:
-  const RideInput& input_;
-  GhostMemo& memo_;
-  std::vector<std::pair<GhostStart, const LapTable*>> tables_;  // at most kMostTimetables
-};
-
 bool begin_timetables(world::Motion& motion) {
   for (world::CartMotion& cart : motion.carts.items())
-    if (!cart.timetable.valid) begin_timetable(cart, cart.timetable);
-  return true;
-}
-
-// Trains that move alike.
-struct Family {
-  GhostStart start;
-  world::Entity first;
-  world::TimetablePlace place;  // where the first train joined
-  double energy = 0;            // J/kg
-};
-
-bool of_one_kind(const GhostStart& a, const GhostStart& b) {
-  return a.cars == b.cars && a.spacing == b.spacing && a.length == b.length && a.mass == b.mass;
-}
-
-// Returns the energy (J/kg, as of a cart) above which a train passes every top within the time of a timetable.
-double energy_of_laps(const RideInput& input) {
-  double top = -world::kMaxCoordinate;
-  for (std::size_t i = 0; i < input.derived.order.size(); ++i) {
-    const SegmentShape& shape = input.derived.shape_at(i);
-    const curve::Cubic& c = shape.key.cubic;
-    top = std::max(top, double{std::max({c.p0.y, c.p1.y, c.p2.y, c.p3.y})} + std::abs(shape.key.rails));
-  }
-  const double slowest = input.derived.length / (0.99 * GhostLimits{}.seconds);
-  return world::kGravity * (top - input.document.datum) + 0.5 * slowest * slowest;
-}
-
-// If a train is without a timetable, gives each the one of its kind and energy. Returns false if there are too many, or
-// if a train may not complete a lap.
-bool share_timetables(const RideInput& input, GhostMemo& memo, world::Motion& motion) {
-  constexpr double kSame = 1e-8;  // of the energy
-  if (!input.derived.closed || !input.equipment.empty() || input.document.resistance != world::Resistance{})
-    return false;
-  auto& carts = motion.carts;
-  if (std::all_of(carts.items().begin(), carts.items().end(),
-                  [](const world::CartMotion& cart) { return cart.timetable.valid; }))
-    return true;
-  const double least = energy_of_laps(input);
-  std::vector<Family> families;
-  std::vector<std::size_t> family_of(carts.size());
-  for (std::size_t i = 0; i < carts.size(); ++i) {
-    const world::CartMotion& cart = carts.items()[i];
-    const world::Entity entity = carts.entities()[i];
-    Family own{{}, entity, {}, energy(input.document, input.derived, entity, cart)};
-    begin_timetable(cart, own.place);
-    own.start = start_of(input, entity, own.place);
-    const auto same = std::find_if(families.begin(), families.end(), [&](const Family& f) {
-      return of_one_kind(f.start, own.start) &&
-             std::abs(f.energy - own.energy) <= kSame * std::max(1.0, std::abs(own.energy));
-    });
-    family_of[i] = static_cast<std::size_t>(same - families.begin());
-    if (same == families.end()) families.push_back(own);
-    if (families.size() > kMostTimetables || !(cart.speed > 0) || !(own.energy > least)) return false;
-  }
-  LapTables tables(input, memo);
-  for (std::size_t i = 0; i < carts.size(); ++i) {
-    world::CartMotion& cart = carts.items()[i];
-    const Family& family = families[family_of[i]];
-    const LapTable& table = tables.of(family.first, family.place);
-    if (!table.valid()) return false;
-    cart.timetable = family.place;
-    cart.timetable.phase = table.phase_at(within_lap(cart.track_distance - family.place.front, table.length(), true));
-  }
+    if (!cart.timetable.valid) cart.timetable = timetable_from(cart);
   return true;
 }
 
@@ -179,9 +68,8 @@ bool step_by_timetable(const RideInput& input, int ticks, GhostMemo& memo, world
   const bool shared = motion.carts.size() > kMostTimetables;
   if (!(shared ? share_timetables(input, memo, motion) : begin_timetables(motion))) return false;
   std::vector<std::size_t> rounds, others;  // trains whose laps repeat, and the others
-  LapTables tables(input, memo);
-  for (std::size_t i = 0; i < motion.carts.size(); ++i)
-    (tables.of(motion.carts.entities()[i], motion.carts.items()[i].timetable).valid() ? rounds : others).push_back(i);
+  std::vector<const LapTable*> table_of = LapTables(input, memo).of(motion.carts);
+  for (std::size_t i = 0; i < motion.carts.size(); ++i) (table_of[i]->valid() ? rounds : others).push_back(i);
   if (shared && !others.empty()) return false;
   int done = 0;  // ticks, including the one in which the ride failed, which is the last for all trains
   for (; done < ticks && motion.state == world::RideState::running && (done == 0 || !others.empty()); ++done) {
@@ -204,11 +92,8 @@ bool step_by_timetable(const RideInput& input, int ticks, GhostMemo& memo, world
     if (!any && motion.state == world::RideState::running) motion.state = world::RideState::ended;
   }
   if (others.empty()) done = ticks;
-  LapTables present(input, memo);  // the others may have evicted tables
-  for (const std::size_t i : rounds) {
-    world::CartMotion& cart = motion.carts.items()[i];
-    follow_laps(input, present.of(motion.carts.entities()[i], cart.timetable), done, cart);
-  }
+  else table_of = LapTables(input, memo).of(motion.carts);  // the others may have evicted tables
+  follow_laps(input, table_of, rounds, done, motion.carts.items());
   return true;
 }
 

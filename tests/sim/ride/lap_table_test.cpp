@@ -178,6 +178,23 @@ TEST(lap_table, is_shared_by_a_hundred_trains_of_one_energy) {
   }
 }
 
+// Trains are moved in blocks, each for all ticks of a step.
+TEST(lap_table, trains_of_a_crowd_have_the_bits_of_one_alone) {
+  Crowd crowd;
+  crowd.run("precomputed", 1);
+  const std::vector<world::CartMotion> before = crowd.motion.carts.items();
+  crowd.run("precomputed", 777);
+  for (const std::size_t i : {0u, 1u, 63u, 64u, 99u}) {
+    world::Motion alone;
+    alone.carts.put(crowd.motion.carts.entities()[i], before[i]);
+    alone.state = world::RideState::running;
+    for (int k = 0; k < 111; ++k)
+      step(crowd.document, crowd.derived, base::value_named<world::IntegratorId>("precomputed").value(), 7, crowd.memo,
+           alone);
+    EXPECT_EQ(alone.carts.items()[0], crowd.motion.carts.items()[i]) << i;
+  }
+}
+
 TEST(lap_table, of_more_than_64_energies_is_not_kept_and_trains_move_by_runge_kutta) {
   Crowd crowd, truth;
   for (Crowd* each : {&crowd, &truth})
