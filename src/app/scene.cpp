@@ -3,7 +3,8 @@
 #include <algorithm>
 #include <utility>
 
-#include "sim/ride/ride.h"
+#include "gfx/instances.h"
+#include "sim/ride/shown_cars.h"
 #include "world/aids.h"
 #include "world/lab_view.h"
 #include "world/look.h"
@@ -38,15 +39,9 @@ void mark_plan(const Program& program, const Look& look, const edit::Findings& f
 
 }  // namespace
 
-std::vector<sim::Pose> cart_poses(const edit::Session& session) {
-  std::vector<sim::Pose> poses;
-  if (session.derived.order.empty()) return poses;
-  const auto& carts = session.motion.carts;
-  for (std::size_t i = 0; i < carts.size(); ++i)
-    for (const sim::Pose& car : sim::car_poses(session.document, session.derived, carts.entities()[i], carts.items()[i],
-                                               session.settings.frames))
-      poses.push_back(car);
-  return poses;
+std::vector<sim::Pose> cart_poses(const edit::Session& session, glm::vec3 eye) {
+  return sim::shown_cars(session.document, session.derived, session.motion, session.settings.frames, eye,
+                         gfx::Instances::kFullCars);
 }
 
 edit::Want wanted_by(const Look& look, const Program& program) {
@@ -76,7 +71,7 @@ gfx::DrawStats draw_scene(Program& program, const Look& look, const edit::Findin
   mark_plan(program, look, found, marked);
   const view::Overlay overlay =
       view::build_overlay(session.document, session.derived, look.settings, look.view, look.hovered, marked);
-  const std::vector<sim::Pose> carts = cart_poses(session);
+  const std::vector<sim::Pose> carts = cart_poses(session, look.view.eye);
   gfx::Scene scene{session.derived,
                    look.view,
                    overlay,

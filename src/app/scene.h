@@ -30,7 +30,7 @@ void draw_pixels(Program& program);
 // and its statistics.
 void draw_scene_alone(Program& program, const view::View& view, platform::Size size);
 
-// Returns the pose of each car of each train.
-std::vector<sim::Pose> cart_poses(const edit::Session& session);
+// Returns the pose of each car of each train, for a picture from this eye.
+std::vector<sim::Pose> cart_poses(const edit::Session& session, glm::vec3 eye);
 
 }  // namespace coaster::app

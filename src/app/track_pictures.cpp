@@ -28,7 +28,7 @@ ui::TrackPicture TrackPictures::draw(const gfx::Gl& gl, const gfx::Renderer& sce
   const view::View view =
       view::orbit_view(view::frame_all(session.settings.camera, session.document, viewport), viewport);
   const view::Overlay nothing_over_it;
-  const std::vector<sim::Pose> cars = cart_poses(session);
+  const std::vector<sim::Pose> cars = cart_poses(session, view.eye);
   gfx::Scene scene{session.derived, view, nothing_over_it, cars};
   scene.show_polyline = false;
   scene.style = style;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <initializer_list>
+#include <iterator>
 #include <limits>
 #include <numeric>
 
@@ -33,11 +34,8 @@ void push_colour(std::vector<float>& out, std::uint32_t rgba) {
 
 // Appends the columns of the model matrix.
 void push_matrix(std::vector<float>& out, glm::vec3 x, glm::vec3 y, glm::vec3 z, glm::vec3 origin) {
-  const glm::vec3 columns[] = {x, y, z, origin};
-  for (int i = 0; i < 4; ++i) {
-    push(out, columns[i]);
-    out.push_back(i == 3 ? 1.0f : 0.0f);
-  }
+  const float columns[] = {x.x, x.y, x.z, 0, y.x, y.y, y.z, 0, z.x, z.y, z.z, 0, origin.x, origin.y, origin.z, 1};
+  out.insert(out.end(), std::begin(columns), std::end(columns));
 }
 
 double stretch(const sim::Pose& pose) {
