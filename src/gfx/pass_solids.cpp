@@ -26,9 +26,9 @@ glm::vec3 lit_from(const view::View& view) {
 }
 
 // Returns up to which distance a rail is more than two pixels wide, and up to which ties are a pixel apart.
-SweptTrack::Reach reach_of(const view::View& view) {
-  return {static_cast<float>(sim::kRailRadius) / metres_of_pixels(view, 1),
-          static_cast<float>(sim::kTieSpacing) / metres_of_pixels(view, 1)};
+SweptTrack::Reach reach_of(const Scene& scene) {
+  const float pixel = metres_of_pixels(scene.view, 1) / scene.detail;
+  return {static_cast<float>(sim::kRailRadius) / pixel, static_cast<float>(sim::kTieSpacing) / pixel};
 }
 
 // Call with the program in use and its matrix set.
@@ -79,17 +79,17 @@ void draw_all(const Pass& pass, const Program& program, GLenum hidden, const Tra
 
 }  // namespace
 
-void choose_levels(const view::View& view, TrackCache& track) {
+void choose_levels(const Scene& scene, TrackCache& track) {
   constexpr float kUnseen = 0.25f;  // px
-  const SweptTrack::Reach reach = reach_of(view);
-  track.look_from({view.eye, metres_of_pixels(view, kUnseen), reach.full}, reach.ties);
+  const SweptTrack::Reach reach = reach_of(scene);
+  track.look_from({scene.view.eye, metres_of_pixels(scene.view, kUnseen / scene.detail), reach.full}, reach.ties);
 }
 
-void choose_detail(const view::View& view, TrackCache& track) {
-  const SweptTrack::Reach reach = reach_of(view);
-  track.swept().look_from(view.eye, reach);
-  track.mesh().look_from(view.eye, reach.full);
-  track.supports().mesh().look_from(view.eye, reach.full);
+void choose_detail(const Scene& scene, TrackCache& track) {
+  const SweptTrack::Reach reach = reach_of(scene);
+  track.swept().look_from(scene.view.eye, reach);
+  track.mesh().look_from(scene.view.eye, reach.full);
+  track.supports().mesh().look_from(scene.view.eye, reach.full);
 }
 
 void cast_track(const Pass& pass, TrackCache& track, const glm::mat4& light, float texel_metres) {

@@ -35,10 +35,10 @@ struct Pass {
 inline constexpr int kValueUnit = 0, kTrackShadowUnit = 1, kTrainShadowUnit = 3;
 
 // Lets the buffers of very long tracks hold in full what the view can show, from now on.
-void choose_levels(const view::View& view, TrackCache& track);
+void choose_levels(const Scene& scene, TrackCache& track);
 // From now on draws track with fewer triangles where a rail is at most two pixels wide, and without ties where these
 // are less than a pixel apart.
-void choose_detail(const view::View& view, TrackCache& track);
+void choose_detail(const Scene& scene, TrackCache& track);
 
 // Draws sky, and ground with its shadows.
 void draw_backdrop(const Pass& pass, const SunShadows& shadows);

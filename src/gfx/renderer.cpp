@@ -30,7 +30,7 @@ struct Renderer::Parts {
 
 // Updates the buffers from the scene: writes only what has changed, except for the few bytes of overlay and poses.
 void Renderer::Parts::upload(const Scene& scene, DrawStats& stats) {
-  choose_levels(scene.view, track);
+  choose_levels(scene, track);
   const TrackCache::Synced synced = track.sync(scene.derived, scene.clock);
   const SupportCache::Synced held = track.supports().sync(scene.supports, scene.clock, track.near());
   stats.uploads = synced.uploads;
@@ -76,7 +76,7 @@ DrawStats Renderer::draw(const Scene& scene, int width, int height) {
   const Scenery& scenery = scenery_of(scene.style);
   parts.air.bind(scenery);
   parts.upload(scene, stats);
-  choose_detail(scene.view, parts.track);
+  choose_detail(scene, parts.track);
   parts.targets.fit(width, height);
   stats.samples = parts.targets.samples();
   const Pass pass{

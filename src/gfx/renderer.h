@@ -32,6 +32,7 @@ struct Scene {
   const sim::Supports* supports = nullptr;  // null: not drawn
   bool shadows = true;
   bool unseen = false;  // true: do everything except drawing pixels
+  float detail = 1;     // factor of the distances from which on the track is coarse
 };
 
 using view::DrawStats;

@@ -1,0 +1,111 @@
+// Level of detail along a flight over a very long track: segment_levels, swept_track, track_cache and near_track
+// together. Every picture is compared with one in full detail, so nothing opens, vanishes or jumps on the way.
+#include <cmath>
+
+#include "gfx/studio.h"
+#include "sim/solids/supports.h"
+#include "world/topology.h"
+
+namespace coaster::gfx {
+namespace flight_test {
+
+using test::Track;
+
+constexpr double kTurn = 6.283185307179586, kBetween = 150, kApart = 9;  // m between windings, and between knots
+constexpr float kFull = 32;  // times the usual detail: more than anyone could see
+
+// Returns a spiral outwards with hills of 8 m, and lifts on a fifth of it.
+world::Document spiral(int segments) {
+  world::Document document;
+  double angle = kTurn;
+  for (int i = 0; i <= segments; ++i) {
+    const double radius = kBetween * angle / kTurn, wave = kTurn * i * kApart / 120;
+    const glm::dvec2 out(std::cos(angle), std::sin(angle)), along(-out.y, out.x);
+    const glm::dvec2 way = kBetween / kTurn * out + radius * along, flat = way / glm::length(way);
+    world::Knot knot;
+    knot.position = glm::vec3(radius * out.x, 20 + 8 * std::sin(wave), radius * out.y);
+    world::set_tangent(knot, glm::vec3(flat.x, 8 * kTurn / 120 * std::cos(wave), flat.y));
+    knot.in_length = knot.out_length = static_cast<float>(kApart / 3);
+    world::append_knot(document, knot);
+    angle += kApart / glm::length(way);
+  }
+  for (std::size_t i = 0; i < document.track.segments.size(); ++i)
+    if (i % 50 < 10) document.entities.put(document.track.segments[i], world::Equipment{world::EquipmentKind::lift});
+  return document;
+}
+
+// How much two pictures differ, in levels of 255.
+struct Difference {
+  double mean = 0;
+  int most = 0, pixels = 0;  // the largest of a pixel; pixels that differ by more than 48
+};
+Difference difference(const Image& a, const Image& b) {
+  Difference found;
+  for (std::size_t i = 0; i < a.rgba.size(); i += 4) {
+    int off = 0;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const int channel = std::abs(int(a.rgba[i + k]) - int(b.rgba[i + k]));
+      found.mean += channel, off = std::max(off, channel);
+    }
+    found.most = std::max(found.most, off), found.pixels += off > 48 ? 1 : 0;
+  }
+  found.mean /= 0.75 * static_cast<double>(a.rgba.size());
+  return found;
+}
+
+class Flight : public test::Studio {
+ protected:
+  Flight() { width_ = 320, height_ = 180, samples_ = 4; }
+  void SetUp() override {
+    Studio::SetUp();
+    full_ = fresh();
+    supports_.update(track_.derived);
+    ASSERT_GT(supports_.count(), 10'000);
+  }
+  void TearDown() override { full_.reset(), Studio::TearDown(); }
+
+  Image picture(Renderer& renderer, const view::View& view, float detail) {
+    const view::Overlay overlay;
+    Scene scene{track_.derived, view, overlay, {}, false};
+    scene.supports = &supports_, scene.detail = detail;
+    scene.shadows = false;  // their map changes in steps
+    triangles_ = renderer.draw(scene, width_, height_).triangles;
+    return renderer.read_pixels();
+  }
+  // Compares the pictures of an eye that moves on from picture to picture.
+  void fly(int pictures, const auto& eye_at) {
+    for (int i = 0; i < pictures; ++i) {
+      const view::View view = view::view_of(eye_at(i), {0, 0, float(width_), float(height_)});
+      const Image usual = picture(*renderer_, view, 1);
+      const std::int64_t usual_triangles = triangles_;
+      const Difference off = difference(usual, picture(*full_, view, kFull));
+      EXPECT_LT(4 * usual_triangles, 3 * triangles_) << i;
+      // Ties and supports end where they cover a pixel by a fifth, outlines move by two thirds of a pixel. A hole, or a
+      // piece that is visibly straight, changes whole pixels.
+      EXPECT_LT(off.mean, 0.5) << i;
+      EXPECT_LT(off.most, 128) << i;
+      EXPECT_LT(off.pixels, width_ * height_ / 600) << i;
+    }
+  }
+
+  Track track_{spiral(20'500), 2};
+  sim::Supports supports_;
+  std::unique_ptr<Renderer> full_;
+  std::int64_t triangles_ = 0;
+};
+
+TEST_F(Flight, along_the_track_looks_as_in_full_detail) {
+  const auto place = [&](std::size_t knot) {
+    return glm::dvec3(world::knot(track_.document, track_.document.track.knots[knot]).position);
+  };
+  fly(8, [&](int i) {
+    const std::size_t knot = 9000 + 11 * static_cast<std::size_t>(i);
+    view::Eye eye;
+    eye.position = place(knot) + glm::dvec3(0, 7, 0);
+    eye.forward = glm::normalize(place(knot + 20) - eye.position);
+    return eye;
+  });
+}
+
+}  // namespace flight_test
+}  // namespace coaster::gfx
