@@ -1,4 +1,5 @@
-// Finds and operates widgets. It never activates a widget by id: if a mouse cannot press it, that is an error.
+// Operates widgets; ui_driver_find.cpp finds them. It never activates a widget by id: if a mouse cannot press it, that
+// is an error.
 #include "script/ui_driver.h"
 
 #include <algorithm>
@@ -6,20 +7,14 @@
 
 #include <fmt/format.h>
 
-#include "edit/commands/set_setting.h"
-#include "world/panels.h"
-
 namespace coaster::script {
 namespace {
 
-constexpr int kMostScrolls = 80;
 using platform::Button;
 using platform::Key;
 using platform::KeyPress;
 using platform::MouseButton;
 using platform::MouseMove;
-
-MouseMove middle(const WidgetState& w) { return {w.x + w.width / 2, w.y + w.height / 2}; }
 
 // Returns the number that a widget shows, without its unit.
 std::optional<double> number_shown(const std::string& text) {
@@ -29,124 +24,6 @@ std::optional<double> number_shown(const std::string& text) {
 }
 
 }  // namespace
-
-const WidgetState* UiDriver::now(std::string_view path) {
-  widgets_ = frames_.host().widgets();
-  const auto found = find_widget(widgets_, path);
-  return found ? &widgets_[*found] : nullptr;
-}
-
-Failure UiDriver::refusal(const WidgetState& widget) const {
-  if (!widget.visible) return failed(base::quoted(widget.path) + " is out of sight");
-  if (widget.covered) return failed(base::quoted(widget.path) + " is covered by another window");
-  if (!widget.enabled) return failed(base::quoted(widget.path) + " is disabled");
-  return {};
-}
-
-Failure UiDriver::open_one(WidgetState widget) {
-  const std::string path = widget.path;
-  if (Failure sight = bring_into_sight(path, widget); !sight) return sight;
-  if (Failure refused = refusal(widget); !refused) return refused;
-  if (Failure moved = frame({middle(widget)}); !moved) return moved;
-  if (Failure clicked = press_and_release({}); !clicked) return clicked;
-  return failure(frames_.settle_panels());
-}
-
-// Opens headers, combos and menus on the path; then the closed headers of its panel.
-Failure UiDriver::open_way_to(std::string_view path) {
-  const auto missing = [&] { return find_widgets(frames_.host().widgets(), path).empty(); };
-  for (std::size_t slash = path.find('/'); slash != std::string_view::npos && missing();
-       slash = path.find('/', slash + 1)) {
-    const WidgetState* const parent = now(path.substr(0, slash));
-    const bool opens =
-        parent && (is_closed_header(*parent) || parent->kind == "combo" || (parent->kind == "menu" && !is_on(*parent)));
-    if (!opens) continue;
-    if (Failure opened = open_one(*parent); !opened) return opened;
-  }
-  const std::string panel(panel_of(path));
-  std::vector<std::string> tried;
-  for (bool again = true; again && missing();) {
-    again = false;
-    widgets_ = frames_.host().widgets();
-    for (const WidgetState& widget : widgets_) {
-      if (!is_closed_header(widget) || panel_of(widget.path) != panel) continue;
-      if (std::find(tried.begin(), tried.end(), widget.path) != tried.end()) continue;
-      tried.push_back(widget.path);
-      if (Failure opened = open_one(widget); !opened) return opened;
-      again = true;
-      break;
-    }
-  }
-  return {};
-}
-
-// Looks for a missing widget in each other workspace, and returns to the present one. Returns the refusal that names
-// the first workspace that has it; `missing` if none has.
-Failure UiDriver::refuse_missing(std::string_view path, const base::Status& missing) {
-  using world::Workspace;
-  const Workspace here = frames_.host().context().session.settings.panels->workspace;
-  const auto go_to = [&](Workspace workspace) {
-    return frames_.apply(edit::Set<&world::Panels::workspace>{workspace}) && frames_.settle_panels();
-  };
-  std::string_view there;
-  for (const Workspace workspace : {Workspace::build, Workspace::ride, Workspace::laboratory}) {
-    if (workspace == here || !there.empty() || !go_to(workspace) || !open_way_to(path)) continue;
-    if (!find_widgets(frames_.host().widgets(), path).empty()) there = base::name_of(workspace);
-  }
-  if (!go_to(here) || there.empty()) return failure(missing);
-  return failed(
-      fmt::format("{} is in the workspace {}: write \"workspace {}\" before", base::quoted(path), there, there));
-}
-
-Failure UiDriver::find(std::string_view path, WidgetState& widget) {
-  if (const base::Status settled = frames_.settle_panels(); !settled) return failure(settled);
-  if (Failure opened = open_way_to(path); !opened) return opened;
-  widgets_ = frames_.host().widgets();
-  const auto found = find_widget(widgets_, path);
-  if (!found)
-    return find_widgets(widgets_, path).empty() ? refuse_missing(path, found.status()) : failure(found.status());
-  widget = widgets_[*found];
-  return {};
-}
-
-// Ranks how likely two widgets scroll together: same group, same panel, or neither.
-int kinship(std::string_view a, std::string_view b) {
-  if (a.substr(0, a.rfind('/')) == b.substr(0, b.rfind('/'))) return 2;
-  return panel_of(a) == panel_of(b) ? 1 : 0;
-}
-
-// True if the wheel over `other` may scroll `widget`: menus scroll by themselves, and so do lists.
-bool may_scroll_together(const WidgetState& widget, const WidgetState& other) {
-  if (kinship(widget.path, other.path) == 2) return true;
-  return panel_of(widget.path) != "Menu" && panel_of(other.path) != "Menu" && other.kind != "menu" &&
-         other.kind != "item";
-}
-
-// Turns the wheel over the widget's column: at a visible widget of it, preferably of the same group.
-Failure UiDriver::bring_into_sight(std::string_view path, WidgetState& widget) {
-  std::vector<std::string> useless;  // widgets over which the wheel moved nothing
-  for (int i = 0; i < kMostScrolls && !widget.visible; ++i) {
-    const WidgetState* over = nullptr;
-    const float x = middle(widget).x;
-    for (const WidgetState& other : widgets_) {
-      if (!other.visible || other.covered || !may_scroll_together(widget, other)) continue;
-      if (x < other.x || x > other.x + other.width) continue;
-      if (std::find(useless.begin(), useless.end(), other.path) != useless.end()) continue;
-      if (!over || kinship(other.path, widget.path) > kinship(over->path, widget.path)) over = &other;
-    }
-    if (!over) break;
-    const MouseMove at{x, middle(*over).y};
-    const std::string turned_over = over->path;
-    const float notch = widget.y > at.y ? -1.0f : 1.0f;
-    if (Failure turned = frame({at, platform::Wheel{0, notch}}); !turned) return turned;
-    if (const base::Status settled = frames_.settle_panels(); !settled) return failure(settled);
-    const WidgetState* const moved = now(path);
-    if (!moved) break;
-    if (moved->y == widget.y) useless.push_back(turned_over);
-    widget = *moved;
-  }
-  return {};
-}
 
 Failure UiDriver::reach(std::string_view path) {
   if (Failure found = find(path, widget_); !found) return found;

@@ -10,6 +10,8 @@
 
 namespace coaster::script {
 
+inline platform::MouseMove middle(const WidgetState& w) { return {w.x + w.width / 2, w.y + w.height / 2}; }
+
 class UiDriver {
  public:
   explicit UiDriver(FrameDriver& frames) : frames_(frames) {}
@@ -41,6 +43,7 @@ class UiDriver {
   Failure find(std::string_view path, WidgetState& widget);
   Failure refuse_missing(std::string_view path, const base::Status& missing);
   Failure open_way_to(std::string_view path);
+  Failure open_inner_menu(std::string_view path);
   Failure open_one(WidgetState widget);
   Failure bring_into_sight(std::string_view path, WidgetState& widget);
   // Returns why a widget cannot be used: out of sight, covered or disabled.

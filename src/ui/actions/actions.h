@@ -29,7 +29,7 @@ inline constexpr Condition kAlways{[](const Act&) { return true; }, ""};
 
 struct Action {
   std::string_view name;  // shown in the menu
-  std::string_view menu;  // "" if it is in none
+  std::string_view menu;  // "View", or "View/Camera" for a menu inside; "" if it is in none
   platform::Chord chord;  // default key; Key::unknown for none (the user's settings may replace it: key_map.h)
   unsigned keys;          // kRepeats while the key is held, kInDrag: allowed while the mouse drags something
   std::string_view help;

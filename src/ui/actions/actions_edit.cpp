@@ -70,7 +70,7 @@ void next_snapping(Act& act) {
 }
 
 void escape(Act& act) {
-  if (cancel_drags(act)) return;
+  if (cancel_drags(act) || act.ui.state.job.progress) return;  // the job's card takes it
   if (ImGui::GetCurrentContext()->OpenPopupStack.Size > 0) ImGui::ClosePopupToLevel(0, true);
   else if (card_shows(act.ui.session())) act.ui.emit(edit::CloseCard{});
   else if (on<&Aids::append_mode>(act)) toggle<&Aids::append_mode>(act);
@@ -133,22 +133,22 @@ constexpr Action kEditActions[] = {
      ctrl_shift(Key::z)},
     {"Delete", "Edit", key(Key::del), 0, "Delete the selected knot, section or cart.", remove, kRemovable, nullptr,
      key(Key::x)},
-    {"Select all", "Edit", ctrl(Key::a), 0, "Select every knot.", select_all, kAnyKnots},
-    {"Box select", "Edit", key(Key::b), 0, "Drag a box around knots. Shift+drag adds, Ctrl+drag removes.", box_select,
-     kAnyKnots},
-    {"Move", "Edit", key(Key::g), 0,
+    {"Select all", "Edit/Select", ctrl(Key::a), 0, "Select every knot.", select_all, kAnyKnots},
+    {"Box select", "Edit/Select", key(Key::b), 0, "Drag a box around knots. Shift+drag adds, Ctrl+drag removes.",
+     box_select, kAnyKnots},
+    {"Move", "Edit/Transform", key(Key::g), 0,
      "Move the selected knots. X, Y, Z: along an axis. Shift+axis: in a plane. Or type a number.",
      transform<TransformKind::move>, kKnotSelected},
-    {"Rotate", "Edit", key(Key::r), 0,
+    {"Rotate", "Edit/Transform", key(Key::r), 0,
      "Rotate the selected knots about their centre. X, Y, Z: about an axis. Type degrees.",
      transform<TransformKind::rotate>, kKnotSelected},
-    {"Scale", "Edit", key(Key::s), 0,
+    {"Scale", "Edit/Transform", key(Key::s), 0,
      "Scale the selected knots and their handles. X, Y, Z: along an axis. Type a factor.",
      transform<TransformKind::scale>, kKnotSelected},
-    {"Next snapping", "Edit", shift(Key::tab), 0,
+    {"Next snapping", "Edit/Transform", shift(Key::tab), 0,
      "Snap to nothing, the grid, knots or the ground. Ctrl while dragging inverts snapping.", next_snapping, kAlways,
      snapping},
-    {"Select none", "Edit", kNoKey, 0, "Clear the selection. Key Escape.", emit<edit::Select>, kAnySelected},
+    {"Select none", "Edit/Select", kNoKey, 0, "Clear the selection. Key Escape.", emit<edit::Select>, kAnySelected},
     {"Add curve", "Edit", key(Key::c), 0, "Split the longest segment at half its length. The shape is unchanged.",
      emit<edit::AddCurve>},
     {"Insert point", "Edit", key(Key::i), 0,

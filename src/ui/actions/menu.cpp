@@ -1,8 +1,10 @@
 // The menu bar: the rows of the actions' table that name a menu.
 #include <imgui.h>
 
+#include <algorithm>
 #include <cmath>
 #include <string>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -35,18 +37,47 @@ void build_recent(Act& act) {
   note(act.ui, "File/Recent", "menu", open ? "" : "Recently used files.", any, open ? "open" : "closed", low, high);
 }
 
+void build_items(Act& act, std::string_view menu);
+
+// A menu of the bar, or one inside another: its title, and its items while it is open.
+void build_one(Act& act, std::string_view menu) {
+  const std::size_t slash = menu.rfind('/');
+  const bool inner = slash != std::string_view::npos;
+  const std::string title(inner ? menu.substr(slash + 1) : menu);
+  // Once the menu is open, ImGui's last item is not its title, so the position of the title is read before.
+  const ImVec2 low = ImGui::GetCursorScreenPos();
+  const float width = inner ? ImGui::GetContentRegionAvail().x : text_size(title).x + ImGui::GetStyle().ItemSpacing.x;
+  const ImVec2 high(low.x + width, low.y + (inner ? ImGui::GetTextLineHeight() : ImGui::GetFrameHeight()));
+  const bool open = ImGui::BeginMenu(title.c_str());
+  if (open) {
+    build_items(act, menu);
+    ImGui::EndMenu();
+  }
+  note(act.ui, menu, "menu", open ? "" : "Open the menu.", true, open ? "open" : "closed", low, high);
+}
+
+void build_item(Act& act, const Action& action) {
+  const bool enabled = action.enabled.holds(act);
+  const bool checked = action.checked != nullptr && action.checked(act);
+  const std::string label(action.name), keys = act.ui.keys.shown(action.name);
+  const bool pressed = ImGui::MenuItem(label.c_str(), keys.empty() ? nullptr : keys.c_str(), checked, enabled);
+  std::string help = with_keys(act.ui.keys, action.help, action.name);
+  if (!enabled) help += fmt::format(" {}", action.enabled.otherwise);
+  note_item(act.ui, fmt::format("{}/{}", action.menu, label), "menu", help, enabled, checked ? "on" : "off");
+  if (pressed) action.run(act);
+}
+
+// Each menu inside takes the place of its first item.
 void build_items(Act& act, std::string_view menu) {
+  std::vector<std::string_view> inside;
   for (const Action& action : actions()) {
-    if (action.menu != menu) continue;
-    const bool enabled = action.enabled.holds(act);
-    const bool checked = action.checked != nullptr && action.checked(act);
-    const std::string label(action.name), keys = act.ui.keys.shown(action.name);
-    const bool pressed = ImGui::MenuItem(label.c_str(), keys.empty() ? nullptr : keys.c_str(), checked, enabled);
-    std::string help = with_keys(act.ui.keys, action.help, action.name);
-    if (!enabled) help += fmt::format(" {}", action.enabled.otherwise);
-    note_item(act.ui, fmt::format("{}/{}", menu, label), "menu", help, enabled, checked ? "on" : "off");
-    if (pressed) action.run(act);
-    if (action.name == "Open") build_recent(act);
+    if (action.menu == menu) {
+      build_item(act, action);
+      if (action.name == "Open") build_recent(act);
+    } else if (action.menu.starts_with(menu) && std::find(inside.begin(), inside.end(), action.menu) == inside.end()) {
+      inside.push_back(action.menu);
+      build_one(act, action.menu);
+    }
   }
 }
 
@@ -108,17 +139,7 @@ void build_file_mark(Ui& ui) {
 void build_menu(Act& act) {
   if (!ImGui::BeginMainMenuBar()) return;
   act.ui.panel = "Menu";
-  for (const std::string_view menu : {"File", "Edit", "View", "Ride", "Window"}) {
-    // Once the menu is open, ImGui's last item is not its title, so the position of the title is read before.
-    const ImVec2 low = ImGui::GetCursorScreenPos();
-    const ImVec2 high(low.x + text_size(menu).x + ImGui::GetStyle().ItemSpacing.x, low.y + ImGui::GetFrameHeight());
-    const bool open = ImGui::BeginMenu(std::string(menu).c_str());
-    if (open) {
-      build_items(act, menu);
-      ImGui::EndMenu();
-    }
-    note(act.ui, menu, "menu", open ? "" : "Open the menu.", true, open ? "open" : "closed", low, high);
-  }
+  for (const std::string_view menu : {"File", "Edit", "View", "Ride", "Window"}) build_one(act, menu);
   build_tabs(act.ui);
   build_file_mark(act.ui);
   act.ui.panel.clear();

@@ -1,9 +1,13 @@
 #include "ui/actions/actions.h"
 
+#include <fmt/format.h>
+
 #include "edit/commands/commands_ride.h"
 #include "edit/commands/commands_settings.h"
+#include "edit/commands/set_setting.h"
 #include "ui/stage.h"
 #include "world/aids.h"
+#include "world/look.h"
 #include "world/panels.h"
 
 namespace coaster::ui {
@@ -28,6 +32,41 @@ TEST(action_table, the_menu_file_ends_with_quit) {
   for (const Action& a : actions())
     if (a.menu == "File") last = a.name;
   EXPECT_EQ(last, "Quit");
+}
+
+// A menu that is higher than the window covers its own title, and needs the wheel.
+TEST_F(ActionsTest, every_menu_fits_a_small_window_at_both_scales_and_leaves_its_bar_free) {
+  for (const float scale : {1.0f, 1.5f}) {
+    ASSERT_TRUE(edit::apply(session_, files_, edit::Set<&world::Look::ui_scale>{scale}).ok());
+    frames(3);
+    std::size_t items = 0;
+    std::vector<std::string_view> menus;
+    for (const Action& action : actions())
+      if (!action.menu.empty() && std::ranges::find(menus, action.menu) == menus.end()) menus.push_back(action.menu);
+    for (const std::string_view menu : menus) {
+      SCOPED_TRACE(fmt::format("{} at scale {}", menu, scale));
+      for (std::size_t end = menu.find('/');; end = menu.find('/', end + 1)) {
+        click(fmt::format("Menu/{}", menu.substr(0, end)));
+        frames(2);
+        if (end == std::string_view::npos) break;
+      }
+      const float bar = find("Menu/File")->y + find("Menu/File")->height;
+      for (const Widget& widget : host_->widgets()) {
+        const bool inside = widget.kind == "menu" && widget.path.starts_with(fmt::format("Menu/{}/", menu));
+        if (!inside) continue;
+        ++items;
+        EXPECT_TRUE(widget.visible) << widget.path;
+        EXPECT_GE(widget.y, bar - 0.5f) << widget.path;
+        EXPECT_LE(widget.y + widget.height, 720) << widget.path;
+        EXPECT_LE(widget.x + widget.width, 1280) << widget.path;
+      }
+      for (int i = 0; i < 3; ++i) key(platform::Key::escape);
+      frames(2);
+    }
+    std::size_t in_menus = 0;
+    for (const Action& action : actions()) in_menus += !action.menu.empty();
+    EXPECT_GE(items, in_menus);
+  }
 }
 
 TEST_F(ActionsTest, tab_gives_the_viewport_the_whole_window_and_back) {
