@@ -21,6 +21,8 @@ class Beside {
   Beside(const Beside&) = delete;
   Beside& operator=(const Beside&) = delete;
 
+  // True if beginning takes less than a millisecond: a worker gets a copy of the page's memory first.
+  static bool is_quick();
   bool done();                 // without waiting: take() returns at once, or does the work
   base::Result<Found> take();  // once; waits for a thread
 

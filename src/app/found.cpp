@@ -16,8 +16,8 @@ class Writer {
   void text(std::string_view part) { out_ += fmt::format("{} {}", part.size(), part); }
   template <class Number>
   void number(Number value) {
-    if constexpr (std::is_floating_point_v<Number>) text(base::to_text(value));
-    else text(std::to_string(value));
+    if constexpr (std::is_floating_point_v<Number>) text(base::to_text(double{value}));
+    else text(std::to_string(static_cast<std::int64_t>(value)));
   }
   std::string take() { return std::move(out_); }
 
@@ -114,6 +114,34 @@ edit::Sought read_sought(Reader& from) {
   return sought;
 }
 
+// Calls f for each number of a component with numbers, enumerators and vectors.
+template <class Component, class F>
+void for_each_value(Component& component, const F& f) {
+  std::remove_const_t<Component>::fields([&](const world::Field&, auto member) {
+    auto& value = component.*member;
+    if constexpr (std::is_same_v<std::remove_cvref_t<decltype(value)>, glm::vec3>) f(value.x), f(value.y), f(value.z);
+    else f(value);
+  });
+}
+
+void write(Writer& to, const sim::ChangedWay& way) {
+  to.text("way");
+  to.text(way.refusal);
+  to.number(static_cast<int>(way.another));
+  for_each_value(way.way, [&](auto value) { to.number(value); });
+  to.number(way.fit.knots.size());
+  for (const world::Knot& knot : way.fit.knots) for_each_value(knot, [&](auto value) { to.number(value); });
+}
+
+sim::ChangedWay read_way(Reader& from) {
+  sim::ChangedWay way{.refusal = from.text()};
+  from.number(way.another);
+  for_each_value(way.way, [&](auto& value) { from.number(value); });
+  way.fit.knots.resize(from.count());
+  for (world::Knot& knot : way.fit.knots) for_each_value(knot, [&](auto& value) { from.number(value); });
+  return way;
+}
+
 }  // namespace
 
 std::string print_found(const base::Result<Found>& found) {
@@ -139,6 +167,10 @@ base::Result<Found> parse_found(std::string_view text) {
   if (kind == "sought") {
     edit::Sought sought = read_sought(from);
     return from.done() ? base::Result<Found>(std::move(sought)) : broken;
+  }
+  if (kind == "way") {
+    sim::ChangedWay way = read_way(from);
+    return from.done() ? base::Result<Found>(std::move(way)) : broken;
   }
   int code = 0;
   from.number(code);

@@ -1,5 +1,5 @@
-// What a long job finds for the command that follows it: a file's track, or the values of a search. Also as text, in
-// which a page's worker hands it over.
+// What a long job finds for the command that follows it: a file's track, the values of a search, or a way home. Also as
+// text, in which a page's worker hands it over.
 #pragma once
 
 #include <string>
@@ -11,10 +11,10 @@
 
 namespace coaster::app {
 
-using Found = std::variant<exchange::LoadedTrack, edit::Sought>;
+using Found = std::variant<exchange::LoadedTrack, edit::Sought, sim::ChangedWay>;
 
-// parse_found(print_found(f)) equals f: documents by hash, numbers exactly. Tracks have no SharedView: links are read
-// at once.
+// parse_found(print_found(f)) equals f: documents by hash, numbers exactly. Of a way home only what a command needs:
+// not the figures of its fit. Tracks have no SharedView: links are read at once.
 std::string print_found(const base::Result<Found>& found);
 // Code::io for a text that print_found() does not print.
 base::Result<Found> parse_found(std::string_view text);

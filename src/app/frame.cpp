@@ -32,6 +32,7 @@ void read_input(Program& program, const platform::Events& events, platform::Size
 ui::Output build_panels(Program& program, const platform::Events& events, platform::Size size) {
   ui::State state{program.session,          program.stats,        program.time.seconds,
                   program.stats.hide_times, &program.picture.rig, program.keeper ? &program.keeper->state : nullptr};
+  state.waiting = program.job != nullptr;
   if (const LongJob* const job = shown_job(program)) state.job = {&job->work->progress, job->panel, job->title};
   state.lesson = program.tutorial.card ? &*program.tutorial.card : nullptr;
   state.pictures = &program.pictures.made();
@@ -48,17 +49,6 @@ void ask_for_tutorial(Program& program) {
                  "The tutorial needs a window and cannot run during a script.");
 }
 
-// Applies the commands; edit::apply updates the document, the derived data and the ride.
-void apply_commands(Program& program, const std::vector<edit::Command>& commands) {
-  program.by_hand = true;
-  for (const edit::Command& command : commands) {
-    // While work goes on for a command, actions that would lose its result are not started.
-    if (program.job && edit::info(command).effect != edit::Effect::settings) continue;
-    if (!begin_job(program, command)) (void)apply(program, command);  // a rejected command shows a notice
-  }
-  program.by_hand = false;
-}
-
 // Pastes the clipboard. A link is opened. The clipboard of another window has priority over what was copied here.
 void paste(Program& program, bool link_alone, const std::optional<ui::KeysPlace>& keys_to) {
   std::string text = program.surface->clipboard();
@@ -67,10 +57,10 @@ void paste(Program& program, bool link_alone, const std::optional<ui::KeysPlace>
   if (keys_to && exchange::parse_keys(text.empty() ? program.session.copied : text)) {
     edit::PasteForceKeys keys{{keys_to->section}, keys_to->channel, keys_to->at, {}};
     if (text != program.session.copied) keys.text = std::move(text);
-    return apply_commands(program, {std::move(keys)});
+    return apply_by_hand(program, {std::move(keys)});
   }
   if (text == program.session.copied || !exchange::parse_track(text, "clipboard")) text.clear();
-  apply_commands(program, {edit::PasteSections{std::move(text)}});
+  apply_by_hand(program, {edit::PasteSections{std::move(text)}});
 }
 
 // Carries out everything that the panels requested.
@@ -80,7 +70,7 @@ void apply_output(Program& program, const ui::Output& output) {
   if (output.wants_tutorial) ask_for_tutorial(program);
   program.pictures.update(program.gl, *program.renderer, output.wanted_pictures, program.session.settings.look->style);
   program.picture.toast = program.ui->toast();
-  apply_commands(program, output.commands);
+  apply_by_hand(program, output.commands);
   if (output.wants_paste || output.wants_link) paste(program, !output.wants_paste, output.keys_to);
   program.picture.hovered = output.hovered;
   program.quit = program.quit || output.quit;
@@ -160,7 +150,7 @@ void run_frame(Program& program, const platform::Events& events, int ticks) {
   read_input(program, events, size);
   finish_job(program);
   std::optional<ui::Output> output;
-  if (size.width > 0 && size.height > 0) output = build_panels(program, events, size);
+  if (size.width > 0 && size.height > 0) output = build_panels(program, take_input(program, events), size);
   if (output) apply_output(program, *output);
   follow_movie(program, output ? output->movie : ui::MovieWish::none);
   advance(program, ticks);

@@ -1,5 +1,7 @@
 #include "app/long_job.h"
 
+#include <algorithm>
+#include <span>
 #include <utility>
 #include <variant>
 
@@ -30,6 +32,36 @@ Beside::Work searching(const edit::Session& session, const edit::Seek& command) 
   };
 }
 
+Beside::Work planning(const sim::WayChange& change, sim::OpenedTrack& opened) {
+  return [change, &opened](base::Progress* progress) -> base::Result<Found> {
+    return Found(sim::changed_way(change, opened, progress));
+  };
+}
+
+bool works_beside(const Program& program) {
+  const bool slow = program.job_delay > 0;
+  return program.by_hand && !program.job && (slow || (program.surface->is_window() && program.options.script.empty()));
+}
+
+void start(Program& program, std::unique_ptr<LongJob> job, const edit::Command& command) {
+  job->command = command, job->since = program.time.seconds, job->edits = program.session.edits;
+  job->slow = program.job_delay > 0, job->frames_left = std::exchange(program.job_delay, 0);
+  program.job = std::move(job);
+}
+
+void begin_way(Program& program, const edit::Command& command, sim::WayChange change,
+               std::span<const edit::Command> rest) {
+  auto job = std::make_unique<LongJob>();
+  job->panel = "Search", job->title = "Planning the way home again";
+  job->cancelled = "Cancelled the change";
+  job->way = std::move(change);
+  job->opened = std::make_unique<sim::OpenedTrack>(std::exchange(program.session.findings.memory.opened, {}));
+  job->in_gesture = program.session.history.in_gesture;
+  job->rest.assign(rest.begin(), rest.end());
+  job->work = std::make_unique<Beside>(planning(*job->way, *job->opened), "");
+  start(program, std::move(job), command);
+}
+
 // Begins what can be done beside the frames for a command; false for most commands.
 bool begin_work(const Program& program, const edit::Command& command, LongJob& job) {
   if (const auto* const load = command.as<edit::Load>()) {
@@ -53,26 +85,63 @@ bool begin_work(const Program& program, const edit::Command& command, LongJob& j
 void hand_over(edit::Session& session, const LongJob& job, Found found) {
   if (auto* const track = std::get_if<exchange::LoadedTrack>(&found))
     session.file.read_ahead = edit::ReadAhead{job.command.as<edit::Load>()->path, std::move(*track)};
-  else
-    session.sought = edit::SoughtAhead{edit::print(job.command), job.edits, std::get<edit::Sought>(std::move(found))};
+  else if (auto* const sought = std::get_if<edit::Sought>(&found))
+    session.sought = edit::SoughtAhead{edit::print(job.command), job.edits, std::move(*sought)};
+  else session.way_search.found = edit::FoundWay{*job.way, std::get<sim::ChangedWay>(std::move(found))};
+}
+
+// Applies a finished job's command, or says why not.
+void end_job(Program& program, LongJob& job) {
+  edit::Session& session = program.session;
+  base::Result<Found> found = job.work->take();
+  if (job.opened) session.findings.memory.opened = std::move(*job.opened);
+  // A cancelled job is dropped, even if the work was faster.
+  if (job.work->progress.cancelled) return edit::notify(session, edit::NoticeKind::info, job.cancelled);
+  if (!found) return edit::notify(session, found.status());
+  hand_over(session, job, std::move(*found));
+  (void)apply(program, job.command);
+  session.way_search.found.reset();
 }
 
 }  // namespace
 
+void apply_by_hand(Program& program, const std::vector<edit::Command>& commands) {
+  program.by_hand = true;
+  edit::WaySearch& ways = program.session.way_search;
+  for (auto command = commands.begin(); command != commands.end(); ++command) {
+    if (program.job && edit::info(*command).effect != edit::Effect::settings) continue;
+    if (begin_job(program, *command)) continue;
+    ways.beside = works_beside(program) && (Beside::is_quick() || !program.session.history.in_gesture);
+    (void)apply(program, *command);  // a rejected command shows a notice
+    ways.beside = false;
+    if (!ways.wanted) continue;
+    const auto next = static_cast<std::size_t>(command - commands.begin()) + 1;
+    begin_way(program, *command, *std::exchange(ways.wanted, std::nullopt), std::span(commands).subspan(next));
+    break;
+  }
+  program.by_hand = false;
+}
+
 bool begin_job(Program& program, const edit::Command& command) {
-  const bool slow = program.job_delay > 0;
-  if (!program.by_hand || (!program.surface->is_window() && !slow) || program.job) return false;
+  if (!works_beside(program)) return false;
   auto job = std::make_unique<LongJob>();
   if (!begin_work(program, command, *job)) return false;
-  job->command = command, job->since = program.time.seconds, job->edits = program.session.edits;
-  job->slow = slow, job->frames_left = std::exchange(program.job_delay, 0);
-  program.job = std::move(job);
+  start(program, std::move(job), command);
   return true;
 }
 
 const LongJob* shown_job(const Program& program) {
   const LongJob* const job = program.job.get();
-  return job && (job->slow || program.time.seconds - job->since > kBarAfter) ? job : nullptr;
+  if (!job || job->in_gesture) return nullptr;
+  return job->slow || program.time.seconds - job->since > kBarAfter ? job : nullptr;
+}
+
+platform::Events take_input(Program& program, const platform::Events& events) {
+  const bool holds = program.job && program.job->way && !shown_job(program);
+  platform::Events taken = holds ? platform::Events() : std::exchange(program.held_input, {});
+  for (const platform::Event& event : events)
+    (holds && !std::holds_alternative<platform::Tick>(event) ? program.held_input : taken).push_back(event);
+  return taken;
 }
 
 void finish_job(Program& program) {
@@ -82,12 +151,8 @@ void finish_job(Program& program) {
   if (running.slow && !running.work->progress.cancelled && running.frames_left-- > 0) return;
   if (!running.slow && !running.work->done()) return;
   const std::unique_ptr<LongJob> job = std::move(program.job);
-  base::Result<Found> found = job->work->take();
-  // A cancelled job is dropped, even if the work was faster.
-  if (job->work->progress.cancelled) return edit::notify(program.session, edit::NoticeKind::info, job->cancelled);
-  if (!found) return edit::notify(program.session, found.status());
-  hand_over(program.session, *job, std::move(*found));
-  (void)apply(program, job->command);
+  end_job(program, *job);
+  apply_by_hand(program, job->rest);
 }
 
 }  // namespace coaster::app

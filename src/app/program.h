@@ -79,6 +79,7 @@ struct Program {
   TrackPictures pictures;                      // for the start screen
   std::unique_ptr<LongJob> job;                // an import or a search in progress; null: none
   int job_delay = 0;                           // frames by which a script delays the next one
+  platform::Events held_input;                 // held back while a job plans a way home (long_job.h)
   Tutorial tutorial;
   // Disables saving at the end of memory once the program is destroyed.
   struct MemoryWatch {

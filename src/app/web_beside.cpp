@@ -44,6 +44,7 @@ Beside::~Beside() {
   if (in_worker_) end_work();
 }
 
+bool Beside::is_quick() { return false; }
 bool Beside::done() {
   if (!in_worker_ || progress.cancelled) return true;
   progress.report(part_done());

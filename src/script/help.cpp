@@ -85,8 +85,10 @@ constexpr std::array kOutput{
     HelpRow{"needs vertex_shader|geometry_shader|tessellation_shader",
             "Ends the script as skipped, with exit code 77, where the driver cannot evaluate there."},
     HelpRow{"fault io.open|read|write|fsync|rename|close fail N", "Makes the Nth such operation from now on fail."},
-    HelpRow{"fault import slow N",
-            "Makes the next import or search by hand take N frames longer, time to see its progress bar or cancel."},
+    HelpRow{
+        "fault import slow N",
+        "Makes the next import, search or change of a circuit by hand take N frames longer, time to see its progress "
+        "bar or cancel."},
 };
 
 template <class Rows>

@@ -44,6 +44,24 @@ TEST(found, a_search_and_a_failure_arrive_whole) {
       << "as a page's script writes it";
 }
 
+TEST(found, a_way_home_arrives_with_what_a_command_needs) {
+  sim::ChangedWay way;
+  way.way = {.first = 180.1, .second = -1.0 / 3, .radius = 31, .level = true, .height = 1e-300, .coasts = false};
+  way.another = true;
+  for (const float x : {0.1f, -7e-20f}) {
+    world::Knot& knot = way.fit.knots.emplace_back();
+    knot.position = {x, 1 - x, 3e5f}, knot.in_length = x * 2, knot.spin = 0.123456789f;
+    knot.joint = world::JointKind::aligned;
+  }
+  const base::Result<Found> arrived = sent(Found(way));
+  ASSERT_TRUE(arrived.ok()) << arrived.status().message;
+  const auto& read = std::get<sim::ChangedWay>(*arrived);
+  EXPECT_EQ(read.way, way.way);
+  EXPECT_EQ(read.fit.knots, way.fit.knots);
+  EXPECT_TRUE(read.another);
+  EXPECT_EQ(std::get<sim::ChangedWay>(*sent(Found(sim::ChangedWay{.refusal = "no room"}))).refusal, "no room");
+}
+
 TEST(found, a_damaged_text_is_refused) {
   const std::string whole = print_found(Found(edit::Sought{{0.1, 2}, "a note"}));
   for (std::size_t size = 0; size < whole.size(); ++size) EXPECT_FALSE(parse_found(whole.substr(0, size)).ok()) << size;

@@ -3,7 +3,10 @@
 #include <chrono>
 #include <thread>
 
+#include <fmt/format.h>
+
 #include "app/program_fixture.h"
+#include "edit/commands/codec.h"
 #include "edit/commands/commands_session.h"
 #include "exchange/formats.h"
 
@@ -101,6 +104,130 @@ TEST_F(LongJobs, says_why_a_file_cannot_be_read) {
   EXPECT_TRUE(program_->session.document.track.knots.empty());
   EXPECT_EQ(program_->session.notices.list.back().kind, edit::NoticeKind::error);
   EXPECT_NE(last_notice(*program_).find("broken.csv"), std::string::npos) << last_notice(*program_);
+}
+
+// A circuit that the program has completed.
+class CircuitJobs : public LongJobs {
+ protected:
+  void SetUp() override {
+    LongJobs::SetUp();
+    for (const char* const line :
+         {"element straight length 30 equipment station", "element climb height 25 equipment lift",
+          "element dive height 22", "element curve left radius 30 angle 180 bank 50",
+          "element straight length 40 equipment brake speed 8", "complete 1"})
+      ASSERT_TRUE(apply(*program_, command(line)).ok()) << line << last_notice(*program_);
+    surface(*program_).window = true;
+    before_ = world::hash(program_->session.document);
+  }
+  static edit::Command command(const std::string& line) {
+    std::vector<base::Token> tokens;
+    base::TextError error;
+    EXPECT_TRUE(base::tokenise(line, tokens, error)) << line;
+    const auto parsed = edit::parse(tokens, error);
+    EXPECT_TRUE(parsed) << line << ": " << error.message;
+    return parsed ? *parsed : edit::Command{};
+  }
+  std::uint64_t hash() const { return world::hash(program_->session.document); }
+  std::size_t steps() const { return program_->session.history.undo.size(); }
+  // Returns the hash after the command, without a job.
+  std::uint64_t hash_after(const std::string& line) {
+    EXPECT_TRUE(apply(*program_, command(line)).ok());
+    const std::uint64_t after = hash();
+    EXPECT_TRUE(apply(*program_, edit::Undo{}).ok());
+    EXPECT_EQ(hash(), before_);
+    return after;
+  }
+  std::uint64_t before_ = 0;
+};
+
+TEST_F(CircuitJobs, a_change_of_a_circuit_waits_for_its_way_home_and_is_one_step) {
+  const std::string line = "section.change @q2 to climb height 30 equipment lift";
+  const std::uint64_t wanted = hash_after(line), said = program_->session.notices.serial;
+  const std::size_t steps_before = steps();
+  apply_by_hand(*program_, {command(line), command("section.title @q2 to \"Hill\"")});
+  ASSERT_TRUE(program_->job);
+  EXPECT_EQ(hash(), before_) << "the old track shows meanwhile";
+  EXPECT_EQ(steps(), steps_before);
+  EXPECT_EQ(program_->session.notices.serial, said) << "nothing is refused";
+  apply_by_hand(*program_, {command("section.delete @q3"), command("select @q2")});
+  EXPECT_EQ(hash(), before_) << "what would lose its result is left out";
+  EXPECT_EQ(world::label_of(program_->session.document, program_->session.settings.selected), "q2");
+  wait();
+  finish_job(*program_);
+  EXPECT_FALSE(program_->job);
+  EXPECT_EQ(steps(), steps_before + 2) << "and what came in the same frame";
+  ASSERT_TRUE(apply(*program_, edit::Undo{}).ok());
+  EXPECT_EQ(hash(), wanted);
+  ASSERT_TRUE(apply(*program_, edit::Undo{}).ok());
+  EXPECT_EQ(hash(), before_);
+}
+
+TEST_F(CircuitJobs, says_why_there_is_no_way_home) {
+  ASSERT_TRUE(apply(*program_, command("section.change @q1 to straight length 2000 equipment station")).ok());
+  const std::uint64_t there = hash();
+  apply_by_hand(*program_, {command("section.change @q3 to straight length 2000")});
+  ASSERT_TRUE(program_->job);
+  wait();
+  finish_job(*program_);
+  EXPECT_EQ(hash(), there);
+  EXPECT_NE(last_notice(*program_).find("cannot take up the change"), std::string::npos) << last_notice(*program_);
+}
+
+TEST_F(CircuitJobs, a_cancelled_change_leaves_the_track) {
+  apply_by_hand(*program_, {command("section.change @q2 to climb height 30 equipment lift")});
+  ASSERT_TRUE(program_->job);
+  program_->job->work->progress.cancelled = true;
+  wait();
+  finish_job(*program_);
+  EXPECT_EQ(hash(), before_);
+  EXPECT_EQ(last_notice(*program_), "Cancelled the change");
+}
+
+TEST_F(CircuitJobs, input_waits_until_the_way_is_found_or_the_bar_shows) {
+  const platform::Events events{platform::MouseMove{3, 4}, platform::Tick{0.01}};
+  EXPECT_EQ(take_input(*program_, events).size(), 2u);
+  apply_by_hand(*program_, {command("section.change @q2 to climb height 30 equipment lift")});
+  ASSERT_TRUE(program_->job);
+  const platform::Events taken = take_input(*program_, events);
+  ASSERT_EQ(taken.size(), 1u);
+  EXPECT_TRUE(std::holds_alternative<platform::Tick>(taken.front())) << "time goes on";
+  program_->time.seconds += 0.2;
+  EXPECT_NE(shown_job(*program_), nullptr);
+  EXPECT_EQ(take_input(*program_, events).size(), 3u) << "Cancel can be pressed";
+  wait();
+  finish_job(*program_);
+  EXPECT_EQ(take_input(*program_, events).size(), 2u);
+}
+
+TEST_F(CircuitJobs, a_drag_is_one_step_and_waits_for_each_move_without_a_bar) {
+  const auto line = [](int height) {
+    return fmt::format("section.change @q2 from_start on to climb height {} equipment lift", height);
+  };
+  const std::uint64_t wanted = hash_after(line(29));
+  const std::size_t steps_before = steps();
+  apply_by_hand(*program_, {edit::BeginGesture{}, command(line(26))});
+  for (int height = 27; height <= 29; ++height) {
+    ASSERT_TRUE(program_->job) << height;
+    program_->time.seconds += 1;
+    EXPECT_EQ(shown_job(*program_), nullptr);
+    EXPECT_TRUE(take_input(*program_, {platform::MouseMove{3, 4}}).empty());
+    wait();
+    finish_job(*program_);
+    EXPECT_EQ(take_input(*program_, {}).size(), 1u);
+    apply_by_hand(*program_, {command(line(height))});
+  }
+  wait();
+  finish_job(*program_);
+  apply_by_hand(*program_, {edit::EndGesture{}});
+  EXPECT_EQ(hash(), wanted);
+  EXPECT_EQ(steps(), steps_before + 1);
+}
+
+TEST_F(CircuitJobs, a_script_waits) {
+  program_->options.script = "some.coaster";
+  apply_by_hand(*program_, {command("section.change @q2 to climb height 30 equipment lift")});
+  EXPECT_FALSE(program_->job);
+  EXPECT_NE(hash(), before_);
 }
 
 }  // namespace long_job_test

@@ -71,6 +71,7 @@ Status document_command(Session& session, const C& command, Change& change) {
   const std::vector<PlannedSection> planned = planned_sections(session.document);
   const Status status = perform(session, change, command);
   if (!status) return status;
+  session.way_search.beside = false;  // the document has changed: the command can no longer be refused
   world::settle_joints(session.document);
   free_hand_shaped(planned, session, change);
   // The derived data are still those of the previous document.
@@ -133,6 +134,7 @@ Status carry_out(Session& session, base::Files& files, const Command& command) {
   const bool complete = session.history.dropped == 0;
   const Status open = allowed(session, command);
   const Status status = open ? kPerform[index_of(command)](session, change, command) : open;
+  if (session.way_search.wanted) return status;  // to be applied again: nothing has happened
   if (effect != Effect::settings && effect != Effect::motion) ++session.edits;
   if (!status) {
     notify(session, status);

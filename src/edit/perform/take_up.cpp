@@ -1,14 +1,12 @@
 #include "edit/perform/take_up.h"
 
 #include <algorithm>
-#include <cmath>
-
-#include <fmt/format.h>
+#include <optional>
+#include <utility>
 
 #include "curve/arc_length.h"
 #include "curve/continuity.h"
 #include "edit/perform/replan.h"
-#include "world/motion.h"
 #include "world/sections.h"
 
 namespace coaster::edit {
@@ -53,19 +51,31 @@ bool driven_between(const Document& former, const SectionRun& was, const Documen
   return driven(former, was.first) || driven(next, run.first);
 }
 
-// Returns the task of the section, from its start to its end. `opened` is the track whose shapes are cached.
-base::Result<sim::CircuitTask> task_of(const Session& session, const Document& opened, const world::WayHome& way,
-                                       double risen) {
-  sim::CircuitTask task = *sim::circuit_task(opened, session.findings.memory.opened.derived, nullptr);
-  const double square = way.speed * way.speed - (way.coasts ? 2 * world::kGravity * risen : 0.0);
-  if (square < std::min(1.0, way.speed * way.speed))
-    return refused(fmt::format("the train does not reach the Complete circuit section, which would begin {} m higher",
-                               risen < 0.05 ? fmt::format("{:.1g}", risen) : fmt::format("{:.1f}", risen)));
-  task.speed = std::sqrt(square), task.coasts = way.coasts;
-  task.losses = session.document.resistance;
+// Returns what the change asks of the section that completes the circuit.
+sim::WayChange change_of(const Session& session, const Document& former, const SectionRun& was, const Document& next,
+                         const SectionRun& run) {
+  const std::size_t count = next.track.segments.size();
+  sim::WayChange change{.opened = stretch_of(next, run.end() % count, count - run.count),
+                        .former = world::section(next, run.section).way,
+                        .losses = session.document.resistance,
+                        .whole = !session.history.in_gesture};
+  for (std::size_t i = was.first; i < was.end(); ++i)
+    change.lengths.push_back(curve::arc_length(world::cubic_of(former, former.track.segments[i])));
+  if (!driven_between(former, was, next, run))
+    change.risen = double{nth_knot(next, run.first).position.y} - double{nth_knot(former, was.first).position.y};
   if (const world::Cart* const cart = session.document.entities.find<world::Cart>(chosen_cart(session)))
-    task.losses.drag *= world::kCarMass / cart->mass;
-  return task;
+    change.losses.drag *= world::kCarMass / cart->mass;
+  return change;
+}
+
+// Returns the way home: the one that was found for this change, else searches for it. Nothing if it is to be found
+// beside the frames.
+std::optional<sim::ChangedWay> way_for(Session& session, sim::WayChange change) {
+  WaySearch& search = session.way_search;
+  if (search.found && search.found->change == change) return std::exchange(search.found, std::nullopt)->way;
+  if (!search.beside) return sim::changed_way(change, session.findings.memory.opened);
+  search.wanted = std::move(change);
+  return std::nullopt;
 }
 
 }  // namespace
@@ -77,31 +87,16 @@ Status take_up(Session& session, Change& change, const Document& former, Documen
   if (run->count == count) return refused("a circuit has a section besides the one that completes it");
   const SectionRun was = world::run_of(former, run->section);
   if (alike(ends_of(former, was), ends_of(next, *run))) return {};
-  const world::WayHome& way = world::section(next, run->section).way;
-  const Document opened = stretch_of(next, run->end() % count, count - run->count);
-  const double risen = driven_between(former, was, next, *run) ? 0.0
-                                                               : double{nth_knot(next, run->first).position.y} -
-                                                                     double{nth_knot(former, was.first).position.y};
-  sim::OpenedTrack& open = session.findings.memory.opened;
-  open.update(opened);
-  const base::Result<sim::CircuitTask> task = task_of(session, opened, way, risen);
-  if (!task) return task.status();
-  sim::FormerWay like{way, {}};
-  for (std::size_t i = was.first; i < was.end(); ++i)
-    like.lengths.push_back(curve::arc_length(world::cubic_of(former, former.track.segments[i])));
-  sim::CircuitProposals found = sim::complete_again(like, *task, open.derived, open.conflicts);
-  if (found.list.empty() && !session.history.in_gesture) {
-    found = sim::complete_circuit(*task, open.derived, open.conflicts);
-    if (!found.list.empty()) change.note = "Complete circuit takes another way home.";
-  }
-  if (found.list.empty()) return refused("the Complete circuit section cannot take up the change: " + found.refusal);
-  const sim::CircuitProposal& proposal = found.list.front();
-  const std::size_t spans = proposal.plan.spans();
+  const std::optional<sim::ChangedWay> found = way_for(session, change_of(session, former, was, next, *run));
+  if (!found) return refused("the way home is not found yet");
+  if (!found->refusal.empty()) return refused(found->refusal);
+  if (found->another) change.note = "Complete circuit takes another way home.";
+  const std::size_t spans = found->fit.knots.size() - 1;
   if (const Status room = room_for(session, next.track.knots.size() + spans - run->count, count + spans - run->count);
       !room)
     return room;
-  reshape(next, run->section, proposal.plan.fit, SectionEnd::stays);
-  next.entities.get<world::Section>(run->section).way = proposal.way;
+  reshape(next, run->section, found->fit, SectionEnd::stays);
+  next.entities.get<world::Section>(run->section).way = found->way;
   change.planned.push_back(run->section);
   return {};
 }

@@ -18,6 +18,7 @@
 #include "sim/shape/derived.h"
 #include "sim/study/envelope.h"
 #include "sim/study/measure.h"
+#include "sim/study/way_change.h"
 #include "world/difference.h"
 
 namespace coaster::edit {
@@ -73,6 +74,18 @@ struct SoughtAhead {
   std::string command;
   std::uint64_t edits = 0;  // Session::edits of the searched track
   Sought found;
+};
+
+// A way home that was found in advance.
+struct FoundWay {
+  sim::WayChange change;
+  sim::ChangedWay way;
+};
+// The search for the way home of a changed circuit, which may take longer than a frame.
+struct WaySearch {
+  bool beside = false;  // true: a command that has to search is refused without a notice, and leaves this:
+  std::optional<sim::WayChange> wanted;
+  std::optional<FoundWay> found;  // for a command that is applied again
 };
 
 struct Notices {
@@ -131,6 +144,7 @@ struct Session {
   Measuring measuring;
   Notices notices;
   std::optional<SoughtAhead> sought;
+  WaySearch way_search;
   std::string copied;  // copied last: sections as the text of a track, or force keys
   std::string shared;  // the last link, without the address before its fragment
 };

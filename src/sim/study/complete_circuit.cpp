@@ -90,6 +90,13 @@ struct SearchTerms {
   int most_tried;
   double side = kMostSide;               // g: rougher ways only if there are no others
   std::span<const double> lengths = {};  // of a former way's spans
+  base::Progress* progress = nullptr;    // null: not watched
+
+  // Reports a part of the candidates. False once the search is cancelled.
+  bool goes_on(int tried) const {
+    if (progress) progress->report(static_cast<double>(tried) / most_tried);
+    return !progress || !progress->cancelled;
+  }
 };
 
 // One search: its proposals and the reasons for rejections.
@@ -146,7 +153,7 @@ struct Search {
   void run(std::span<const CircuitCandidate> list, double side) {
     std::map<std::array<int, 5>, int> failures;
     for (const CircuitCandidate& candidate : list) {
-      if (found.list.size() == terms.most_found || tried == terms.most_tried) break;
+      if (found.list.size() == terms.most_found || tried == terms.most_tried || !terms.goes_on(tried)) break;
       if (rough_ones == kMostRough) {
         rougher.push_back(candidate);
         continue;
@@ -226,9 +233,10 @@ CircuitProposals complete_again(const FormerWay& former, const CircuitTask& task
                   {derived, conflicts, 1, kMostTriedAgain, kMostSide, former.lengths});
 }
 
-CircuitProposals complete_circuit(const CircuitTask& task, const Derived& derived, const Conflicts& conflicts) {
+CircuitProposals complete_circuit(const CircuitTask& task, const Derived& derived, const Conflicts& conflicts,
+                                  base::Progress* progress) {
   CircuitProposals found =
-      searched(circuit_candidates(task), {derived, conflicts, kMostProposals, kMostTried, kGentleSide});
+      searched(circuit_candidates(task), {derived, conflicts, kMostProposals, kMostTried, kGentleSide, {}, progress});
   std::stable_sort(found.list.begin(), found.list.end(), [](const CircuitProposal& a, const CircuitProposal& b) {
     const auto cost = [](const CircuitProposal& p) { return cost_of(p.plan.length, p.felt); };
     return cost(a) < cost(b);

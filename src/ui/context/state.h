@@ -71,7 +71,8 @@ struct State {
   bool scripted;                         // times and fps read "--"
   const view::CameraRig* rig = nullptr;  // the camera; null: derived from the session
   const UserState* kept = nullptr;       // null: no user data is kept
-  JobState job = {};                     // an import or a search
+  JobState job = {};                     // a job that takes long enough to show
+  bool waiting = false;                  // a command is carried out once a job has ended
   const query::LessonCard* lesson = nullptr;
   const std::map<std::string, TrackPicture>* pictures = nullptr;  // by path
   const MovieState* movie = nullptr;                              // null: no movie is being recorded

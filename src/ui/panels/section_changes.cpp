@@ -51,6 +51,7 @@ void ask_change(Ui& ui, world::Name section, std::string_view parameter) {
 
 void take_answer(Ui& ui) {
   AskedChange& asked = ui.inputs.asked;
+  if (ui.state.waiting) return;
   if (std::exchange(asked.answered, true)) return;
   for (const edit::Notice& notice : ui.session().notices.list)
     if (notice.serial > asked.after && notice.kind != edit::NoticeKind::info && asked.refusal.empty())
