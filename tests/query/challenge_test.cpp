@@ -214,6 +214,7 @@ TEST_F(ChallengeTest, a_train_that_is_too_slow_is_told_how_much_is_missing) {
   EXPECT_NE(session.game.result->reason.find(part), std::string::npos) << session.game.result->reason << " / " << part;
   std::snprintf(part, sizeof part, ": %.1f m/s more", std::sqrt(2 * 9.81 * missing));
   EXPECT_NE(session.game.result->reason.find(part), std::string::npos) << session.game.result->reason << " / " << part;
+  EXPECT_EQ(session.notices.list.back().text, "Train c1 " + session.game.result->reason + ".") << "one distance";
   ASSERT_TRUE(session.game.result->place);
   const sim::TrackPlace turned = sim::place_at(session.derived, *session.game.result->place);
   EXPECT_NEAR(sim::rail_point(session.derived.shape(session.derived.order[turned.index]), turned.s).height, reached,

@@ -94,6 +94,9 @@ std::optional<std::string> ride_csv(const Finder& find) {
 std::string failure_text(const Session& session) {
   const world::Failure& failure = session.motion.failure;
   if (failure.kind == world::FailureKind::none) return {};
+  const std::optional<RideResult>& result = session.game.result;
+  if (result && result->end == RideEnd::failed && !session.game.run.under_way)
+    return fmt::format("Train {} {}.", world::label_of(session.document, failure.cart), result->reason);
   return fmt::format("Train {} {} at {:.1f} m ({:.1f} m/s).", world::label_of(session.document, failure.cart),
                      base::name_of(failure.kind), failure.distance, failure.speed);
 }

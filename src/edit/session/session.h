@@ -177,7 +177,8 @@ world::Entity chosen_cart(const Session& session);
 std::optional<std::string> ride_report(const Finder& find);
 std::optional<std::string> ride_csv(const Finder& find);
 
-// Returns "Train c1 rolled back at 123.4 m (-0.3 m/s)."; empty if the ride has not failed.
+// Returns "Train c1 stalled at 132.4 m, 2.1 m below the top at 141.0 m: ...", as the score card says it; empty if the
+// ride has not failed.
 std::string failure_text(const Session& session);
 
 // Advances the ride by whole ticks. If it stops, a notice says why.
