@@ -141,15 +141,20 @@ base::Result<Document> sections_alone(const Session& session, Change& change, co
   return alone;
 }
 
-// Adds the sections of a track at the open end, or before the one that completes the circuit.
-Status add_sections(Session& session, Change& change, const Document& from) {
+// Adds the sections of a track at the open end, or before the one that completes the circuit. `done` is "Pasted" or
+// "Added".
+Status add_sections(Session& session, Change& change, const Document& from, std::string_view done) {
   Document next = session.document;
+  const std::vector<SectionRun> added = world::sections_of(from);
+  if (added.size() == 1)
+    change.note = fmt::format("{} {}.", done, world::title_of(world::section(from, added[0].section)));
+  else change.note = fmt::format("{} {} sections.", done, added.size());
   if (const auto home = world::completing(next, 0)) {
     const base::Result<Entity> last = paste_before(change, from, *home, next);
     if (!last) return last.status();
     change.select = *last;
   } else {
-    for (const SectionRun& run : world::sections_of(from))
+    for (const SectionRun& run : added)
       if (const Status pasted = paste(change, from, run, next); !pasted) return pasted;
     if (!next.track.segments.empty()) change.select = world::segment(next, next.track.segments.back()).section;
   }
@@ -176,7 +181,7 @@ Status perform(Session& session, Change& change, const PasteSections& command) {
   if (const Status may = may_move(session.document, 0); !may) return may;
   const auto loaded = exchange::parse_track(text, "clipboard");
   if (!loaded) return refused(loaded.status().message);
-  return add_sections(session, change, loaded->document);
+  return add_sections(session, change, loaded->document, "Pasted");
 }
 
 Status perform(Session& session, Change& change, const SaveSections& command) {
@@ -193,7 +198,7 @@ Status perform(Session& session, Change& change, const OpenSections& command) {
   if (const Status may = may_move(session.document, 0); !may) return may;
   const auto loaded = exchange::load_track(change.files, command.path);
   if (!loaded) return loaded.status();
-  return add_sections(session, change, loaded->document);
+  return add_sections(session, change, loaded->document, "Added");
 }
 
 }  // namespace coaster::edit

@@ -150,6 +150,9 @@ Status perform(Session& session, Change& change, const MoveSection& command) {
         fmt::format("there is no section {} @{}", earlier ? "before" : "after", world::label_of(next, *section)));
   const auto first = earlier ? at - 1 : at;
   if (const Status may = may_move(next, (first + 1)->end()); !may) return may;
+  const auto title = [&](const SectionRun& run) { return world::title_of(world::section(next, run.section)); };
+  change.note =
+      fmt::format("Moved {} {} {}.", title(*at), earlier ? "before" : "after", title(earlier ? *first : *(at + 1)));
   if (const Status swapped = swap_runs(next, *first, *(first + 1)); !swapped) return swapped;
   return adopt(session, change, session.document, std::move(next));
 }

@@ -21,6 +21,18 @@ TEST_F(DocumentMembers, names_are_utf_8_without_control_characters) {
   EXPECT_TRUE(apply(SetName{std::string(200, 'x')}));
 }
 
+// The status bar shows the last notice.
+TEST_F(DocumentMembers, a_new_track_has_no_notices_of_the_former_one) {
+  clamped("start_speed 151", "limit of 150 m/s");
+  const std::uint64_t serial = session.notices.serial;
+  good("new");
+  EXPECT_TRUE(session.notices.list.empty());
+  clamped("start_speed 151", "limit of 150 m/s");
+  EXPECT_GT(session.notices.list.back().serial, serial) << "numbers go on";
+  good("new");
+  EXPECT_FALSE(session.notices.list.empty()) << "there was no track: these are of the program's start";
+}
+
 TEST_F(DocumentMembers, start_speed_and_datum_are_clamped) {
   good("start_speed -12.5");
   EXPECT_EQ(session.document.start_speed, -12.5);

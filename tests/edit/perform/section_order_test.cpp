@@ -55,6 +55,13 @@ class SectionOrder : public test::SessionTest {
   }
 };
 
+TEST_F(SectionOrder, a_move_says_what_moved_where) {
+  good("section.move @q2 after");
+  EXPECT_EQ(session.notices.list.back().text, "Moved Loop after Banked curve.");
+  good("section.move @q2 before");
+  EXPECT_EQ(session.notices.list.back().text, "Moved Loop before Banked curve.");
+}
+
 TEST_F(SectionOrder, deleting_one_closes_the_gap) {
   const std::vector<double> loop = shape_of("q2"), hill = shape_of("q4");
   const world::Document before = session.document;
