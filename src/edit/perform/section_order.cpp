@@ -129,12 +129,15 @@ Status perform(Session& session, Change& change, const MirrorSection& command) {
   if (!section) return section.status();
   Document next = session.document;
   world::Section& value = next.entities.get<world::Section>(*section);
+  const bool same = value.kind == world::SectionKind::element && mirrored(value.element) == value.element;
   if (value.kind == world::SectionKind::force) value.force = mirrored(value.force);
   const Status done = value.kind == world::SectionKind::element
                           ? replan(session, change, next, *section, mirrored(value.element))
                       : value.kind == world::SectionKind::force ? replan_force(session, change, next, *section)
                                                                 : mirror_knots(next, world::run_of(next, *section));
   if (!done) return done;
+  const std::string title = world::title_of(world::section(next, *section));
+  change.note = same ? title + " is the same to both sides." : fmt::format("Mirrored {}.", title);
   return adopt(session, change, session.document, std::move(next));
 }
 

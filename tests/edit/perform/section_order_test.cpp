@@ -62,6 +62,13 @@ TEST_F(SectionOrder, a_move_says_what_moved_where) {
   EXPECT_EQ(session.notices.list.back().text, "Moved Loop before Banked curve.");
 }
 
+TEST_F(SectionOrder, a_mirrored_section_says_so_or_why_nothing_changes) {
+  good("section.mirror @q3");
+  EXPECT_EQ(session.notices.list.back().text, "Mirrored Banked curve.");
+  good("section.mirror @q4");
+  EXPECT_EQ(session.notices.list.back().text, "Camelback is the same to both sides.");
+}
+
 TEST_F(SectionOrder, deleting_one_closes_the_gap) {
   const std::vector<double> loop = shape_of("q2"), hill = shape_of("q4");
   const world::Document before = session.document;
