@@ -5,6 +5,7 @@
 
 #include "base/portable_math.h"
 #include "query/rows.h"
+#include "sim/plan/force_quantity.h"
 #include "world/sections.h"
 
 namespace coaster::query {
@@ -40,10 +41,13 @@ double asked_at(const sim::ForcePlan& plan, const ForcePlace& spot) {
   return sim::between_points(plan, spot.at, value);
 }
 
-double met_at(const Context& c, const sim::ForcePlan& plan, const ForcePlace& spot, double start) {
+double met_at(const Context& c, const sim::ForcePlan& plan, const ForcePlace& spot, std::size_t first) {
+  const double start = c.session.derived.starts[first];
   const edit::Findings& found = c.find(edit::Want::ride);
   const auto length = [&](std::size_t i) { return plan.path.curve.points[i].s; };
   const double place = start + sim::between_points(plan, spot.at, length);
+  if (plan.task.program.of == world::ForceOf::curvature)
+    return sim::curvature_at(c.session.derived, first, place)[static_cast<std::size_t>(spot.channel)];
   const auto passing = found.ride != nullptr ? sim::passing(*found.ride, place) : std::nullopt;
   if (!passing) return 0;
   std::size_t index = 0;
@@ -68,7 +72,7 @@ Answer force_met(const Context& c, View word) {
   return of_plan(c, spot->section, [&](const sim::ForcePlan& plan) {
     const auto section = entity_of(c, spot->section, world::Kind::section);
     const world::SectionRun run = world::run_of(c.session.document, *section);
-    return number(met_at(c, plan, *spot, c.session.derived.starts[run.first]));
+    return number(met_at(c, plan, *spot, run.first));
   });
 }
 Answer force_keys(const Context& c, View word) {
@@ -96,28 +100,35 @@ Answer force_stopped(const Context& c, View word) {
 constexpr std::array kForceRows{
     Query{"force.asked", "@section.CHANNEL/PLACE", "",
           "The value that a force section requires at a position (m or s from its start), such as @q3.vertical/40: "
-          "vertical or "
-          "lateral g, or roll in degrees per metre or second, with the ramp at its start.",
+          "vertical or lateral g, or roll in degrees per metre or second; of curvature 1/m, or degrees. With the ramp "
+          "at its start.",
           force_asked},
     Query{"force.met", "@section.CHANNEL/PLACE", "",
-          "What the riders of the first car feel there; 0 where the ride does not arrive.", force_met},
+          "What the riders of the first car feel there, 0 where the ride does not arrive; of curvature, what the track "
+          "has there.",
+          force_met},
     Query{"force.keys", "@section.CHANNEL", "", "Number of keys of a channel.", force_keys},
     Query{"force.over", "@section", "", "Axis of the keys: distance or time.", of_program<&world::ForceProgram::over>},
+    Query{"force.of", "@section", "", "Quantity of the keys: forces or curvature.",
+          of_program<&world::ForceProgram::of>},
     Query{"force.length", "@section", "", "Length of a force section's program, m or s.",
           of_program<&world::ForceProgram::length>},
-    Query{"force.tolerance", "@section", "g", "Largest allowed difference between what riders feel and the keys.",
+    Query{"force.tolerance", "@section", "g",
+          "Largest allowed difference between what riders feel and the keys; of curvature, at 20 m/s.",
           of_program<&world::ForceProgram::tolerance>},
     Query{"force.speed", "@section", "m/s", "The speed at its start that a force section was planned for.",
           of_program<&world::ForceProgram::speed>},
     Query{"force.error", "@section", "g",
-          "Largest difference between what riders feel on its spans and the required value, vertical or lateral.",
+          "Largest difference between what riders feel on its spans and the required value, vertical or lateral; of "
+          "curvature, at 20 m/s.",
           of_force<&sim::ForcePlan::fit, &sim::ForceFit::felt_error>},
     Query{"force.shape_error", "@section", "m", "Largest distance of its spans from the path with those forces.",
           of_force<&sim::ForcePlan::fit, &sim::ForceFit::spans, &sim::ElementFit::error>},
     Query{"force.hold", "@section", "", "Whether both ends of a force section stay.",
           of_program<&world::ForceProgram::hold>},
-    Query{"force.unmet", "@section", "g",
-          "Most that riders feel more or less than the keys say, vertical or lateral, because both ends stay.",
+    Query{"force.unmet", "@section", "",
+          "Most that riders feel more or less than the keys say, vertical or lateral, because both ends stay: g; of "
+          "curvature 1/m.",
           of_force<&sim::ForcePlan::unmet>},
     Query{"force.unmet_at", "@section", "", "Where that is, m or s from its start.",
           of_force<&sim::ForcePlan::unmet_at>},

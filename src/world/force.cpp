@@ -11,14 +11,14 @@ namespace {
 bool inside(double value, double low, double high) { return value >= low && value <= high; }  // false for NaN
 
 std::optional<std::string> broken_key(const ForceProgram& program, ForceChannel channel, const ForceKey& key) {
-  const ForceChannelRow& row = base::row_of(channel);
+  const ForceChannelRow& row = channel_of(program.of, channel);
   const double longest = longest_of(program.over);
   if (!inside(key.at, 0, longest))
     return fmt::format("a key of {} is at {:.6g} {}, expected 0 to {}", row.name, key.at, unit_of(program.over),
                        longest);
   const auto at = [&] { return fmt::format("the key of {} at {:.6g} {}", row.name, key.at, unit_of(program.over)); };
   if (!inside(key.value, -row.limit, row.limit))
-    return fmt::format("{} has the value {:.6g} {}, expected {} to {}", at(), key.value, unit_of(program.over, channel),
+    return fmt::format("{} has the value {:.6g} {}, expected {} to {}", at(), key.value, unit_of(program, channel),
                        -row.limit, row.limit);
   if (!inside(key.slope, -kMostForceSlope, kMostForceSlope))
     return fmt::format("{} has the slope {:.6g}, expected {} to {}", at(), key.slope, -kMostForceSlope,
@@ -31,13 +31,14 @@ std::optional<std::string> broken_key(const ForceProgram& program, ForceChannel 
 }  // namespace
 
 std::string_view unit_of(ForceOver over) { return over == ForceOver::distance ? "m" : "s"; }
-std::string_view unit_of(ForceOver over, ForceChannel channel) {
-  if (channel != ForceChannel::roll) return base::row_of(channel).unit;
-  return over == ForceOver::distance ? "deg/m" : "deg/s";
+std::string_view unit_of(const ForceProgram& program, ForceChannel channel) {
+  if (channel != ForceChannel::roll || program.of == ForceOf::curvature) return channel_of(program.of, channel).unit;
+  return program.over == ForceOver::distance ? "deg/m" : "deg/s";
 }
 
 std::optional<std::string> broken(const ForceProgram& program) {
   if (!base::has_row(program.over)) return "a force section is over distance or time";
+  if (!base::has_row(program.of)) return "a force section is of forces or curvature";
   const double low = shortest_of(program.over), high = longest_of(program.over), gap = key_gap_of(program.over);
   const std::string_view unit = unit_of(program.over);
   if (!inside(program.length, low, high))

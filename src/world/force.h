@@ -1,4 +1,5 @@
-// A force section as plain data: what riders should feel along it, by keys. sim/plan/force_plan.h makes track from it.
+// A force section as plain data: what riders should feel along it, or how it should bend, by keys.
+// sim/plan/force_plan.h makes track from it.
 #pragma once
 
 #include <array>
@@ -16,9 +17,16 @@ namespace coaster::world {
 
 enum class ForceOver : std::uint8_t { distance, time };
 inline constexpr base::NameRow kForceOvers[] = {
-    {"distance", "Distance", "Keys are metres from the section's start. Roll is in degrees per metre."},
-    {"time", "Time", "Keys are seconds from the section's start. Roll is in degrees per second."}};
+    {"distance", "Distance", "Keys are metres from the section's start. The rate of roll is in degrees per metre."},
+    {"time", "Time", "Keys are seconds from the section's start. The rate of roll is in degrees per second."}};
 constexpr std::span<const base::NameRow> rows_of(ForceOver) { return kForceOvers; }
+
+enum class ForceOf : std::uint8_t { forces, curvature };
+inline constexpr base::NameRow kForceOfs[] = {
+    {"forces", "Forces",
+     "Keys are what riders should feel: g and the rate of roll. The train's speed shapes the track."},
+    {"curvature", "Curvature", "Keys are the track's curvature and its angle of roll, at any speed."}};
+constexpr std::span<const base::NameRow> rows_of(ForceOf) { return kForceOfs; }
 
 enum class ForceChannel : std::uint8_t { vertical, lateral, roll };
 struct ForceChannelRow {
@@ -31,6 +39,14 @@ inline constexpr ForceChannelRow kForceChannels[] = {
     {"lateral", "Lateral", "g", "Felt g to the rider's left.", 0, 10},
     {"roll", "Roll", "deg", "Roll per metre or per second, positive to the rider's right.", 0, 360}};
 constexpr std::span<const ForceChannelRow> rows_of(ForceChannel) { return kForceChannels; }
+// The same channels of a section of curvature.
+inline constexpr ForceChannelRow kCurvatureChannels[] = {
+    {"vertical", "Vertical", "1/m", "Curvature upwards along the rider's spine: 1 over the radius.", 0, 0.5},
+    {"lateral", "Lateral", "1/m", "Curvature to the rider's left: 1 over the radius.", 0, 0.5},
+    {"roll", "Roll", "deg", "Angle rolled by since the section's start, positive to the rider's right.", 0, 3600}};
+constexpr std::span<const ForceChannelRow> channels_of(ForceOf of) {
+  return of == ForceOf::forces ? std::span(kForceChannels) : std::span(kCurvatureChannels);
+}
 
 inline constexpr std::size_t kMostForceKeys = 200;                     // of a channel
 inline constexpr double kLongestForce_m = 1000, kShortestForce_m = 3;  // of a section over distance
@@ -38,12 +54,13 @@ inline constexpr double kLongestForce_s = 60, kShortestForce_s = 0.2;  // of a s
 inline constexpr double kKeyGap_m = 1, kKeyGap_s = 0.05;               // least distance between keys of a channel
 inline constexpr double kLeastTolerance = 0.02, kMostTolerance = 0.5;  // g
 inline constexpr double kSlowestForce = 3;                             // m/s; below it, forces do not shape the track
-inline constexpr double kMostForceSlope = 1000;                        // of a key, per metre or second
+inline constexpr double kCurvatureSpeed = 20;  // m/s, at which g of tolerances and ramps count where keys are curvature
+inline constexpr double kMostForceSlope = 1000;  // of a key, per metre or second
 
 // A point of a channel's curve. Its handles are on one line, so that the curve is smooth.
 struct ForceKey {
   double at = 0;                 // m or s from the section's start
-  double value = 0;              // g, or degrees per metre or second
+  double value = 0;              // in the unit of the channel (unit_of)
   double slope = 0;              // of the curve at the key, per metre or second
   double before = 0, after = 0;  // m or s to the handles; 0: a third of the distance to the neighbouring key
   friend bool operator==(const ForceKey&, const ForceKey&) = default;
@@ -52,9 +69,10 @@ struct ForceKey {
 struct ForceProgram {
   ForceOver over = ForceOver::distance;
   double length = 40;       // m or s
-  double tolerance = 0.05;  // g, of what is felt against what the keys say
+  double tolerance = 0.05;  // g, of what is felt against what the keys say; of curvature, at kCurvatureSpeed
   double speed = 10;        // m/s of the train at the section's start, for which it was planned
   bool hold = false;  // its end stays where the track that follows begins, and the keys are met as far as possible
+  ForceOf of = ForceOf::forces;
   // Ascending, kKeyGap apart. Before the first key and after the last one the value stays.
   std::array<std::vector<ForceKey>, base::count_of<ForceChannel>()> channels = {};
 
@@ -72,6 +90,7 @@ struct ForceProgram {
     visit(Field{"tolerance", kLeastTolerance, kMostTolerance}, &ForceProgram::tolerance);
     visit(Field{"speed", 0, 1000}, &ForceProgram::speed);
     visit(Field{"hold", 0, 0, InFile::unusual, 1}, &ForceProgram::hold);
+    visit(Field{"of", 0, 0, InFile::unusual, 2}, &ForceProgram::of);
   }
   friend bool operator==(const ForceProgram&, const ForceProgram&) = default;
 };
@@ -79,9 +98,16 @@ struct ForceProgram {
 inline double longest_of(ForceOver over) { return over == ForceOver::distance ? kLongestForce_m : kLongestForce_s; }
 inline double shortest_of(ForceOver over) { return over == ForceOver::distance ? kShortestForce_m : kShortestForce_s; }
 inline double key_gap_of(ForceOver over) { return over == ForceOver::distance ? kKeyGap_m : kKeyGap_s; }
-// Return "m" or "s"; for a channel's value: "g", "deg/m" or "deg/s".
+inline const ForceChannelRow& channel_of(ForceOf of, ForceChannel channel) {
+  return channels_of(of)[static_cast<std::size_t>(channel)];
+}
+// True if the train's speed shapes the track. Curvature over distance is the same at any speed, even at none.
+inline bool needs_speed(const ForceProgram& program) {
+  return program.of == ForceOf::forces || program.over == ForceOver::time;
+}
+// Return "m" or "s"; for a channel's value: "g", "deg/m" or "deg/s", of curvature "1/m" or "deg".
 std::string_view unit_of(ForceOver over);
-std::string_view unit_of(ForceOver over, ForceChannel channel);
+std::string_view unit_of(const ForceProgram& program, ForceChannel channel);
 
 // Returns nothing for a program within all limits, else the error: "vertical has two keys within 1 m at 40 m".
 std::optional<std::string> broken(const ForceProgram& program);

@@ -28,9 +28,15 @@ class ForceOracle {
 
   // Returns the value that a channel's keys ask for, with what is added to them; without the ramp at the start.
   Long asked(world::ForceChannel channel, Long x) const {
-    const Long usual = channel == world::ForceChannel::vertical ? 1 : 0;
-    return of_keys(task_.program.keys(channel), usual, x) +
-           (task_.added ? of_keys(task_.added->keys(channel), 0, x) : Long{0});
+    const bool forces = task_.program.of == world::ForceOf::forces;
+    const Long usual = forces && channel == world::ForceChannel::vertical ? 1 : 0;
+    const auto& keys = task_.program.keys(channel);
+    const Long beyond = forces || channel != world::ForceChannel::roll || keys.empty() || x <= keys.back().at
+                            ? Long{0}
+                            : keys.back().slope * (x - keys.back().at);  // rolls on if it is held farther away
+    return of_keys(keys, usual, x) + beyond +
+           (task_.added && (forces || channel != world::ForceChannel::roll) ? of_keys(task_.added->keys(channel), 0, x)
+                                                                            : Long{0});
   }
 
   static Long of_keys(const std::vector<world::ForceKey>& keys, Long usual, Long x) {
@@ -101,11 +107,19 @@ class ForceOracle {
   // From felt g of riders d above the curve, with the rates of turn about left and up found by iteration.
   Rates rates(const State& s) const {
     const bool by_time = task_.program.over == world::ForceOver::time;
-    const Long g = 9.81L, d = task_.riders, speed = std::sqrt(s.square), radian = std::acos(-1.0L) / 180;
+    // Curvature goes on where the train stops.
+    const bool bends = task_.program.of == world::ForceOf::curvature;
+    const Long g = 9.81L, d = task_.riders, speed = std::sqrt(bends ? std::max(s.square, Long{1}) : s.square),
+               radian = std::acos(-1.0L) / 180;
     const Vector left = cross(s.up, s.forward);
     const Long along = -g * s.forward[1] - (g * task_.losses.rolling + task_.losses.drag * s.square);
-    const auto roll_at = [&](Long x) { return radian * asked(world::ForceChannel::roll, x); };
     const Long small = by_time ? 1e-5L : 1e-4L;
+    const auto roll_at = [&](Long x) {
+      if (!bends) return radian * asked(world::ForceChannel::roll, x);
+      const Long rate =
+          (asked(world::ForceChannel::roll, x + small) - asked(world::ForceChannel::roll, x - small)) / (2 * small);
+      return radian * (rate + (task_.added ? of_keys(task_.added->keys(world::ForceChannel::roll), 0, x) : Long{0}));
+    };
     const Long roll = roll_at(s.at), change = (roll_at(s.at + small) - roll_at(s.at - small)) / (2 * small);
     // Angular velocity and acceleration of the roll by time.
     const Long omega = by_time ? roll : roll * speed, alpha = by_time ? change : change * s.square + roll * along;
@@ -114,7 +128,10 @@ class ForceOracle {
     // The heart's acceleration: that of the curve, centripetal and tangential parts of a body that turns with pitch and
     // yaw p, y (rad/s) and rolls with omega; d above the curve along up.
     Long pitch = 0, yaw = 0;
-    Long moved = 1;
+    Long moved = bends ? 0 : 1;
+    if (bends)
+      pitch = speed * asked(world::ForceChannel::vertical, s.at),
+      yaw = speed * asked(world::ForceChannel::lateral, s.at);
     for (int i = 0; i < 60 && moved > 1e-17L; ++i) {
       const Long pitched = (up_wanted + d * (pitch * pitch + omega * omega)) / speed;
       const Long yawed = (left_wanted + d * alpha + d * pitch * yaw) / speed;
@@ -152,6 +169,36 @@ class ForceOracle {
   }
 
   const sim::ForceTask& task_;
+};
+
+// Smooth programs of curvature at random, over distance, that reach their end. They begin straight.
+class RandomCurvature {
+ public:
+  explicit RandomCurvature(unsigned seed) : random_(seed) {}
+
+  sim::ForceTask next(double metres) {
+    for (;;) {
+      sim::ForceTask task;
+      task.end.position = {3, 120, -7};
+      task.losses = {0.02f, 2e-5f}, task.riders = 1.1;
+      world::ForceProgram& program = task.program;
+      program.of = world::ForceOf::curvature, program.speed = uniform(12, 30), program.length = metres;
+      for (std::size_t c = 0; c < 3; ++c) {
+        program.channels[c] = {{0, 0}};
+        for (double at = 0; at < metres;) {
+          at = std::min(at + uniform(8, 20), metres);
+          if (metres - at < 8) at = metres;
+          const double most = c == 2 ? 90 : 0.03;
+          program.channels[c].push_back({at, uniform(-most, most), c == 2 ? uniform(-2, 2) : uniform(-1e-3, 1e-3)});
+        }
+      }
+      if (sim::force_path(task).stopped.empty()) return task;
+    }
+  }
+
+ private:
+  double uniform(double low, double high) { return std::uniform_real_distribution<double>(low, high)(random_); }
+  std::mt19937 random_;
 };
 
 // Smooth programs at random for trains of at most 35 m/s, up to 5 g, that reach their end: each key is one of some that

@@ -11,10 +11,13 @@ namespace coaster::edit {
 struct AddForce {
   world::ForceOver over{};
   double length = 40, tolerance = 0.05;
-  COASTER_COMMAND(AddForce, "force.add",
-                  "Add a force section at the open end of the track: length in m or s, tolerance in g.",
-                  Effect::document, "Added a force section");
-  COASTER_FIELDS(visit("over?", self.over), visit("length?", self.length), visit("tolerance?", self.tolerance))
+  world::ForceOf of{};
+  COASTER_COMMAND(
+      AddForce, "force.add",
+      "Add a section of forces or curvature at the open end of the track: length in m or s, tolerance in g.",
+      Effect::document, "Added a force section");
+  COASTER_FIELDS(visit("over?", self.over), visit("of?", self.of), visit("length?", self.length),
+                 visit("tolerance?", self.tolerance))
 };
 // In these commands `from_start on` uses the keys that the section had when the open gesture began.
 struct SetForceKey {
@@ -23,8 +26,8 @@ struct SetForceKey {
   world::ForceChannel channel{};
   double value = 0, at = 0;
   COASTER_COMMAND(SetForceKey, "force",
-                  "Set what riders should feel at a place of a force section (g, or degrees per metre or second), e.g. "
-                  "force @q3 vertical key 2.5 at 40.",
+                  "Set what riders should feel at a place of a force section (g, or degrees per metre or second; of "
+                  "curvature 1/m, or degrees), e.g. force @q3 vertical key 2.5 at 40.",
                   Effect::document, "Set a key of {} at {at}");
   COASTER_FIELDS(visit("", self.section), visit("from_start?", self.from_start), visit("", self.channel),
                  visit("key", self.value), visit("at", self.at))
@@ -115,6 +118,14 @@ struct SetForceOver {
                   "Counted the keys of {} over {to}");
   COASTER_FIELDS(visit("", self.section), visit("to", self.to))
 };
+struct SetForceOf {
+  Target section;
+  world::ForceOf to{};
+  COASTER_COMMAND(SetForceOf, "force.of",
+                  "Use forces or curvature for the keys of a force section; they take what the track has there.",
+                  Effect::document, "Changed the keys of {} to {to}");
+  COASTER_FIELDS(visit("", self.section), visit("to", self.to))
+};
 
 struct HoldForces {
   Target section;
@@ -143,8 +154,8 @@ struct FreeForces {
   COASTER_FIELDS(visit("", self.section))
 };
 
-using ForceCommands =
-    CommandList<AddForce, SetForceKey, InsertForceKey, MoveForceKey, RemoveForceKey, ShapeForceKey, CopyForceKeys,
-                PasteForceKeys, SetForceLength, SetForceTolerance, SetForceOver, HoldForces, ReadForces, FreeForces>;
+using ForceCommands = CommandList<AddForce, SetForceKey, InsertForceKey, MoveForceKey, RemoveForceKey, ShapeForceKey,
+                                  CopyForceKeys, PasteForceKeys, SetForceLength, SetForceTolerance, SetForceOver,
+                                  SetForceOf, HoldForces, ReadForces, FreeForces>;
 
 }  // namespace coaster::edit

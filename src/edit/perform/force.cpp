@@ -9,7 +9,7 @@
 #include "edit/perform/placing.h"
 #include "edit/perform/replan.h"
 #include "exchange/own/force_text.h"
-#include "sim/plan/force_law.h"
+#include "sim/plan/force_quantity.h"
 #include "world/sections.h"
 #include "world/topology.h"
 
@@ -68,17 +68,27 @@ void put_key(ForceProgram& program, world::ForceChannel channel, const ForceKey&
               key);
 }
 
+// Returns the plan of a section's program; refused if there is none.
+base::Result<sim::ForcePlan> present_plan(Session& session, Target section, const ForceProgram& program) {
+  const world::SectionRun run = world::run_of(session.document, world::find(session.document, section.name));
+  const sim::ForcePlan& plan = session.findings.memory.forces.plan(sim::force_task(session.document, run, program));
+  return plan.refusal.empty() ? base::Result<sim::ForcePlan>(plan) : refused(plan.refusal);
+}
+
 }  // namespace
 
 void report_forces(const sim::ForcePlan& plan, Change& change) {
   if (const std::string stopped = sim::stop_text(plan); !stopped.empty())
     change.clamped.push_back(base::sentence(stopped));
+  const std::string at_speed = plan.task.program.of == world::ForceOf::curvature
+                                   ? fmt::format(" at {} m/s", base::to_text(world::kCurvatureSpeed))
+                                   : "";
   if (!plan.fit.within)
-    change.clamped.push_back(fmt::format("Riders feel up to {:.2f} g more or less than the keys say, at {:.1f} m.",
-                                         plan.fit.felt_error, plan.fit.felt_at));
+    change.clamped.push_back(fmt::format("Riders feel up to {:.2f} g more or less than the keys say{}, at {:.1f} m.",
+                                         plan.fit.felt_error, at_speed, plan.fit.felt_at));
   if (change.clamped.empty())
-    change.note = fmt::format("Placed a force section: {:.1f} m, {} {}, felt g within {:.2f} g.", plan.length,
-                              plan.spans(), plan.spans() == 1 ? "span" : "spans", plan.fit.felt_error);
+    change.note = fmt::format("Placed a force section: {:.1f} m, {} {}, felt g{} within {:.2f} g.", plan.length,
+                              plan.spans(), plan.spans() == 1 ? "span" : "spans", at_speed, plan.fit.felt_error);
 }
 
 Status add_force(Session& session, Change& change, ForceProgram program) {
@@ -109,7 +119,8 @@ Entity place_force(Document& document, const sim::ForcePlan& plan) {
 
 Status perform(Session& session, Change& change, const AddForce& command) {
   ForceProgram program;
-  program.over = command.over, program.length = command.length, program.tolerance = command.tolerance;
+  program.over = command.over, program.of = command.of;
+  program.length = command.length, program.tolerance = command.tolerance;
   return add_force(session, change, std::move(program));
 }
 
@@ -164,7 +175,7 @@ Status perform(Session& session, Change& change, const CopyForceKeys& command) {
   const auto section = force_section(session, command.section);
   if (!section) return section.status();
   const ForceProgram& program = world::section(session.document, *section).force;
-  exchange::CopiedKeys copied{program.over, {}};
+  exchange::CopiedKeys copied{program.over, {}, program.of};
   for (const ForceKey& key : program.keys(command.channel))
     if (key.at >= command.from - kSamePlace && key.at <= command.to + kSamePlace) copied.keys.push_back(key);
   if (copied.keys.empty()) return refused(fmt::format("{} has no keys there", base::name_of(command.channel)));
@@ -180,6 +191,9 @@ Status perform(Session& session, Change& change, const PasteForceKeys& command) 
     if (program.over != copied->over)
       return refused(fmt::format("the copied keys count in {}, those of the section in {}",
                                  world::unit_of(copied->over), world::unit_of(program.over)));
+    if (program.of != copied->of)
+      return refused(fmt::format("the copied keys are of {}, those of the section of {}", base::name_of(copied->of),
+                                 base::name_of(program.of)));
     const double by = command.at - copied->keys.front().at, gap = world::key_gap_of(program.over) - kSamePlace;
     for (ForceKey& key : copied->keys) key.at += by;
     std::vector<ForceKey>& keys = program.keys(command.channel);
@@ -208,10 +222,20 @@ Status perform(Session& session, Change& change, const SetForceTolerance& comman
 Status perform(Session& session, Change& change, const SetForceOver& command) {
   return with_program(session, change, command.section, false, [&](ForceProgram& program) -> Status {
     if (program.over == command.to) return {};
-    const world::SectionRun run = world::run_of(session.document, world::find(session.document, command.section.name));
-    const sim::ForcePlan& plan = session.findings.memory.forces.plan(sim::force_task(session.document, run, program));
-    if (!plan.refusal.empty()) return refused(plan.refusal);
-    program = sim::over_other_axis(plan);
+    const base::Result<sim::ForcePlan> plan = present_plan(session, command.section, program);
+    if (!plan) return plan.status();
+    program = sim::over_other_axis(*plan);
+    return {};
+  });
+}
+
+Status perform(Session& session, Change& change, const SetForceOf& command) {
+  return with_program(session, change, command.section, false, [&](ForceProgram& program) -> Status {
+    if (program.of == command.to) return {};
+    const base::Result<sim::ForcePlan> plan = present_plan(session, command.section, program);
+    if (!plan) return plan.status();
+    if (const std::string stopped = sim::stop_text(*plan); !stopped.empty()) return refused(stopped);
+    program = sim::of_other_quantity(*plan);
     return {};
   });
 }

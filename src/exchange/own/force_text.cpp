@@ -49,30 +49,37 @@ bool read_list(Fields& fields, std::string_view member, std::vector<world::Force
   return true;
 }
 
-constexpr std::string_view kCopied = "force-keys", kKeys = "keys";
+template <class Named>
+bool read_named(Fields& fields, std::string_view member, Named& value) {
+  std::string name;
+  if (!fields.text(member, name)) return false;
+  const auto named = base::value_named<Named>(name);
+  if (named) value = *named;
+  return named || fields.reject(member, base::alternatives_of<Named>("\""));
+}
+
+constexpr std::string_view kCopied = "force-keys", kOf = "of", kKeys = "keys";
 
 }  // namespace
 
 std::string print_keys(const CopiedKeys& copied) {
-  return fmt::format("{{\"{}\": \"{}\", \"{}\": {}}}", kCopied, base::name_of(copied.over), kKeys,
+  const std::string of =
+      copied.of == world::ForceOf::forces ? "" : fmt::format("\"{}\": \"{}\", ", kOf, base::name_of(copied.of));
+  return fmt::format("{{\"{}\": \"{}\", {}\"{}\": {}}}", kCopied, base::name_of(copied.over), of, kKeys,
                      list_text(copied.keys));
 }
 
 base::Result<CopiedKeys> parse_keys(std::string_view text) {
   const auto json = read_json(text, "clipboard");
   if (!json) return json.status();
-  std::string error, over;
+  std::string error;
   Fields fields(*json, {}, error);
   CopiedKeys copied;
-  if (!fields.text(kCopied, over) || !read_list(fields, kKeys, copied.keys)) return bad_file("clipboard", error);
-  const auto named = base::value_named<world::ForceOver>(over);
-  if (!named) {
-    fields.reject(kCopied, base::alternatives_of<world::ForceOver>("\""));
+  if (!read_named(fields, kCopied, copied.over) || (fields.has(kOf) && !read_named(fields, kOf, copied.of)) ||
+      !read_list(fields, kKeys, copied.keys))
     return bad_file("clipboard", error);
-  }
-  copied.over = *named;
   world::ForceProgram program;  // for its limits
-  program.over = copied.over, program.length = world::longest_of(copied.over);
+  program.over = copied.over, program.of = copied.of, program.length = world::longest_of(copied.over);
   program.keys(world::ForceChannel::roll) = copied.keys;
   if (copied.keys.empty()) return bad_file("clipboard", "no keys");
   if (const auto wrong = world::broken(program)) return bad_file("clipboard", *wrong);

@@ -42,12 +42,12 @@ struct CubicRoll {
   double slope(double s) const { return 2 * square() + s * 6 * cube(); }
 };
 
-// A place of the curve: the train there, what riders feel, and where that is on the keys' axis.
+// A place of the curve: the train there, what a program that leads along it wants, and where that is on the keys' axis.
 struct Place {
   ForceState state;
   dvec3 curvature{0};
-  std::array<double, 3> felt{};
-  double at = 0;  // m or s
+  std::array<double, 3> has{};  // of what a program wants
+  double at = 0;                // m or s
 };
 
 // Returns places half a metre apart with frames of least rotation; none where the curve has a cusp.
@@ -83,13 +83,12 @@ bool ride(const ForceTask& task, const ForceLaw& law, const CubicRoll& roll, std
     state.square = i > 0 ? before.square + 2 * step * law.along(before) : law.start().square;
     state.braking = i > 0 ? before.braking : law.start().braking;
     law.settle(before, state);
-    if (!(state.square >= world::kSlowestForce * world::kSlowestForce)) return false;
-    state.time = before.time + step / std::sqrt(state.square);
+    if (law.too_slow(state)) return false;
+    state.time = before.time + step / std::sqrt(std::max(state.square, 1e-6));
     state.up = curve::rotate(state.up, state.tangent, roll.angle(s));
     ForceRates track{places[i].curvature, roll.spin(s), roll.slope(s)};
     track.along = law.along(state);
-    const FeltG felt = felt_on(state, track, task.riders);
-    places[i].felt = {felt.up, felt.side, base::degrees(track.spin) * law.metres_per_unit(state)};
+    places[i].has = law.has(state, track);
     places[i].at = task.program.over == world::ForceOver::distance ? s : state.time;
   }
   return true;
@@ -121,11 +120,10 @@ std::optional<ForceBridge> force_bridge(const ForceTask& task, std::size_t parts
     const double at = bridge.length * static_cast<double>(i) / static_cast<double>(parts);
     while (k + 2 < places.size() && places[k + 1].at < at) ++k;
     const double share = (at - places[k].at) / (places[k + 1].at - places[k].at);
-    const ForceRates asked = law.rates(at, places[k].state);
+    const ForceWanted wanted = law.wanted(at);
+    const std::array<double, 3> keys{wanted.up.value, wanted.side.value, wanted.roll.value};
     std::array<double, 3>& more = bridge.more.emplace_back();
-    for (std::size_t c = 0; c < 3; ++c)
-      more[c] =
-          std::lerp(places[k].felt[c], places[k + 1].felt[c], share) - std::array{asked.up, asked.side, asked.roll}[c];
+    for (std::size_t c = 0; c < 3; ++c) more[c] = std::lerp(places[k].has[c], places[k + 1].has[c], share) - keys[c];
   }
   return bridge;
 }

@@ -157,7 +157,7 @@ ForceElement force_element(const world::Element& element, const ForceTask& start
   maker.left = glm::cross(up, forward);
   maker.slope = base::arc_tangent(forward.y, std::sqrt(forward.x * forward.x + forward.z * forward.z));
   const ForceLaw law(maker.task);
-  maker.felt = law.rates(0, law.start()).up;
+  maker.felt = law.wanted(0).up.value;
   maker.task.program.length = 0;
   if (start.program.speed < world::kSlowestForce)
     return no_element(fmt::format("the train is at {:.1f} m/s there, and forces need {} m/s", start.program.speed,

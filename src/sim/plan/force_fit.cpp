@@ -6,56 +6,13 @@
 #include <optional>
 
 #include "base/portable_math.h"
-#include "curve/frames.h"
-#include "sim/plan/element_spans.h"
+#include "sim/plan/force_judge.h"
 #include "sim/ride/ride_rules.h"
-#include "sim/shape/roll.h"
-#include "world/topology.h"
 
 namespace coaster::sim {
 namespace {
 
 using glm::dvec3;
-
-constexpr double kNoSpan = 1e9;  // g: the span does not follow the path
-
-struct SpanError {
-  SpanCheck check;
-  FeltError felt;
-  double at_ends = 0;  // g, the part of it at the two knots
-};
-
-// Returns what riders d metres above a cubic feel at t, upwards and to the left: sim/shape/rail_tables.h.
-glm::dvec2 felt_at(const curve::CoefficientsD& c, double t, const curve::Frame& frame, double spin, double spin_slope,
-                   const ForcePoint& point, double d) {
-  const dvec3 left = frame.left(), first = c.derivative(t), second = c.second_derivative(t);
-  const double square = glm::dot(first, first), to_left = glm::dot(second, left) / square,
-               to_up = glm::dot(second, frame.up) / square, v2 = point.square / world::kGravity;
-  return {v2 * (to_up - d * (to_up * to_up + spin * spin)) + frame.up.y,
-          v2 * (to_left - d * (to_left * to_up + spin_slope)) - point.along / world::kGravity * d * spin + left.y};
-}
-
-SpanError error_of(const ForceTask& task, const ForcePath& path, std::size_t first, std::size_t last,
-                   const world::Knot& from, const world::Knot& to) {
-  const std::span<const ElementPoint> points = std::span(path.curve.points).subspan(first, last - first + 1);
-  std::vector<SpanPlace> places;
-  SpanError error{check_span(points, from, to, &places), {}, 0};
-  if (!error.check.sound || error.check.error > kElementDistance) return {error.check, {kNoSpan, first}, kNoSpan};
-  const curve::CoefficientsD c =
-      curve::coefficients_d({from.position, world::out_handle(from), world::in_handle(to), to.position});
-  const Roll roll{points.back().s - points.front().s, error.check.roll, from.spin, to.spin};
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    const double s = points[i].s - points.front().s;
-    curve::Frame frame = places[i].frame;
-    frame.up = curve::rotate(frame.up, frame.forward, roll.angle(s));
-    const ForcePoint& asked = path.points[first + i];
-    const glm::dvec2 felt = felt_at(c, places[i].t, frame, roll.spin(s), roll.slope(s), asked, task.riders);
-    const double off = std::max(std::abs(felt.x - asked.up), std::abs(felt.y - asked.side));
-    if (!(off <= error.felt.error)) error.felt = {off, first + i};
-    if (i == 0 || i + 1 == points.size()) error.at_ends = std::max(error.at_ends, off);
-  }
-  return error;
-}
 
 // Returns the fewest points that a span from there may cover: in a shorter one, riders would feel the rounding of its
 // control points to float. An error e of a control point changes a curvature by about 72 e / length^2.
@@ -63,7 +20,8 @@ std::size_t fewest_points(const ForceTask& task, const ForcePath& path, std::siz
   constexpr double kStep = 0.25;  // m
   const dvec3 place = glm::abs(path.curve.points[from].position);
   const double half_ulp = std::max({place.x, place.y, place.z}) * 0x1p-24,
-               square = 72 * half_ulp * path.points[from].square / (world::kGravity * task.program.tolerance);
+               square =
+                   72 * half_ulp * judged_square(task, path.points[from]) / (world::kGravity * task.program.tolerance);
   return std::max<std::size_t>(2, static_cast<std::size_t>(std::sqrt(square) / kStep));
 }
 
@@ -96,7 +54,7 @@ class Reach {
     const std::array<std::size_t, 2> at =
         back ? std::array{last - from - length, last - from} : std::array{from, from + length};
     const Spans span = make_spans(path_.curve, at, 0);
-    const SpanError error = error_of(task_, path_, at[0], at[1], span.knots[0], span.knots[1]);
+    const SpanError error = span_error(task_, path_, at[0], at[1], span.knots[0], span.knots[1]);
     constexpr double kReserve = 0.93, kDistance = 0.6;  // of the tolerances: turning tangents moves the spans slightly
     const double tolerance = task_.program.tolerance;
     return error.felt.error <= kReserve * tolerance && error.at_ends <= at_ends_ * tolerance &&
@@ -142,7 +100,7 @@ double shift_at(const ForceTask& task, const ForcePath& path, const std::vector<
   const auto& points = path.curve.points;
   const auto length = [&](std::size_t k) { return points[at[k + 1]].s - points[at[k]].s; };
   const double least = std::min({length(0), length(1), length(at.size() - 3), length(at.size() - 2)}),
-               square = std::max(path.points.front().square, path.points.back().square);
+               square = std::max(judged_square(task, path.points.front()), judged_square(task, path.points.back()));
   return std::min(kMostShift, 0.25 * task.program.tolerance * world::kGravity / square * least * least / 6);
 }
 
@@ -152,7 +110,7 @@ Attempt attempt(const ForceTask& task, const ForcePath& path, std::vector<std::s
   now.spans = make_spans(path.curve, now.at, shift_at(task, path, now.at));
   for (std::size_t k = 0; k + 1 < now.at.size(); ++k) {
     const world::Knot &from = now.spans.knots[k], &to = now.spans.knots[k + 1];
-    now.errors.push_back(error_of(task, path, now.at[k], now.at[k + 1], from, to));
+    now.errors.push_back(span_error(task, path, now.at[k], now.at[k + 1], from, to));
     const SpanError& error = now.errors.back();
     const bool last = k + 2 == now.at.size();
     const double jump =
@@ -251,7 +209,7 @@ Attempt best_places(const ForceTask& task, const ForcePath& path) {
 
 FeltError felt_error(const ForceTask& task, const ForcePath& path, std::size_t first, std::size_t last,
                      const world::Knot& from, const world::Knot& to) {
-  return error_of(task, path, first, last, from, to).felt;
+  return span_error(task, path, first, last, from, to).felt;
 }
 
 ForceFit fit_force(const ForceTask& task, const ForcePath& path) {

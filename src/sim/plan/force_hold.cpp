@@ -63,6 +63,15 @@ bool solve_linear(std::array<std::array<double, n>, n> a, std::array<double, n>&
   return true;
 }
 
+double metres_per_unit(const world::ForceProgram& program) {
+  return program.over == world::ForceOver::distance ? 1.0 : program.speed;
+}
+// Returns by channel what counts as much as 1 g.
+std::array<double, 3> units_of(const world::ForceProgram& program) {
+  const double one = program.of == world::ForceOf::curvature ? kCurvaturePerG : 1.0;
+  return {one, one, kRollPerG * metres_per_unit(program)};
+}
+
 // The unknowns: what is added at each node but the first, by channel, and the length.
 struct Additions {
   std::vector<double> nodes;  // in g, or what counts as much; channel by channel
@@ -72,7 +81,7 @@ struct Additions {
 class Holding {
  public:
   explicit Holding(const ForceTask& task)
-      : task_(task), metres_(task.program.over == world::ForceOver::distance ? 1.0 : task.program.speed) {
+      : task_(task), metres_(metres_per_unit(task.program)), units_(units_of(task.program)) {
     const double length = task.program.length * metres_;
     nodes_ = std::clamp(static_cast<std::size_t>(length / kNodeGap), kFewestNodes, kMostNodes);
   }
@@ -95,8 +104,7 @@ class Holding {
     if (!bridge) return std::nullopt;
     Additions x{{}, bridge->length};
     for (std::size_t c = 0; c < 3; ++c)
-      for (std::size_t i = 1; i <= nodes_; ++i)
-        x.nodes.push_back(bridge->more[i][c] / (c < 2 ? 1.0 : kRollPerG * metres_));
+      for (std::size_t i = 1; i <= nodes_; ++i) x.nodes.push_back(bridge->more[i][c] / units_[c]);
     return x;
   }
 
@@ -168,7 +176,7 @@ class Holding {
     added.over = task.program.over, added.length = x.length, added.speed = task.program.speed;
     const double gap = x.length / static_cast<double>(nodes_);
     for (std::size_t c = 0; c < 3; ++c) {
-      const double unit = c < 2 ? 1.0 : kRollPerG * metres_;
+      const double unit = units_[c];
       std::vector<world::ForceKey>& keys = added.channels[c];
       keys.resize(nodes_ + 1);
       for (std::size_t i = 1; i <= nodes_; ++i)
@@ -203,7 +211,7 @@ class Holding {
     double end = at;
     const bool whole = follow_law(law, step, at, state, [&](double x, const ForceState& there) {
       last = there, end = x;
-      return there.square >= world::kSlowestForce * world::kSlowestForce;
+      return !law.too_slow(there);
     });
     return whole ? missed_by(law, end, last) : std::nullopt;
   }
@@ -269,6 +277,7 @@ class Holding {
 
   ForceTask task_;
   double metres_;  // per unit of the axis, at the start
+  std::array<double, 3> units_;
   std::size_t nodes_ = 0;
   std::vector<End> slopes_;
   End first_{};               // missed by the additions that a way began with
@@ -282,12 +291,12 @@ std::optional<ForceTask> hold_end(const ForceTask& task) { return Holding(task).
 
 double added_square(const ForceTask& task) {
   if (!task.added) return 0;
-  const double metres = task.program.over == world::ForceOver::distance ? 1.0 : task.program.speed;
+  const std::array<double, 3> units = units_of(task.program);
   double sum = 0;
   for (std::size_t c = 0; c < 3; ++c) {
     const std::vector<world::ForceKey>& keys = task.added->channels[c];
     for (std::size_t i = 0; i < keys.size(); ++i) {
-      const double value = keys[i].value / (c < 2 ? 1.0 : kRollPerG * metres);
+      const double value = keys[i].value / units[c];
       sum += (i + 1 == keys.size() ? 0.5 : 1.0) * value * value;
     }
   }

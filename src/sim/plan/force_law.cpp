@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "base/portable_math.h"
 #include "curve/frames.h"
@@ -12,33 +13,6 @@ namespace {
 
 using glm::dvec3;
 using world::ForceChannel, world::ForceOver;
-
-using Piece = std::array<glm::dvec2, 4>;
-
-double value_of(const Piece& p, int axis, double u) {
-  const double rest = 1 - u;
-  return rest * rest * (rest * p[0][axis] + 3 * u * p[1][axis]) + u * u * (3 * rest * p[2][axis] + u * p[3][axis]);
-}
-// Returns a third of the derivative by u.
-double rate_of(const Piece& p, int axis, double u) {
-  const double rest = 1 - u;
-  return rest * rest * (p[1][axis] - p[0][axis]) + 2 * rest * u * (p[2][axis] - p[1][axis]) +
-         u * u * (p[3][axis] - p[2][axis]);
-}
-
-// Returns the parameter at which the piece's x, which ascends, has that value: Newton within a bracket.
-double parameter_at(const Piece& p, double x) {
-  const double gap = p[3].x - p[0].x;
-  double low = 0, high = 1, u = std::clamp((x - p[0].x) / gap, 0.0, 1.0);
-  for (int i = 0; i < 60; ++i) {
-    const double off = value_of(p, 0, u) - x, rate = 3 * rate_of(p, 0, u);
-    if (std::abs(off) <= 1e-13 * gap) break;
-    (off > 0 ? high : low) = u;
-    const double next = rate > 0 ? u - off / rate : low;
-    u = next > low && next < high ? next : 0.5 * (low + high);
-  }
-  return u;
-}
 
 ForceState moved(const ForceState& s, const ForceState& rate, double by) {
   return {s.position + by * rate.position,
@@ -52,45 +26,12 @@ ForceState moved(const ForceState& s, const ForceState& rate, double by) {
 
 }  // namespace
 
-ForceCurve::ForceCurve(const world::ForceProgram& program, ForceChannel channel)
-    : before_(base::row_of(channel).usual), after_(before_) {
-  const std::vector<world::ForceKey> keys = world::shaping_keys(program, channel);
-  if (!keys.empty()) before_ = keys.front().value, after_ = keys.back().value;
-  for (std::size_t i = 1; i < keys.size(); ++i) pieces_.push_back(world::curve_between(keys[i - 1], keys[i]));
-}
-
-ForceCurve::Value ForceCurve::at(double x) const {
-  auto piece =
-      std::upper_bound(pieces_.begin(), pieces_.end(), x, [](double place, const Piece& p) { return place < p[3].x; });
-  if (piece == pieces_.end() && !pieces_.empty() && x == pieces_.back()[3].x) --piece;  // the slope of its end
-  if (piece == pieces_.end()) return {after_, 0};
-  if (x < (*piece)[0].x) return {before_, 0};
-  const double u = parameter_at(*piece, x);
-  return {value_of(*piece, 1, u), rate_of(*piece, 1, u) / rate_of(*piece, 0, u)};
-}
-
-void insert_on_curve(world::ForceProgram& program, ForceChannel channel, double at) {
-  const ForceCurve::Value there = ForceCurve(program, channel).at(at);
-  std::vector<world::ForceKey> keys = world::shaping_keys(program, channel);
-  const auto next = std::upper_bound(keys.begin(), keys.end(), at,
-                                     [](double place, const world::ForceKey& key) { return place < key.at; });
-  world::ForceKey key{at, there.value, there.slope};
-  if (next != keys.begin() && next != keys.end()) {
-    const Piece p = world::curve_between(next[-1], *next);
-    const double u = parameter_at(p, at);
-    const double middle = std::lerp(p[1].x, p[2].x, u);
-    next[-1].after = u * (p[1].x - p[0].x), next->before = (1 - u) * (p[3].x - p[2].x);
-    key.before = at - std::lerp(std::lerp(p[0].x, p[1].x, u), middle, u);
-    key.after = std::lerp(middle, std::lerp(p[2].x, p[3].x, u), u) - at;
-  }
-  keys.insert(next, key);
-  program.keys(channel) = std::move(keys);
-}
-
 ForceLaw::ForceLaw(const ForceTask& task)
     : task_(task),
       curves_{ForceCurve(task.program, ForceChannel::vertical), ForceCurve(task.program, ForceChannel::lateral),
-              ForceCurve(task.program, ForceChannel::roll)} {
+              ForceCurve(task.program, ForceChannel::roll)},
+      of_curvature_(task.program.of == world::ForceOf::curvature),
+      needs_speed_(world::needs_speed(task.program)) {
   for (const ForceChannel channel : {ForceChannel::vertical, ForceChannel::lateral, ForceChannel::roll})
     if (task.added) added_.emplace_back(*task.added, channel);
   set_ramp();
@@ -162,15 +103,24 @@ void ForceLaw::settle(const ForceState& before, ForceState& next) const {
   if (next.square > square(e.speed + e.hysteresis)) next.braking = true;
 }
 
-ForceCurve::Value ForceLaw::asked(ForceChannel channel, double x) const {
+ForceLaw::Asked ForceLaw::asked(ForceChannel channel, double x) const {
   const auto c = static_cast<std::size_t>(channel);
-  ForceCurve::Value value = curves_[c].at(x);
-  if (x < ramp_) {
-    const double share = x / ramp_;
-    value.value += missing_[c] * (1 - smooth_step(share));
-    value.slope -= missing_[c] * 6 * share * (1 - share) / ramp_;
+  const bool angle = of_curvature_ && channel == ForceChannel::roll;
+  const ForceCurve::Value keys = curves_[c].at(x);
+  Asked asked{keys.value, keys.slope, angle ? curves_[c].bend_at(x) : 0.0};
+  if (angle && x > task_.program.length) {  // held farther away: the roll goes on
+    asked.slope = curves_[c].at(task_.program.length).slope;
+    asked.value += asked.slope * (x - task_.program.length);
   }
-  return value;
+  if (x >= ramp_) return asked;
+  const double share = x / ramp_, rest = 1 - share;
+  asked.value += missing_[c] * (1 - smooth_step(share));
+  asked.slope -= missing_[c] * 6 * share * rest / ramp_;
+  if (!angle) return asked;
+  asked.value += missing_slope_ * x * rest * rest;
+  asked.slope += missing_slope_ * rest * (1 - 3 * share);
+  asked.bend += (6 * missing_[c] * (2 * share - 1) / ramp_ + missing_slope_ * (6 * share - 4)) / ramp_;
+  return asked;
 }
 
 FeltG felt_on(const ForceState& s, const ForceRates& track, double d) {
@@ -182,33 +132,51 @@ FeltG felt_on(const ForceState& s, const ForceRates& track, double d) {
       square / g * (to_left - d * (to_left * to_up + track.spin_slope)) - track.along / g * d * track.spin + left.y};
 }
 
+ForceWanted ForceLaw::wanted(double x) const {
+  const Asked up = asked(ForceChannel::vertical, x), side = asked(ForceChannel::lateral, x),
+              roll = asked(ForceChannel::roll, x);
+  ForceWanted wanted{
+      {up.value, up.slope}, {side.value, side.slope}, {roll.value, roll.slope}, {up.value, side.value, roll.value}};
+  if (of_curvature_) wanted.roll = {roll.slope, roll.bend};
+  for (std::size_t c = 0; c < added_.size(); ++c) {
+    const ForceCurve::Value by = added_[c].at(x);
+    ForceCurve::Value& to = c == 0 ? wanted.up : c == 1 ? wanted.side : wanted.roll;
+    to.value += by.value, to.slope += by.slope, wanted.added[c] = by.value;
+  }
+  return wanted;
+}
+
 // Inverts felt g = (s'' h' + s'^2 h'')/g + up (sim/shape/rail_tables.h) for the curvature towards up and left.
-ForceRates ForceLaw::rates(double x, const ForceState& s) const {
-  auto up = asked(ForceChannel::vertical, x), side = asked(ForceChannel::lateral, x),
-       roll = asked(ForceChannel::roll, x);
+ForceRates ForceLaw::rates_for(const ForceWanted& wanted, const ForceState& s) const {
   const double g = world::kGravity, d = task_.riders, square = std::max(s.square, 1e-6);
   const dvec3 left = glm::cross(s.up, s.tangent);
   ForceRates r;
-  for (std::size_t c = 0; c < added_.size(); ++c) {
-    const ForceCurve::Value by = added_[c].at(x);
-    ForceCurve::Value& to = c == 0 ? up : c == 1 ? side : roll;
-    to.value += by.value, to.slope += by.slope, r.added[c] = by.value;
-  }
-  r.up = up.value, r.side = side.value, r.roll = roll.value;
   r.along = along(s);
-  r.spin = base::radians(roll.value), r.spin_slope = base::radians(roll.slope);
+  r.spin = base::radians(wanted.roll.value), r.spin_slope = base::radians(wanted.roll.slope);
   if (task_.program.over == ForceOver::time) {
     const double speed = std::sqrt(square);
     r.spin /= speed;
     r.spin_slope = (r.spin_slope / speed - r.spin * r.along / speed) / speed;
   }
-  const double wanted = (up.value - s.up.y) * g / square + d * r.spin * r.spin, root = 1 - 4 * d * wanted;
+  if (of_curvature_) {
+    r.curvature = wanted.up.value * s.up + wanted.side.value * left;
+    return r;
+  }
+  const double up = (wanted.up.value - s.up.y) * g / square + d * r.spin * r.spin, root = 1 - 4 * d * up;
   r.folded = !(root > 0);
-  const double to_up = 2 * wanted / (1 + std::sqrt(std::max(root, 0.0)));
+  const double to_up = 2 * up / (1 + std::sqrt(std::max(root, 0.0)));
   const double to_left =
-      ((side.value - left.y) * g / square + d * (r.along * r.spin / square + r.spin_slope)) / (1 - d * to_up);
+      ((wanted.side.value - left.y) * g / square + d * (r.along * r.spin / square + r.spin_slope)) / (1 - d * to_up);
   r.curvature = to_up * s.up + to_left * left;
   return r;
+}
+
+std::array<double, 3> ForceLaw::has(const ForceState& s, const ForceRates& track) const {
+  const double metres = metres_per_unit(s), roll = base::degrees(track.spin) * metres;
+  if (of_curvature_)
+    return {glm::dot(track.curvature, s.up), glm::dot(track.curvature, glm::cross(s.up, s.tangent)), roll};
+  const FeltG felt = felt_on(s, track, task_.riders);
+  return {felt.up, felt.side, roll};
 }
 
 ForceState ForceLaw::step(double x, const ForceState& s, double by) const {
@@ -232,25 +200,30 @@ ForceState ForceLaw::step(double x, const ForceState& s, double by) const {
   return next;
 }
 
-// The ramp takes a tenth of a second for each g and for each 40 degrees per second, at least kShortest.
+// The ramp takes a tenth of a second for each g and for each 40 degrees per second, at least kShortest; of curvature,
+// at kCurvatureSpeed, and more where the angle of roll has far to go.
 void ForceLaw::set_ramp() {
   constexpr double kShortest = 0.15, kPerG = 0.12, kPerDegree = 0.0025;  // s
+  constexpr double kMetresPerDegree = 0.4;                               // of an angle
   constexpr double kSame = 1e-9;
   const bool by_time = task_.program.over == ForceOver::time;
   const TrackEnd& end = task_.end;
   const ForceState s = start();
   const double square = std::max(s.square, 1e-6), speed = std::sqrt(square);
   const double along = rates(0, s).along, spin = end.spin;
-  const double slope = base::radians(curves_[2].at(0).slope);
+  const double slope = base::radians(of_curvature_ ? curves_[2].bend_at(0) : curves_[2].at(0).slope);
   const double spin_slope = by_time ? (slope / speed - spin * along / speed) / speed : slope;
-  const FeltG felt = felt_on(s, {end.curvature, spin, spin_slope, along}, task_.riders);
-  felt_ = {felt.up, felt.side, base::degrees(spin) * (by_time ? speed : 1.0)};
-  for (std::size_t c = 0; c < felt_.size(); ++c) missing_[c] = felt_[c] - curves_[c].at(0).value;
-  const double per_second = by_time ? 1.0 : speed;
-  const double most = std::max(std::abs(missing_[0]), std::abs(missing_[1])), turn = std::abs(missing_[2]) * per_second;
-  if (std::max(most, turn) <= kSame) return;
+  found_ = has(s, {end.curvature, spin, spin_slope, along});
+  if (of_curvature_) missing_slope_ = std::exchange(found_[2], 0.0) - curves_[2].at(0).slope;
+  for (std::size_t c = 0; c < found_.size(); ++c) missing_[c] = found_[c] - curves_[c].at(0).value;
+  const double v = of_curvature_ ? world::kCurvatureSpeed : speed, one = of_curvature_ ? kCurvaturePerG : 1.0;
+  const double most = std::max(std::abs(missing_[0]), std::abs(missing_[1])) / one;
+  const double unit = !by_time ? v : of_curvature_ ? v / speed : 1.0;  // m or s in a second at the speed v
+  const double turn = (by_time ? 1 / unit : unit) * std::abs(of_curvature_ ? missing_slope_ : missing_[2]),
+               angle = of_curvature_ ? std::abs(missing_[2]) : 0.0;
+  if (std::max({most, turn, angle}) <= kSame) return;
   const double seconds = std::max({kShortest, kPerG * most, kPerDegree * turn});
-  ramp_ = std::min(seconds * (by_time ? 1.0 : speed), task_.length());
+  ramp_ = std::min(std::max(seconds * unit, kMetresPerDegree * angle / (by_time ? speed : 1.0)), task_.length());
 }
 
 }  // namespace coaster::sim

@@ -1,5 +1,5 @@
-// The curvature and roll that a force section's program requires of the track, from what riders should feel. For
-// force_path.h, which integrates them. Formulas: docs/forces.md.
+// The curvature and roll that a force section's program requires of the track: those of its keys, or those with which
+// riders feel what its keys say. For force_path.h, which integrates them. Formulas: docs/forces.md.
 #pragma once
 
 #include <array>
@@ -7,27 +7,10 @@
 #include <vector>
 
 #include "sim/plan/element_shapes.h"
-#include "world/force.h"
+#include "sim/plan/force_curve.h"
+#include "world/motion.h"
 
 namespace coaster::sim {
-
-// One channel of a program as a function of the position.
-class ForceCurve {
- public:
-  struct Value {
-    double value = 0, slope = 0;  // g, deg/m or deg/s; the same per metre or second
-  };
-  ForceCurve(const world::ForceProgram& program, world::ForceChannel channel);
-  // Returns the value at x m or s; error below 1e-10 of the largest value. The same bits everywhere.
-  Value at(double x) const;
-
- private:
-  double before_, after_;  // the values before and after the pieces
-  std::vector<std::array<glm::dvec2, 4>> pieces_;
-};
-
-// Adds a key at a position of the section on the channel's curve; the curve keeps its shape (de Casteljau).
-void insert_on_curve(world::ForceProgram& program, world::ForceChannel channel, double at);
 
 // Where and how a force section begins, and the train that it is planned for: the mass of its first car.
 struct ForceTask {
@@ -45,6 +28,9 @@ struct ForceTask {
   friend bool operator==(const ForceTask&, const ForceTask&) = default;
 };
 
+// 1/m of curvature that riders feel as 1 g at world::kCurvatureSpeed.
+inline constexpr double kCurvaturePerG = world::kGravity / (world::kCurvatureSpeed * world::kCurvatureSpeed);
+
 // A train on the path, by metres or seconds since the section's start.
 struct ForceState {
   glm::dvec3 position{0}, tangent{1, 0, 0}, up{0, 1, 0};  // m, unit, unit
@@ -53,18 +39,22 @@ struct ForceState {
   bool braking = false;                                   // by the section's brakes
 };
 
-struct ForceRates {
-  glm::dvec3 curvature{0};        // 1/m
-  double spin = 0;                // rad/m
-  double spin_slope = 0;          // rad/m^2
-  double along = 0;               // m/s^2 along the track
-  double up = 1, side = 0;        // g asked for, with the ramp
-  double roll = 0;                // deg/m or deg/s asked for, with the ramp
-  std::array<double, 3> added{};  // by channel: the part of these three that is not asked for but added to end as held
-  bool folded = false;            // no curvature makes riders at their height feel that
+// What a program wants at a position, with the ramp and with what is added.
+struct ForceWanted {
+  ForceCurve::Value up, side, roll;  // g or 1/m; the rate of roll, deg/m or deg/s, of curvature too
+  std::array<double, 3> asked{};     // by channel, in the keys' units, without what is added
+  std::array<double, 3> added{};     // by channel: the part of `up`, `side` and `roll` that is added to end as held
 };
 
-// What riders `riders` m above the curve feel at a position of the track, in g: rates() below solves it for the
+struct ForceRates {
+  glm::dvec3 curvature{0};  // 1/m
+  double spin = 0;          // rad/m
+  double spin_slope = 0;    // rad/m^2
+  double along = 0;         // m/s^2 along the track
+  bool folded = false;      // no curvature makes riders at their height feel what is asked for
+};
+
+// What riders `riders` m above the curve feel at a position of the track, in g: rates_for() below solves it for the
 // curvature.
 struct FeltG {
   double up = 1, side = 0;
@@ -77,8 +67,13 @@ class ForceLaw {
   ForceState start() const;
   // Returns over which distance or time (m or s) the start reaches the values of the keys; 0 if it has them already.
   double ramp() const { return ramp_; }
-  // Returns by channel what is felt at the track's end. Keys with these values there need no ramp.
-  const std::array<double, 3>& felt_at_start() const { return felt_; }
+  // Returns by channel what the track's end has. Keys with these values there need no ramp; of curvature, roll has to
+  // begin with the spin there, too.
+  const std::array<double, 3>& found_at_start() const { return found_; }
+  // True if the train is below world::kSlowestForce and its speed shapes the track.
+  bool too_slow(const ForceState& state) const {
+    return needs_speed_ && !(state.square >= world::kSlowestForce * world::kSlowestForce);
+  }
   // Returns where the required curves change their formula: ascending, the section's end last.
   std::vector<double> breaks() const;
   double metres_per_unit(const ForceState& state) const;
@@ -88,21 +83,30 @@ class ForceLaw {
   double along(const ForceState& state) const;
   // After a step: a train that equipment brings to its speed in between is at that speed, and brakes change over.
   void settle(const ForceState& before, ForceState& next) const;
-  ForceRates rates(double x, const ForceState& state) const;
+  ForceWanted wanted(double x) const;
+  ForceRates rates_for(const ForceWanted& wanted, const ForceState& state) const;
+  ForceRates rates(double x, const ForceState& state) const { return rates_for(wanted(x), state); }
+  // Returns `up`, `side` and `roll` of what a program wants that has that track.
+  std::array<double, 3> has(const ForceState& state, const ForceRates& track) const;
   // Takes a step of classical Runge-Kutta, order 4; the frame stays orthonormal.
   ForceState step(double x, const ForceState& state, double by) const;
 
  private:
-  ForceCurve::Value asked(world::ForceChannel channel, double x) const;
+  struct Asked {
+    double value, slope, bend;  // bend: of roll of curvature only
+  };
+  Asked asked(world::ForceChannel channel, double x) const;
   double drive(const ForceState& state, double free) const;
   void set_ramp();
 
   const ForceTask& task_;
   std::array<ForceCurve, 3> curves_;
   std::vector<ForceCurve> added_;  // by channel, or none
+  bool of_curvature_, needs_speed_;
   double ramp_ = 0;
-  std::array<double, 3> felt_{};
-  std::array<double, 3> missing_{};  // by channel: what is felt at the track's end minus the keys there
+  std::array<double, 3> found_{};
+  std::array<double, 3> missing_{};  // by channel: what the track's end has minus the keys there
+  double missing_slope_ = 0;         // of roll of curvature: that of the slope
 };
 
 // Goes on from a place in steps of at most `step` m that end where the curves change their formula, and calls

@@ -35,9 +35,12 @@ class Integration {
   double rails_height_of(const ForceState& s) const { return s.position.y + task_.rails * s.up.y; }
 
   void add(ForcePath& path, const ForceState& s, double x) const {
-    const ForceRates r = law_.rates(x, s);
+    const ForceWanted wanted = law_.wanted(x);
+    const ForceRates r = law_.rates_for(wanted, s);
+    FeltG felt{wanted.up.value, wanted.side.value};
+    if (task_.program.of == world::ForceOf::curvature) felt = felt_on(s, r, task_.riders);
     path.curve.points.push_back({s.length, s.position, s.tangent, r.curvature, s.up, r.spin});
-    path.points.push_back({x, s.time, s.square, r.along, r.up, r.side, r.roll, r.added});
+    path.points.push_back({x, s.time, s.square, r.along, felt.up, felt.side, wanted.asked, wanted.added});
   }
 
   static ForcePath closed(ForcePath path) {
@@ -47,8 +50,7 @@ class Integration {
 
   // Returns why the path cannot continue to that point; empty if it can.
   std::string stop(const ForcePath& path, double x, const ForceState& s) const {
-    if (!(s.square >= world::kSlowestForce * world::kSlowestForce))
-      return fmt::format("the train falls below {} m/s", world::kSlowestForce);
+    if (law_.too_slow(s)) return fmt::format("the train falls below {} m/s", world::kSlowestForce);
     const ForceRates r = law_.rates(x, s);
     if (r.folded || !(glm::length(r.curvature) * kTightestForce <= 1))
       return fmt::format("the turn would be tighter than a radius of {} m", kTightestForce);

@@ -1,4 +1,5 @@
-// The ideal path of a force section: the track on which riders feel what its program requires, by integration. Formulas
+// The ideal path of a force section: the track on which riders feel what its program requires, or that bends as it
+// requires, by integration. Formulas
 // and sources: docs/forces.md.
 #pragma once
 
@@ -15,13 +16,10 @@ struct ForcePoint {
   double time = 0;                // s since the section's start
   double square = 0;              // m^2/s^2, the speed squared
   double along = 0;               // m/s^2 along the track
-  double up = 1, side = 0;        // g asked for, as ramped from what is felt at the track's end
-  double roll = 0;                // deg/m or deg/s asked for, likewise
-  std::array<double, 3> added{};  // by channel: what of these three is added so that the section ends as held
-  double asked(world::ForceChannel channel) const {
-    const auto c = static_cast<std::size_t>(channel);
-    return std::array{up, side, roll}[c] - added[c];
-  }
+  double up = 1, side = 0;        // g that riders feel on it
+  std::array<double, 3> keys{};   // by channel: what the keys ask for, as ramped from what the track's end has
+  std::array<double, 3> added{};  // by channel: what is added to that so that the section ends as held
+  double asked(world::ForceChannel channel) const { return keys[static_cast<std::size_t>(channel)]; }
 };
 
 struct ForcePath {

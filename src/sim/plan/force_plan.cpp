@@ -33,20 +33,21 @@ ForcePlan plan_force(const ForceTask& task) {
     plan.refusal = *wrong;
     return plan;
   }
-  if (task.program.speed < world::kSlowestForce) {
+  if (world::needs_speed(task.program) && task.program.speed < world::kSlowestForce) {
     plan.refusal = fmt::format("the train is at {:.1f} m/s there, and a force section needs {} m/s", task.program.speed,
                                world::kSlowestForce);
     return plan;
   }
   std::optional<ForceTask> held;
   if (task.held && !(held = hold_end(task))) {
-    plan.refusal = "its ends stay, and no forces near those of its keys lead from the one to the other";
+    plan.refusal = fmt::format("its ends stay, and no {} near those of its keys lead from the one to the other",
+                               task.program.of == world::ForceOf::forces ? "forces" : "curvatures");
     return plan;
   }
   const ForceTask& as = held ? *held : task;
   plan.path = force_path(as);
   plan.length = plan.path.curve.length();
-  plan.end_speed = std::sqrt(plan.path.points.back().square);
+  plan.end_speed = std::sqrt(std::max(plan.path.points.back().square, 0.0));
   if (held && !plan.path.stopped.empty()) plan.refusal = fmt::format("its ends stay, and {}", stop_text(plan));
   else if (plan.length < kShortestPlan) plan.refusal = plan.path.stopped + " at once";
   else plan.fit = fit_force(as, plan.path);
@@ -99,41 +100,17 @@ ForceTask force_task(const world::Document& document, const TrackEnd& end, const
   return task;
 }
 
-world::ForceProgram over_other_axis(const ForcePlan& plan) {
-  const world::ForceProgram& from = plan.task.program;
-  world::ForceProgram to = from;
-  const bool by_time = from.over == ForceOver::distance;
-  to.over = by_time ? ForceOver::time : ForceOver::distance;
-  const ForcePoint& last = plan.path.points.back();
-  const auto speed = [&](double at) {
-    return between_points(plan, at, [&](std::size_t i) { return std::sqrt(plan.path.points[i].square); });
-  };
-  const auto place = [&](double at) {
-    const double here = between_points(
-        plan, at, [&](std::size_t i) { return by_time ? plan.path.points[i].time : plan.path.curve.points[i].s; });
-    const double beyond = std::max(at - last.at, 0.0);  // at the last speed
-    return here + (by_time ? beyond / speed(at) : beyond * speed(at));
-  };
-  const double longest = world::longest_of(to.over);
-  to.length = std::clamp(place(from.length), world::shortest_of(to.over), longest);
-  for (std::size_t c = 0; c < to.channels.size(); ++c)
-    for (world::ForceKey& key : to.channels[c]) {
-      const double v = speed(key.at), unit = by_time ? 1 / v : v;  // of the new axis per unit of the old one
-      if (static_cast<world::ForceChannel>(c) == world::ForceChannel::roll) key.value /= unit, key.slope /= unit;
-      key.at = std::min(place(key.at), longest);
-      key.slope = std::clamp(key.slope / unit, -world::kMostForceSlope, world::kMostForceSlope);
-      key.before = std::min(key.before * unit, longest), key.after = std::min(key.after * unit, longest);
-    }
-  return to;
-}
-
 std::string unmet_text(const ForcePlan& plan) {
-  if (plan.unmet < 0.005) return {};
+  const world::ForceProgram& program = plan.task.program;
+  const bool bends = program.of == world::ForceOf::curvature;
+  if (plan.unmet < 0.005 * (bends ? kCurvaturePerG : 1.0)) return {};
   const std::array<double, 3>& added = plan.path.points[plan.point_at(plan.unmet_at)].added;
-  const bool vertical = std::abs(added[0]) >= std::abs(added[1]);
-  return fmt::format("Both ends stay: at {:.1f} {} riders feel {:.2f} g {} than the {} keys say.", plan.unmet_at,
-                     world::unit_of(plan.task.program.over), plan.unmet, added[vertical ? 0 : 1] > 0 ? "more" : "less",
-                     vertical ? "vertical" : "lateral");
+  const auto channel =
+      std::abs(added[0]) >= std::abs(added[1]) ? world::ForceChannel::vertical : world::ForceChannel::lateral;
+  return fmt::format("Both ends stay: at {:.1f} {} {} {:.{}f} {} {} than the {} keys say.", plan.unmet_at,
+                     world::unit_of(program.over), bends ? "the track bends" : "riders feel", plan.unmet, bends ? 4 : 2,
+                     world::unit_of(program, channel), added[static_cast<std::size_t>(channel)] > 0 ? "more" : "less",
+                     base::name_of(channel));
 }
 
 std::string stop_text(const ForcePlan& plan) {

@@ -17,7 +17,7 @@ struct ForcePlan {
   ForceTask task;
   std::string refusal;       // why there is no track at all; empty if there is any
   ForcePath path;            // path.stopped says why it is shorter than the program
-  double unmet = 0;          // g, the most that is added to what the keys ask for, vertical or lateral: 0 if not held
+  double unmet = 0;          // g or 1/m, the most that is added to vertical or lateral: 0 if not held
   double unmet_at = 0;       // m or s from the start, where that is
   ForceFit fit;              // fit.spans.knots.front() is the track's end, with its new outgoing handle
   double length = 0;         // m
@@ -56,11 +56,8 @@ ForceTask force_task(const world::Document& document, const world::SectionRun& r
 // Returns the task of a section with that program at an end of the document's track, for its first train.
 ForceTask force_task(const world::Document& document, const TrackEnd& end, const world::ForceProgram& program);
 
-// Returns the program with its keys, length and handles on the other axis: they stay at the same positions of the plan.
-world::ForceProgram over_other_axis(const ForcePlan& plan);
-
-// Returns "Both ends stay: at 30.5 m riders feel 0.42 g more than the vertical keys say."; empty if not held, or for
-// less than 0.005 g.
+// Returns "Both ends stay: at 30.5 m riders feel 0.42 g more than the vertical keys say."; of curvature "the track
+// bends 0.0103 1/m more". Empty if not held, or for less than 0.005 g.
 std::string unmet_text(const ForcePlan& plan);
 
 // Returns "the section ends at 41.2 m: the train falls below 3 m/s there"; empty if it reaches its end.

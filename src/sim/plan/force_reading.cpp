@@ -46,12 +46,12 @@ Readings readings_of(const TrackRun& run, const ForceTask& start) {
       if (!(std::abs(values[c]) <= row.limit))
         readings.refusal =
             fmt::format("{} would be {:.1f} {} at {:.1f} m, and keys allow {}", row.name, values[c],
-                        world::unit_of(world::ForceOver::distance, static_cast<world::ForceChannel>(c)), s, row.limit);
+                        world::unit_of(start.program, static_cast<world::ForceChannel>(c)), s, row.limit);
     }
     const ForceState former = state;
     state.square += 2 * readings.step * track.along, state.length += readings.step;
     law.settle(former, state);
-    if (i < steps && !(state.square >= world::kSlowestForce * world::kSlowestForce))
+    if (i < steps && law.too_slow(state))
       readings.refusal = fmt::format("the train falls below {} m/s at {:.1f} m", world::kSlowestForce, s);
     if (!readings.refusal.empty()) break;
   }

@@ -195,7 +195,7 @@ void with_slopes(ForceTask& task) {
     keys.back().slope = 2 * rise(keys.size() - 2) - keys[keys.size() - 2].slope;
   };
   for (const std::size_t c : {2, 1, 0}) {  // riders feel the roll's slope sideways
-    channels[c].front().value = ForceLaw(task).felt_at_start()[c];
+    channels[c].front().value = ForceLaw(task).found_at_start()[c];
     shape(channels[c]);
   }
 }
@@ -209,7 +209,7 @@ ForceTrace trace_force(const ForceTask& task) {
   const ForceLaw law(task);
   ForceTrace trace{{0}, {law.start()}, {}, false};
   trace.complete = follow_law(law, kStep, 0, law.start(), [&](double x, const ForceState& state) {
-    if (!(state.square >= world::kSlowestForce * world::kSlowestForce)) return false;
+    if (law.too_slow(state)) return false;
     trace.at.push_back(x), trace.states.push_back(state);
     return true;
   });

@@ -8,6 +8,7 @@
 
 #include <glm/glm.hpp>
 
+#include "base/portable_math.h"
 #include "sim/plan/force_law.h"
 
 namespace coaster::sim {
@@ -23,10 +24,39 @@ struct ForceWalk {
   double rise() const { return end.tangent.y; }  // of the direction above the horizon: -1 to 1
 };
 
+inline constexpr double kWalkStep = 0.35;  // m
+
+// Adds the smallest turn from one angle to the next.
+inline void follow_angle(double& sum, double& before, double now) {
+  const double turn = now - before;
+  sum += turn > base::kPi ? turn - 2 * base::kPi : turn < -base::kPi ? turn + 2 * base::kPi : turn;
+  before = now;
+}
+
 // Follows the task's program to its end in steps of about a third of a metre; positions are within a centimetre of
 // force_path's. Nothing if the train falls below the least speed (world::kSlowestForce), if no curvature gives the
 // required g, or if the program exceeds the largest length.
-std::optional<ForceWalk> walk_force(const ForceTask& task);
+inline std::optional<ForceWalk> walk_force(const ForceTask& task) {
+  if (!(task.program.length <= world::longest_of(task.program.over))) return std::nullopt;
+  const ForceLaw law(task);
+  ForceWalk walk;
+  ForceState& state = walk.end = law.start();
+  const glm::dvec3 start = state.position, up(0, 1, 0), left = glm::normalize(glm::cross(up, state.tangent)),
+                   ahead = glm::cross(left, up);
+  const auto pitch = [&] { return base::arc_tangent(state.tangent.y, glm::dot(state.tangent, ahead)); };
+  const auto heading = [&] { return base::arc_tangent(glm::dot(state.tangent, left), glm::dot(state.tangent, ahead)); };
+  double last_pitch = pitch(), last_heading = heading();
+  walk.pitch = last_pitch;
+  const bool whole = follow_law(law, kWalkStep, 0, state, [&](double x, const ForceState& next) {
+    state = next;
+    follow_angle(walk.pitch, last_pitch, pitch()), follow_angle(walk.heading, last_heading, heading());
+    return !law.too_slow(state) && !law.rates(x, state).folded;
+  });
+  if (!whole) return std::nullopt;
+  walk.shift = glm::dot(state.position - start, left), walk.off_plane = glm::dot(state.tangent, left);
+  walk.bank = glm::cross(state.up, state.tangent).y;
+  return walk;
+}
 
 // Returns x with every component of f(x) within `tolerance` of 0, by Newton's method with differences of `step` and
 // steps that are halved if they do not help; nothing if there is no such x nearby or f returns nothing.

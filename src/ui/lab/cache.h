@@ -59,6 +59,13 @@ struct TrackLengths {
   std::size_t next = 0;
 };
 
+// The ends of the axes of a force section's plot.
+struct ForceEnds {
+  double from = 0, to = 1;             // m
+  double low = 0, high = 1;            // of the channel
+  double felt_low = 0, felt_high = 1;  // g at the right edge
+};
+
 // The edited key of a force section in the force graph, and its state during a drag.
 struct ForceKeys {
   world::Name section;  // the section that these choices belong to
@@ -68,7 +75,7 @@ struct ForceKeys {
   int side = 0;                    // held part: 0 the key, below 0 its handle before it, above 0 its handle after it
   bool gesture = false;
   world::ForceKey from;                             // the key at the start of the drag
-  std::array<double, 4> axes{};                     // m, m, and the values at both ends, during a drag
+  ForceEnds axes;                                   // during a drag
   std::vector<double> place, asked, actual, knobs;  // data of the plot
 };
 

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "base/portable_math.h"
+#include "sim/plan/force_quantity.h"
 
 namespace coaster::ui {
 
@@ -54,9 +55,14 @@ double ForceAxes::asked(std::size_t point) const { return plan_.path.points[poin
 void fill_curves(const sim::Derived& derived, const ForceAxes& axes, ForceKeys& state) {
   state.place.clear(), state.asked.clear(), state.actual.clear();
   const sim::ForcePlan& plan = axes.plan();
+  const auto channel = static_cast<std::size_t>(axes.channel());
   for (std::size_t i = 0; i < plan.path.points.size(); ++i) {
     state.place.push_back(axes.start() + plan.path.curve.points[i].s);
     state.asked.push_back(axes.asked(i));
+    if (axes.of_curvature()) {
+      state.actual.push_back(sim::curvature_at(derived, axes.first(), state.place.back())[channel]);
+      continue;
+    }
     if (axes.channel() != ForceChannel::roll) continue;
     const sim::TrackPlace place = sim::place_at(derived, state.place.back());
     const double spin = base::degrees(derived.shape_at(place.index).roll.spin(place.s));
@@ -65,45 +71,69 @@ void fill_curves(const sim::Derived& derived, const ForceAxes& axes, ForceKeys& 
   }
 }
 
-std::array<double, 4> shown_ends(const ForceAxes& axes, const std::optional<RidePlots>& ride, const ForceKeys& state) {
-  constexpr double kMargin = 0.05;
-  const double from = axes.start(), to = axes.x_of(axes.end()), margin = kMargin * (to - from);
-  const bool roll = axes.channel() == ForceChannel::roll;
-  double low = roll ? -5 : -0.5, high = roll ? 5 : 2;
-  const auto take = [&](double value) {
-    if (std::isfinite(value)) low = std::min(low, value), high = std::max(high, value);
-  };
-  for (const double value : state.asked) take(value);
-  for (const double value : state.actual) take(value);
-  for (const ForceKey& key : axes.program().keys(axes.channel())) take(key.value);
-  if (ride && !roll) {
-    const sim::SeatCurves& curves = ride->study().curves;
-    const auto v = static_cast<std::size_t>(axes.channel() == ForceChannel::vertical ? sim::RideValue::vertical
-                                                                                     : sim::RideValue::lateral);
-    for (std::size_t i = 0; i < curves.place.size(); ++i)
-      if (curves.place[i] > from && curves.place[i] < to) take(curves.least[v][i]);
-  }
-  const double step = roll ? 5 : 0.5;
-  return {from - margin, to + margin, std::floor(low / step) * step - step, std::ceil(high / step) * step + step};
+std::optional<sim::RideValue> ForceAxes::felt() const {
+  if (channel_ == ForceChannel::roll) return std::nullopt;
+  return channel_ == ForceChannel::vertical ? sim::RideValue::vertical : sim::RideValue::lateral;
 }
 
-std::vector<Level> limits_of(const sim::Envelope& envelope, ForceChannel channel) {
+namespace {
+
+// A range that grows by values, and ends at whole steps beyond them.
+struct Range {
+  double low, high, step;
+  void take(double value) {
+    if (std::isfinite(value)) low = std::min(low, value), high = std::max(high, value);
+  }
+  double bottom() const { return std::floor(low / step) * step - step; }
+  double top() const { return std::ceil(high / step) * step + step; }
+};
+
+Range least_range(const ForceAxes& axes) {
+  if (!axes.felt()) return axes.of_curvature() ? Range{-10, 10, 10} : Range{-5, 5, 5};
+  return axes.of_curvature() ? Range{-0.01, 0.01, 0.01} : Range{-0.5, 2, 0.5};
+}
+
+}  // namespace
+
+ForceEnds shown_ends(const ForceAxes& axes, const std::optional<RidePlots>& ride, const ForceKeys& state) {
+  constexpr double kMargin = 0.05;
+  const double from = axes.start(), to = axes.x_of(axes.end()), margin = kMargin * (to - from);
+  Range own = least_range(axes), felt{-0.5, 2, 0.5};
+  for (const double value : state.asked) own.take(value);
+  for (const double value : state.actual) own.take(value);
+  for (const ForceKey& key : axes.program().keys(axes.channel())) own.take(key.value);
+  if (ride && axes.felt()) {
+    const sim::SeatCurves& curves = ride->study().curves;
+    const auto v = static_cast<std::size_t>(*axes.felt());
+    for (std::size_t i = 0; i < curves.place.size(); ++i)
+      if (curves.place[i] > from && curves.place[i] < to) (axes.of_curvature() ? felt : own).take(curves.least[v][i]);
+  }
+  return {from - margin, to + margin, own.bottom(), own.top(), felt.bottom(), felt.top()};
+}
+
+std::vector<Level> shown_limits(const sim::Envelope& envelope, const ForceAxes& axes, const ForceEnds& ends) {
   using sim::ForceAxis;
   constexpr double kLasting = 10;  // s
   std::vector<Level> levels;
   const auto add = [&](ForceAxis axis, double sign) {
-    for (const double seconds : {envelope.shortest, kLasting})
-      levels.push_back({fmt::format("limit, {} s", base::to_text(seconds)),
-                        sign * sim::limit(envelope.curves[static_cast<std::size_t>(axis)], seconds), 0xE5534B});
+    for (const double seconds : {envelope.shortest, kLasting}) {
+      double y = sign * sim::limit(envelope.curves[static_cast<std::size_t>(axis)], seconds);
+      if (axes.of_curvature())
+        y = ends.low + (y - ends.felt_low) / (ends.felt_high - ends.felt_low) * (ends.high - ends.low);
+      if (y >= ends.low && y <= ends.high)
+        levels.push_back({fmt::format("limit, {} s", base::to_text(seconds)), y, 0xE5534B});
+    }
   };
-  if (channel == ForceChannel::vertical) add(ForceAxis::down, 1), add(ForceAxis::lift, -1);
-  if (channel == ForceChannel::lateral) add(ForceAxis::side, 1), add(ForceAxis::side, -1);
+  if (axes.channel() == ForceChannel::vertical) add(ForceAxis::down, 1), add(ForceAxis::lift, -1);
+  if (axes.channel() == ForceChannel::lateral) add(ForceAxis::side, 1), add(ForceAxis::side, -1);
   return levels;
 }
 
 KeySteps steps_of(const world::ForceProgram& program, world::ForceChannel channel) {
-  const bool metres = program.over == world::ForceOver::distance;
-  return {metres ? 1.0 : 0.1, channel != world::ForceChannel::roll ? 0.1 : metres ? 1.0 : 5.0};
+  const bool metres = program.over == world::ForceOver::distance, roll = channel == world::ForceChannel::roll;
+  const double at = metres ? 1.0 : 0.1;
+  if (program.of == world::ForceOf::curvature) return {at, roll ? 5.0 : 0.001};
+  return {at, !roll ? 0.1 : metres ? 1.0 : 5.0};
 }
 double to_step(double value, double step) {
   const double per_one = std::round(1 / step);

@@ -55,7 +55,7 @@ double between_neighbours(const ForceProgram& program, ForceChannel channel, std
 
 void move_key(Ui& ui, ForceKeys& state, const ForceProgram& program, double from, double to, double value,
               bool from_start) {
-  const double limit = world::rows_of(state.channel)[static_cast<std::size_t>(state.channel)].limit;
+  const double limit = world::channel_of(program.of, state.channel).limit;
   to = between_neighbours(program, state.channel, *state.key, to), value = std::clamp(value, -limit, limit);
   const ForceKey& now = program.keys(state.channel)[*state.key];
   if (now.at == to && now.value == value) return;
@@ -107,7 +107,7 @@ struct Knobs {
 Knobs knobs_of(const ForceAxes& axes, const ForceKeys& state) {
   const ForceProgram& program = axes.program();
   const std::vector<ForceKey>& keys = program.keys(state.channel);
-  const std::string unit(world::unit_of(program.over)), of(world::unit_of(program.over, state.channel));
+  const std::string unit(world::unit_of(program.over)), of(world::unit_of(program, state.channel));
   Knobs knobs;
   for (std::size_t i = 0; i < keys.size(); ++i)
     knobs.list.push_back({.x = axes.x_of(keys[i].at),
@@ -159,9 +159,11 @@ Entity edited_forces(const Ui& ui) {
 }
 
 void force_channels(Ui& ui, float bar) {
-  ForceKeys& state = state_of(ui, edited_forces(ui));
-  for (const world::ForceChannelRow& row : world::kForceChannels) {
-    const auto channel = static_cast<ForceChannel>(&row - world::kForceChannels);
+  const Entity section = edited_forces(ui);
+  ForceKeys& state = state_of(ui, section);
+  const auto rows = world::channels_of(program_of(ui, section).of);
+  for (const world::ForceChannelRow& row : rows) {
+    const auto channel = static_cast<ForceChannel>(&row - rows.data());
     const bool on = channel == state.channel;
     const ImVec2 low = ImGui::GetCursorScreenPos();
     const ImVec2 high(low.x + text_size(row.label).x + std::floor(12 * ui.scale), low.y + bar);
@@ -184,39 +186,42 @@ void force_plot(Ui& ui, Entity section, const std::optional<RidePlots>& ride) {
   if (plan == nullptr || plan->path.points.empty())
     return small_note(plan == nullptr || plan->refusal.empty() ? "The section has no track."
                                                                : base::sentence(plan->refusal));
-  const double start = ui.session().derived.starts[world::run_of(ui.session().document, section).first];
-  const ForceAxes axes(*plan, state.channel, start);
+  const std::size_t first = world::run_of(ui.session().document, section).first;
+  const ForceAxes axes(*plan, state.channel, first, ui.session().derived.starts[first]);
   fill_curves(ui.session().derived, axes, state);
-  std::vector<Series> series;
-  const std::string_view label = world::kForceChannels[static_cast<std::size_t>(state.channel)].label;
-  if (state.channel == ForceChannel::roll) series.push_back({"actual", state.place, state.actual, kActualColour});
-  else if (ride)
-    ride->add_curves(state.channel == ForceChannel::vertical ? sim::RideValue::vertical : sim::RideValue::lateral,
-                     "actual", series);
+  const ForceEnds ends = state.gesture ? state.axes : shown_ends(axes, ride, state);
+  std::vector<Series> series, felt;
+  if (!state.actual.empty()) series.push_back({"actual", state.place, state.actual, kActualColour});
+  if (ride && axes.felt())
+    ride->add_curves(*axes.felt(), axes.of_curvature() ? "felt" : "actual", axes.of_curvature() ? felt : series);
   if (!series.empty()) series.front().width = 4;  // visible on both sides of the target curve
   series.push_back({"asked", state.place, state.asked, kForceColour, SeriesKind::line, 1.6f});
   const Knobs knobs = knobs_of(axes, state);
   for (const std::array<double, 4>& line : knobs.lines)
     series.push_back({"", {line.data(), 2}, {line.data() + 2, 2}, kForceColour, SeriesKind::line, 1.0f});
-  const std::array<double, 4> ends = state.gesture ? state.axes : shown_ends(axes, ride, state);
-  const std::array ramp{start, axes.x_of(plan->path.ramp)}, bottom{ends[2], ends[2]}, top{ends[3], ends[3]};
+  const std::array ramp{axes.start(), axes.x_of(plan->path.ramp)}, bottom{ends.low, ends.low},
+      top{ends.high, ends.high};
   if (plan->path.ramp > 0) series.push_back({"ramp", ramp, bottom, kRampColour, SeriesKind::line, 1.0f, top});
-  std::vector<Level> levels = limits_of(ui.session().limits.envelope, state.channel);
-  std::erase_if(levels, [&](const Level& level) { return level.y < ends[2] || level.y > ends[3]; });
+  const std::vector<Level> levels = shown_limits(ui.session().limits.envelope, axes, ends);
+  const std::string_view label = world::kForceChannels[static_cast<std::size_t>(state.channel)].label;
   KnobTouch touch;
   Plot picture{
-      .x = {.unit = "m", .low = ends[0], .high = ends[1]},
-      .y = {.unit = std::string(world::unit_of(axes.program().over, state.channel)), .low = ends[2], .high = ends[3]},
+      .x = {.unit = "m", .low = ends.from, .high = ends.to},
+      .y = {.unit = std::string(world::unit_of(axes.program(), state.channel)), .low = ends.low, .high = ends.high},
       .series = series,
       .levels = levels,
       .knobs = knobs.list,
       .touch = &touch,
       .value = fmt::format("{} {}", label, state.key ? fmt::format("key {}", *state.key + 1) : "no key"),
       .labels = small_size("-0.0").x};
+  if (!felt.empty()) {
+    felt.front().colour = kFeltColour;
+    picture.right = {.title = "felt g", .low = ends.felt_low, .high = ends.felt_high};
+    picture.right_series = felt;
+  }
   constexpr std::string_view kHelp =
-      "What riders should feel on the selected force section, over what they feel. Drag a key or a handle; Ctrl does "
-      "not "
-      "snap. Double-click to insert a key, Delete removes it. Tab chooses keys, arrows move them.";
+      "What the keys of the selected section ask for, over what riders feel or the track has. Drag a key or a handle; "
+      "Ctrl does not snap. Double-click to insert a key, Delete removes it. Tab chooses keys, arrows move them.";
   if (ride) ride->show(ui, "Plot", picture, kHelp);
   else (void)plot(ui, "Plot", picture, kHelp);
   state.axes = ends;

@@ -83,19 +83,24 @@ void force_parameters(Ui& ui, const Chosen& chosen) {
                          .low = world::kLeastTolerance,
                          .high = world::kMostTolerance};
   if (const auto to = number(ui, "Tolerance", tolerance,
-                             "Largest difference between what riders feel and the keys. Less needs more knots."))
+                             "Largest difference between what riders feel and the keys; of curvature, at 20 m/s. Less "
+                             "needs more knots."))
     ui.emit(edit::SetForceTolerance{{chosen.name()}, *to});
+  if (const auto to = combo_of(ui, "Keys of", program.of,
+                               "Forces that riders feel, or the track's curvature. Keys take what the track has."))
+    ui.emit(edit::SetForceOf{{chosen.name()}, *to});
   if (const auto to =
           combo_of(ui, "Keys over", program.over, "Unit of the keys: metres or seconds. Keys keep their positions."))
     ui.emit(edit::SetForceOver{{chosen.name()}, *to});
   if (const auto on = checkbox(ui, "Keep both ends", program.hold,
-                               "Neither end moves when keys change. Riders feel what the keys say as nearly as that "
-                               "allows."))
+                               "Neither end moves when keys change. The keys are met as nearly as that allows."))
     ui.emit(edit::HoldForces{{chosen.name()}, *on});
   if (!program.hold) return;
   const sim::ForcePlan* const plan = ui.state.find.force(chosen.runs.front().section);
   if (plan == nullptr || !plan->refusal.empty()) return;
-  read_out(ui, "Not met", plan->unmet, 2, "g", "Most that riders feel more or less than the keys say.");
+  const bool bends = program.of == world::ForceOf::curvature;
+  read_out(ui, "Not met", plan->unmet, bends ? 4 : 2, bends ? "1/m" : "g",
+           "Most that vertical or lateral is more or less than the keys say.");
   read_out(ui, "Not met at", plan->unmet_at, 1, world::unit_of(program.over),
            "Where that is, from the section's start.");
 }

@@ -103,6 +103,55 @@ TEST_F(Forces, an_open_end_is_free_until_track_follows) {
   EXPECT_FALSE(program().hold);
 }
 
+// A faster or slower train needs no other track, and one that does not arrive, none less.
+TEST_F(Forces, curvature_is_the_same_track_at_any_speed) {
+  drop_and_force();
+  good("force.of @" + section + " to curvature");
+  good("force.length @" + section + " to 50");
+  key("vertical key 0.02 at 20"), key("lateral key 0.01 at 30"), key("roll key 30 at 40");
+  const auto knots = [&] {
+    std::vector<world::Knot> list;
+    const world::SectionRun run = world::run_of(session.document, entity(section.c_str()));
+    for (std::size_t i = run.first + 1; i <= run.end(); ++i)
+      list.push_back(world::knot(session.document, session.document.track.knots[i]));
+    return list;
+  };
+  const std::vector<world::Knot> before = knots();
+  const double speed = program().speed;
+  good("section.equip @q1 as lift speed 9");
+  EXPECT_GT(program().speed, speed + 0.5);
+  EXPECT_EQ(knots(), before);
+  EXPECT_LT(missed(), 0.12) << "the plan says what riders feel on it, at " << program().speed << " m/s";
+  good("undo");
+  const auto loaded = exchange::parse_track(exchange::print_track(session.document), "text");
+  ASSERT_TRUE(loaded) << loaded.status().message;
+  EXPECT_EQ(world::hash(loaded->document), hash());
+  const std::uint64_t bends = hash();
+  session.document.entities.get<world::Section>(entity(section.c_str())).force.of = world::ForceOf::forces;
+  EXPECT_NE(hash(), bends);
+  EXPECT_EQ(exchange::print_track(session.document).find("\"of\""), std::string::npos) << "files as ever";
+}
+
+TEST_F(Forces, the_quantity_changes_and_the_shape_stays) {
+  drop_and_force();
+  key("vertical key 1 at 0"), key("vertical key 2.4 at 20"), key("vertical key 0.6 at 45"), key("roll key 1 at 30");
+  key("roll key 0 at 10"), key("roll key 0 at 50");
+  const world::Document before = session.document;
+  const glm::dvec3 end = plan().path.curve.points.back().position;
+  good("force.of @" + section + " to curvature");
+  EXPECT_EQ(program().of, world::ForceOf::curvature);
+  EXPECT_LT(glm::distance(plan().path.curve.points.back().position, end), 0.2);
+  refused("force @" + section + " vertical key 2 at 20", "has the value 2 1/m, expected -0.5 to 0.5");
+  good("force.copy @" + section + " vertical");
+  good("force.of @" + section + " to forces");
+  EXPECT_LT(glm::distance(plan().path.curve.points.back().position, end), 0.3);
+  refused("force.paste @" + section + " vertical at 0", "of curvature, those of the section of forces");
+  good("undo"), good("undo");
+  EXPECT_TRUE(session.document == before);
+  good("force.of @" + section + " to forces");
+  EXPECT_TRUE(session.document == before) << "no step without a change";
+}
+
 TEST_F(Forces, bad_values_are_refused_with_a_clear_word) {
   drop_and_force();
   const auto on = [&](const std::string& name, const std::string& rest) { return name + " @" + section + " " + rest; };

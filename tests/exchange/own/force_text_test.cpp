@@ -15,6 +15,18 @@ TEST(force_text, copied_keys_are_read_as_they_were_written) {
   EXPECT_EQ(read->keys, copied.keys);
 }
 
+TEST(force_text, keys_of_curvature_are_marked) {
+  const CopiedKeys copied{world::ForceOver::distance, {{2, 0.02}}, world::ForceOf::curvature};
+  const std::string text = print_keys(copied);
+  EXPECT_EQ(text, R"({"force-keys": "distance", "of": "curvature", "keys": [[2, 0.02]]})");
+  const auto read = parse_keys(text);
+  ASSERT_TRUE(read);
+  EXPECT_EQ(read->of, copied.of);
+  EXPECT_TRUE(parse_keys(R"({"force-keys": "distance", "of": "curvature", "keys": [[2, 3000]]})")) << "degrees";
+  EXPECT_FALSE(parse_keys(R"({"force-keys": "distance", "keys": [[2, 3000]]})"));
+  EXPECT_FALSE(parse_keys(R"({"force-keys": "distance", "of": "shape", "keys": [[2, 0]]})"));
+}
+
 TEST(force_text, what_is_no_list_of_keys_is_refused_with_the_reason) {
   const auto refused = [](std::string_view text, std::string_view why) {
     const auto read = parse_keys(text);

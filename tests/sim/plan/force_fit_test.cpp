@@ -98,6 +98,40 @@ TEST(force_fit, twenty_programs_are_felt_as_asked_for_on_spans_within_a_centimet
   RecordProperty("metres_per_span", std::to_string(metres / static_cast<double>(spans)));
 }
 
+// The spans of curvature are judged at 20 m/s, where 0.05 g are 0.00123 1/m, and by what the keys say of the angle.
+TEST(force_fit, spans_of_curvature_bend_and_roll_as_asked_for) {
+  test::RandomCurvature random(4);
+  for (int i = 0; i < 8; ++i) {
+    const ForcePlan plan = plan_force(random.next(i < 2 ? 200 : 60));
+    ASSERT_EQ(plan.refusal, "") << i;
+    EXPECT_TRUE(plan.fit.within) << i << ": " << plan.fit.felt_error << " g at " << plan.fit.felt_at << " m";
+    const Derived derived = shapes_of(track_of(plan, 0));
+    const test::ForceOracle oracle(plan.task);
+    const double allowed = plan.task.program.tolerance * 9.81 / 400;
+    double roll = 0;
+    for (std::size_t k = 0; k < derived.order.size(); ++k) {
+      const SegmentShape& shape = derived.shape_at(k);
+      for (double s = 0; s < shape.arc.length(); s += 0.05) {
+        const double t = shape.arc.parameter(s), at = derived.starts[k] + s;
+        const curve::Frame frame = frame_at(shape, s, t);
+        const dvec3 bend = curve::curvature_vector(shape.key.cubic, t);
+        EXPECT_NEAR(glm::dot(bend, frame.up), double(oracle.asked(ForceChannel::vertical, at)), allowed)
+            << i << ' ' << at;
+        EXPECT_NEAR(glm::dot(bend, frame.left()), double(oracle.asked(ForceChannel::lateral, at)), allowed)
+            << i << ' ' << at;
+        EXPECT_NEAR(180 / M_PI * (roll + shape.roll.angle(s)), double(oracle.asked(ForceChannel::roll, at)), 1.2)
+            << i << ' ' << at;
+      }
+      roll += shape.roll.twist;
+    }
+    ForceTask slow = plan.task;
+    slow.program.speed = 1;
+    const ForcePlan again = plan_force(slow);
+    ASSERT_EQ(again.refusal, "") << i;
+    EXPECT_EQ(again.fit.spans.knots, plan.fit.spans.knots) << i << ": at any speed";
+  }
+}
+
 TEST(force_fit, a_wider_tolerance_takes_fewer_spans) {
   test::RandomForces random(9);
   ForceTask task = random.next(150);
