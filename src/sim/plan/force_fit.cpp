@@ -90,24 +90,29 @@ struct Attempt {
   std::vector<std::size_t> at;
   Spans spans;
   std::vector<SpanError> errors;
+  std::vector<double> strains;  // of the spans: the largest error as a part of what is allowed
   std::vector<std::size_t> failing;
+  // Returns the span with the largest strain.
+  std::size_t worst() const {
+    return static_cast<std::size_t>(std::max_element(strains.begin(), strains.end()) - strains.begin());
+  }
 };
 
 // Returns how far the second knot may move sideways, m, for the curvature at the start: riders on the neighbouring
-// spans feel at most a quarter of the tolerance.
-double shift_at(const ForceTask& task, const ForcePath& path, const std::vector<std::size_t>& at) {
+// spans feel at most that share of the tolerance.
+double shift_at(const ForceTask& task, const ForcePath& path, const std::vector<std::size_t>& at, double share) {
   if (at.size() < 3) return 0;
   const auto& points = path.curve.points;
   const auto length = [&](std::size_t k) { return points[at[k + 1]].s - points[at[k]].s; };
   const double least = std::min({length(0), length(1), length(at.size() - 3), length(at.size() - 2)}),
                square = std::max(judged_square(task, path.points.front()), judged_square(task, path.points.back()));
-  return std::min(kMostShift, 0.25 * task.program.tolerance * world::kGravity / square * least * least / 6);
+  return std::min(kMostShift, share * task.program.tolerance * world::kGravity / square * least * least / 6);
 }
 
-Attempt attempt(const ForceTask& task, const ForcePath& path, std::vector<std::size_t> at) {
+Attempt attempt_with(const ForceTask& task, const ForcePath& path, std::vector<std::size_t> at, double share) {
   constexpr double kAtPoints = 0.99;  // of the tolerance: between the path's points riders feel slightly more
-  Attempt now{std::move(at), {}, {}, {}};
-  now.spans = make_spans(path.curve, now.at, shift_at(task, path, now.at));
+  Attempt now{std::move(at), {}, {}, {}, {}};
+  now.spans = make_spans(path.curve, now.at, shift_at(task, path, now.at, share));
   for (std::size_t k = 0; k + 1 < now.at.size(); ++k) {
     const world::Knot &from = now.spans.knots[k], &to = now.spans.knots[k + 1];
     now.errors.push_back(span_error(task, path, now.at[k], now.at[k + 1], from, to));
@@ -115,11 +120,19 @@ Attempt attempt(const ForceTask& task, const ForcePath& path, std::vector<std::s
     const bool last = k + 2 == now.at.size();
     const double jump =
         std::max(k == 0 ? now.spans.jumps.front() : 0.0, last && task.held ? now.spans.jumps.back() : 0.0);
-    if (!(error.felt.error <= kAtPoints * task.program.tolerance) || jump > kElementJump ||
-        error.check.roll_error > base::radians(kElementRoll_deg))
-      now.failing.push_back(k);
+    now.strains.push_back(std::max({error.felt.error / (kAtPoints * task.program.tolerance), jump / kElementJump,
+                                    error.check.roll_error / base::radians(kElementRoll_deg)}));
+    if (!(now.strains.back() <= 1)) now.failing.push_back(k);
   }
   return now;
+}
+
+Attempt attempt(const ForceTask& task, const ForcePath& path, std::vector<std::size_t> at) {
+  Attempt now = attempt_with(task, path, at, 0.25);
+  const double jump = std::max(now.spans.jumps.front(), task.held ? now.spans.jumps.back() : 0.0);
+  if (jump <= kElementJump) return now;
+  Attempt farther = attempt_with(task, path, std::move(at), 1);
+  return farther.strains[farther.worst()] < now.strains[now.worst()] ? farther : now;
 }
 
 // Returns the span to halve in order to mend a failing one: itself, or a longer neighbour at the joint where it fails.
@@ -167,16 +180,52 @@ std::vector<std::size_t> evened(const ForceTask& task, const Attempt& now, std::
   return at;
 }
 
-// Tries one span fewer, evened out over several rounds, until that fails.
+// Moves single knots near the span with the largest strain as long as that strain falls and spans fail. `budget`:
+// points of paths that may still be tried.
+void ease(const ForceTask& task, const ForcePath& path, Attempt& now, std::size_t& budget) {
+  const auto moved = [&](std::size_t knot, int by) {
+    const auto place = static_cast<std::ptrdiff_t>(now.at[knot]) + by;
+    const bool room =
+        place > static_cast<std::ptrdiff_t>(now.at[knot - 1]) && place < static_cast<std::ptrdiff_t>(now.at[knot + 1]);
+    if (!room || budget < path.points.size()) return false;
+    budget -= path.points.size();
+    std::vector<std::size_t> at = now.at;
+    at[knot] = static_cast<std::size_t>(place);
+    Attempt next = attempt(task, path, std::move(at));
+    if (!(next.strains[next.worst()] < 0.999 * now.strains[now.worst()])) return false;
+    now = std::move(next);
+    return true;
+  };
+  const auto eased = [&](int by) {
+    const std::size_t worst = now.worst(), last = now.at.size() - 1;
+    for (std::size_t knot = std::max<std::size_t>(worst, 1); knot < std::min(worst + 3, last); ++knot) {
+      const int shorter = knot <= worst ? by : -by;  // the worst span first
+      if (moved(knot, shorter) || moved(knot, -shorter)) return true;
+    }
+    return false;
+  };
+  const auto eased_before = [&](int by) {
+    const std::size_t worst = now.worst();
+    return worst > 1 && (moved(worst - 1, by) || moved(worst - 1, -by));
+  };
+  while (!now.failing.empty() && (eased(8) || eased(4) || eased(2) || eased(1) || eased_before(2))) {
+  }
+}
+
+// Tries one span fewer, evened out over several rounds and eased, until that fails.
 void even_out(const ForceTask& task, const ForcePath& path, Attempt& best) {
   constexpr int kRounds = 5;
+  constexpr std::size_t kEased = 200;                              // points of the longest path that is eased
+  std::size_t budget = path.points.size() <= kEased ? 12'000 : 0;  // points: some 5 ms
   for (bool better = true; better && best.errors.size() > 1;) {
     better = false;
-    Attempt now = best;
+    Attempt now = best, least;
     for (int round = 0; round < kRounds && !better; ++round) {
       now = attempt(task, path, evened(task, now, best.errors.size() - 1));
       better = now.failing.empty();
+      if (round == 0 || now.strains[now.worst()] < least.strains[least.worst()]) least = now;
     }
+    if (!better) ease(task, path, least, budget), now = std::move(least), better = now.failing.empty();
     if (better) best = std::move(now);
   }
 }
