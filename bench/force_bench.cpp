@@ -41,6 +41,22 @@ void force_plan_200_m(benchmark::State& state) {
 }
 BENCHMARK(force_plan_200_m)->Unit(benchmark::kMillisecond);
 
+// The same drag with both ends kept.
+void force_held_plan_200_m(benchmark::State& state) {
+  const sim::ForcePlan still = sim::plan_force(task_of(0));
+  const sim::ElementPoint& last = still.path.curve.points.back();
+  double spans = 0, unmet = 0;
+  int step = 0;
+  for (auto _ : state) {
+    sim::ForceTask task = task_of(0.01 * (++step % 20));
+    task.held = {last.position, last.tangent, last.up, last.curvature, last.spin};
+    const sim::ForcePlan plan = sim::plan_force(task);
+    spans = static_cast<double>(plan.spans()), unmet = plan.unmet;
+  }
+  state.counters["checksum"] = unmet, state.counters["spans"] = spans;
+}
+BENCHMARK(force_held_plan_200_m)->Unit(benchmark::kMillisecond);
+
 void force_path_200_m(benchmark::State& state) {
   int step = 0;
   for (auto _ : state) benchmark::DoNotOptimize(sim::force_path(task_of(0.01 * (++step % 20))).points.size());

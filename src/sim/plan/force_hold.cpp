@@ -6,21 +6,21 @@
 #include <array>
 #include <cmath>
 
-#include "base/parallel.h"
 #include "base/portable_math.h"
 #include "sim/plan/force_bridge.h"
+#include "sim/plan/force_slopes.h"
 
 namespace coaster::sim {
 namespace {
 
 using glm::dvec3;
 
-constexpr std::size_t kEnd = 9;  // conditions: place (3), direction (2), bend (2), roll, spin
-using End = std::array<double, kEnd>;
+using End = EndMiss;  // of the conditions: place (3), direction (2), bend (2), roll, spin
+constexpr std::size_t kEnd = End{}.size();
 
 constexpr double kNodeGap = 5;  // m between keys of what is added, about
 constexpr std::size_t kFewestNodes = 6, kMostNodes = 24;
-constexpr double kCoarse = 1, kFine = 0.25;  // m, steps of the slopes and of the path itself (force_path.cpp)
+constexpr double kCoarse = 1, kFine = 0.25;  // m, steps on the way to the end and of the path itself (force_path.cpp)
 constexpr double kMostStep = 5;              // g, changes by more in one step lead nowhere
 
 double size_of(const End& end) {
@@ -87,15 +87,18 @@ class Holding {
   }
 
   std::optional<ForceTask> run() {
-    if (const auto found = led_from({std::vector<double>(3 * nodes_, 0.0), task_.program.length})) return exact(*found);
-    const std::optional<Additions> bridge = of_bridge();
-    const std::optional<Additions> found = bridge ? led_from(*bridge) : std::nullopt;
+    const Additions none{std::vector<double>(3 * nodes_, 0.0), task_.program.length};
+    std::optional<Additions> found = led_from(none, 1);
+    const std::optional<Additions> bridge = found ? std::nullopt : of_bridge();
+    if (!found && bridge) found = led_from(*bridge, 1);
+    if (!found) found = led_from(none, kShortestStage);
+    if (!found && bridge) found = led_from(*bridge, kShortestStage);
     return found ? exact(*found) : std::nullopt;
   }
 
  private:
-  static constexpr double kShortestStage = 1.0 / 64;
-  static constexpr int kMostRounds = 120;               // in all: some 0.2 s for 100 m
+  static constexpr double kShortestStage = 1.0 / 64, kLeastPart = 1.0 / 8, kShrinks = 0.8;
+  static constexpr int kMostRounds = 120;               // in all: some 0.06 s for 100 m
   static constexpr double kNear = 0.01, kThere = 1e-6;  // of the conditions, in about metres
 
   // Returns what a bridge needs more than the keys ask for (force_bridge.h).
@@ -109,16 +112,16 @@ class Holding {
   }
 
   // Leads the end from where these additions take it to where it is held, and the additions to the least ones, in as
-  // few stages as go well.
-  std::optional<Additions> led_from(Additions now) {
-    const std::optional<End> first = missed(now, kFine);
+  // few stages as go well, none shorter than that part of the way.
+  std::optional<Additions> led_from(Additions now, double shortest) {
+    const std::optional<End> first = missed(now, kCoarse);
     if (!first) return std::nullopt;
     first_ = *first, from_ = now.nodes;
     double done = 0;
     for (double by = 1; done < 1;) {
       const double share = std::min(done + by, 1.0);
       if (std::optional<Additions> next = led(now, 1 - share)) now = std::move(*next), done = share, by *= 2;
-      else if ((by /= 2) < kShortestStage) return std::nullopt;
+      else if ((by /= 2) < shortest) return std::nullopt;
     }
     return now;
   }
@@ -131,19 +134,24 @@ class Holding {
     std::vector<double> towards = from_;
     for (double& value : towards) value *= rest;
     std::optional<End> off = left_of(x, rest);
+    // The steps leave out how the slopes bend. Where that makes them overshoot, none is shorter than the one before,
+    // and a part of each leads on.
+    double part = 1, before = kMostStep;
     for (int round = 0; off && round < rounds && rounds_ < kMostRounds; ++round, ++rounds_) {
       set_slopes(x);
       const std::optional<Additions> by = step_from(x, *off, towards);
       if (!by) return std::nullopt;
-      const double most = add(x, *by);
-      if (!(most < kMostStep)) return std::nullopt;
+      part = most_of(*by) > kShrinks * before ? std::max(part / 2, kLeastPart) : std::min(1.5 * part, 1.0);
+      before = most_of(*by);
+      if (!(before < kMostStep)) return std::nullopt;
+      add(x, *by, part);
       off = left_of(x, rest);
-      if (off && most < settled && size_of(*off) < near) return x;
+      if (off && before < settled && size_of(*off) < near) return x;
     }
     return std::nullopt;
   }
   std::optional<End> left_of(const Additions& x, double rest) const {
-    std::optional<End> off = missed(x, kFine);
+    std::optional<End> off = missed(x, kCoarse);
     for (std::size_t e = 0; off && e < kEnd; ++e) (*off)[e] -= rest * first_[e];
     return off;
   }
@@ -155,18 +163,20 @@ class Holding {
       if (!off) return std::nullopt;
       if (size_of(*off) <= kThere) return with(x);
       const std::optional<Additions> by = step_from(x, *off, x.nodes);
-      if (!by || !(add(x, *by) < kMostStep)) return std::nullopt;
+      if (!by || !(most_of(*by) < kMostStep)) return std::nullopt;
+      add(x, *by, 1);
     }
     return std::nullopt;
   }
 
-  // Adds a step and returns the largest change of a node.
-  static double add(Additions& x, const Additions& by) {
+  static double most_of(const Additions& by) {
     double most = 0;
-    for (std::size_t k = 0; k < x.nodes.size(); ++k)
-      x.nodes[k] += by.nodes[k], most = std::max(most, std::abs(by.nodes[k]));
-    x.length += by.length;
+    for (const double node : by.nodes) most = std::max(most, std::abs(node));
     return most;
+  }
+  static void add(Additions& x, const Additions& by, double part) {
+    for (std::size_t k = 0; k < x.nodes.size(); ++k) x.nodes[k] += part * by.nodes[k];
+    x.length += part * by.length;
   }
 
   // Returns the task with these additions: keys at equal distances with the slopes of parabolas, level at both ends.
@@ -188,10 +198,9 @@ class Holding {
   }
 
   // Returns by what a path misses the end, in units of about a metre.
-  std::optional<End> missed_by(const ForceLaw& law, double x, const ForceState& last) const {
+  std::optional<End> missed_by(const ForceRates& rates, const ForceState& last) const {
     constexpr double kAngle = 10, kBend = 100;  // m per rad, m per 1/m
     const TrackEnd& to = *task_.held;
-    const ForceRates rates = law.rates(x, last);
     const dvec3 left = glm::cross(to.up, to.forward), by = last.position - to.position,
                 bend = rates.curvature - to.curvature;
     const std::optional<dvec3> turn = turn_between(to, last);
@@ -206,49 +215,33 @@ class Holding {
                kBend * glm::dot(bend, left),
                kBend * (rates.spin - to.spin)};
   }
-  std::optional<End> missed_from(const ForceLaw& law, double step, double at, const ForceState& state) const {
-    ForceState last = state;
-    double end = at;
-    const bool whole = follow_law(law, step, at, state, [&](double x, const ForceState& there) {
-      last = there, end = x;
-      return !law.too_slow(there);
-    });
-    return whole ? missed_by(law, end, last) : std::nullopt;
-  }
   std::optional<End> missed(const Additions& x, double step) const {
     if (!(x.length > 0 && x.length <= world::longest_of(task_.program.over))) return std::nullopt;
     const ForceTask task = with(x);
     const ForceLaw law(task);
-    return missed_from(law, step, 0, law.start());
+    ForceState last = law.start();
+    const bool whole = follow_law(law, step, 0, last, [&](double, const ForceState& there) {
+      last = there;
+      return !law.too_slow(there);
+    });
+    return whole ? missed_by(law.rates(x.length, last), last) : std::nullopt;
   }
 
-  // Sets how the misses change with each unknown, the length last: by differences, along what a node changes only.
+  // Sets how the misses change with each unknown, the length last; to nothing where that is not known.
   void set_slopes(const Additions& now) {
-    constexpr double kBy = 1e-6;  // g; of the length
+    constexpr double kBy = 1e-6;  // of the length
     const ForceTask task = with(now);
-    const ForceLaw law(task);
-    std::vector<std::pair<double, ForceState>> at_node{{0, law.start()}};
-    const std::vector<world::ForceKey>& keys = task.added->channels[0];
-    follow_law(law, kCoarse, 0, law.start(), [&](double x, const ForceState& state) {
-      if (at_node.size() < keys.size() && x == keys[at_node.size()].at) at_node.emplace_back(x, state);
-      return true;
-    });
-    const std::optional<End> base = missed_from(law, kCoarse, 0, law.start());
+    Additions longer = now;
+    longer.length *= 1 + kBy;
+    const auto found = end_slopes(ForceLaw(task), now.length, nodes_,
+                                  [&](const ForceRates& rates, const ForceState& s) { return missed_by(rates, s); });
+    const std::optional<End> here = missed(now, kCoarse), there = missed(longer, kCoarse);
     slopes_.assign(3 * nodes_ + 1, End{});
-    if (!base || at_node.size() != keys.size()) return;
-    base::in_parts(slopes_.size(), 1, base::cores(), [&](std::size_t begin, std::size_t end) {
-      for (std::size_t k = begin; k < end; ++k) {
-        Additions beside = now;
-        const bool of_length = k == 3 * nodes_;
-        const double by = of_length ? kBy * now.length : kBy;
-        (of_length ? beside.length : beside.nodes[k]) += by;
-        const ForceTask tried = with(beside);
-        const ForceLaw bent(tried);
-        const std::size_t node = k % nodes_ + 1, from = of_length || node < 2 ? 0 : node - 2;
-        const auto there = missed_from(bent, kCoarse, at_node[from].first, at_node[from].second);
-        for (std::size_t e = 0; there && e < kEnd; ++e) slopes_[k][e] = ((*there)[e] - (*base)[e]) / by;
-      }
-    });
+    if (!found || !here || !there) return;
+    for (std::size_t k = 0; k < found->size(); ++k)
+      for (std::size_t e = 0; e < kEnd; ++e) slopes_[k][e] = units_[k / nodes_] * (*found)[k][e];
+    for (std::size_t e = 0; e < kEnd; ++e)
+      slopes_.back()[e] = ((*there)[e] - (*here)[e]) / (longer.length - now.length);
   }
 
   // The weight of a node: the length that it stands for.

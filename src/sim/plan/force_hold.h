@@ -14,8 +14,8 @@ inline constexpr double kRollPerG = 10;
 // Returns the task, of which `held` is set, with what is added so that its path ends there: within 0.01 mm and 1
 // microradian, by keys at equal distances for which the sum over them of vertical^2 + lateral^2 + (roll/kRollPerG)^2 is
 // least; curvature counts in units of kCurvaturePerG. The length is free. Nothing where no such path is found, neither
-// from the one without additions nor from a bridge (force_bridge.h). The same bits everywhere. Takes some 0.1 ms per
-// metre, more where the end is far off.
+// from the one without additions nor from a bridge (force_bridge.h). The same bits everywhere. Takes some 0.025 ms
+// per metre, a few times that where the end is far off.
 std::optional<ForceTask> hold_end(const ForceTask& task);
 
 // Returns that sum, in g^2: what hold_end() makes least. 0 without additions.
