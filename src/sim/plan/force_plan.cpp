@@ -79,17 +79,39 @@ std::optional<TrackEnd> held_end(const world::Document& document, const world::S
   return end;
 }
 
+namespace {
+
+struct EquipmentOn {
+  const world::Equipment* first = nullptr;  // null: nothing on any part
+  bool same = false;                        // on all of the section
+};
+EquipmentOn equipment_on(const world::Document& document, const world::SectionRun& run) {
+  EquipmentOn on{nullptr, true};
+  for (std::size_t i = run.first; i < run.end(); ++i) {
+    const auto* const here = document.entities.find<world::Equipment>(document.track.segments[i]);
+    if (on.first == nullptr) on.same = i == run.first && here != nullptr, on.first = here;
+    else if (here == nullptr || *here != *on.first) on.same = false;
+  }
+  return on;
+}
+
+}  // namespace
+
+std::string uncounted_text(const world::Document& document, const world::SectionRun& run,
+                           const world::ForceProgram& program) {
+  const EquipmentOn on = equipment_on(document, run);
+  if (on.first == nullptr || !world::needs_speed(program)) return {};
+  if (!on.same)
+    return "Equipment on part of a force section is not in its planned speed: its segments change with the keys.";
+  if (on.first->kind != world::EquipmentKind::station) return {};
+  return "The station is not in the planned speed: where trains stand, forces do not shape the track.";
+}
+
 ForceTask force_task(const world::Document& document, const world::SectionRun& run,
                      const world::ForceProgram& program) {
   ForceTask task = force_task(document, start_of(document, run), program);
   if (program.hold) task.held = held_end(document, run);
-  const auto equipment = [&](std::size_t i) {
-    return document.entities.find<world::Equipment>(document.track.segments[i]);
-  };
-  bool all = equipment(run.first) != nullptr;
-  for (std::size_t i = run.first + 1; all && i < run.end(); ++i)
-    all = equipment(i) != nullptr && *equipment(i) == *equipment(run.first);
-  if (all) task.equipment = *equipment(run.first);
+  if (const EquipmentOn on = equipment_on(document, run); on.same) task.equipment = *on.first;
   return task;
 }
 

@@ -53,6 +53,11 @@ std::optional<TrackEnd> held_end(const world::Document& document, const world::S
 // Returns the task of a section of the document with that program: from start_of(), and to held_end() if it holds it.
 ForceTask force_task(const world::Document& document, const world::SectionRun& run, const world::ForceProgram& program);
 
+// Returns why equipment on the section does not count in the speed that it is planned for; empty if all does, or if
+// speed does not shape it.
+std::string uncounted_text(const world::Document& document, const world::SectionRun& run,
+                           const world::ForceProgram& program);
+
 // Returns the task of a section with that program at an end of the document's track, for its first train.
 ForceTask force_task(const world::Document& document, const TrackEnd& end, const world::ForceProgram& program);
 

@@ -95,9 +95,14 @@ void force_parameters(Ui& ui, const Chosen& chosen) {
   if (const auto on = checkbox(ui, "Keep both ends", program.hold,
                                "Neither end moves when keys change. The keys are met as nearly as that allows."))
     ui.emit(edit::HoldForces{{chosen.name()}, *on});
-  if (!program.hold) return;
-  const sim::ForcePlan* const plan = ui.state.find.force(chosen.runs.front().section);
+  const world::SectionRun& run = chosen.runs.front();
+  const std::string uncounted = sim::uncounted_text(chosen.document, run, program);
+  if (!uncounted.empty()) paragraph(ui, "Not counted", uncounted, palette().warning);
+  const sim::ForcePlan* const plan = ui.state.find.force(run.section);
   if (plan == nullptr || !plan->refusal.empty()) return;
+  if (const std::string stopped = sim::stop_text(*plan); !stopped.empty())
+    paragraph(ui, "Stopped", base::sentence(stopped), palette().warning);
+  if (!program.hold) return;
   const bool bends = program.of == world::ForceOf::curvature;
   read_out(ui, "Not met", plan->unmet, bends ? 4 : 2, bends ? "1/m" : "g",
            "Most that vertical or lateral is more or less than the keys say.");
