@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include <fmt/format.h>
@@ -40,7 +41,7 @@ ForceKeys& state_of(Ui& ui, Entity section) {
   if (state.key && *state.key >= keys.size()) state.key.reset();
   for (std::size_t i = 0; state.inserted && i < keys.size(); ++i)
     if (keys[i].at == *state.inserted) state.key = i, state.inserted.reset();
-  if (state.gesture && !ui.session().history.in_gesture) state.gesture = false;  // undone meanwhile
+  if (state.gesture && !ui.session().history.in_gesture) state.gesture = false, state.undone = true;
   return state;
 }
 
@@ -139,8 +140,11 @@ void take_knob(ForceKeys& state, const ForceProgram& program, const Knobs& knobs
 // Handles the mouse.
 void follow_mouse(Ui& ui, ForceKeys& state, const ForceAxes& axes, const Knobs& knobs, const KnobTouch& touch) {
   const ForceProgram& program = axes.program();
-  if (touch.held && touch.pressed) take_knob(state, program, knobs, *touch.held);
-  if (touch.held && touch.moved && state.key) drag_key(ui, state, axes, touch.at);
+  const auto undoes = [](const edit::Command& c) { return c.is<edit::Undo>() || c.is<edit::CancelGesture>(); };
+  if (state.gesture && std::any_of(ui.out.commands.begin(), ui.out.commands.end(), undoes))
+    state.gesture = false, state.undone = true;
+  if (touch.held && touch.pressed) take_knob(state, program, knobs, *touch.held), state.undone = false;
+  if (touch.held && touch.moved && state.key && !state.undone) drag_key(ui, state, axes, touch.at);
   if (touch.released && std::exchange(state.gesture, false)) ui.emit(edit::EndGesture{});
   if (!touch.twice || touch.over) return;
   const KeySteps steps = steps_of(program, state.channel);
@@ -202,6 +206,8 @@ void force_plot(Ui& ui, Entity section, const std::optional<RidePlots>& ride) {
   const std::array ramp{axes.start(), axes.x_of(plan->path.ramp)}, bottom{ends.low, ends.low},
       top{ends.high, ends.high};
   if (plan->path.ramp > 0) series.push_back({"ramp", ramp, bottom, kRampColour, SeriesKind::line, 1.0f, top});
+  const std::array nowhere{std::numeric_limits<double>::quiet_NaN()};  // the legend of the right axis
+  if (!felt.empty()) series.push_back({"felt", {ramp.data(), 1}, nowhere, kFeltColour});
   const std::vector<Level> levels = shown_limits(ui.session().limits.envelope, axes, ends);
   const std::string_view label = world::kForceChannels[static_cast<std::size_t>(state.channel)].label;
   KnobTouch touch;
@@ -216,7 +222,7 @@ void force_plot(Ui& ui, Entity section, const std::optional<RidePlots>& ride) {
       .labels = small_size("-0.0").x};
   if (!felt.empty()) {
     felt.front().colour = kFeltColour;
-    picture.right = {.title = "felt g", .low = ends.felt_low, .high = ends.felt_high};
+    picture.right = {.title = "g", .low = ends.felt_low, .high = ends.felt_high};
     picture.right_series = felt;
   }
   constexpr std::string_view kHelp =

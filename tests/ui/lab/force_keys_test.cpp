@@ -89,6 +89,44 @@ TEST_F(ForceKeysTest, a_drag_bends_the_track_in_each_of_its_frames_and_is_one_st
   EXPECT_EQ(end(), place);
 }
 
+TEST_F(ForceKeysTest, a_drag_that_is_undone_moves_nothing_more) {
+  good(edit::SetForceKey{{{world::Kind::section, 2}}, false, ForceChannel::vertical, 1, 20});
+  frames(3);
+  const std::size_t before = steps();
+  const glm::vec2 from = knob(1);
+  hover(from);
+  press();
+  for (int i = 1; i <= 3; ++i) hover(from + glm::vec2(-20.0f * static_cast<float>(i), 0));
+  EXPECT_LT(keys()[0].at, 19);
+  key(Key::z, {.ctrl = true});
+  EXPECT_EQ(keys()[0].at, 20);
+  hover(from + glm::vec2(30, -20));
+  hover(from + glm::vec2(60, -30));
+  release();
+  frames(2);
+  EXPECT_EQ(keys()[0], (ForceKey{20, 1}));
+  EXPECT_EQ(steps(), before);
+  hover(from);
+  press();
+  for (int i = 1; i <= 3; ++i) hover(from + glm::vec2(20.0f * static_cast<float>(i), 0));
+  release();
+  frames(2);
+  EXPECT_GT(keys()[0].at, 21) << "the next drag does";
+  EXPECT_EQ(steps(), before + 1);
+}
+
+TEST_F(ForceKeysTest, keys_of_curvature_snap_to_thousandths) {
+  good(edit::SetForceOf{{{world::Kind::section, 2}}, world::ForceOf::curvature});
+  const std::size_t there = keys().size();
+  frames(3);
+  double_click_at(in_plot(0.52f, 0.62f));
+  ASSERT_EQ(keys().size(), there + 1);
+  const ForceKey& key = keys()[1];
+  EXPECT_NE(key.value, 0);
+  EXPECT_TRUE(is_multiple(key.value, 0.001)) << key.value;
+  EXPECT_LE(std::abs(key.value), 0.03);
+}
+
 TEST_F(ForceKeysTest, a_handle_of_the_chosen_key_shapes_the_curve) {
   for (const double at : {10.0, 20.0, 30.0})
     good(edit::SetForceKey{{{world::Kind::section, 2}}, false, ForceChannel::vertical, 1, at});
