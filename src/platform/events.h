@@ -48,7 +48,8 @@ enum class Button : std::uint8_t { left, right, middle };
 
 struct MouseMove {
   float x = 0, y = 0;
-};  // window pixels, origin top left
+  bool finger = false;  // on a touch screen, until a move without it
+};                      // window pixels, origin top left
 struct MouseButton {
   Button button = Button::left;
   bool down = true;

@@ -30,9 +30,9 @@ bool Touch::follow(std::span<const Finger> fingers, double now, float scale, Eve
 
 bool Touch::follow_none(Events& events) {
   const State before = std::exchange(state_, State::none);
-  if (before == State::none && std::exchange(away_, false)) events.push_back(MouseMove{-1, -1});
+  if (before == State::none && std::exchange(away_, false)) events.push_back(MouseMove{-1, -1, true});
   if (before == State::pending) {
-    events.push_back(MouseMove{start_.x, start_.y});
+    events.push_back(MouseMove{start_.x, start_.y, true});
     press(Button::left, events);
     tapped_ = true, state_ = State::spent;
     return false;
@@ -46,18 +46,18 @@ bool Touch::follow_one(const Finger& finger, double now, float scale, Events& ev
     case State::none: state_ = State::pending, start_ = finger, since_ = now; break;
     case State::pending:
       if (std::hypot(finger.x - start_.x, finger.y - start_.y) > kSlop * scale) {
-        events.push_back(MouseMove{start_.x, start_.y});
+        events.push_back(MouseMove{start_.x, start_.y, true});
         press(Button::left, events);
         state_ = State::drag;
         return false;
       }
       if (now - since_ >= kLongPress) {
-        events.push_back(MouseMove{start_.x, start_.y});
+        events.push_back(MouseMove{start_.x, start_.y, true});
         press(Button::right, events);
         tapped_ = true, state_ = State::spent;
       }
       break;
-    case State::drag: events.push_back(MouseMove{finger.x, finger.y}); break;
+    case State::drag: events.push_back(MouseMove{finger.x, finger.y, true}); break;
     case State::two:
       release(events);
       state_ = State::spent;
@@ -69,7 +69,7 @@ bool Touch::follow_one(const Finger& finger, double now, float scale, Events& ev
 
 bool Touch::follow_two(const Finger& first, const Finger& second, Events& events) {
   if (state_ == State::spent) return true;
-  const MouseMove middle{0.5f * (first.x + second.x), 0.5f * (first.y + second.y)};
+  const MouseMove middle{0.5f * (first.x + second.x), 0.5f * (first.y + second.y), true};
   const float apart = std::max(1.0f, std::hypot(first.x - second.x, first.y - second.y));
   if (state_ != State::two) {
     const bool held = down_;

@@ -24,6 +24,7 @@ struct View {
   glm::vec3 eye{0};                  // in an orthographic view: the eye of the corresponding perspective view
   Viewport viewport;
   float parallel = 0;  // m from the eye to the subject in an orthographic view; 0: perspective
+  float reach = 1;     // sizes of targets when picking, as multiples of those that are drawn: larger for a finger
 };
 // Returns the metres that a pixel covers at `depth` metres in front of the eye; at any depth in an orthographic view.
 float metres_per_pixel(const View& view, float depth);

@@ -77,7 +77,7 @@ std::optional<Gizmo> gizmo_of(const world::Document& document, const world::Sett
 PickKind pick_gizmo(const Gizmo& gizmo, const View& view, float scale, glm::vec2 pixel) {
   const Projector projector(view);
   PickKind best = PickKind::none;
-  double least = static_cast<double>(kGizmoReach) * scale;
+  double least = static_cast<double>(kGizmoReach * view.reach) * scale;
   for (int i = 0; i < 3; ++i) {
     const auto from = projector(glm::dvec3(along(gizmo, scale, i, kGizmoGap))),
                to = projector(glm::dvec3(along(gizmo, scale, i, kGizmoLength)));

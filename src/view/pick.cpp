@@ -20,6 +20,8 @@ namespace {
 using glm::dvec2;
 using glm::dvec3;
 
+float target_scale(const world::Settings& settings, const View& view) { return settings.look->ui_scale * view.reach; }
+
 bool inside(const PlacedMark& mark, dvec2 pixel, double scale) {
   const dvec2 off = pixel - mark.pixel;
   if (mark.kind != PickKind::knot) return std::max(std::abs(off.x), std::abs(off.y)) <= kHandleHalf * scale;
@@ -34,7 +36,7 @@ std::optional<Pick> pick_mark(const world::Document& document, const sim::Derive
   std::optional<PlacedMark> best;
   const auto try_mark = [&](PickKind kind, world::Entity knot, glm::vec3 position, const auto& order) {
     auto mark = placed_mark(projector, view, kind, knot, position);
-    if (!mark || !inside(*mark, pixel, settings.look->ui_scale)) return;
+    if (!mark || !inside(*mark, pixel, target_scale(settings, view))) return;
     mark->order = order();
     if (!best || covers(*mark, *best)) best = mark;
   };
@@ -53,7 +55,7 @@ std::optional<Pick> pick_mark(const world::Document& document, const sim::Derive
     for (std::size_t i = 0; i < knots.size(); ++i) try_knot(i);
   } else if (!best) {  // handles are over knots
     // Segment i goes from knot i to the next one.
-    const double reach = 1.001 * static_cast<double>(kKnotRadius * settings.look->ui_scale);
+    const double reach = 1.001 * static_cast<double>(kKnotRadius * target_scale(settings, view));
     (void)visit_near(
         derived.tree, Beam(view, pixel), [reach] { return reach; },
         [&](std::size_t i) {
@@ -141,7 +143,7 @@ std::optional<Pick> pick_cart(const world::Document& document, const sim::Derive
                               const world::Settings& settings, const View& view, glm::vec2 pixel) {
   constexpr double kNotTheRiders = 2.5;  // m from the eye
   const Ray ray = ray_through(view, pixel);
-  const float reach = kCartReach * settings.look->ui_scale;
+  const float reach = kCartReach * target_scale(settings, view);
   const auto by_box = [&](const sim::Pose& car) {
     const double distance = distance_to_car(ray, car);
     return std::optional(Hit{distance, ray.origin + static_cast<float>(distance) * ray.direction});
@@ -165,7 +167,7 @@ std::optional<Pick> pick_place(const sim::Derived& derived, const world::Setting
   const sim::SegmentShape* const shape = derived.segments.find(settings.selected);
   if (shape == nullptr) return std::nullopt;
   const auto place = Projector(view)(curve::point(shape->key.cubic, settings.selected_t));
-  if (!place || glm::length(*place - dvec2(pixel)) > static_cast<double>(kCurveReach * settings.look->ui_scale))
+  if (!place || glm::length(*place - dvec2(pixel)) > static_cast<double>(kCurveReach * target_scale(settings, view)))
     return std::nullopt;
   return pick_segment(derived, view, pixel, settings.selected);
 }
@@ -181,7 +183,7 @@ std::optional<Pick> pick_section_handle(const world::Document& document, const s
   const auto under = [&](dvec3 place) {
     const auto at = projector(place);
     const dvec2 off = at ? glm::abs(dvec2(pixel) - *at) : dvec2(1e9);
-    return std::max(off.x, off.y) <= kSectionHandleHalf * settings.look->ui_scale;
+    return std::max(off.x, off.y) <= kSectionHandleHalf * target_scale(settings, view);
   };
   const auto handle = section_handle(document, derived, settings.selected);
   if (handle && under(handle->at)) return Pick{PickKind::section, handle->section, 0, glm::vec3(handle->at)};
@@ -202,7 +204,7 @@ Pick pick(const world::Document& document, const sim::Derived& derived, const wo
       return {part, world::kNone, 0, gizmo->at};
   if (const auto cart = pick_cart(document, derived, motion, settings, view, pixel)) return *cart;
   if (const auto place = pick_place(derived, settings, view, pixel)) return *place;
-  return pick_curve(derived, view, pixel, kCurveReach * settings.look->ui_scale).value_or(Pick{});
+  return pick_curve(derived, view, pixel, kCurveReach * target_scale(settings, view)).value_or(Pick{});
 }
 
 std::optional<glm::vec3> position_of(const world::Document& document, const sim::Derived& derived,

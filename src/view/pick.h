@@ -37,7 +37,8 @@ struct Pick {
   friend bool operator==(const Pick& a, const Pick& b) { return a.kind == b.kind && a.entity == b.entity; }
 };
 
-// Sizes on screen at UI scale 1 (they scale with it), in pixels. Marks are drawn and picked with them.
+// Sizes on screen at UI scale 1 (they scale with it), in pixels. Marks are drawn with them and, times View::reach,
+// picked with them.
 inline constexpr float kKnotRadius = 5.0f;
 inline constexpr float kHandleHalf = 4.0f;  // half the side of the handle's square
 inline constexpr float kSectionHandleHalf = 6.0f;

@@ -110,6 +110,7 @@ struct Ui : WidgetFrame {
   bool lesson_begins = false;             // true in the first frames of a lesson
   const Widget* lesson_widget = nullptr;  // the widget that the lesson points at, as last drawn, visible or not
   view::Pick pointed = {};                // the position on the track under the mouse in a plot
+  bool finger = false;                    // the mouse is a finger on a touch screen
 
   const edit::Session& session() const { return state.session; }
   const edit::Findings& find(edit::Want wanted) const { return state.find(wanted); }

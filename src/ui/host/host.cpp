@@ -139,8 +139,7 @@ void Host::Parts::take_files(Ui& ui, const platform::Events& events) {
 
 void Host::Parts::take_want(Ui& ui) {
   const Want want = std::exchange(ui.want, {});
-  if (want.kind == Want::Kind::start_screen) start.show();
-  else dialogs.take(ui, want);
+  want.kind == Want::Kind::start_screen ? start.show() : dialogs.take(ui, want);
 }
 
 void Host::Parts::lay_out(Ui& ui, const platform::Events& events, int width, int height) {
@@ -241,6 +240,7 @@ Output Host::build(const platform::Events& events, const State& state, int width
       p.gl.renderer,
       p.hovered,
       p.drawers};
+  ui.finger = p.input.finger();
   ui.lesson_begins = p.guide.begins(state.lesson);
   ui.lesson_widget = p.guide.target ? &*p.guide.target : nullptr;
   p.lay_out(ui, events, width, height);

@@ -1,6 +1,8 @@
 // Feeds a frame's events to Dear ImGui.
 #include "ui/host/imgui_input.h"
 
+#include <imgui_internal.h>
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -88,6 +90,18 @@ void ImGuiInput::show_mouse(ImVec2 wheel) {
   for (std::size_t i = 0; i < down_.size(); ++i) set_button(static_cast<int>(i), down_[i]);
 }
 
+// Returns the notches of the wheel that keep what fingers drag in a panel below them: two fingers anywhere, one where
+// it holds no widget.
+float ImGuiInput::scrolled_by_finger() const {
+  const ImGuiContext& g = *ImGui::GetCurrentContext();
+  const ImGuiIO& io = g.IO;
+  const bool holds_widget = g.ActiveId != 0 && !(g.ActiveIdWindow != nullptr && g.ActiveId == g.ActiveIdWindow->MoveId);
+  const bool one = down_[0] && io.MouseDown[0] && !holds_widget, two = down_[2] && io.MouseDown[2];
+  if (!finger_ || !io.WantCaptureMouse || !(one || two)) return 0;
+  constexpr float kLines = 5;  // ImGui's step for a notch
+  return (mouse_.y - io.MousePos.y) / (kLines * ImGui::GetFontSize());
+}
+
 void ImGuiInput::feed(const platform::Events& events, int width, int height, bool text_has_keyboard) {
   static_assert(std::tuple_size_v<Keys> == std::size(kKeys));
   ImGuiIO& io = ImGui::GetIO();
@@ -101,7 +115,8 @@ void ImGuiInput::feed(const platform::Events& events, int width, int height, boo
     if (const auto* const tick = std::get_if<platform::Tick>(&event)) seconds += static_cast<float>(tick->dt);
   time_ += static_cast<double>(seconds);
   for (const platform::Event& event : events) {
-    if (const auto* const move = std::get_if<platform::MouseMove>(&event)) mouse_ = {move->x, move->y};
+    if (const auto* const move = std::get_if<platform::MouseMove>(&event))
+      mouse_ = {move->x, move->y}, finger_ = move->finger;
     else if (const auto* const turn = std::get_if<platform::Wheel>(&event)) wheel.x += turn->dx, wheel.y += turn->dy;
     else if (const auto* const press = std::get_if<platform::MouseButton>(&event)) {
       modifiers_ = press->modifiers;
@@ -120,9 +135,13 @@ void ImGuiInput::feed(const platform::Events& events, int width, int height, boo
       held_ = {};
     }
   }
+  wheel.y += scrolled_by_finger();
   show_mouse(wheel);
   for (std::size_t i = 0; i < keys.size(); ++i) set_key(kKeys[i].second, keys[i]);
   set_modifiers(modifiers_.ctrl, modifiers_.shift, modifiers_.alt);
+  // For fingers widgets reach half of the way to the next one.
+  ImGuiStyle& style = ImGui::GetStyle();
+  style.TouchExtraPadding = finger_ ? ImVec2(0.5f * style.ItemSpacing.x, 0.5f * style.ItemSpacing.y) : ImVec2();
   io.DeltaTime = seconds > 0 ? seconds : 1e-4f;  // ImGui asserts a positive step
 }
 

@@ -1,6 +1,6 @@
 // Feeds a frame's events to Dear ImGui. ImGui gets one change of a button per frame, at the position where it happened;
 // further changes wait for the next frames. Double clicks depend on the time and position of the presses, not on the
-// frame rate. The time of an event is that of its poll.
+// frame rate. The time of an event is that of its poll. Fingers scroll panels.
 #pragma once
 
 #include <imgui.h>
@@ -19,6 +19,7 @@ class ImGuiInput {
   // Sets the display's size, the time step (the sum of the ticks), mouse, keys and text of the current context. Call it
   // before NewFrame. Tab goes to ImGui only while `text_has_keyboard`; otherwise it is the program's.
   void feed(const platform::Events& events, int width, int height, bool text_has_keyboard);
+  bool finger() const { return finger_; }  // the mouse is a finger on a touch screen
 
  private:
   using Buttons = std::array<bool, 3>;
@@ -27,6 +28,7 @@ class ImGuiInput {
   void take_text(const std::string& utf8, bool ctrl);
   void take_button(const platform::MouseButton& event);
   void show_mouse(ImVec2 wheel);
+  float scrolled_by_finger() const;
 
   // A change of a button that ImGui has not received, and the last press of a button.
   struct Change {
@@ -46,6 +48,7 @@ class ImGuiInput {
   std::array<Press, 3> presses_;
   ImVec2 mouse_{-FLT_MAX, -FLT_MAX};  // ImGui's value for "no mouse"
   Buttons down_{};
+  bool finger_ = false;
   Keys held_{};
   platform::Modifiers modifiers_;
   std::string late_text_;

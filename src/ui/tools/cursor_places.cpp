@@ -6,6 +6,7 @@
 #include "sim/plan/element_shapes.h"
 #include "view/gizmo.h"
 #include "world/aids.h"
+#include "world/look.h"
 
 namespace coaster::ui {
 
@@ -27,6 +28,21 @@ std::optional<glm::vec3> append_place(const world::Document& document, const vie
     if (std::abs(normal[i]) == 1) (*at)[i] = last[i];  // exactly
   at->y = std::max(at->y, standing);
   return at;
+}
+
+view::Pick under_mouse(const Ui& ui, const view::View& view) {
+  using view::PickKind;
+  constexpr float kFinger = 16;  // px from a knot's middle, on an ordinary screen
+  const edit::Session& s = ui.session();
+  const auto at = [&](const view::View& from) {
+    return view::pick(s.document, s.derived, s.motion, s.settings, from, mouse_position());
+  };
+  const view::Pick exact = at(view);
+  if (!ui.finger || (exact.kind != PickKind::none && exact.kind != PickKind::curve)) return exact;
+  view::View grown = view;
+  grown.reach = kFinger * ui.scale / (view::kKnotRadius * s.settings.look->ui_scale);
+  const view::Pick near = at(grown);
+  return near.kind == PickKind::none || (near.kind == PickKind::curve && exact.kind == PickKind::curve) ? exact : near;
 }
 
 std::optional<view::Pick> in_front_of_gizmo(const Ui& ui, const view::View& view, glm::vec3 gizmo) {

@@ -57,7 +57,7 @@ view::Pick ViewportTool::update(Ui& ui, const view::View& view) {
   const bool over = view.viewport.contains(mouse) && !io.WantCaptureMouse;
   view::Pick under;
   if (over && !dragging()) {
-    under = view::pick(session.document, session.derived, session.motion, session.settings, view, mouse);
+    under = under_mouse(ui, view);
     press(ui, view, under);
   }
   const bool turned = over && io.MouseWheel != 0;

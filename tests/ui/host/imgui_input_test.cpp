@@ -68,6 +68,48 @@ TEST_F(ImGuiInputTest, a_frame_sees_its_move_wheel_and_click_together) {
   EXPECT_TRUE(down && !clicked);
 }
 
+// A panel as large as the display, with one button at the top, and fingers that drag over it.
+struct FingerTest : ImGuiInputTest {
+  // Returns how far the panel is scrolled after fingers have moved up by 30 px, in three frames.
+  float scrolled(Button button, float y, bool finger) {
+    float now = 0;
+    const auto panel = [&](platform::Events events) {
+      events.emplace_back(platform::Tick{1.0 / 60});
+      input.feed(events, 640, 360, true);
+      ImGui::NewFrame();
+      ImGui::SetNextWindowPos({0, 0});
+      ImGui::SetNextWindowSize({640, 360});
+      ImGui::Begin("panel", nullptr, ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoTitleBar);
+      ImGui::Button("button", {600, 60});
+      ImGui::Dummy({600, 2000});
+      now = ImGui::GetScrollY();
+      ImGui::End();
+      ImGui::EndFrame();
+    };
+    const auto move = [&](float to) { panel({platform::MouseMove{300, to, finger}}); };
+    panel({});
+    move(y);
+    move(y);
+    panel({platform::MouseMove{300, y, finger}, platform::MouseButton{button, true, {}}});
+    for (const float up : {10.0f, 20.0f, 30.0f}) move(y - up);
+    panel({platform::MouseButton{button, false, {}}});
+    panel({});
+    return now;
+  }
+};
+
+TEST_F(FingerTest, two_fingers_scroll_a_panel_as_far_as_they_move) {
+  EXPECT_NEAR(scrolled(Button::middle, 50, true), 30, 1);
+}
+TEST_F(FingerTest, one_finger_scrolls_where_it_holds_no_widget) {
+  EXPECT_NEAR(scrolled(Button::left, 200, true), 30, 1);
+}
+TEST_F(FingerTest, one_finger_on_a_widget_scrolls_nothing) { EXPECT_EQ(scrolled(Button::left, 50, true), 0); }
+TEST_F(FingerTest, a_mouse_scrolls_nothing) {
+  EXPECT_EQ(scrolled(Button::middle, 50, false), 0);
+  EXPECT_EQ(scrolled(Button::left, 200, false), 0);
+}
+
 TEST_F(ImGuiInputTest, a_click_within_a_frame_is_released_in_the_next) {
   frame({platform::MouseButton{Button::left, true, {}}, platform::MouseButton{Button::left, false, {}}});
   EXPECT_TRUE(clicked && down);

@@ -43,6 +43,25 @@ TEST_F(ViewportToolTest, a_drag_moves_the_knot_under_the_cursor_as_one_step) {
   EXPECT_LT(glm::length(off), 0.5f) << "the knot stays where it was grabbed, in the camera's plane";
 }
 
+TEST_F(ViewportToolTest, a_finger_takes_a_knot_that_a_mouse_misses) {
+  const glm::vec2 beside = pixel_of(2) + glm::vec2(9, -10);
+  const glm::vec3 start = knot(2).position;
+  drag(beside, {40, -30});
+  release();
+  frame();
+  EXPECT_EQ(knot(2).position, start);
+  session_.settings.selected = {};
+  const glm::vec2 again = pixel_of(2) + glm::vec2(9, -10);
+  frame({platform::MouseMove{again.x, again.y, true}});
+  press({}, platform::Button::left);
+  for (const float part : {0.5f, 1.0f}) frame({platform::MouseMove{again.x + 40 * part, again.y - 30 * part, true}});
+  release();
+  frame();
+  EXPECT_EQ(session_.settings.selected, entity(world::Kind::knot, 2));
+  EXPECT_LT(glm::distance(pixel_of(2), again - glm::vec2(9, -10) + glm::vec2(40, -30)), 0.5f)
+      << "it moves as far as the finger";
+}
+
 TEST_F(ViewportToolTest, keys_choose_orthographic_views_and_orbiting_leaves_them) {
   using world::Projection;
   const std::tuple<platform::Key, platform::Key, Projection> keys[]{
