@@ -32,6 +32,17 @@ void draw_emblem(ImVec2 at, float size) {
   list.AddBezierCubic(p(0.62f, 0.86f), p(0.8f, 0.86f), p(0.86f, 0.7f), p(1.0f, 0.7f), colour, thick);
 }
 
+void draw_title(const Ui& ui) {
+  const float size = std::floor(64 * ui.scale);
+  draw_emblem(ImGui::GetCursorScreenPos(), size);
+  ImGui::Dummy({size, size});
+  ImGui::PushFont(title_font());
+  ImGui::TextUnformatted("coaster");
+  ImGui::PopFont();
+  tinted_line("Build it, measure it, ride it.", palette().dim);
+  ImGui::Dummy({0, std::floor(8 * ui.scale)});
+}
+
 // The track's name; that of its file where nobody has named it.
 std::string name_of(const TrackPicture& picture, const std::filesystem::path& file) {
   static const std::string kUnnamed = world::Document{}.name;
@@ -41,14 +52,7 @@ std::string name_of(const TrackPicture& picture, const std::filesystem::path& fi
 }  // namespace
 
 void StartScreen::build_choices(Ui& ui, float width) {
-  const float size = std::floor(64 * ui.scale);
-  draw_emblem(ImGui::GetCursorScreenPos(), size);
-  ImGui::Dummy({size, size});
-  ImGui::PushFont(title_font());
-  ImGui::TextUnformatted("coaster");
-  ImGui::PopFont();
-  tinted_line("Build it, measure it, ride it.", palette().dim);
-  ImGui::Dummy({0, std::floor(8 * ui.scale)});
+  if (constexpr float kWithTitle = 480; ImGui::GetContentRegionAvail().y >= kWithTitle * ui.scale) draw_title(ui);
   ui.panel = "Start";
   ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(8 * ui.scale, 8 * ui.scale));
   const UserState* const kept = ui.state.kept;
