@@ -200,6 +200,7 @@ int run_window(const Options& options) {
   if (const base::Status chosen = choose_camera(p, options.camera); !chosen) return finish(chosen);
   if (const base::Status started = start_recording(p); !started) return finish(started);
   if (options.file.empty() && p.keeper->state.settings.start_screen) p.ui->show_start();
+  p.surface->answer_by([&p](const std::string& question) { return answer(p, question); });
   p.time.last_frame = p.surface->clock();
   const auto step = [program, mark, left = options.frames]() mutable {
     if (program->quit || platform::pending_signal() || (left && (*left)-- <= 0)) return false;

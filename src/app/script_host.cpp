@@ -1,6 +1,7 @@
 // Fills script::Host with the frame, the session and the viewport.
 #include "app/script_host.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include <fmt/format.h>
@@ -11,6 +12,7 @@
 #include "base/portable_math.h"
 #include "edit/commands/set_setting.h"
 #include "platform/signals.h"
+#include "script/widgets.h"
 #include "view/camera.h"
 #include "view/gizmo.h"
 #include "view/pick.h"
@@ -114,6 +116,21 @@ base::Result<glm::vec2> pixel_of(const Program& program, const AimPoint& aim) {
 void progress(int line, int lines) { base::print_progress(fmt::format("line {} of {} ", line, lines)); }
 
 }  // namespace
+
+std::string answer(Program& program, std::string_view question) {
+  constexpr std::string_view kWidget = "widget ";
+  if (question.starts_with(kWidget)) {
+    const auto all = widgets(program);
+    const auto found = script::find_widget(all, question.substr(kWidget.size()));
+    if (!found || !all[*found].visible || !all[*found].enabled || all[*found].covered) return {};
+    return fmt::format("{} {}", all[*found].x + all[*found].width / 2, all[*found].y + all[*found].height / 2);
+  }
+  const std::size_t end = std::min(question.find(' '), question.size());
+  const query::Query* const row = query::find_query(question.substr(0, end));
+  if (row == nullptr) return {};
+  const auto value = row->evaluate(context_of(program), question.substr(std::min(end + 1, question.size())));
+  return value ? query::to_text(*value) : "";
+}
 
 script::Host make_script_host(Program& program) {
   script::Host host;

@@ -9,6 +9,11 @@ namespace coaster::app {
 // Returns functions over `program`, which must outlive them.
 script::Host make_script_host(Program& program);
 
+// Returns what the page around the program may ask by text: the value of a query ("ride.speed", "position @k3"), or of
+// "widget PATH" the middle of the widget of that path on the screen, "X Y" in px, as scripts find it. Empty if there is
+// no such value, or the widget is hidden, covered or disabled.
+std::string answer(Program& program, std::string_view question);
+
 // Starts the tutorial (tutorials/first_coaster.coaster) when it is requested, and runs it up to its next lesson, which
 // waits for the player. Call it after each frame of a window. The tutorial runs until its end, until the player leaves
 // it, or until end_tutorial(). A notice reports errors.

@@ -7,35 +7,18 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdlib>
-#include <cstring>
 #include <deque>
 #include <utility>
 
 #include "platform/surface.h"
 #include "platform/touch.h"
+#include "platform/web_gl.h"
 #include "platform/web_keys.h"
-
-extern "C" void* emscripten_webgl_get_proc_address(const char* name);
 
 namespace coaster::platform {
 namespace {
 
 constexpr const char* kCanvas = "#canvas";
-
-// Transform feedback is read by mapping a buffer, which WebGL lacks, so this returns a copy of its bytes.
-void* mapped = nullptr;
-void* map_range(GLenum target, GLintptr offset, GLsizeiptr length, GLbitfield) {
-  mapped = std::malloc(static_cast<std::size_t>(length));
-  // clang-format off
-  EM_ASM({ GLctx.getBufferSubData($0, $1, HEAPU8, $2, $3); }, target, offset, mapped, length);
-  // clang-format on
-  return mapped;
-}
-GLboolean unmap(GLenum) {
-  std::free(std::exchange(mapped, nullptr));
-  return GL_TRUE;
-}
 
 class WebSurface;
 WebSurface* of_page = nullptr;  // for functions that the page calls by name
@@ -69,11 +52,7 @@ class WebSurface final : public Surface {
   }
   Size size() const override { return size_; }
   float content_scale() const override { return window_ ? static_cast<float>(emscripten_get_device_pixel_ratio()) : 1; }
-  void* gl_proc(const char* name) override {
-    if (std::strcmp(name, "glMapBufferRange") == 0) return reinterpret_cast<void*>(&map_range);
-    if (std::strcmp(name, "glUnmapBuffer") == 0) return reinterpret_cast<void*>(&unmap);
-    return emscripten_webgl_get_proc_address(name);
-  }
+  void* gl_proc(const char* name) override { return web_gl_function(name); }
   void present(unsigned framebuffer) override {
     if (!window_ || size_ == Size{}) return;
     const auto bind = reinterpret_cast<PFNGLBINDFRAMEBUFFERPROC>(gl_proc("glBindFramebuffer"));
@@ -113,10 +92,13 @@ class WebSurface final : public Surface {
     EM_ASM({ Module.coasterTakesText($0); }, wanted ? 1 : 0);
     // clang-format on
   }
+  void answer_by(std::function<std::string(const std::string& question)> ask) override { ask_ = std::move(ask); }
   bool is_window() const override { return window_; }
   std::string library() const override { return "WebGL 2"; }
   std::optional<Placement> placement() const override { return std::nullopt; }
   void place(const Placement&) override {}
+
+  std::string answer(const std::string& question) const { return ask_ ? ask_(question) : ""; }
 
   // From the page: a file or a link to open, and text that the browser pastes.
   void drop(const char* path) { pending_.push_back(Drop{path}); }
@@ -243,6 +225,7 @@ class WebSurface final : public Surface {
   bool window_;
   Size size_;
   std::function<void()> lost_;
+  std::function<std::string(const std::string& question)> ask_;
   Events pending_;
   std::deque<Events> typed_;  // one a frame
   bool takes_text_ = false;
@@ -280,6 +263,12 @@ EMSCRIPTEN_KEEPALIVE void coaster_paste(const char* text) {
 }
 EMSCRIPTEN_KEEPALIVE void coaster_type(int removed, const char* text) {
   if (of_page != nullptr) of_page->type(removed, text);
+}
+// Returns the value of a query or the place of a widget (app/script_host.h), valid until the next call.
+EMSCRIPTEN_KEEPALIVE const char* coaster_answer(const char* question) {
+  static std::string text;
+  text = of_page != nullptr ? of_page->answer(question) : "";
+  return text.c_str();
 }
 // Bytes that the program has allocated.
 EMSCRIPTEN_KEEPALIVE double coaster_allocated() { return static_cast<double>(::mallinfo().uordblks); }

@@ -7,6 +7,7 @@
 
 #include "edit/commands/commands_document.h"
 #include "script/fake_host.h"
+#include "script/widgets.h"
 
 namespace coaster::script {
 namespace ui_driver_test {
