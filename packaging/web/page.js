@@ -173,7 +173,15 @@ var Module = {
 
 setInterval(keep, 2000);
 addEventListener('pagehide', keep);
-document.addEventListener('visibilitychange', keep);
+
+// The browser calls no frame of a hidden page, so the ride stands still.
+let hiddenAt = 0;
+document.addEventListener('visibilitychange', () => {
+  keep();
+  if (document.hidden) return void (hiddenAt = Date.now());
+  const minutes = Math.round((Date.now() - hiddenAt) / 60000);
+  if (hiddenAt > 0 && minutes >= 10) note('This page was hidden for ' + minutes + ' minutes. The ride has waited.');
+});
 
 // Links that are opened in this page.
 addEventListener('hashchange', () => { if (isLink()) openFile(location.hash); });
