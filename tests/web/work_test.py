@@ -7,8 +7,7 @@ from page import CTRL, SHIFT, Page, document_of, main
 
 class Work(Page):
     def begin(self, width=480, height=320):
-        """Opens the page with few pixels, so that frames are fast without a graphics card."""
-        self.page.execute_cdp_cmd("Emulation.setDeviceMetricsOverride", {"width": width, "height": height, "deviceScaleFactor": 0.5, "mobile": False})
+        self.small(width, height)
         self.open()
         self.key("Escape")
 
@@ -104,7 +103,7 @@ class Work(Page):
             return self.js("[Module._coaster_allocated(), performance.memory.usedJSHeapSize, Module.HEAPU8.length]")
         before = used_after(1)
         after = used_after(10)
-        print(f"memory after 1 and 11 minutes of ride: {before}, {after}", file=sys.stderr)
+        print(f"# memory after 1 and 11 minutes of ride (allocated, JavaScript, WebAssembly): {before}, {after}", file=sys.stderr)
         self.assertLess(after[0] - before[0], 1e6)
         self.assertLess(after[1] - before[1], 2e6)
         self.assertEqual(after[2], before[2])
