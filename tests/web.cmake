@@ -1,17 +1,16 @@
 # Tests of the build for browsers, label web: the page in Chromium, its scripts, and the core's tests, compiled by Emscripten and run by node with
-# the same expected hashes. Those that use RapidCheck, processes or threads run natively alone: RapidCheck is installed for this machine, and a page
-# has none of the others.
+# the same expected hashes. web/native_alone.txt lists the tests of the core that are left out.
 find_program(NODE node REQUIRED)
+set(left_out ${CMAKE_CURRENT_SOURCE_DIR}/web/native_alone.txt)
+set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${left_out})
+file(STRINGS ${left_out} native_sources REGEX "_test\\.cpp$")
+file(STRINGS ${left_out} native_names REGEX "^[A-Za-z_]+\\.[a-z0-9_]*\\*?$")
 set(sources)
 foreach(room base curve world sim exchange edit view query)
-  file(GLOB_RECURSE room_sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/${room}/*_test.cpp)
-  foreach(source ${room_sources})
-    file(STRINGS ${source} native REGEX "rapidcheck|EXPECT_EXIT|EXPECT_DEATH|fork\\(|std::j?thread" LIMIT_COUNT 1)
-    if(NOT native)
-      list(APPEND sources ${source})
-    endif()
-  endforeach()
+  file(GLOB_RECURSE room_sources RELATIVE ${CMAKE_CURRENT_SOURCE_DIR} CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/${room}/*_test.cpp)
+  list(APPEND sources ${room_sources})
 endforeach()
+list(REMOVE_ITEM sources ${native_sources})
 
 add_executable(core_tests ${sources})
 target_include_directories(core_tests PRIVATE ${CMAKE_CURRENT_SOURCE_DIR})
@@ -24,17 +23,14 @@ endif()
 # The machine's own files and a stack as on Linux.
 target_link_options(core_tests PRIVATE -O1 -sNODERAWFS=1 -sEXIT_RUNTIME=1 -sALLOW_MEMORY_GROWTH=1 -sTOTAL_STACK=8MB)
 
-# Not run: node's file names are text instead of arbitrary bytes, and it treats links and pipes differently (TrackFile,
-# folders, root); an oracle of quadrature has other digits in a long double of 128 bits.
-string(JOIN ":" unlike TrackFile.a_name_from_a_files_name_can_be_kept_in_any_file folders.folders_come_first* root.*
-       quadrature.gauss_legendre_is_exact*)
 # Tests run side by side (ctest -j): those of the core and the scripts in parts.
 set(parts 4)
+list(JOIN native_names ":" unlike)
 foreach(part RANGE 1 ${parts})
   math(EXPR index "${part} - 1")
   # Emscripten 3.1 expects another fetch than that of new versions of node.
   add_test(NAME web.core.${part} COMMAND ${NODE} --no-experimental-fetch --stack-size=4000 $<TARGET_FILE:core_tests> --gtest_filter=-${unlike})
-  set_tests_properties(web.core.${part} PROPERTIES LABELS web TIMEOUT 600 ENVIRONMENT "GTEST_TOTAL_SHARDS=${parts};GTEST_SHARD_INDEX=${index}")
+  set_tests_properties(web.core.${part} PROPERTIES LABELS web TIMEOUT 1200 ENVIRONMENT "GTEST_TOTAL_SHARDS=${parts};GTEST_SHARD_INDEX=${index}")
 endforeach()
 
 if(COASTER_APP)
@@ -55,7 +51,7 @@ if(COASTER_APP)
   # coaster_web_test(NAME FILE [argument ...]): a test in Chromium. Debian's Python: it has Selenium.
   function(coaster_web_test name file)
     add_test(NAME web.${name} COMMAND /usr/bin/python3 ${CMAKE_CURRENT_SOURCE_DIR}/web/${file}_test.py ${CMAKE_BINARY_DIR}/test_page ${CMAKE_SOURCE_DIR} ${ARGN})
-    set_tests_properties(web.${name} PROPERTIES LABELS web TIMEOUT 600)
+    set_tests_properties(web.${name} PROPERTIES LABELS web TIMEOUT 1200)
   endfunction()
   foreach(part RANGE 1 ${parts})
     coaster_web_test(scripts.${part} scripts ${part}/${parts})
@@ -72,4 +68,8 @@ if(COASTER_APP)
     endforeach()
     set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/web/${file}_test.py)
   endforeach()
+  set_tests_properties(web.limits.what_it_costs PROPERTIES RUN_SERIAL ON)  # it measures
+  # The longest tests start first.
+  set_tests_properties(web.work.ten_minutes_of_ride_take_no_memory web.page.random_input_breaks_nothing PROPERTIES COST 100)
+  set_tests_properties(web.page.a_circuit_built_by_hand_is_ridden_and_there_after_a_reload PROPERTIES COST 90)
 endif()
