@@ -77,7 +77,7 @@ struct Program {
   std::unique_ptr<Filming> filming;            // a movie in progress; null: none
   Sounds sounds;                               // only in a window
   TrackPictures pictures;                      // for the start screen
-  std::unique_ptr<LongJob> job;                // an import or a search in progress; null: none
+  std::unique_ptr<LongJob> job;                // an import, a search or a way home in progress; null: none
   int job_delay = 0;                           // frames by which a script delays the next one
   platform::Events held_input;                 // held back while a job plans a way home (long_job.h)
   Tutorial tutorial;

@@ -19,7 +19,7 @@ bool differs(const std::uint8_t* a, const std::uint8_t* b) {
 
 }  // namespace
 
-Difference compare(const Image& picture, const Image& golden, bool other_samples) {
+Difference compare(const Image& picture, const Image& golden, double most_share) {
   Difference result;
   result.same_size = picture.width == golden.width && picture.height == golden.height;
   if (!result.same_size) {
@@ -47,10 +47,8 @@ Difference compare(const Image& picture, const Image& golden, bool other_samples
       out[3] = 255;
     }
   }
-  const double share = other_samples ? Difference::kMostShareOfOtherSamples : Difference::kMostShare;
-  result.most_pixels = static_cast<long>(share * double(width) * double(height));
-  result.most_in_block = other_samples ? Difference::kMostInBlockOfOtherSamples : Difference::kMostInBlock;
-  result.acceptable = result.pixels <= result.most_pixels && result.worst_block <= result.most_in_block;
+  result.most_pixels = static_cast<long>(most_share * double(width) * double(height));
+  result.acceptable = result.pixels <= result.most_pixels && result.worst_block <= Difference::kMostInBlock;
   return result;
 }
 

@@ -29,20 +29,17 @@ Image contact_sheet(std::span<const Image> pictures, int columns, int gap);
 // if over 0.05 % of the pixels differ or any aligned 8x8 block has more than 8 differing pixels. This distinguishes
 // drivers from defects: a driver that rounds differently changes isolated pixels at edges; a defect is a patch. A patch
 // of 10x10 pixels, wherever it lies, covers at least 5x5 of one block. A driver with other samples changes more of the
-// isolated pixels, up to 0.4 %, and lights or shades half a block where a surface is at the limit of its shadow's bias.
+// isolated pixels.
 struct Difference {
   static constexpr int kMostInBlock = 8;
-  static constexpr double kMostShare = 0.0005;  // fraction of the pixels
-  static constexpr int kMostInBlockOfOtherSamples = 32;
-  static constexpr double kMostShareOfOtherSamples = 0.004;
+  static constexpr double kMostShare = 0.0005, kMostShareOfOtherSamples = 0.004;  // fractions of the pixels
   bool same_size = true;
   long pixels = 0;       // number of differing pixels
   long most_pixels = 0;  // acceptable number
   int worst_block = 0;   // most differing pixels in one block
-  int most_in_block = 0;
   bool acceptable = true;
   Image picture;  // differing pixels in red over a grey copy
 };
-Difference compare(const Image& picture, const Image& golden, bool other_samples = false);
+Difference compare(const Image& picture, const Image& golden, double most_share = Difference::kMostShare);
 
 }  // namespace coaster::gfx

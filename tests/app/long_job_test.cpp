@@ -6,8 +6,8 @@
 #include <fmt/format.h>
 
 #include "app/program_fixture.h"
-#include "edit/commands/codec.h"
 #include "edit/commands/commands_session.h"
+#include "edit/session_fixture.h"
 #include "exchange/formats.h"
 
 namespace coaster::app {
@@ -119,14 +119,7 @@ class CircuitJobs : public LongJobs {
     surface(*program_).window = true;
     before_ = world::hash(program_->session.document);
   }
-  static edit::Command command(const std::string& line) {
-    std::vector<base::Token> tokens;
-    base::TextError error;
-    EXPECT_TRUE(base::tokenise(line, tokens, error)) << line;
-    const auto parsed = edit::parse(tokens, error);
-    EXPECT_TRUE(parsed) << line << ": " << error.message;
-    return parsed ? *parsed : edit::Command{};
-  }
+  static edit::Command command(const std::string& line) { return test::command_of(line); }
   std::uint64_t hash() const { return world::hash(program_->session.document); }
   std::size_t steps() const { return program_->session.history.undo.size(); }
   // Returns the hash after the command, without a job.

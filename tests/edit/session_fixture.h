@@ -13,6 +13,15 @@
 
 namespace coaster::test {
 
+inline edit::Command command_of(const std::string& line) {
+  std::vector<base::Token> tokens;
+  base::TextError error;
+  EXPECT_TRUE(base::tokenise(line, tokens, error)) << line;
+  const auto parsed = edit::parse(tokens, error);
+  EXPECT_TRUE(parsed) << line << ": " << error.message;
+  return parsed ? *parsed : edit::Command{};
+}
+
 class SessionTest : public testing::Test {
  protected:
   // Starts on `document` as if it had been loaded.
@@ -29,20 +38,23 @@ class SessionTest : public testing::Test {
     sim::reset(session.document, session.derived, session.motion);
   }
 
-  static edit::Command command(const std::string& line) {
-    std::vector<base::Token> tokens;
-    base::TextError error;
-    EXPECT_TRUE(base::tokenise(line, tokens, error)) << line;
-    const auto parsed = edit::parse(tokens, error);
-    EXPECT_TRUE(parsed) << line << ": " << error.message;
-    return parsed ? *parsed : edit::Command{};
-  }
+  static edit::Command command(const std::string& line) { return command_of(line); }
   base::Status apply(const edit::Command& c) { return edit::apply(session, files, c); }
   base::Status apply(const std::string& line) { return apply(command(line)); }
   void good(const std::string& line) {
     const base::Status status = apply(line);
     EXPECT_TRUE(status) << line << ": " << status.message;
     EXPECT_EQ(world::broken_invariant(session.document), std::nullopt) << line;
+  }
+  // Builds a circuit: a station, a lift, a drop, a loop, a camelback, a turn home and brakes.
+  void circuit() {
+    start_on(world::Document{});
+    for (const char* const line :
+         {"element straight length 30 equipment station", "element climb height 25 equipment lift",
+          "element dive height 22", "element loop left height 15", "element camelback height 10 speed 19",
+          "element curve left radius 30 angle 180 bank 50", "element straight length 40 equipment brake speed 8",
+          "complete 1"})
+      good(line);
   }
   // Expects that the command is refused with a notice, and that nothing else has changed.
   void refused(const edit::Command& c, std::string_view part) {

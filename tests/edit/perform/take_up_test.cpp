@@ -50,22 +50,10 @@ class TakeUp : public test::RandomTracks {
         all[run.section].push_back(world::label_of(session.document, session.document.track.knots[i]));
     return all;
   }
-  void circuit();
   std::string random_change();
   void expect_closed_smoothly() const;
   void expect_same_names(const Names& before, const std::string& line) const;
 };
-
-// A station, a lift, a drop, a loop, a camelback, a turn home and brakes.
-void TakeUp::circuit() {
-  start_on(world::Document{});
-  for (const char* const line :
-       {"element straight length 30 equipment station", "element climb height 25 equipment lift",
-        "element dive height 22", "element loop left height 15", "element camelback height 10 speed 19",
-        "element curve left radius 30 angle 180 bank 50", "element straight length 40 equipment brake speed 8",
-        "complete 1"})
-    good(line);
-}
 
 // Changes parameters a little or much, or the order, of the sections before the one that completes the circuit.
 std::string TakeUp::random_change() {

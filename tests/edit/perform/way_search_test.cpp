@@ -13,17 +13,6 @@ namespace way_search_test {
 class WaySearches : public test::SessionTest {
  protected:
   WaySearches() : SessionTest(world::Document{}) {}
-
-  // A station, a lift, a drop, a loop, a camelback, a turn home and brakes.
-  void circuit() {
-    start_on(world::Document{});
-    for (const char* const line :
-         {"element straight length 30 equipment station", "element climb height 25 equipment lift",
-          "element dive height 22", "element loop left height 15", "element camelback height 10 speed 19",
-          "element curve left radius 30 angle 180 bank 50", "element straight length 40 equipment brake speed 8",
-          "complete 1"})
-      good(line);
-  }
 };
 
 // As a window does, which must not wait for the search in a frame.
