@@ -94,17 +94,19 @@ class Flight : public test::Studio {
   std::int64_t triangles_ = 0;
 };
 
-TEST_F(Flight, along_the_track_looks_as_in_full_detail) {
+TEST_F(Flight, along_the_track_and_up_looks_as_in_full_detail) {
   const auto place = [&](std::size_t knot) {
     return glm::dvec3(world::knot(track_.document, track_.document.track.knots[knot]).position);
   };
-  fly(8, [&](int i) {
-    const std::size_t knot = 9000 + 11 * static_cast<std::size_t>(i);
+  // The eye `height` m above a knot looks at another one `ahead` knots on.
+  const auto eye_above = [&](std::size_t knot, double height, std::size_t ahead) {
     view::Eye eye;
-    eye.position = place(knot) + glm::dvec3(0, 7, 0);
-    eye.forward = glm::normalize(place(knot + 20) - eye.position);
+    eye.position = place(knot) + glm::dvec3(0, height, 0);
+    eye.forward = glm::normalize(place(knot + ahead) - eye.position);
     return eye;
-  });
+  };
+  fly(8, [&](int i) { return eye_above(9000 + 11 * static_cast<std::size_t>(i), 7, 20); });
+  fly(6, [&](int i) { return eye_above(9000, 7 * std::pow(2, i), 20 + 10 * static_cast<std::size_t>(i)); });
 }
 
 }  // namespace flight_test
