@@ -1,4 +1,4 @@
-// The number of cases of a randomised test.
+// How many cases of a test with many are tried.
 #pragma once
 
 namespace coaster::test {
@@ -13,5 +13,8 @@ inline constexpr bool kSanitized = false;
 
 // Returns `full` cases; a quarter of them with the sanitizers, where each takes ten times as long.
 constexpr int tries(int full) { return kSanitized ? (full + 3) / 4 : full; }
+
+// Returns whether case `i` of a fixed list is tried: each one, or every fourth with the sanitizers.
+constexpr bool tried(int i) { return !kSanitized || i % 4 == 0; }
 
 }  // namespace coaster::test

@@ -7,6 +7,7 @@
 #include <set>
 #include <vector>
 
+#include "base/tries.h"
 #include "curve/evaluators_detail.h"
 #include "curve/random_cubics.h"
 
@@ -66,7 +67,7 @@ TEST(evaluators, every_row_keeps_its_error_bound_on_ten_thousand_cubics) {
     double closest = 0;  // the largest share of the bound that was used: a bound must hold, and not be idle
     unsigned seed = 11;
     for (const auto [steps, count] : plan)
-      for (const Cubic& c : random_cubics(count, seed++)) {
+      for (const Cubic& c : random_cubics(test::tries(count), seed++)) {
         const double error = worst_error(row, c, steps, points),
                      bound = row.error_bound(extent_of(c), size_of(c), steps);
         ASSERT_LE(error, bound) << row.name << " at " << steps << " steps";

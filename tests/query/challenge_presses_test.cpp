@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "base/tries.h"
 #include "edit/commands/commands_challenge.h"
 #include "edit/session_fixture.h"
 #include "query/challenge.h"
@@ -77,9 +78,11 @@ class ChallengePresses : public test::SessionTest {
 };
 
 TEST_F(ChallengePresses, none_that_is_not_locked_passes) {
+  int i = 0;
   for (const fs::path& file : challenges()) {
     begin(file);
     for (const std::string& press : presses()) {
+      if (!test::tried(i++)) continue;
       begin(file);
       EXPECT_EQ(medal_after(press), 0) << file.filename() << ": " << press;
     }

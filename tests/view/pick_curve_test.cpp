@@ -59,7 +59,7 @@ glm::vec2 random_pixel(Random& random) { return {random(57, 697), random(31, 511
 TEST(pick_curve, the_hierarchy_finds_what_looking_at_every_segment_finds) {
   Random random(71);
   int picks = 0, found_some = 0;
-  for (int trial = 0; trial < 60; ++trial) {
+  for (int trial = 0; trial < test::tries(60); ++trial) {
     const bool closed = trial % 3 == 0;
     world::Document d = knotted_document(random, 2 + static_cast<int>(random.below(trial % 5 == 0 ? 400 : 60)), closed);
     sim::Derived derived = test::derived_of(d);
@@ -83,8 +83,8 @@ TEST(pick_curve, the_hierarchy_finds_what_looking_at_every_segment_finds) {
       ASSERT_EQ(found->t, of_all->t) << trial << " " << i;
     }
   }
-  EXPECT_EQ(picks, 4200);
-  EXPECT_GT(found_some, 1500);
+  EXPECT_EQ(picks, test::tries(60) * 70);
+  EXPECT_GT(found_some, test::tries(1500));
 }
 
 // What follows does not share a line with the program: distances by samples and golden section.

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "base/tries.h"
 #include "curve/random_cubics.h"
 #include "view/polynomial_roots.h"
 
@@ -55,7 +56,7 @@ TEST(sighted_curve, roots_of_a_polynomial_are_found_between_zero_and_one) {
 // away, also with curves that pass it.
 TEST(sighted_curve, no_place_nearest_among_its_neighbours_is_missed) {
   std::mt19937 bits(9);
-  std::vector<curve::Cubic> cubics = curve::random_cubics(500, 17, 15, 20);
+  std::vector<curve::Cubic> cubics = curve::random_cubics(test::tries(500), 17, 15, 20);
   for (const curve::Cubic& degenerate : curve::degenerate_cubics()) cubics.push_back(degenerate);
   int partly = 0, several = 0;
   for (const curve::Cubic& cubic : cubics) {
@@ -94,8 +95,8 @@ TEST(sighted_curve, no_place_nearest_among_its_neighbours_is_missed) {
       EXPECT_TRUE(found) << "t = " << i / double(kSamples) << ", " << distance[i] << " px";
     }
   }
-  EXPECT_GT(partly, 20);
-  EXPECT_GT(several, 20);
+  EXPECT_GT(partly, test::tries(20));
+  EXPECT_GT(several, test::tries(20));
 }
 
 TEST(sighted_curve, what_is_said_to_be_far_is_far) {

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "base/hash.h"
+#include "base/tries.h"
 #include "exchange/bad_file.h"
 #include "exchange/formats.h"
 #include "exchange/own/track_file.h"
@@ -80,9 +81,10 @@ TEST(track_parse, every_truncation_is_refused_with_line_and_column) {
 
 TEST(track_parse, one_wrong_byte_never_crashes_and_never_breaks_an_invariant) {
   const std::string text = sample();
-  int accepted = 0;
+  int accepted = 0, k = 0;
   for (std::size_t i = 0; i < text.size(); ++i) {
     for (const char c : {'\0', '"', '9', '-', '}', '\xff', 'e'}) {
+      if (!test::tried(k++)) continue;
       std::string changed = text;
       changed[i] = c;
       const auto loaded = parse_track(changed, "t.json");
@@ -91,7 +93,7 @@ TEST(track_parse, one_wrong_byte_never_crashes_and_never_breaks_an_invariant) {
       ASSERT_EQ(world::broken_invariant(loaded->document), std::nullopt) << i;
     }
   }
-  EXPECT_GT(accepted, 100);  // digits of positions and the like
+  EXPECT_GT(accepted, test::tries(100));  // digits of positions and the like
 }
 
 TEST(track_parse, the_head_is_checked) {

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include "base/tries.h"
 #include "exchange/own/track_file.h"
 #include "world/sample_documents.h"
 
@@ -44,8 +45,8 @@ TEST(track_print, the_layout_is_one_knot_a_line) {
 }
 
 TEST(track_print, a_thousand_random_tracks_read_back_keep_hash_and_bytes) {
-  for (std::uint32_t seed = 0; seed < 1000; ++seed) {
-    const world::Document d = test::random_document(seed);
+  for (int seed = 0; seed < test::tries(1000); ++seed) {
+    const world::Document d = test::random_document(static_cast<std::uint32_t>(seed));
     const std::string text = print_track(d);
     const auto loaded = parse_track(text, "t.json");
     ASSERT_TRUE(loaded.ok()) << seed;

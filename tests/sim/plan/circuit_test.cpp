@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include "base/tries.h"
 #include "sim/plan/circuit_search.h"
 #include "sim/random_elements.h"
 
@@ -189,8 +190,10 @@ TEST(circuit_way, fades_the_roll_of_the_open_end_as_quickly_as_riders_bear) {
 // Brute force: the rails of every candidate each 10 cm. A level of 4 m below the ends is tried: with 5 cm more than the
 // limit it is used, with 5 cm less it is not.
 TEST(circuit_search, keeps_rails_a_metre_above_the_ground_where_the_ends_are) {
+  int i = 0;
   for (const double rails : {-1.1, 0.0, 1.1})
     for (const double ends : {0.6, 4.95, 5.05}) {
+      if (!test::tried(i++)) continue;
       CircuitTask task = level_task();
       task.speed = 14, task.rails = rails;
       for (TrackEnd* const end : {&task.from, &task.home}) end->position.y = ends - rails;

@@ -4,6 +4,7 @@
 
 #include <random>
 
+#include "base/tries.h"
 #include "sim/force_oracle.h"
 
 namespace coaster::sim {
@@ -62,7 +63,7 @@ TEST(force_hold, an_independent_integration_ends_where_it_must) {
   test::RandomForces programs(23);
   std::mt19937 random(5);
   int whole = 0;
-  for (int i = 0; i < 10; ++i) {
+  for (int i = 0; i < test::tries(10); ++i) {
     const ForceTask task = planted(programs, random, i < 2 ? 200 : 70);
     const auto held = hold_end(task);
     ASSERT_TRUE(held) << i;
@@ -78,13 +79,13 @@ TEST(force_hold, an_independent_integration_ends_where_it_must) {
     for (std::size_t k = 0; k < missed.size(); ++k)
       EXPECT_LT(std::abs(missed[k]), k < 3 ? 1e-5 : 1e-6) << i << ' ' << k;
   }
-  EXPECT_GE(whole, 8);
+  EXPECT_GE(whole, test::tries(10) - 2);
 }
 
 TEST(force_hold, curvature_ends_where_it_must_by_an_independent_integration) {
   test::RandomCurvature programs(8);
   std::mt19937 random(9);
-  for (int i = 0; i < 6; ++i) {
+  for (int i = 0; i < test::tries(6); ++i) {
     const ForceTask task = planted(programs, random, i < 2 ? 150 : 60);
     const auto held = hold_end(task);
     ASSERT_TRUE(held) << i;
@@ -156,7 +157,7 @@ bool restore(ForceTask& task, const std::vector<std::pair<std::size_t, std::size
 TEST(force_hold, no_additions_beside_it_are_less) {
   test::RandomForces programs(31);
   std::mt19937 random(6);
-  for (int i = 0; i < 3; ++i) {
+  for (int i = 0; i < test::tries(3); ++i) {
     const ForceTask task = planted(programs, random, 60);
     const auto held = hold_end(task);
     ASSERT_TRUE(held);

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "base/tries.h"
 #include "sim/force_oracle.h"
 
 namespace coaster::sim {
@@ -88,7 +89,7 @@ TEST(force_law, curvature_is_the_same_at_any_speed_and_at_none) {
 TEST(force_law, curvature_ends_where_the_oracle_does) {
   for (const unsigned seed : {1u, 2u}) {
     test::RandomCurvature random(seed);
-    for (int i = 0; i < 5; ++i) {
+    for (int i = 0; i < test::tries(5); ++i) {
       const ForceTask task = random.next(i == 0 ? 300 : 60);
       const ForcePath path = force_path(task);
       test::ForceOracle oracle(task);

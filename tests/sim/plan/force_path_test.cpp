@@ -1,5 +1,6 @@
 // Also tests force_law.h, which it integrates.
 #include "sim/plan/force_path.h"
+#include "base/tries.h"
 #include "sim/plan/force_law.h"
 
 #include <gtest/gtest.h>
@@ -29,7 +30,7 @@ INSTANTIATE_TEST_SUITE_P(seed, ForceOracle, testing::Values(7, 8, 9, 10));
 
 TEST_P(ForceOracle, five_of_twenty_programs_end_where_the_oracle_does) {
   test::RandomForces random(GetParam());
-  for (int i = 0; i < 5; ++i) {
+  for (int i = 0; i < test::tries(5); ++i) {
     const ForceTask task = random.next(i == 0 && GetParam() < 10 ? 300 : 60);
     const ForcePath path = force_path(task);
     ASSERT_EQ(path.stopped, "") << i;

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "base/tries.h"
 #include "sim/force_oracle.h"
 #include "world/topology.h"
 
@@ -45,7 +46,7 @@ double apart(const std::vector<world::Knot>& from, const std::vector<world::Knot
 
 TEST(ForceReading, keeps_the_shape_of_random_force_sections) {
   test::RandomForces random(19);
-  for (int i = 0; i < 3; ++i) {
+  for (int i = 0; i < test::tries(3); ++i) {
     ForceTask task = random.next(90);
     const ForcePlan was = plan_force(task);
     ASSERT_TRUE(was.refusal.empty()) << was.refusal;

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include "base/tries.h"
 #include "sim/shape/rails.h"
 #include "sim/tracks.h"
 
@@ -63,8 +64,8 @@ TEST(folds, are_not_where_the_curve_bends_away) {
 // Between the folds the rails advance along the curve, within them they do not.
 TEST(folds, hold_every_step_backwards) {
   int folded = 0, backward = 0;
-  for (std::uint32_t seed = 1; seed <= 40; ++seed) {
-    world::Document d = test::random_document(seed);
+  for (int seed = 1; seed <= test::tries(40); ++seed) {
+    world::Document d = test::random_document(static_cast<std::uint32_t>(seed));
     d.curve = world::TrackCurve::heartline, d.heartline = 4.7;
     const Derived derived = test::derived_of(d);
     const std::vector<Fold> found = folds_of(derived, -4.7);
@@ -89,8 +90,8 @@ TEST(folds, hold_every_step_backwards) {
       }
     }
   }
-  EXPECT_GT(folded, 10);
-  EXPECT_GT(backward, 100);
+  EXPECT_GT(folded, test::tries(10));
+  EXPECT_GT(backward, test::tries(100));
 }
 
 TEST(folds, are_found_again_only_after_changes) {
