@@ -24,6 +24,7 @@ constexpr double kStay = 1e-3;  // 1/m: weight of a change of the handles by the
 constexpr double kBendMargin = 0.98;  // of the limit, because curvature is checked only at some positions
 constexpr double kLeanRoom = 0.25;    // of the bound of angles: what knots may lean more or less than the smooth roll
 constexpr double kSharp = 1.5;        // times the bound, before a low-pass
+constexpr double kShortSpan = 1;      // m: the rows' distances do not determine the handles of a shorter span
 constexpr double kMostFitRoll = 2 * base::kPi * (world::kMaxTurns - 1);
 using Curve = curve::CoefficientsD;
 
@@ -112,7 +113,7 @@ Handles fit_handles(std::span<const FitRow> rows, std::span<const double> distan
   return h;
 }
 
-// Returns the handles with which a span between neighbouring rows has curvatures closest to `from` and `to` at its
+// Returns the handles with which a short span has curvatures closest to `from` and `to` at its
 // ends, while its curvature stays within `limit` if possible. Searches from `start` in decreasing steps.
 Handles most_alike(const Ends& ends, double length, dvec3 from, dvec3 to, double limit, const Handles start) {
   Handles h = start;
@@ -260,11 +261,15 @@ SpanFit fit_span(std::span<const FitRow> rows, std::span<const double> distances
     return near && !felt_wrong(rows, distances, first, last, c, smooth, bounds, s);
   };
   if (!good()) {
-    if (last > first + 1) return fit;
+    // Beside rounding, rows close together tell nothing about the handles.
+    const bool neighbours = last == first + 1;
+    const double length = distances[last] - distances[first];
+    if (!neighbours && length > kShortSpan) return fit;
     const dvec3 bend0 = bounds.curvatures[first], bend3 = bounds.curvatures[last];
-    h = most_alike(ends, distances[last] - distances[first], bend0, bend3,
+    h = most_alike(ends, length, bend0, bend3,
                    std::max({kBendMargin * bounds.bends[first], glm::length(bend0), glm::length(bend3)}), h);
-    good();
+    fit.bent = !good();
+    if (fit.bent && !neighbours) return fit;
   }
   const double most = bounds.angle;
   // Other rolls than the smooth one's would be felt, the more the shorter the span is.

@@ -26,7 +26,9 @@ struct SpanBounds {
 };
 
 struct SpanFit {
-  bool within = false;                   // both bounds can be met; if false, only the handles are set
+  bool within = false;  // both bounds can be met; if false, only the handles are set
+  // Between neighbouring rows: the bounds of curvature or forces are missed nevertheless.
+  bool bent = false;
   double out_length = 0, in_length = 0;  // m, of the first knot's and the second knot's handle
   // Radians by which the rows turn about the curve relative to its rotation-minimising frame, including whole turns.
   double roll = 0;
@@ -45,7 +47,7 @@ struct SpanScratch {
 // first knot's additional roll. Handle lengths by Gauss-Newton on the orthogonal distances, parameters by Newton, from
 // the start of Schneider 1990 ("An algorithm for automatically fitting digitized curves", Graphics Gems, 612-626):
 // lengths along the polyline, up to half of it. Then checks all rows, the curvature at and between them, and what
-// riders feel. Neighbouring rows always fit. Takes about 0.5 us per row and 10 us.
+// riders feel. Neighbouring rows always fit, but may be bent. Takes about 0.5 us per row and 10 us.
 SpanFit fit_span(std::span<const FitRow> rows, std::span<const double> distances, std::size_t first, std::size_t last,
                  double roll_low, double roll_high, const SpanBounds& bounds, SpanScratch& scratch);
 

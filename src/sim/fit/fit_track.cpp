@@ -6,6 +6,7 @@
 #include "base/check.h"
 #include "base/portable_math.h"
 #include "sim/fit/fit_smooth.h"
+#include "sim/fit/fit_work.h"
 #include "world/topology.h"
 
 namespace coaster::sim {
@@ -13,138 +14,13 @@ namespace {
 
 using glm::dvec3;
 
-constexpr double kInnerReach =
-    0.45;                       // m: rows whose frames are not fitted; less than the reach that the report excludes
+// m: rows whose frames are not fitted; less than the reach that the report excludes.
+constexpr double kInnerReach = 0.45;
 constexpr int kMaxRounds = 12;  // rounds of halving spans that fail on the finished document
-constexpr std::size_t kFirstStride = 32;     // rows of the first span to try
-constexpr double kShortSpan = 0.06;          // m: in a shorter span the least handle length would not fit
-constexpr int kEvenings = 3;                 // bisections for the smallest bounds that the same number of knots meets
-constexpr double kLeastScale = 0.4;          // relative to the bounds
-constexpr std::size_t kEvenedRows = 60'000;  // longer tracks are not evened out, which would take four times as long
-
-struct Span {
-  std::size_t first = 0, last = 0;
-  SpanFit fit;
-};
-
-// The state of a fit. On a closed track `rows` repeats the first row at the end.
-struct Work {
-  std::vector<FitRow> rows;
-  std::vector<double> distances;
-  std::vector<char> free;
-  std::vector<double> bends, speeds;
-  RowRolls row_rolls;
-  std::vector<dvec3> curvatures;
-  double doubt = 0;  // as in FitReport
-  std::size_t doubt_row = 0;
-  bool closed = false;
-  double scale = 1;  // relative to the bounds
-  SpanScratch scratch;
-  std::vector<Span> spans;
-  std::vector<double> rolls;  // additional roll of a knot at each row, radians
-  base::Progress* progress = nullptr;
-  int passes = 0;  // completed calls of fit_spans()
-
-  bool cancelled() const { return progress && progress->cancelled; }
-  // Reports progress within the present pass, 0..1. The passes take about the same time, the rest little.
-  void tell(double part) const {
-    const double all = (rows.size() > kEvenedRows ? 1 : 1 + kEvenings) + 0.2;
-    if (progress) progress->report(std::max(progress->done.load(), std::min(1.0, (passes + part) / all)));
-  }
-
-  SpanBounds bounds() const {
-    SpanBounds b;
-    b.distance *= scale, b.angle *= scale, b.felt *= scale;
-    b.free = free, b.bends = bends, b.spins = row_rolls.spins, b.slopes = row_rolls.slopes, b.leans = row_rolls.leans;
-    b.speeds = speeds, b.curvatures = curvatures;
-    b.heartline = world::Document{}.heartline;
-    return b;
-  }
-  SpanFit fit(std::size_t first, std::size_t last, double low, double high) {
-    SpanFit f = fit_span(rows, distances, first, last, low, high, bounds(), scratch);
-    if (f.within && closed && last + 1 == rows.size()) {  // ends with the roll that it began with
-      const auto [least, most] = second_rolls(f.window);
-      f.within = least <= row_rolls.leans[last] && most >= row_rolls.leans[last];
-    }
-    return f;
-  }
-};
-
-// Returns the longest span from `first`: doubles the last one's length, then bisects. Assumes that a shorter part of a
-// fitting span fits too.
-Span longest_span(Work& w, std::size_t first, double low, double high, std::size_t usual) {
-  const std::size_t end = w.rows.size() - 1;
-  Span good{first, first + 1, w.fit(first, first + 1, low, high)};
-  const auto beyond = std::lower_bound(w.distances.begin() + static_cast<std::ptrdiff_t>(first), w.distances.end(),
-                                       w.distances[first] + kShortSpan);
-  const auto short_rows = static_cast<std::size_t>(beyond - w.distances.begin()) - first;
-  std::size_t bad = end + 1, length = std::max<std::size_t>({usual, 2, short_rows});
-  while (good.last < end) {
-    const std::size_t last = std::min(first + length, end);
-    if (last <= good.last || last >= bad) break;
-    SpanFit fit = w.fit(first, last, low, high);
-    const bool within = fit.within;
-    if (within) good.last = last, good.fit = std::move(fit);
-    else bad = last;
-    length = within ? length + std::max<std::size_t>(1, length / 2) : length;
-    if (bad <= end) break;
-  }
-  while (bad > good.last + 1 + (good.last - first) / 64) {
-    const std::size_t last = good.last + (bad - good.last) / 2;
-    SpanFit fit = w.fit(first, last, low, high);
-    if (fit.within) good.last = last, good.fit = std::move(fit);
-    else bad = last;
-  }
-  // A knot just before the end moves back slightly: the step that closes a track is shorter than the others.
-  if (good.last < end && w.distances[end] - w.distances[good.last] < kShortSpan) {
-    std::size_t last = good.last;
-    while (last > first + 1 && w.distances[end] - w.distances[last] < kShortSpan) --last;
-    SpanFit fit = w.fit(first, last, low, high);
-    if (fit.within) good.last = last, good.fit = std::move(fit);
-  }
-  return good;
-}
-
-void fit_spans(Work& w) {
-  const std::size_t end = w.rows.size() - 1;
-  w.spans.clear();
-  const double most = w.bounds().angle, seam = w.row_rolls.leans[0];
-  RollRange allowed = w.closed ? RollRange{seam, seam} : RollRange{-most, most};
-  std::size_t usual = kFirstStride;
-  for (std::size_t first = 0; first < end && !w.cancelled();) {
-    Span span = longest_span(w, first, allowed.low, allowed.high, usual);
-    usual = std::max<std::size_t>(2, span.last - first);
-    allowed = second_rolls(span.fit.window);
-    if (allowed.low > allowed.high) allowed = {w.row_rolls.leans[span.last], w.row_rolls.leans[span.last]};
-    first = span.last;
-    w.spans.push_back(std::move(span));
-    w.tell(static_cast<double>(first) / static_cast<double>(end));
-  }
-  ++w.passes;
-}
-
-// The longest spans leave a short one at the end. The same number of spans with tighter bounds are more even, and
-// closer to the rows.
-void even_out(Work& w) {
-  if (w.spans.size() < 2 || w.rows.size() > kEvenedRows) return;
-  std::vector<Span> best = w.spans;
-  // A span's length scales with the second to fourth root of the bound: with n spans the bounds can shrink by 4 / n at
-  // most.
-  double low = std::max(kLeastScale, 1 - 4.0 / static_cast<double>(best.size())), high = 1;
-  for (int i = 0; i < kEvenings && !w.cancelled(); ++i) {
-    w.scale = 0.5 * (low + high);
-    fit_spans(w);
-    const bool as_few = w.spans.size() <= best.size();
-    (as_few ? high : low) = w.scale;
-    if (as_few) best = std::move(w.spans);
-  }
-  w.scale = 1;
-  w.spans = std::move(best);
-}
 
 // Chooses a roll for every knot, from the last to the first, so that each span keeps its frames within the bound: that
 // of the smooth roll, or as near to it as the bound allows. Beside other rolls a short span would turn quickly.
-void choose_rolls(Work& w) {
+void choose_rolls(FitWork& w) {
   w.rolls.assign(w.rows.size(), 0);
   if (w.spans.empty()) return;
   const auto [low, high] = second_rolls(w.spans.back().fit.window);
@@ -158,7 +34,7 @@ void choose_rolls(Work& w) {
   }
 }
 
-world::Knot knot_of(const Work& w, std::size_t at, double in, double out) {
+world::Knot knot_of(const FitWork& w, std::size_t at, double in, double out) {
   const FitRow& row = w.rows[at];
   world::Knot k;
   k.position = glm::vec3(row.position);
@@ -171,7 +47,7 @@ world::Knot knot_of(const Work& w, std::size_t at, double in, double out) {
   return k;
 }
 
-world::Document document_of(const Work& w, Derived& derived) {
+world::Document document_of(const FitWork& w, Derived& derived) {
   world::Document document;
   const std::size_t count = w.spans.size();
   for (std::size_t i = 0; i < count; ++i) {
@@ -199,18 +75,18 @@ world::Document document_of(const Work& w, Derived& derived) {
 }
 
 // Halves the span: the new knot has the smooth roll.
-void halve(Work& w, const Span& span, std::vector<Span>& out) {
+void halve(FitWork& w, const Span& span, std::vector<Span>& out) {
   const std::size_t middle = span.first + (span.last - span.first) / 2;
-  const double most = w.bounds().angle;
+  const RollRange all{-w.bounds().angle, w.bounds().angle};
   w.rolls[middle] = w.row_rolls.leans[middle];
-  out.push_back({span.first, middle, w.fit(span.first, middle, -most, most)});
-  out.push_back({middle, span.last, w.fit(middle, span.last, -most, most)});
+  out.push_back({span.first, middle, w.fit(span.first, middle, all), all});
+  out.push_back({middle, span.last, w.fit(middle, span.last, all), all});
 }
 
 // `given`: the rows that `filled` are between.
-Work prepare(std::span<const FitRow> given, const FilledRows& filled, bool closed) {
+FitWork prepare(std::span<const FitRow> given, const FilledRows& filled, bool closed) {
   const std::vector<FitRow>& rows = filled.rows;
-  Work w;
+  FitWork w;
   w.closed = closed;
   w.rows.assign(rows.begin(), rows.end());
   w.free = near_jumps(rows, closed, kInnerReach);
@@ -244,7 +120,7 @@ Work prepare(std::span<const FitRow> given, const FilledRows& filled, bool close
 FittedTrack fit_track(std::span<const FitRow> rows, bool closed, base::Progress* progress) {
   COASTER_CHECK(rows.size() >= (closed ? 3u : 2u), "a track needs 2 rows, a closed one 3");
   const FilledRows filled = fill_rows(rows, closed);
-  Work w = prepare(rows, filled, closed);
+  FitWork w = prepare(rows, filled, closed);
   w.progress = progress;
   fit_spans(w);
   if (!w.cancelled()) even_out(w);

@@ -1,0 +1,73 @@
+// The state of a fit, and the division of its rows into spans. Used by fit_track.cpp.
+#pragma once
+
+#include <algorithm>
+#include <vector>
+
+#include "base/progress.h"
+#include "sim/fit/fit_smooth.h"
+#include "sim/fit/fit_span.h"
+#include "world/document.h"
+
+namespace coaster::sim {
+
+inline constexpr int kEvenings = 3;  // bisections for the smallest bounds that the same number of knots meets
+// Longer tracks are not evened out, which would take four times as long.
+inline constexpr std::size_t kEvenedRows = 60'000;
+
+struct Span {
+  std::size_t first = 0, last = 0;
+  SpanFit fit;
+  RollRange allowed;  // of the first knot's additional roll
+};
+
+// The state of a fit. On a closed track `rows` repeats the first row at the end.
+struct FitWork {
+  std::vector<FitRow> rows;
+  std::vector<double> distances;
+  std::vector<char> free;
+  std::vector<double> bends, speeds;
+  RowRolls row_rolls;
+  std::vector<glm::dvec3> curvatures;
+  double doubt = 0;  // as in FitReport
+  std::size_t doubt_row = 0;
+  bool closed = false;
+  double scale = 1;  // relative to the bounds
+  SpanScratch scratch;
+  std::vector<Span> spans;
+  std::vector<double> rolls;  // additional roll of a knot at each row, radians
+  base::Progress* progress = nullptr;
+  int passes = 0;  // completed calls of fit_spans()
+
+  bool cancelled() const { return progress && progress->cancelled; }
+  // Reports progress within the present pass, 0..1. The passes take about the same time, the rest little.
+  void tell(double part) const {
+    const double all = (rows.size() > kEvenedRows ? 1 : 1 + kEvenings) + 0.2;
+    if (progress) progress->report(std::max(progress->done.load(), std::min(1.0, (passes + part) / all)));
+  }
+
+  SpanBounds bounds() const {
+    SpanBounds b;
+    b.distance *= scale, b.angle *= scale, b.felt *= scale;
+    b.free = free, b.bends = bends, b.spins = row_rolls.spins, b.slopes = row_rolls.slopes, b.leans = row_rolls.leans;
+    b.speeds = speeds, b.curvatures = curvatures;
+    b.heartline = world::Document{}.heartline;
+    return b;
+  }
+  SpanFit fit(std::size_t first, std::size_t last, const RollRange& allowed) {
+    SpanFit f = fit_span(rows, distances, first, last, allowed.low, allowed.high, bounds(), scratch);
+    if (f.within && closed && last + 1 == rows.size()) {  // ends with the roll that it began with
+      const auto [least, most] = second_rolls(f.window);
+      f.within = least <= row_rolls.leans[last] && most >= row_rolls.leans[last];
+    }
+    return f;
+  }
+};
+
+// Divides all rows into the longest spans that fit, from the first row on. Ends early once cancelled.
+void fit_spans(FitWork& w);
+
+// Tightens the bounds as far as the same number of spans allows: the longest spans leave a short one at the end.
+void even_out(FitWork& w);
+
+}  // namespace coaster::sim

@@ -1,0 +1,66 @@
+// Rows whose positions are some milliradians off their Fronts, as beside the ends of tracks in files of NoLimits 2,
+// bend a span of one step, but no longer one.
+#include "sim/fit/fit_work.h"
+
+#include <gtest/gtest.h>
+
+#include "sim/rows_along.h"
+
+namespace coaster::sim {
+namespace fit_work_test {
+
+using glm::dvec3;
+
+FitWork work_of(std::vector<FitRow> rows) {
+  FitWork w;
+  w.free.assign(rows.size(), 0);
+  w.bends = bend_limits(rows, false);
+  w.row_rolls = row_rolls(rows, false);
+  w.speeds = row_speeds(rows), w.curvatures = row_curvatures(rows, false);
+  w.distances.assign(rows.size(), 0);
+  for (std::size_t i = 1; i < rows.size(); ++i)
+    w.distances[i] = w.distances[i - 1] + glm::distance(rows[i - 1].position, rows[i].position);
+  w.rows = std::move(rows);
+  return w;
+}
+
+// Rows every 5 cm of a wave of this height. The steps between the last six turn at once, by milliradians times `share`,
+// and their Fronts a little later.
+std::vector<FitRow> wave_with_an_end(int count, double height, double share) {
+  const auto wave = [=](double s) { return dvec3(s, 20, height * std::sin(s / 5)); };
+  const auto up = [](double) { return dvec3(0, 1, 0); };
+  std::vector<FitRow> rows = test::rows_along(wave, up, 0.05, count);
+  double moved = 0;
+  std::size_t next = 5;
+  for (const double off : {0.0015, 0.0018, 0.0012, 0.0007, 0.0003}) {
+    FitRow& row = rows[rows.size() - next--];
+    moved += share * off * 0.05;
+    row.position += moved * glm::cross(row.up, row.forward);
+  }
+  return rows;
+}
+
+TEST(fit_work, two_steps_take_handles_that_bend_little_where_one_bends_too_much) {
+  FitWork w = work_of(wave_with_an_end(100, 1.5, 0.5));
+  const RollRange all{-0.008, 0.008};
+  const SpanFit one = w.fit(97, 98, all), two = w.fit(97, 99, all);
+  EXPECT_TRUE(one.within);
+  EXPECT_TRUE(one.bent);
+  EXPECT_TRUE(two.within);
+  EXPECT_FALSE(two.bent);
+}
+
+TEST(fit_work, a_span_ends_earlier_where_the_next_one_would_bend_too_much) {
+  constexpr std::size_t kRows = 349;  // the longest first span ends five rows before the last
+  FitWork w = work_of(wave_with_an_end(kRows, 0.5, 1));
+  fit_spans(w);
+  EXPECT_EQ(w.spans.size(), 2u);
+  EXPECT_EQ(w.spans.front().first, 0u);
+  for (std::size_t i = 0; i < w.spans.size(); ++i) {
+    EXPECT_FALSE(w.spans[i].fit.bent) << "from row " << w.spans[i].first;
+    EXPECT_EQ(w.spans[i].last, i + 1 < w.spans.size() ? w.spans[i + 1].first : kRows - 1);
+  }
+}
+
+}  // namespace fit_work_test
+}  // namespace coaster::sim
