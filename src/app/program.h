@@ -51,6 +51,12 @@ struct Tutorial {
   bool wanted = false;
   std::shared_ptr<TutorialRun> run;  // null: not running
   std::optional<query::LessonCard> card;
+  // The state at the start of the lesson, which "Show me" restores.
+  struct Start {
+    world::Document document;
+    world::Settings settings;
+    std::uint64_t edits = 0;  // Session::edits
+  } start;
   query::LessonAnswer answer = query::LessonAnswer::none;
 };
 

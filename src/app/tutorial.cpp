@@ -4,6 +4,9 @@
 #include "app/script_host.h"
 #include "app/tutorial_settings.h"
 #include "base/folders.h"
+#include "edit/commands/commands_elements.h"
+#include "edit/commands/commands_session.h"
+#include "edit/commands/commands_settings.h"
 #include "edit/commands/set_setting.h"
 #include "script/grammar.h"
 #include "script/runner.h"
@@ -29,14 +32,51 @@ struct TutorialRun {
 
 namespace {
 
+bool strayed(const Program& program) {
+  const Tutorial::Start& start = program.tutorial.start;
+  return program.session.edits != start.edits && program.session.document != start.document;
+}
+
+// Sets those settings to their values at the start of the lesson.
+template <auto... Setting>
+void restore(Program& program, const world::Settings& start) {
+  const auto one = [&]<auto S>() {
+    if (const auto value = world::value_in<S>(start); value != world::value_in<S>(program.session.settings))
+      (void)apply(program, edit::Set<S>{value});
+  };
+  (one.template operator()<Setting>(), ...);
+}
+
+// Restores track, element and selection of the lesson's start, as far as undo and redo lead there.
+void return_to_start(Program& program) {
+  const Tutorial::Start& start = program.tutorial.start;
+  while (strayed(program) && !program.session.history.undo.empty() && apply(program, edit::Undo{})) continue;
+  while (strayed(program) && !program.session.history.redo.empty() && apply(program, edit::Redo{})) continue;
+  (void)apply(program, edit::ChooseElement{start.settings.element});  // it shows the preview
+  restore<&world::Aids::show_element, &world::Aids::circuit, &world::Aids::append_mode, &world::Panels::workspace,
+          &world::Panels::show_panels>(program, start.settings);
+  const world::Document& document = program.session.document;
+  const world::Entity selected = start.settings.selected;
+  const bool lives = document.entities.alive(selected);
+  (void)apply(program,
+              lives ? edit::Select{{world::name_of(document, selected)}, start.settings.selected_t} : edit::Select{});
+}
+
 // The window keeps its size, and the card's buttons answer.
 script::Host teaching_host(Program& program) {
   script::Host host = make_script_host(program);
   Program* const p = &program;
   host.set_environment = [](const script::Environment&) { return base::Status{}; };
   host.progress = {};
-  host.teach = [p](const query::LessonCard* card) { p->tutorial.card = card ? std::optional(*card) : std::nullopt; };
-  host.answer = [p] { return std::exchange(p->tutorial.answer, query::LessonAnswer::none); };
+  host.teach = [p](const query::LessonCard* card) {
+    p->tutorial.card = card ? std::optional(*card) : std::nullopt;
+    p->tutorial.start = {p->session.document, p->session.settings, p->session.edits};
+  };
+  host.answer = [p] {
+    const query::LessonAnswer answer = std::exchange(p->tutorial.answer, query::LessonAnswer::none);
+    if (answer == query::LessonAnswer::show) return_to_start(*p);
+    return answer;
+  };
   return host;
 }
 
@@ -64,7 +104,9 @@ void teach(Program& program) {
     if (const base::Status started = start(program); !started) ended = started;
   while (program.tutorial.run && !ended) {
     ended = program.tutorial.run->runner.step();
-    if (program.tutorial.run->runner.waits()) return;
+    if (!program.tutorial.run->runner.waits()) continue;
+    if (program.tutorial.card) program.tutorial.card->strayed = strayed(program);
+    return;
   }
   if (!ended) return;
   if (!*ended) edit::notify(program.session, edit::NoticeKind::error, ended->message);

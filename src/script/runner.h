@@ -66,8 +66,7 @@ class Runner {
     const Lesson* lesson = nullptr;
     const Statement* statement = nullptr;
     std::size_t depth = 0;
-    bool shown = false;
-    int waited = 0;
+    int waited = 0;  // frames, without a player
   };
   void enter(const Block& block, std::int64_t again = 0, bool gesture = false) {
     places_.push_back({&block, 0, again, gesture});

@@ -27,7 +27,7 @@ Failure Runner::perform(const Lesson& lesson) {
                                std::max(lessons_, lessons_in(script_.statements))};
   if (host.teach) host.teach(&card);
   const Place& here = places_.back();
-  given_ = Given{&lesson, &(*here.block)[here.next - 1], places_.size(), !host.answer};
+  given_ = Given{&lesson, &(*here.block)[here.next - 1], places_.size()};
   if (host.answer) return {};
   std::string found;
   const base::Result<bool> before = check(lesson.until, found);
@@ -49,20 +49,21 @@ Failure Runner::attend() {
   };
   std::string found;
   const base::Result<bool> done = check(lesson.until, found);
-  if (!done) return end(failure(done.status(), lesson.until.column));
-  if (*done) return end({});
-  if (given.shown && given.waited++ >= kMostLessonFrames)
+  if (done && *done) return end({});
+  if (!host.answer) {
+    if (!done) return end(failure(done.status(), lesson.until.column));
+    if (given.waited++ < kMostLessonFrames) return failure(frames_.frame({}));
     return end({base::Code::timeout,
                 fmt::format("the lesson's lines did not reach {}, found {}", lesson.until.text, found),
                 lesson.until.column});
-  if (!host.answer) return failure(frames_.frame({}));
+  }
+  // A player may have built something else, so that the condition asks for what is not there yet.
   const query::LessonAnswer answer = host.answer();
   if (answer == query::LessonAnswer::leave || frames_.interrupted()) {
     for (Place& place : places_) place.next = place.block->size(), place.again = 0;
     return end({});
   }
-  if (answer == query::LessonAnswer::show && !given.shown) {
-    given.shown = true;
+  if (answer == query::LessonAnswer::show) {
     enter(lesson.body);
     return {};
   }

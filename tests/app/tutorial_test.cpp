@@ -1,8 +1,11 @@
-// The tutorial in a window whose player leaves it at once.
+// The tutorial in a window: players who leave it at once, or build something else.
 #include "app/keeper.h"
 #include "app/program_fixture.h"
 #include "app/script_host.h"
+#include "edit/commands/commands_elements.h"
+#include "edit/commands/commands_session.h"
 #include "edit/commands/set_setting.h"
+#include "world/aids.h"
 #include "world/panels.h"
 
 namespace coaster::app {
@@ -35,6 +38,55 @@ TEST_F(TutorialTest, settings_are_as_before_and_none_of_its_own_is_kept) {
   EXPECT_EQ(program.keeper->state.settings.session.panels->workspace, world::Workspace::laboratory);
   EXPECT_TRUE(program.keeper->state.settings.session.panels->show_laboratory);
   stop_keeping(program, true);
+}
+
+// Answers "Show me" and draws frames until the lesson changes.
+void show_lesson(Program& program) {
+  const int number = program.tutorial.card->number;
+  program.tutorial.answer = query::LessonAnswer::show;
+  for (int i = 0; i < 60 && program.tutorial.card && program.tutorial.card->number == number; ++i) teach(program);
+}
+
+// A player who places the straight without its station, and more: "Show me" undoes that and does the step.
+TEST_F(TutorialTest, show_me_helps_a_player_who_built_something_else) {
+  restart_drawing();
+  Program& program = *program_;
+  surface(program).window = true;
+  surface(program).resize({1280, 720});
+  program.tutorial.wanted = true;
+  teach(program);
+  ASSERT_TRUE(program.tutorial.card) << last_notice(program);
+  show_lesson(program);
+  show_lesson(program);
+  ASSERT_EQ(program.tutorial.card->number, 3);
+  EXPECT_FALSE(program.tutorial.card->strayed);
+  world::Element wrong = program.session.settings.element;
+  ASSERT_TRUE(apply(program, edit::PlaceElement{wrong}).ok());
+  wrong = world::usual_element(world::ElementKind::climb);
+  ASSERT_TRUE(apply(program, edit::ChooseElement{wrong}).ok());
+  ASSERT_TRUE(apply(program, edit::PlaceElement{wrong}).ok());
+  ASSERT_TRUE(apply(program, edit::Set<&world::Aids::show_element>{false}).ok());
+  ASSERT_TRUE(apply(program, edit::Set<&world::Panels::workspace>{world::Workspace::ride}).ok());
+  teach(program);
+  ASSERT_TRUE(program.tutorial.card);
+  EXPECT_TRUE(program.tutorial.card->strayed);
+  show_lesson(program);
+  ASSERT_TRUE(program.tutorial.card) << last_notice(program);
+  EXPECT_EQ(program.tutorial.card->number, 4) << last_notice(program);
+  EXPECT_FALSE(program.tutorial.card->strayed);
+  EXPECT_TRUE(program.session.document.track.segments.empty());
+  EXPECT_EQ(program.session.settings.element.kind, world::ElementKind::straight);
+  show_lesson(program);
+  ASSERT_TRUE(program.tutorial.card) << last_notice(program);
+  EXPECT_EQ(program.session.document.track.segments.size(), 1u);
+  // Who undoes too much gets it back.
+  ASSERT_TRUE(apply(program, edit::Undo{}).ok());
+  teach(program);
+  EXPECT_TRUE(program.tutorial.card->strayed);
+  show_lesson(program);
+  ASSERT_TRUE(program.tutorial.card) << last_notice(program);
+  EXPECT_EQ(program.session.document.track.segments.size(), 1u);
+  EXPECT_EQ(program.session.settings.element.kind, world::ElementKind::climb);
 }
 
 }  // namespace tutorial_test

@@ -77,6 +77,9 @@ void draw_lesson(Ui& ui, const view::Viewport& scene, const LessonGuide& guide) 
   build_card(ui, card, [&] {
     tinted_line(fmt::format("Lesson {} of {}", lesson->number, lesson->count), palette().warning);
     paragraph(ui, "Text", lesson->text, palette().text);
+    if (lesson->strayed)
+      paragraph(ui, "Strayed", "You changed something else. Show me undoes that and does this step.",
+                palette().warning);
     ImGui::Dummy({0, std::floor(2 * ui.scale)});
     if (button(ui, "Show me", "Let the tutorial do this step.")) ui.out.lesson_answer = query::LessonAnswer::show;
     ImGui::SameLine();
