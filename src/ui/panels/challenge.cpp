@@ -1,4 +1,4 @@
-// Challenge: lesson, goals and limits with their state, medals, hints.
+// Challenge: lesson, goals and limits with their state, medals, hints. The goals also show over the scene.
 #include <imgui.h>
 
 #include <algorithm>
@@ -11,9 +11,11 @@
 #include "edit/commands/commands_ride.h"
 #include "query/challenge.h"
 #include "ui/context/rows.h"
+#include "ui/panels/panels.h"
 #include "ui/tools/places.h"
 #include "ui/widgets/medals.h"
 #include "ui/widgets/theme.h"
+#include "world/panels.h"
 
 namespace coaster::ui {
 namespace {
@@ -116,6 +118,7 @@ void challenge_panel(Ui& ui) {
   const edit::ActiveChallenge& challenge = *ui.session().game.challenge;
   const base::Result<std::vector<query::Rule>> rules = query::read_rules(challenge.file, challenge.path);
   paragraph(ui, "Name", challenge.file.name, palette().accent);
+  buttons(ui, challenge);
   paragraph(ui, "Teaches", challenge.file.teaches, palette().dim);
   if (!rules) return paragraph(ui, "Problem", rules.status().message, palette().error);
   heading(ui,
@@ -134,9 +137,33 @@ void challenge_panel(Ui& ui) {
   }
   for (int i = 0; i < challenge.hints; ++i)
     paragraph(ui, fmt::format("Hint {}", i + 1), challenge.file.hints[static_cast<std::size_t>(i)], palette().text);
-  buttons(ui, challenge);
   if (button(ui, "All challenges", "Choose another challenge.", true, ImGui::GetContentRegionAvail().x))
     ui.want = {Want::Kind::challenges};
+}
+
+void draw_goals(Ui& ui, const view::Viewport& scene) {
+  const std::optional<edit::ActiveChallenge>& challenge = ui.session().game.challenge;
+  const world::Workspace workspace = ui.session().settings.panels->workspace;
+  if (!challenge || (workspace != world::Workspace::build && workspace != world::Workspace::ride)) return;
+  const base::Result<std::vector<query::Rule>> rules = query::read_rules(challenge->file, challenge->path);
+  const float width = std::floor(280 * ui.scale), margin = std::floor(14 * ui.scale);
+  if (!rules || scene.width < 2 * width || scene.height < width) return;
+  const Card card{
+      .id = "##goals",
+      .panel = "Goals",
+      .at = {std::floor(scene.x + scene.width - margin), std::floor(scene.y + margin)},
+      .pivot = {1, 0},
+      .width = width,
+      .alpha = 0.82f,
+      .flags = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoInputs | ImGuiWindowFlags_NoFocusOnAppearing};
+  build_card(ui, card, [&] {
+    tinted_line(challenge->file.name, palette().accent);
+    for (const query::Rule& rule : *rules) {
+      const bool medal = rule.list == RuleList::silver || rule.list == RuleList::gold;
+      if (rule.list == RuleList::goals || (!medal && !query::look_at(ui.state.find, rule).holds))
+        rule_row(ui, rule, challenge->file.list(rule.list)[rule.index]);
+    }
+  });
 }
 
 }  // namespace coaster::ui
