@@ -96,8 +96,7 @@ void elements_panel(Ui& ui) {
   parameters(ui);
   const sim::ElementPlan& plan = *ui.find(edit::Want::element).element;
   const bool possible = plan.refusal.empty();
-  if (possible) outcome(ui, plan);
-  else tinted(in_units(ui, base::sentence(plan.refusal)), palette().warning);
+  if (!possible) tinted(in_units(ui, base::sentence(plan.refusal)), palette().warning);
   const std::string help =
       fmt::format("Place the element at the open end of the track. {} hides the preview.", ui.keys.shown("Cancel"));
   if (button(ui, "Place", with_keys(ui.keys, help, "Place element"), possible, ImGui::GetContentRegionAvail().x))
@@ -105,3 +104,4 @@ void elements_panel(Ui& ui) {
 }
 
 }  // namespace coaster::ui
+  if (possible) outcome(ui, plan);
