@@ -112,11 +112,21 @@ void equip_again(Document& document, const sim::ElementPlan& plan, const Section
   equip(document, plan, run.first);
 }
 
+// Returns the height of the lowest knot, at most 0, m.
+float lowest_below_ground(const Document& document) {
+  float lowest = 0;
+  for (const Entity knot : document.track.knots) lowest = std::min(lowest, world::knot(document, knot).position.y);
+  return lowest;
+}
+
 }  // namespace
 
 Status adopt(Session& session, Change& change, const Document& former, Document&& next) {
   if (const Status taken = take_up(session, change, former, next); !taken) return taken;
   if (const auto broken = world::broken_invariant(next)) return refused("the track would leave the world: " + *broken);
+  if (const float lowest = lowest_below_ground(next);
+      change.clamped.empty() && lowest < lowest_below_ground(former) - 0.05f)
+    change.clamped.push_back(fmt::format("The track goes {:.1f} m below the ground.", -lowest));
   session.document = std::move(next);
   return {};
 }

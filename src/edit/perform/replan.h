@@ -30,7 +30,7 @@ base::Status put_in_place(world::Document& document, const world::SectionRun& ru
 
 // Makes `next`, which was made from `former`, the session's document. On a closed track the section that completes the
 // circuit adapts to what moved before it (take_up.h). Refused if it cannot, and if track would leave the limits of
-// coordinates.
+// coordinates. Warns where knots go further below the ground than before, unless the change has another warning.
 base::Status adopt(Session& session, Change& change, const world::Document& former, world::Document&& next);
 
 // Refused on a closed track if no section at or after that knot completes the circuit.

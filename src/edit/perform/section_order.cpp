@@ -113,7 +113,10 @@ Status perform(Session& session, Change& change, const DeleteSection& command) {
   Document next = session.document;
   const SectionRun run = world::run_of(next, *section);
   if (const Status may = may_move(next, run.end()); !may) return may;
-  if (run.first > 0 && run.end() < next.track.segments.size()) {
+  const bool closes_gap = run.first > 0 && run.end() < next.track.segments.size();
+  change.note = fmt::format("Deleted {}.{}", world::title_of(world::section(next, *section)),
+                            closes_gap ? " The track behind it closes the gap." : "");
+  if (closes_gap) {
     const Knot start = nth_knot(next, run.first), end = nth_knot(next, run.end());
     const auto carry = sim::carry_between(end, start);
     if (!carry) return carry.status();
