@@ -56,6 +56,12 @@ void remove(Act& act) {
   for (const world::Entity e : knots) act.ui.emit(edit::RemoveKnot{{world::name_of(session.document, e)}});
   act.ui.emit(edit::EndGesture{});
 }
+// Shows the panel in Build, or where every panel shows.
+void set_goal(Act& act) {
+  if (!is<&world::Panels::workspace, world::Workspace::all>(act)) choose_workspace(act.ui, world::Workspace::build);
+  if (!act.ui.drawers.parameters.open) act.ui.drawers.parameters.wanted = true;
+  act.ui.inputs.panel_to_open = "Goal";
+}
 void select_all(Act& act) { act.ui.emit(edit::SelectKnots{edit::Knots::Which::all}); }
 void box_select(Act& act) { act.tool.wait_for_box(); }
 template <TransformKind kind>
@@ -165,6 +171,8 @@ constexpr Action kEditActions[] = {
      next_element},
     {"Previous element", "Edit", shift(Key::n), kRepeats,
      "Choose the previous element of the palette and show its preview.", previous_element},
+    {"Goal", "Edit", kNoKey, 0, "Let the program change numbers of the selection until the ride reaches a goal.",
+     set_goal, kAnySelected},
 
     {"Cancel", "", key(Key::escape), kInDrag,
      "Cancel a drag, close a list or the score card, end append mode, hide the preview, or clear the selection.",

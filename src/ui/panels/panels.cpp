@@ -107,8 +107,10 @@ void build_column(Ui& ui, Column column, const view::Viewport& area) {
       if (!belongs(ui, panel, column)) return;
       ui.panel = panel.name;
       ImGui::PushID(panel.name.data(), panel.name.data() + panel.name.size());
-      if (header(ui, panel.name, panel.help, panel.open, leads_to(panel))) {
-        const bool opened = ImGui::IsItemToggledOpen();
+      const bool asked = ui.inputs.panel_to_open == panel.name;
+      if (asked) ui.inputs.panel_to_open = {};
+      if (header(ui, panel.name, panel.help, panel.open, asked || leads_to(panel))) {
+        const bool opened = asked || ImGui::IsItemToggledOpen();
         const float top = ImGui::GetItemRectMin().y;
         panel.build(ui);
         if (opened) bring_into_sight(top);
