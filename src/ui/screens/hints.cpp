@@ -77,7 +77,8 @@ void draw_hints(Ui& ui, const view::Viewport& scene) {
       ImGui::SameLine(start + std::floor(58 * ui.scale));
       tinted_line(text, palette().dim);
     }
-    if (button(ui, "Got it", "Hide the first steps. View/Show/First steps shows them again."))
+    const std::string_view help = "Hide the first steps. View/Show/First steps shows them again.";
+    if (button(ui, "Got it", with_keys(ui.keys, help, "First steps")))
       ui.emit(edit::Set<&world::Aids::show_hints>{false});
   });
 }
