@@ -181,7 +181,7 @@ void Host::Parts::lay_out(Ui& ui, const platform::Events& events, int width, int
     draw_foot_line(ui, tool, layout.scene);  // a lesson has its own hint
   draw_section_name(ui, layout.scene);
   draw_legend(ui, layout.scene);
-  toasts.draw(ui, layout.scene);
+  toasts.draw(ui, beside_hints(ui, layout.scene, 400 * ui.scale));
   for (const edit::Command& command : ui.out.commands)
     if (command.is<edit::Load>() || command.is<edit::NewTrack>() || command.is<edit::StartChallenge>())
       frame_next = !edit::opens_link(command), start.hide();

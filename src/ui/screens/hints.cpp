@@ -63,6 +63,12 @@ std::string foot_text(const ViewportTool& tool, const edit::Session& session, co
 
 }  // namespace
 
+view::Viewport beside_hints(const Ui& ui, const view::Viewport& scene, float width) {
+  const float left = std::floor((kHintsWidth + kMargin) * ui.scale);
+  if (!hints_show(ui, scene) || scene.width - left < width) return scene;
+  return {scene.x + left, scene.y, scene.width - left, scene.height};
+}
+
 void draw_hints(Ui& ui, const view::Viewport& scene) {
   if (!hints_show(ui, scene)) return;
   const float width = std::floor(kHintsWidth * ui.scale), margin = std::floor(kMargin * ui.scale);
@@ -143,10 +149,9 @@ void draw_foot_line(const Ui& ui, const ViewportTool& tool, const view::Viewport
   const bool empty = ui.session().document.track.knots.empty() && !ui.session().settings.aids->show_element;
   const ImVec2 size = ImGui::CalcTextSize(hint.c_str());
   const ImVec2 pad(size.y * 0.9f, size.y * 0.5f);
-  // Above the notices, and next to the first steps if there is space.
-  const float left = hints_show(ui, scene) ? (kHintsWidth + kMargin) * ui.scale : 0;
-  const float beside = scene.width - left >= size.x + 2 * pad.x ? left : 0;
-  const ImVec2 at(std::floor(scene.x + beside + (scene.width - beside - size.x) * 0.5f),
+  // Above the notices.
+  const view::Viewport free = beside_hints(ui, scene, size.x + 2 * pad.x);
+  const ImVec2 at(std::floor(free.x + (free.width - size.x) * 0.5f),
                   std::floor(empty ? scene.y + scene.height * 0.62f : scene.y + scene.height - 5.6f * size.y));
   ImDrawList& list = *ImGui::GetBackgroundDrawList();
   list.AddRectFilled({at.x - pad.x, at.y - pad.y}, {at.x + size.x + pad.x, at.y + size.y + pad.y},

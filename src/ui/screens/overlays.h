@@ -12,6 +12,8 @@ void draw_section_name(Ui& ui, const view::Viewport& scene);
 void draw_foot_line(const Ui& ui, const ViewportTool& tool, const view::Viewport& scene);
 // Draws the first steps in the lower left corner while Aids::show_hints.
 void draw_hints(Ui& ui, const view::Viewport& scene);
+// Returns the part of the scene right of the first steps if they show and leave `width` px; else the scene.
+view::Viewport beside_hints(const Ui& ui, const view::Viewport& scene, float width);
 // Draws the legend of the track's colours in the upper left corner. It is behind all windows.
 void draw_legend(Ui& ui, const view::Viewport& scene);
 // The widget that a lesson of the tutorial points at.
