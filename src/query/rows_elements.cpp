@@ -43,19 +43,23 @@ Answer refusal(const Context& c, View) { return text(plan(c).refusal.empty() ? "
 
 const sim::CircuitProposals& circuit(const Context& c) { return *c.find(edit::Want::circuit).circuit; }
 Answer proposals(const Context& c, View) { return number(circuit(c).list.size()); }
+// Returns function(index) of the proposal that the argument names, 0 without it.
 template <class Function>
 Answer of_proposal(const Context& c, View argument, Function function) {
-  const std::vector<sim::CircuitProposal>& list = circuit(c).list;
+  const std::size_t count = circuit(c).list.size();
   for (std::size_t i = 0; i < sim::kMostProposals; ++i)
-    if (argument == std::to_string(i + 1)) return number(i < list.size() ? function(list[i]) : 0.0);
+    if (argument == std::to_string(i + 1)) return number(i < count ? function(i) : 0.0);
   return base::Status{base::Code::usage,
                       fmt::format("expected 1 to {}, found {}", sim::kMostProposals, base::quoted(argument))};
 }
 Answer circuit_length(const Context& c, View argument) {
-  return of_proposal(c, argument, [](const sim::CircuitProposal& p) { return p.plan.length; });
+  return of_proposal(c, argument, [&](std::size_t i) { return circuit(c).list[i].plan.length; });
 }
 Answer circuit_g(const Context& c, View argument) {
-  return of_proposal(c, argument, [](const sim::CircuitProposal& p) { return p.felt.most; });
+  return of_proposal(c, argument, [&](std::size_t i) { return circuit(c).list[i].felt.most; });
+}
+Answer circuit_jolt(const Context& c, View argument) {
+  return of_proposal(c, argument, [&](std::size_t i) { return c.find.way_jolt(i); });
 }
 Answer circuit_refusal(const Context& c, View) {
   return text(circuit(c).refusal.empty() ? "none" : circuit(c).refusal);
@@ -87,6 +91,8 @@ constexpr std::array kElementRows{
     Query{"complete.length", "1|2|3", "m", "Length of a way home; 0 without it.", circuit_length},
     Query{"complete.worst_g", "1|2|3", "g", "Largest vertical felt g on a way home, not low-passed; 0 without it.",
           circuit_g},
+    Query{"complete.jolt", "1|2|3", "g", "Largest jolt at the joints of a way home on a whole ride; 0 without it.",
+          circuit_jolt},
     Query{"complete.refusal", "", "", "Why there is no way home; none if there is one.", circuit_refusal},
 };
 

@@ -98,15 +98,11 @@ Status perform(Session& session, Change& change, const CompleteCircuit& command)
   const sim::CircuitProposal& proposal = found.list[static_cast<std::size_t>(command.proposal) - 1];
   const std::vector<world::Knot>& knots = proposal.plan.fit.knots;
   if (const Status room = room_for(session, knots.size() - 2, knots.size() - 1); !room) return room;
-  world::Document& document = session.document;
-  open_out(document, knots.front());
-  for (std::size_t k = 1; k + 1 < knots.size(); ++k) change.select = world::append_knot(document, knots[k]);
-  world::set_closed(document, true);
-  world::make_section(document, document.track.segments.size() - proposal.plan.spans(), proposal.plan.spans(),
-                      {{}, world::SectionKind::complete, {}, proposal.way});
-  world::Knot& first = document.entities.get<world::Knot>(document.track.knots.front());
-  first.joint = world::JointKind::aligned;
-  first.in_length = knots.back().in_length;
+  const double jolt = way_jolt(session, static_cast<std::size_t>(command.proposal) - 1);
+  change.select = sim::close_by(session.document, proposal);
+  if (jolt > sim::kJoltLimit)
+    change.clamped.push_back(
+        fmt::format("A joint of the way home jolts riders by {:.1f} g. Worst jolt finds it.", jolt));
   change.note = fmt::format(
       "Completed the circuit: {:.1f} m, {} {}, at most {:.1f} g.{}", proposal.plan.length, proposal.plan.spans(),
       proposal.plan.spans() == 1 ? "span" : "spans", proposal.felt.most,

@@ -163,6 +163,12 @@ std::optional<double> speed_at(Session& session, double distance) {
   return found ? std::optional(found->speed) : std::nullopt;
 }
 
+double way_jolt(Session& session, std::size_t index) {
+  const sim::CircuitProposals& found = *find(session, Want::circuit).circuit;
+  return session.findings.memory.way_jolts.worst(found, index, session.document, session.edits, chosen_cart(session),
+                                                 session.limits.envelope.cutoff);
+}
+
 const sim::ForcePlan* force_plan(Session& session, world::Entity section) {
   const world::Document& document = session.document;
   const world::Section* const value = document.entities.find<world::Section>(section);

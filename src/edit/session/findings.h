@@ -24,6 +24,7 @@
 #include "sim/study/riders.h"
 #include "sim/study/section_figures.h"
 #include "sim/study/track_values.h"
+#include "sim/study/way_jolt.h"
 
 namespace coaster::edit {
 
@@ -96,6 +97,7 @@ struct Findings {
     sim::ElementMemo elements;
     sim::ElementRoom room;
     sim::CircuitMemo circuit;
+    sim::WayJolts way_jolts;
     // Keyed by Session::edits, the last build, the ride's serial and the first and the last car.
     base::Kept<std::tuple<std::uint64_t, std::uint64_t, std::uint64_t, int, int>, sim::SectionTable> sections;
     sim::OpenedTrack opened;  // for planning a section that completes a circuit again
@@ -118,6 +120,10 @@ const Findings& find(Session& session, Want wanted, const world::Element& elemen
 // does not.
 std::optional<double> speed_at(Session& session, double distance);
 
+// Returns the largest jolt on a way home of Want::circuit, by its index, for the selected cart, g
+// (sim/study/way_jolt.h).
+double way_jolt(Session& session, std::size_t index);
+
 // Returns the plan of a force section as it is in the document; null for other sections. Valid until the next plan of
 // one.
 const sim::ForcePlan* force_plan(Session& session, world::Entity section);
@@ -128,6 +134,7 @@ class Finder {
   Finder(Session& session) : session_(&session) {}
   const Session& session() const { return *session_; }
   const Findings& operator()(Want wanted) const { return find(*session_, wanted); }
+  double way_jolt(std::size_t index) const { return edit::way_jolt(*session_, index); }
   const sim::ForcePlan* force(world::Entity section) const { return force_plan(*session_, section); }
 
  private:

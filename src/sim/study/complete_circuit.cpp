@@ -13,6 +13,7 @@
 #include "curve/frames.h"
 #include "sim/ride/train.h"
 #include "sim/study/element_room.h"
+#include "world/topology.h"
 
 namespace coaster::sim {
 namespace {
@@ -242,6 +243,20 @@ CircuitProposals complete_circuit(const CircuitTask& task, const Derived& derive
     return cost(a) < cost(b);
   });
   return found;
+}
+
+std::optional<world::Entity> close_by(world::Document& document, const CircuitProposal& proposal) {
+  const std::vector<world::Knot>& knots = proposal.plan.fit.knots;
+  world::Knot& end = document.entities.get<world::Knot>(document.track.knots.back());
+  end.joint = world::JointKind::aligned, end.out_length = knots.front().out_length;
+  std::optional<world::Entity> added;
+  for (std::size_t k = 1; k + 1 < knots.size(); ++k) added = world::append_knot(document, knots[k]);
+  world::set_closed(document, true);
+  world::make_section(document, document.track.segments.size() - proposal.plan.spans(), proposal.plan.spans(),
+                      {{}, world::SectionKind::complete, {}, proposal.way});
+  world::Knot& first = document.entities.get<world::Knot>(document.track.knots.front());
+  first.joint = world::JointKind::aligned, first.in_length = knots.back().in_length;
+  return added;
 }
 
 void OpenedTrack::update(const world::Document& opened) {

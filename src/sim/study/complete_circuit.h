@@ -46,6 +46,10 @@ CircuitProposals complete_again(const FormerWay& former, const CircuitTask& task
                                 const Conflicts& conflicts);
 inline constexpr int kMostTriedAgain = 12;
 
+// Closes an open track by a proposal of it, whose spans become a section that completes the circuit. Returns the last
+// new knot, or none if the proposal is a single span.
+std::optional<world::Entity> close_by(world::Document& document, const CircuitProposal& proposal);
+
 // The track of a circuit without the section that completes it, from that section's end to its start.
 struct OpenedTrack {
   Derived derived;

@@ -75,6 +75,9 @@ void ways_home(Ui& ui) {
            fmt::format("{} shows the next one.", ui.keys.shown("Panels")));
   read_out(ui, "Length home", way.plan.length, 1, "m", "Length of this way home.");
   read_out(ui, "Worst g", way.felt.most, 1, "g", "Largest vertical felt g on this way home, not low-passed.");
+  const double jolt = ui.state.find.way_jolt(at);
+  read_out(ui, "Worst jolt", jolt, 1, "g",
+           "Largest sudden change of felt g at the joints of this way home, low-passed.", jolt > sim::kJoltLimit);
   if (found.assumed)
     tinted(in_units(ui, fmt::format("No train reaches the open end. Planned for {} m/s.", base::to_text(found.speed))),
            palette().warning);
@@ -101,7 +104,7 @@ void elements_panel(Ui& ui) {
       fmt::format("Place the element at the open end of the track. {} hides the preview.", ui.keys.shown("Cancel"));
   if (button(ui, "Place", with_keys(ui.keys, help, "Place element"), possible, ImGui::GetContentRegionAvail().x))
     ui.emit(edit::PlaceElement{session.settings.element});
+  if (possible) outcome(ui, plan);
 }
 
 }  // namespace coaster::ui
-  if (possible) outcome(ui, plan);

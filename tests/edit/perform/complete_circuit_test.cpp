@@ -115,6 +115,7 @@ void CompleteCircuitTest::check(std::size_t number) {
   const bool arrives = !proposals().assumed;
   const world::Document before = session.document;
   const std::size_t old = before.track.segments.size(), steps = session.history.undo.size();
+  const double jolt = way_jolt(session, number - 1);
   const double from = session.derived.length,
                gap = static_cast<double>(glm::distance(world::knot(before, before.track.knots.back()).position,
                                                        world::knot(before, before.track.knots.front()).position));
@@ -133,6 +134,9 @@ void CompleteCircuitTest::check(std::size_t number) {
   ASSERT_NE(found.ride, nullptr);
   if (arrives) expect_felt(*found.ride, from, proposal.felt);
   if (arrives) expect_no_jolts(found.jolts, old);
+  double most = found.jolts.front().total;
+  for (const sim::Jolt& at : found.jolts.subspan(old)) most = std::max(most, at.total);
+  EXPECT_DOUBLE_EQ(jolt, most) << "the proposal promises the jolt that the completed ride has";
   good("undo");
   ASSERT_TRUE(session.document == before);
 }
