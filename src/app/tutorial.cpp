@@ -50,11 +50,14 @@ void restore(Program& program, const world::Settings& start) {
 // Restores track, element and selection of the lesson's start, as far as undo and redo lead there.
 void return_to_start(Program& program) {
   const Tutorial::Start& start = program.tutorial.start;
+  const bool away = strayed(program);
   while (strayed(program) && !program.session.history.undo.empty() && apply(program, edit::Undo{})) continue;
   while (strayed(program) && !program.session.history.redo.empty() && apply(program, edit::Redo{})) continue;
+  if (away) (void)apply(program, edit::SetCamera{start.settings.camera});
   (void)apply(program, edit::ChooseElement{start.settings.element});  // it shows the preview
   restore<&world::Aids::show_element, &world::Aids::circuit, &world::Aids::append_mode, &world::Panels::workspace,
           &world::Panels::show_panels>(program, start.settings);
+  program.tutorial.card->strayed = false;
   const world::Document& document = program.session.document;
   const world::Entity selected = start.settings.selected;
   const bool lives = document.entities.alive(selected);

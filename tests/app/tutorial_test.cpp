@@ -4,6 +4,7 @@
 #include "app/script_host.h"
 #include "edit/commands/commands_elements.h"
 #include "edit/commands/commands_session.h"
+#include "edit/commands/commands_settings.h"
 #include "edit/commands/set_setting.h"
 #include "world/aids.h"
 #include "world/panels.h"
@@ -60,6 +61,7 @@ TEST_F(TutorialTest, show_me_helps_a_player_who_built_something_else) {
   show_lesson(program);
   ASSERT_EQ(program.tutorial.card->number, 3);
   EXPECT_FALSE(program.tutorial.card->strayed);
+  const world::Camera view = program.session.settings.camera;
   world::Element wrong = program.session.settings.element;
   ASSERT_TRUE(apply(program, edit::PlaceElement{wrong}).ok());
   wrong = world::usual_element(world::ElementKind::climb);
@@ -67,6 +69,7 @@ TEST_F(TutorialTest, show_me_helps_a_player_who_built_something_else) {
   ASSERT_TRUE(apply(program, edit::PlaceElement{wrong}).ok());
   ASSERT_TRUE(apply(program, edit::Set<&world::Aids::show_element>{false}).ok());
   ASSERT_TRUE(apply(program, edit::Set<&world::Panels::workspace>{world::Workspace::ride}).ok());
+  ASSERT_TRUE(apply(program, edit::SetCamera{{.target = {900, 5, 0}}}).ok());
   teach(program);
   ASSERT_TRUE(program.tutorial.card);
   EXPECT_TRUE(program.tutorial.card->strayed);
@@ -76,6 +79,7 @@ TEST_F(TutorialTest, show_me_helps_a_player_who_built_something_else) {
   EXPECT_FALSE(program.tutorial.card->strayed);
   EXPECT_TRUE(program.session.document.track.segments.empty());
   EXPECT_EQ(program.session.settings.element.kind, world::ElementKind::straight);
+  EXPECT_EQ(program.session.settings.camera.target, view.target);
   show_lesson(program);
   ASSERT_TRUE(program.tutorial.card) << last_notice(program);
   EXPECT_EQ(program.session.document.track.segments.size(), 1u);
