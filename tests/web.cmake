@@ -56,7 +56,7 @@ if(COASTER_APP)
     coaster_web_test(scripts.${part} scripts ${part}/${parts})
   endforeach()
   # Each test of a page has its own browser.
-  foreach(file page work limits)
+  foreach(file page kept work limits)
     file(STRINGS ${CMAKE_CURRENT_SOURCE_DIR}/web/${file}_test.py lines REGEX "^(class|    def test_)")
     foreach(line ${lines})
       if(line MATCHES "^class ([A-Za-z]+)")
