@@ -25,6 +25,7 @@ class Hands(Page):
         self.until(lambda: int(self.value("complete.proposals") or 0) > 0, "ways home")
         self.key("Enter")
         self.until(lambda: self.value("closed") == "on", "the circuit")
+        self.without_drawing()
         self.key(" ")
         self.until(lambda: float(self.value("ride.travelled") or 0) > 100, lambda: f"the ride over the lift: {self.value('ride.state')} at {self.value('ride.travelled')} m", 500)
         self.until_titled("Untitled* - coaster")
