@@ -96,17 +96,24 @@ function fullScreen() {
   else note('This browser shows no page in full screen.');
 }
 
+// The program is fetched and compiled, and the graphics start, while coaster.js and the data are still coming. All in one
+// file (packaging/web/one_file), `packed` holds the program's bytes.
+function compile() {
+  if (window.packed) return WebAssembly.compile(packed.program);
+  const fetched = () => fetch('coaster.wasm', { credentials: 'same-origin' });
+  // A host that sends another type than application/wasm is served, too.
+  return WebAssembly.compileStreaming(fetched()).catch(() => fetched().then((sent) => sent.arrayBuffer()).then((bytes) => WebAssembly.compile(bytes)));
+}
+const compiled = compile();
+compiled.catch(() => {});  // instantiate() says it
+canvas.getContext('webgl2', { alpha: false, depth: false, antialias: false });  // as platform/web_surface asks for it later
+
 // Keeps the compiled program, for workers (beside.js).
 function instantiate(imports, done) {
-  const begin = ({ module, instance }) => {
-    Module.program = module;
-    done(instance, module);
-  };
-  const fetched = () => fetch('coaster.wasm', { credentials: 'same-origin' });
-  const inOne = (bytes) => WebAssembly.instantiate(bytes, imports).then(begin);
-  const begun = Module.wasmBinary ? inOne(Module.wasmBinary)
-    // A host that sends another type than application/wasm is served, too.
-    : WebAssembly.instantiateStreaming(fetched(), imports).then(begin, () => fetched().then((sent) => sent.arrayBuffer()).then(inOne));
+  const begun = compiled.then((program) => {
+    Module.program = program;
+    return WebAssembly.instantiate(program, imports).then((instance) => done(instance, program));
+  });
   begun.catch((why) => { if (!(why instanceof Error) || why.name !== 'ExitStatus') say('coaster cannot start: ' + (why.message || why), 'Reload', () => location.reload()); });
   return {};
 }
@@ -165,6 +172,7 @@ var Module = {
     console.warn(last);
   },
   instantiateWasm: instantiate,
+  getPreloadedPackage: () => window.packed ? packed.data.buffer : undefined,
   coasterFullScreen: fullScreen,
   coasterPick: pick,
   coasterPicked: () => picked,

@@ -1,6 +1,8 @@
 // Opens, frames and draws tracks other than the open one.
 #include "app/track_pictures.h"
 
+#include <utility>
+
 #include "app/scene.h"
 #include "base/folders.h"
 #include "edit/commands/commands_session.h"
@@ -42,7 +44,8 @@ ui::TrackPicture TrackPictures::draw(const gfx::Gl& gl, const gfx::Renderer& sce
 
 void TrackPictures::update(const gfx::Gl& gl, const gfx::Renderer& scenes, std::span<const std::string> wanted,
                            world::Style style) {
-  busy_ = false;
+  busy_ = !std::exchange(requested_, !wanted.empty()) && requested_;
+  if (busy_) return;
   for (const std::string& path : wanted) {
     const Source source{base::change_time(path), style};
     const auto found = sources_.find(path);

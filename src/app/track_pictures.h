@@ -16,11 +16,11 @@ namespace coaster::app {
 
 class TrackPictures {
  public:
-  // Draws the first requested file whose picture is missing or out of date. When nothing is requested any more, frees
-  // the renderer; the pictures stay.
+  // Draws the first requested file whose picture is missing or out of date. Draws none in the first frame that requests
+  // some, so that the start screen shows at once. The pictures stay when nothing is requested any more.
   void update(const gfx::Gl& gl, const gfx::Renderer& scenes, std::span<const std::string> wanted, world::Style style);
 
-  // Returns whether the last update drew one, so that another may be due.
+  // Returns whether another picture may be due: the last update drew one or was the first.
   bool busy() const { return busy_; }
 
   const std::map<std::string, ui::TrackPicture>& made() const { return made_; }
@@ -33,6 +33,7 @@ class TrackPictures {
   };
   ui::TrackPicture draw(const gfx::Gl& gl, const gfx::Renderer& scenes, const std::string& path, world::Style style);
 
+  bool requested_ = false;  // by the last update
   bool busy_ = false;
   std::map<std::string, Source> sources_;
   std::map<std::string, gfx::Object> textures_;

@@ -13,9 +13,11 @@ import browser
 from page import Page, document_of, main, source
 
 WITHOUT_WEBGL = "HTMLCanvasElement.prototype.getContext = () => null;"
-# The time of the second frame after the page is shown: the first one has then been drawn.
+# The time of the second frame after the page is shown: the first one has then been drawn. `reads` counts what waits for the graphics.
 FIRST_FRAME = ("let shown = 0; const look = () => { const said = document.getElementById('said');"
-               "if (said && said.hidden && ++shown > 1) window.firstFrame = performance.now(); else requestAnimationFrame(look); }; look();")
+               "if (said && said.hidden && ++shown > 1) window.firstFrame = performance.now(); else requestAnimationFrame(look); }; look();"
+               "window.reads = 0; const read = WebGL2RenderingContext.prototype.readPixels;"
+               "WebGL2RenderingContext.prototype.readPixels = function (...words) { reads += window.firstFrame === undefined; return read.apply(this, words); };")
 WITHOUT_STORAGE = "Object.defineProperty(window, 'indexedDB', { get() { throw new DOMException('denied', 'SecurityError'); } });"
 
 
@@ -52,23 +54,33 @@ class Limits(Page):
         self.page.execute_cdp_cmd("Emulation.clearDeviceMetricsOverride", {})
         self.before_load(FIRST_FRAME)
         self.page.execute_cdp_cmd("Performance.enable", {"timeDomain": "threadTicks"})
-        self.open()
-        self.until(lambda: self.js("window.firstFrame !== undefined"), "the first frame")
-        first, busy = self.js("firstFrame") / 1000, self.busy()
+        firsts = [self.first_frame() for _ in range(5)]
+        first, busy = (statistics.median(times) for times in zip(*firsts))
+        self.assertEqual(self.js("reads"), 0, "the pictures of the start screen come after its first frame")
+        self.frames(4)
         self.key("Escape")
         self.key(" ")
         self.until(lambda: float(self.value("ride.travelled") or 0) > 1, "the ride")
         frame, own = self.frame_ms(60)
         memory = self.js("Module.HEAPU8.length + performance.memory.usedJSHeapSize")
-        print(f"# page with gzip: {sent / 1e6:.2f} MB; memory: {memory / 1e6:.0f} MB; first frame after {first:.1f} s, {busy:.1f} s of the page's thread; "
+        print(f"# page with gzip: {sent / 1e6:.2f} MB; memory: {memory / 1e6:.0f} MB; first frame, median of 5: after {first:.1f} s, {busy:.1f} s of the page's thread; "
               f"a frame of the ride on Red Comet: {own:.2f} ms outside OpenGL, {frame:.1f} ms of the page's thread", file=sys.stderr)
         self.assertLess(sent, 1.8e6)
         self.assertLess(memory, 200e6)
         self.assertLess(busy, 2)  # the processor's time: other programs delay the first frame
         self.assertLess(own, 8)
 
+    def first_frame(self):
+        """Visits the page for the first time. Returns when the first frame was drawn, and the thread's time until then, s."""
+        self.page.get("about:blank")
+        self.page.execute_cdp_cmd("Storage.clearDataForOrigin", {"origin": self.address[:self.address.rindex("/")], "storageTypes": "all"})
+        before = self.busy()
+        self.page.get(self.address + "/index.html")
+        self.until(lambda: self.js("window.firstFrame !== undefined"), "the first frame")
+        return self.js("firstFrame") / 1000, self.busy() - before
+
     def busy(self):
-        """Returns the processor time of the page's thread since the page was opened, s."""
+        """Returns the processor time of the page's thread, s."""
         return {row["name"]: row["value"] for row in self.page.execute_cdp_cmd("Performance.getMetrics", {})["metrics"]}["TaskDuration"]
 
     def frame_ms(self, count):
