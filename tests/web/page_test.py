@@ -127,6 +127,10 @@ class Hands(Page):
         self.until(lambda: self.js("Module.coasterPicked()") == "/tmp/opened/helix.json", "the chosen file")
         self.page.execute_script("openFile(Module.coasterPicked())")
         self.until_titled("Silver Spiral - coaster")
+        dropped = {"items": [], "files": [str(source("tracks/gentle.json"))], "dragOperationsMask": 1}
+        for kind in ("dragEnter", "dragOver", "drop"):
+            self.page.execute_cdp_cmd("Input.dispatchDragEvent", {"type": kind, "x": 500, "y": 300, "data": dropped})
+        self.until_titled("Meadow Breeze - coaster")
         self.page.execute_script("window.sent = []; HTMLAnchorElement.prototype.click = function () { sent.push(this.download); };")
         self.command('save "/home/coaster/mine.json"')
         self.until(lambda: self.js("sent.join()") == "mine.json", lambda: "the download: " + self.js("sent.join()"))
