@@ -64,8 +64,8 @@ void side(Ui& ui, const ErrorStudy& one) {
   if (steps) ui.emit(edit::Set<&world::Evaluation::steps>{*steps});
   std::vector<Choice> choices = choices_of<EvaluatorId>();
   choices.insert(choices.begin(), {"nothing", "No comparison."});
-  if (const auto to =
-          combo(ui, "Compare with###Beside", choices, ui.lab.compared + 1, "A second evaluator for comparison.", true))
+  if (const auto to = combo(ui, "Compare with###Beside", choices, ui.lab.compared + 1,
+                            "A second evaluator for comparison.", ComboPlace::beside))
     ui.lab.compared = *to - 1;
   layer_box(ui, world::Layer::rounding);
   const Number magnification{.value = settings.lab->magnification,

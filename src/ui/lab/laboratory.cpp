@@ -111,7 +111,8 @@ void build_bar(Ui& ui, float width, float bar) {
   fold_button(ui, bar, false, large);
   ImGui::SameLine(0, 0);
   // The names do not fit side by side.
-  if (const auto page = combo_of(ui, "Page", chosen_page(ui), "Page of the laboratory.", true)) open_page(ui, *page);
+  if (const auto page = combo_of(ui, "Page", chosen_page(ui), "Page of the laboratory.", ComboPlace::beside))
+    open_page(ui, *page);
 }
 
 }  // namespace

@@ -67,7 +67,8 @@ void choose_goal(Ui& ui) {
   const auto labels = choices(query::goals(), [](const query::GoalRow& row) {
     return Choice{std::string(row.label), std::string(query::find_query(row.query)->text)};
   });
-  if (const auto to = combo(ui, "Make", labels, in.goal, "The value to reach, such as the lap time.", true))
+  if (const auto to =
+          combo(ui, "Make", labels, in.goal, "The value to reach, such as the lap time.", ComboPlace::beside))
     in.goal = *to, in.value.reset();
   const query::GoalRow& row = query::goals()[static_cast<std::size_t>(in.goal)];
   read_query(ui, "Now", row.query, query::find_query(row.query)->text, {.decimals = row.decimals});
@@ -93,7 +94,8 @@ void goal_panel(Ui& ui) {
   if (numbers.words.empty())
     return tinted("Select knots or planned sections: the search changes their numbers.", palette().dim);
   in.by = std::min(in.by, static_cast<int>(numbers.words.size()) - 1);
-  if (const auto to = combo(ui, "By changing", numbers.choices, in.by, "The numbers that the search may change.", true))
+  if (const auto to = combo(ui, "By changing", numbers.choices, in.by, "The numbers that the search may change.",
+                            ComboPlace::beside))
     in.by = *to;
   if (const auto to = checkbox(ui, "All by the same amount", in.together,
                                "Change all of these numbers by the same amount, so that they stay as they are relative "

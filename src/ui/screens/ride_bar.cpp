@@ -120,11 +120,12 @@ void camera_list(Ui& ui) {
     choices.push_back({label, std::string(row.help)});
   }
   const auto now = static_cast<int>(ui.session().settings.camera_mode);
-  if (const auto to = combo(ui, "Camera", choices, now, with_keys(ui.keys, "The camera.", "Next camera"), true))
+  if (const auto to =
+          combo(ui, "Camera", choices, now, with_keys(ui.keys, "The camera.", "Next camera"), ComboPlace::in_bar))
     choose_camera(ui, static_cast<world::CameraMode>(*to));
 }
 
-constexpr float kSeatWidth = 200, kCameraWidth = 136;  // design px, with their labels
+constexpr float kSeatWidth = 164, kCameraWidth = 148;  // design px, with their labels
 
 // Shows the lists, at most as wide as both fit in the row.
 void lists(RideRow& row) {
@@ -133,7 +134,8 @@ void lists(RideRow& row) {
   const float camera = std::min(row.scaled(kCameraWidth), std::floor(room - seat));
   list_in(row, "##seat", seat, [&] {
     const world::Seat now = ui.session().settings.lab->seat;
-    if (const auto to = combo_of(ui, "Seat", now, "Seat whose ride the force graph and the laboratory show.", true))
+    if (const auto to =
+            combo_of(ui, "Seat", now, "Seat whose ride the force graph and the laboratory show.", ComboPlace::in_bar))
       ui.emit(edit::Set<&world::LabView::seat>{*to});
   });
   list_in(row, "##camera", camera, [&] { camera_list(ui); });

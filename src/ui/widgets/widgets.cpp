@@ -149,6 +149,13 @@ void begin_row(std::string_view label, float needed) {
   ImGui::SetNextItemWidth(beside ? room - label_room : room);
 }
 
+void begin_in_bar(std::string_view label) {
+  ImGui::AlignTextToFramePadding();
+  tinted_line(shown(label), palette().dim);
+  ImGui::SameLine();
+  ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x);
+}
+
 bool header(WidgetFrame& ui, std::string_view name, std::string_view tooltip, bool at_first, bool open_now) {
   if (ImGui::GetCursorPosY() > 2 * ImGui::GetStyle().WindowPadding.y)
     ImGui::Dummy({0, std::floor(3 * ui.scale)});  // not before the first one
@@ -215,10 +222,14 @@ bool beside_last(WidgetFrame& ui, std::string_view label) {
 }
 
 std::optional<int> combo(WidgetFrame& ui, std::string_view label, std::span<const Choice> choices, int current,
-                         std::string_view tooltip, bool may_cut) {
+                         std::string_view tooltip, ComboPlace place) {
   float widest = 0;
   for (const Choice& choice : choices) widest = std::max(widest, text_size(shown(choice.label)).x);
-  begin_row(label, may_cut ? 0 : widest + 2 * ImGui::GetStyle().FramePadding.x + ImGui::GetFrameHeight());
+  if (place == ComboPlace::in_bar) begin_in_bar(label);
+  else
+    begin_row(label, place == ComboPlace::beside
+                         ? 0
+                         : widest + 2 * ImGui::GetStyle().FramePadding.x + ImGui::GetFrameHeight());
   const std::string preview(current >= 0 && current < static_cast<int>(choices.size())
                                 ? shown(choices[static_cast<std::size_t>(current)].label)
                                 : "");

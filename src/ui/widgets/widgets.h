@@ -90,6 +90,8 @@ void note_if_cut(WidgetFrame& ui, std::string_view label);
 // Draws the label and sets the next item's place and width: beside the label, or below it when the label is long for
 // the row or the control needs more than the `needed` px that are left there.
 void begin_row(std::string_view label, float needed = 0);
+// The same in a bar: right after the label, with the rest of the room.
+void begin_in_bar(std::string_view label);
 
 // Begins a window that cannot be moved and stays behind other windows; ImGui::End() ends it.
 bool begin_area(const char* id, ImVec2 at, ImVec2 size, ImGuiWindowFlags more = ImGuiWindowFlags_NoScrollbar);
@@ -124,9 +126,11 @@ std::optional<bool> checkbox(WidgetFrame& ui, std::string_view label, bool on, s
 struct Choice {
   std::string label, tooltip;
 };
+// Where a list is: beside its label, or below it if its widest choice does not fit there; beside it in any case, which
+// may cut a choice; or as begin_in_bar() says.
+enum class ComboPlace { fitting, beside, in_bar };
 std::optional<int> combo(WidgetFrame& ui, std::string_view label, std::span<const Choice> choices, int current,
-                         std::string_view tooltip,
-                         bool may_cut = false);  // may_cut: next to its label even if that cuts the widest choice
+                         std::string_view tooltip, ComboPlace place = ComboPlace::fitting);
 
 // Returns the labels and help of an enumeration's rows.
 template <base::Named E>
@@ -140,8 +144,8 @@ std::vector<Choice> choices_of() {
 }
 template <base::Named E>
 std::optional<E> combo_of(WidgetFrame& ui, std::string_view label, E current, std::string_view tooltip,
-                          bool may_cut = false) {
-  const auto chosen = combo(ui, label, choices_of<E>(), static_cast<int>(current), tooltip, may_cut);
+                          ComboPlace place = ComboPlace::fitting) {
+  const auto chosen = combo(ui, label, choices_of<E>(), static_cast<int>(current), tooltip, place);
   if (!chosen) return std::nullopt;
   return static_cast<E>(*chosen);
 }
