@@ -50,7 +50,7 @@ void run_transform_keys(Act& act, const platform::Events& events) {
   run_keys(act, others);
 }
 
-void run_keys(Act& act, const platform::Events& events) {
+void run_keys(Act& act, const platform::Events& events, unsigned only) {
   for (const platform::Event& event : events) {
     const auto* press = std::get_if<platform::KeyPress>(&event);
     if (press == nullptr || !press->down || press->key == Key::unknown) continue;
@@ -60,6 +60,7 @@ void run_keys(Act& act, const platform::Events& events) {
       const auto chords = act.ui.keys.chords(action.name);
       if (std::find(chords.begin(), chords.end(), chord) == chords.end()) continue;
       if (press->repeat && (action.keys & kRepeats) == 0) continue;
+      if ((action.keys & only) != only) continue;
       if ((action.keys & kInDrag) == 0 && (act.tool.dragging() || act.ui.gesture.open)) continue;
       if (action.enabled.holds(act)) action.run(act);
       else if (!press->repeat) act.ui.warn(std::string(action.enabled.otherwise));

@@ -31,21 +31,24 @@ struct Action {
   std::string_view name;  // shown in the menu
   std::string_view menu;  // "View", or "View/Camera" for a menu inside; "" if it is in none
   platform::Chord chord;  // default key; Key::unknown for none (the user's settings may replace it: key_map.h)
-  unsigned keys;          // kRepeats while the key is held, kInDrag: allowed while the mouse drags something
+  // kRepeats: again while the key is held; kInDrag: while the mouse drags something, too; kOnStart: on the start
+  // screen, too.
+  unsigned keys;
   std::string_view help;
   void (*run)(Act& act);
   Condition enabled = kAlways;
   bool (*checked)(const Act& act) = nullptr;  // null: no mark
   platform::Chord other = {};                 // a second default key
 };
-inline constexpr unsigned kRepeats = 1, kInDrag = 2;
+inline constexpr unsigned kRepeats = 1, kInDrag = 2, kOnStart = 4;
 
 std::span<const Action> actions();
 // Returns the names and default keys of the actions, in the order of actions().
 std::vector<KeyRow> key_rows();
 
-// Runs the actions of the pressed keys. Do not call it while a text field has the keyboard.
-void run_keys(Act& act, const platform::Events& events);
+// Runs the actions of the pressed keys, of those with all flags of `only`. Do not call it while a text field has the
+// keyboard.
+void run_keys(Act& act, const platform::Events& events, unsigned only = 0);
 // Runs the keys of an active transform, and those of actions that may interrupt it (undo, Escape).
 void run_transform_keys(Act& act, const platform::Events& events);
 void build_menu(Act& act);

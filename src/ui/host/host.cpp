@@ -154,7 +154,8 @@ void Host::Parts::lay_out(Ui& ui, const platform::Events& events, int width, int
   const bool typing = text_has_keyboard(), asking = dialogs.open() || start.open();
   take_files(ui, events);
   Act act{ui, tool, layout.scene, hovered, palette};
-  if (!typing && !asking)
+  if (start.open() && !dialogs.open()) run_keys(act, events, kOnStart);
+  else if (!typing && !asking)
     tool.transform().active() ? run_transform_keys(act, events) : run_keys(act, without_force_keys(ui, events));
   take_want(ui);
   fly_keys.fly(ui, events, typing || asking || dialogs.open());

@@ -30,5 +30,16 @@ TEST_F(StartScreenTest, a_track_that_nobody_has_named_is_called_by_its_file) {
   EXPECT_EQ(shown("second"), "Red");
 }
 
+TEST_F(StartScreenTest, leaves_only_full_screen_of_all_keys) {
+  host_->show_start();
+  frames(2);
+  const std::size_t before = commands_.size();
+  for (const platform::Key other : {platform::Key::c, platform::Key::space, platform::Key::f9})
+    EXPECT_FALSE(frame({platform::KeyPress{other, true, false, {}}}).toggles_full_screen);
+  EXPECT_EQ(commands_.size(), before);
+  EXPECT_TRUE(frame({platform::KeyPress{platform::Key::f11, true, false, {}}}).toggles_full_screen);
+  EXPECT_FALSE(frame({platform::KeyPress{platform::Key::f11, true, true, {}}}).toggles_full_screen) << "held";
+}
+
 }  // namespace start_screen_test
 }  // namespace coaster::ui
