@@ -75,16 +75,21 @@ void draw_lesson(Ui& ui, const view::Viewport& scene, const LessonGuide& guide) 
                   .padding = {16, 12},
                   .alpha = 0.95f};
   build_card(ui, card, [&] {
+    // The buttons are above the text, so that they stay in place from lesson to lesson.
+    ImGui::AlignTextToFramePadding();
     tinted_line(fmt::format("Lesson {} of {}", lesson->number, lesson->count), palette().warning);
-    paragraph(ui, "Text", lesson->text, palette().text);
-    if (lesson->strayed)
-      paragraph(ui, "Strayed", "You changed something else. Show me undoes that and does this step.",
-                palette().warning);
-    ImGui::Dummy({0, std::floor(2 * ui.scale)});
+    const ImGuiStyle& style = ImGui::GetStyle();
+    const float buttons =
+        text_size("Show me").x + text_size("Leave").x + 4 * style.FramePadding.x + style.ItemSpacing.x;
+    ImGui::SameLine(std::floor(ImGui::GetCursorPosX() + ImGui::GetContentRegionAvail().x - buttons));
     if (button(ui, "Show me", "Let the tutorial do this step.")) ui.out.lesson_answer = query::LessonAnswer::show;
     ImGui::SameLine();
     if (button(ui, "Leave", "Leave the tutorial. The track stays as it is."))
       ui.out.lesson_answer = query::LessonAnswer::leave;
+    paragraph(ui, "Text", lesson->text, palette().text);
+    if (lesson->strayed)
+      paragraph(ui, "Strayed", "You changed something else. Show me undoes that and does this step.",
+                palette().warning);
     const ImVec2 low = ImGui::GetWindowPos(), size = ImGui::GetWindowSize();
     box = {{low.x, low.y}, {low.x + size.x, low.y + size.y}};
   });
