@@ -102,6 +102,8 @@ base::Status start(Program& program) {
 }  // namespace
 
 void teach(Program& program) {
+  // The player's clicks come before those of the lesson, and not between them.
+  if (program.ui && program.ui->clicks_wait()) return;
   std::optional<base::Status> ended;
   if (std::exchange(program.tutorial.wanted, false) && !program.tutorial.run)
     if (const base::Status started = start(program); !started) ended = started;

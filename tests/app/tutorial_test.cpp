@@ -1,4 +1,7 @@
 // The tutorial in a window: players who leave it at once, or build something else.
+#include <algorithm>
+
+#include "app/frame.h"
 #include "app/keeper.h"
 #include "app/program_fixture.h"
 #include "app/script_host.h"
@@ -91,6 +94,48 @@ TEST_F(TutorialTest, show_me_helps_a_player_who_built_something_else) {
   ASSERT_TRUE(program.tutorial.card) << last_notice(program);
   EXPECT_EQ(program.session.document.track.segments.size(), 1u);
   EXPECT_EQ(program.session.settings.element.kind, world::ElementKind::climb);
+}
+
+// Clicks on "Show me" faster than frames: none of them mixes with those of the lesson.
+TEST_F(TutorialTest, hasty_clicks_do_not_disturb_a_lesson) {
+  restart_drawing();
+  Program& program = *program_;
+  surface(program).window = true;
+  surface(program).resize({1280, 720});
+  program.tutorial.wanted = true;
+  const auto frame = [&](platform::Events events) {
+    events.emplace_back(platform::Tick{1.0 / 5});
+    run_frame(program, events, 0);
+    teach(program);
+  };
+  const auto click = [&](int times) {
+    const auto& widgets = program.ui->widgets();
+    const auto button = std::ranges::find_if(widgets, [](const ui::Widget& w) { return w.is("Lesson/Show me"); });
+    ASSERT_NE(button, widgets.end());
+    const platform::MouseMove there{button->x + button->width / 2, button->y + button->height / 2};
+    platform::Events events{there};
+    for (int i = 0; i < times; ++i)
+      for (const bool down : {true, false}) {
+        events.emplace_back(there);
+        events.emplace_back(platform::MouseButton{platform::Button::left, down, {}});
+      }
+    frame(events);
+    for (int i = 0; i < 12; ++i) frame({});
+  };
+  frame({});
+  for (int i = 0; i < 3; ++i) frame({});
+  const float yaw = program.session.settings.camera.yaw_deg;
+  click(3);
+  ASSERT_TRUE(program.tutorial.card);
+  EXPECT_EQ(program.tutorial.card->number, 2) << "three clicks before it answers show one lesson";
+  const float turned = program.session.settings.camera.yaw_deg;
+  EXPECT_NE(turned, yaw);
+  click(2);
+  ASSERT_TRUE(program.tutorial.card);
+  EXPECT_EQ(program.tutorial.card->number, 3);
+  EXPECT_TRUE(program.session.settings.aids->show_element);
+  EXPECT_EQ(program.session.settings.camera.yaw_deg, turned);
+  EXPECT_TRUE(program.session.history.undo.empty()) << "no click went through the card";
 }
 
 }  // namespace tutorial_test

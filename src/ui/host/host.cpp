@@ -293,6 +293,8 @@ double Host::still_for(double seconds) const {
   return still;
 }
 
+bool Host::clicks_wait() const { return parts_->input.clicks_wait(); }
+
 bool Host::wants_keyboard() const {
   ImGui::SetCurrentContext(parts_->context);
   return text_has_keyboard() || parts_->palette.open || ImGui::GetCurrentContext()->OpenPopupStack.Size > 0;

@@ -19,6 +19,7 @@ class ImGuiInput {
   // Sets the display's size, the time step (the sum of the ticks), mouse, keys and text of the current context. Call it
   // before NewFrame. Tab goes to ImGui only while `text_has_keyboard`; otherwise it is the program's.
   void feed(const platform::Events& events, int width, int height, bool text_has_keyboard);
+  bool clicks_wait() const { return !waiting_.empty(); }  // for the next frames: one takes a single change of a button
   bool finger() const { return finger_; }  // the mouse is a finger on a touch screen
 
  private:
