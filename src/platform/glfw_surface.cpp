@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cstdlib>
+#include <optional>
 #include <utility>
 
 #include <fmt/format.h>
@@ -36,16 +37,20 @@ class WindowSurface final : public Surface {
  public:
   explicit WindowSurface(GLFWwindow* window) : window_(window), last_(glfwGetTime()) {
     glfwSetWindowUserPointer(window, this);
-    glfwSetCursorPosCallback(
-        window, [](GLFWwindow* w, double x, double y) { of(w).pending_.push_back(of(w).in_pixels(x, y)); });
+    glfwSetCursorPosCallback(window, [](GLFWwindow* w, double x, double y) {
+      of(w).mouse_ = of(w).in_pixels(x, y);
+      of(w).tell_mouse();
+    });
     glfwSetMouseButtonCallback(window, [](GLFWwindow* w, int button, int action, int mods) {
       if (button > GLFW_MOUSE_BUTTON_MIDDLE) return;
       const Button which = button == GLFW_MOUSE_BUTTON_LEFT    ? Button::left
                            : button == GLFW_MOUSE_BUTTON_RIGHT ? Button::right
                                                                : Button::middle;
+      of(w).tell_mouse();
       of(w).pending_.push_back(MouseButton{which, action == GLFW_PRESS, modifiers_of(mods)});
     });
     glfwSetScrollCallback(window, [](GLFWwindow* w, double dx, double dy) {
+      of(w).tell_mouse();
       of(w).pending_.push_back(Wheel{static_cast<float>(dx), static_cast<float>(dy)});
     });
     glfwSetKeyCallback(window, [](GLFWwindow* w, int code, int, int action, int mods) {
@@ -181,6 +186,10 @@ class WindowSurface final : public Surface {
     return glfwGetPrimaryMonitor();
   }
   // Cursor positions are in screen coordinates; on some systems these are not pixels.
+  // Buttons and wheel act where the mouse is, even if a script has moved the pointer since the mouse moved.
+  void tell_mouse() {
+    if (mouse_) pending_.push_back(*mouse_);
+  }
   MouseMove in_pixels(double x, double y) const {
     int width = 1, height = 1, pixels_x = 1, pixels_y = 1;
     glfwGetWindowSize(window_, &width, &height);
@@ -210,6 +219,7 @@ class WindowSurface final : public Surface {
   GLFWwindow* window_;
   double last_;
   Events pending_;
+  std::optional<MouseMove> mouse_;  // where it moved last
   GamepadAxes pad_axes_;
   std::array<bool, kPadButtonNames.size()> pad_down_{};
   std::string title_;

@@ -176,6 +176,7 @@ class WebSurface final : public Surface {
   }
   EM_BOOL wheel(const EmscriptenWheelEvent& event) {
     const double notch = event.deltaMode == DOM_DELTA_PIXEL ? 100 : event.deltaMode == DOM_DELTA_LINE ? 3 : 1;
+    pending_.push_back(at(event.mouse.clientX, event.mouse.clientY));
     pending_.push_back(Wheel{static_cast<float>(-event.deltaX / notch), static_cast<float>(-event.deltaY / notch)});
     return EM_TRUE;
   }

@@ -1,0 +1,79 @@
+"""A real mouse that rests on "Show me" clicks through the first lessons: each click goes to the button, not to where the lesson's own
+clicks have moved the pointer.
+
+Usage: lesson_test.py COASTER FOLDER. Exit status 77 (skipped) when Xvfb or xdotool is missing.
+"""
+import os
+import pathlib
+import re
+import shutil
+import subprocess
+import sys
+import time
+
+from drag_test import TRACK, start_display, wait_for
+
+SHOW_ME = 848, 61  # px, of a window of 1280x720
+# What a lesson adds to the recording.
+LESSONS = [r"^camera ", r"^element\.choose straight .*equipment none", r"^element\.choose straight .*equipment station",
+           r"^element straight .*equipment station"]
+
+
+def main():
+    coaster, folder = sys.argv[1], pathlib.Path(sys.argv[2])
+    for tool in ("Xvfb", "xdotool"):
+        if not shutil.which(tool):
+            print(f"skipped: {tool} is not installed")
+            return 77
+    shutil.rmtree(folder, ignore_errors=True)
+    folder.mkdir(parents=True)
+    track, recording = folder / "line.json", folder / "recording.coaster"
+    track.write_text(TRACK)
+    server, display = start_display()
+    environment = {**os.environ, "DISPLAY": display}
+    environment.pop("WAYLAND_DISPLAY", None)
+    program = subprocess.Popen([coaster, str(track), "--record", str(recording), "--size", "1280x720", "--config", str(folder / "config")],
+                               env=environment, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+
+    def xdo(*arguments):
+        return subprocess.run(["xdotool", *map(str, arguments)], env=environment, capture_output=True, text=True).stdout
+
+    def recorded():
+        return recording.read_text() if recording.exists() else ""
+
+    def open_tutorial():
+        xdo("key", "Escape")
+        xdo("key", "ctrl+p")
+        time.sleep(1)
+        xdo("type", "--delay", 100, "tutorial")
+        time.sleep(1)
+        xdo("key", "Return")
+
+    def until(what, act, condition):
+        """Acts until the condition holds: what comes while the program starts, or before the card shows, has no effect."""
+        for _ in range(5):
+            act()
+            try:
+                return wait_for(what, condition, 15)
+            except SystemExit:
+                pass
+        raise SystemExit(f"no {what}:\n{recorded()}")
+
+    try:
+        wait_for("the keyboard's focus", lambda: "coaster" in xdo("getwindowfocus", "getwindowname"))
+        wait_for("the first frames", lambda: "ticks" in recorded())
+        until("the first lesson", open_tutorial, lambda: "yaw 35 pitch 18 distance 80\n" in recorded())
+        xdo("mousemove", *SHOW_ME)
+        for number, line in enumerate(LESSONS, 1):
+            before = len(recorded())
+            until(f"lesson {number}", lambda: xdo("click", 1), lambda: re.search(line, recorded()[before:], re.M))
+        for word in ("append", "move"):
+            assert not re.search(rf"^{word} ", recorded(), re.M), f"a click went through the card:\n{recorded()}"
+    finally:
+        program.kill()
+        server.terminate()
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
