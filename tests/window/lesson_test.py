@@ -1,5 +1,5 @@
-"""A real mouse that rests on "Show me" clicks through the first lessons: each click goes to the button, not to where the lesson's own
-clicks have moved the pointer.
+"""A real mouse that rests on "Show me" clicks through the first lessons: each click goes to the button, not to where the
+lesson's own clicks have moved the pointer.
 
 Usage: lesson_test.py COASTER FOLDER. Exit status 77 (skipped) when Xvfb or xdotool is missing.
 """
@@ -32,7 +32,8 @@ def main():
     server, display = start_display()
     environment = {**os.environ, "DISPLAY": display}
     environment.pop("WAYLAND_DISPLAY", None)
-    program = subprocess.Popen([coaster, str(track), "--record", str(recording), "--size", "1280x720", "--config", str(folder / "config")],
+    program = subprocess.Popen([coaster, str(track), "--record", str(recording), "--size", "1280x720",
+                                "--config", str(folder / "config")],
                                env=environment, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
 
     def xdo(*arguments):
