@@ -48,7 +48,8 @@ RollRange rolls_after(const FitWork& w, std::size_t last, const SpanFit& fit) {
   return allowed.low > allowed.high ? RollRange{w.row_rolls.leans[last], w.row_rolls.leans[last]} : allowed;
 }
 
-// Where `span` bends too much, ends the span before it earlier, so that neither does. Changes nothing if no row will do.
+// Where `span` bends too much, ends the span before it earlier, so that neither does. Changes nothing if no row will
+// do.
 void retreat(FitWork& w, Span& span, std::size_t usual) {
   Span& before = w.spans.back();
   const std::size_t rows = before.last - before.first;

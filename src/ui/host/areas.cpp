@@ -44,7 +44,8 @@ void build_areas(Ui& ui, const Layout& layout) {
     build_sections_table(ui, {layout.graph.x, layout.graph.y + bar, layout.graph.width, layout.graph.height - bar});
   build_ride_bar(ui, layout.ride);
   build_status_bar(ui, layout.status);
-  draw_goals(ui, layout.scene);
+  const world::Workspace workspace = ui.session().settings.panels->workspace;
+  if (workspace == world::Workspace::build || workspace == world::Workspace::ride) draw_goals(ui, layout.scene);
 }
 
 }  // namespace coaster::ui

@@ -200,8 +200,7 @@ base::Result<std::unique_ptr<Host>> Host::make(const gfx::Gl& gl, float content_
   ImGuiIO& io = ImGui::GetIO();
   io.IniFilename = nullptr;
   io.LogFilename = nullptr;
-  io.BackendFlags |=
-      ImGuiBackendFlags_RendererHasVtxOffset;  // a list may have more vertices than 16-bit indices address
+  io.BackendFlags |= ImGuiBackendFlags_RendererHasVtxOffset;  // a list may have more than 65,536 vertices
   io.ConfigWindowsMoveFromTitleBarOnly = true;
   io.MouseDragThreshold = 3;
   auto renderer = ImGuiRenderer::make(gl);
@@ -257,8 +256,7 @@ Output Host::build(const platform::Events& events, const State& state, int width
 
 void Host::draw(int width, int height) {
   ImGui::SetCurrentContext(parts_->context);
-  const ImDrawData* data = ImGui::GetDrawData();
-  if (data != nullptr) parts_->renderer->draw(*data, width, height);
+  if (const ImDrawData* const data = ImGui::GetDrawData()) parts_->renderer->draw(*data, width, height);
 }
 
 std::vector<std::string> Host::set_keys(std::span<const exchange::KeyChoice> choices) {
@@ -283,6 +281,7 @@ void Host::reset_layout() {
 const std::vector<Widget>& Host::widgets() const { return parts_->list.widgets(); }
 const view::View& Host::view() const { return parts_->view; }
 std::string Host::toast() const { return parts_->toasts.shown; }
+bool Host::clicks_wait() const { return parts_->input.clicks_wait(); }
 
 double Host::still_for(double seconds) const {
   constexpr double kBlink = 0.1, kList = 1;  // s
@@ -292,8 +291,6 @@ double Host::still_for(double seconds) const {
   if (parts_->dialogs.open()) still = std::min(still, kList);
   return still;
 }
-
-bool Host::clicks_wait() const { return parts_->input.clicks_wait(); }
 
 bool Host::wants_keyboard() const {
   ImGui::SetCurrentContext(parts_->context);

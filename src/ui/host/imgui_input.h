@@ -20,7 +20,7 @@ class ImGuiInput {
   // before NewFrame. Tab goes to ImGui only while `text_has_keyboard`; otherwise it is the program's.
   void feed(const platform::Events& events, int width, int height, bool text_has_keyboard);
   bool clicks_wait() const { return !waiting_.empty(); }  // for the next frames: one takes a single change of a button
-  bool finger() const { return finger_; }  // the mouse is a finger on a touch screen
+  bool finger() const { return finger_; }                 // the mouse is a finger on a touch screen
 
  private:
   using Buttons = std::array<bool, 3>;

@@ -15,7 +15,6 @@
 #include "ui/tools/places.h"
 #include "ui/widgets/medals.h"
 #include "ui/widgets/theme.h"
-#include "world/panels.h"
 
 namespace coaster::ui {
 namespace {
@@ -143,8 +142,7 @@ void challenge_panel(Ui& ui) {
 
 void draw_goals(Ui& ui, const view::Viewport& scene) {
   const std::optional<edit::ActiveChallenge>& challenge = ui.session().game.challenge;
-  const world::Workspace workspace = ui.session().settings.panels->workspace;
-  if (!challenge || (workspace != world::Workspace::build && workspace != world::Workspace::ride)) return;
+  if (!challenge) return;
   const base::Result<std::vector<query::Rule>> rules = query::read_rules(challenge->file, challenge->path);
   const float width = std::floor(280 * ui.scale), margin = std::floor(14 * ui.scale);
   if (!rules || scene.width < 2 * width || scene.height < width) return;

@@ -36,8 +36,8 @@ std::span<const Panel> panels();
 // have only one column, with all their panels.
 void build_column(Ui& ui, Column column, const view::Viewport& area);
 void build_status_bar(Ui& ui, const view::Viewport& area);
-// Draws the current challenge's goals and the limits that are broken in the upper right corner of the scene, in Build
-// and Ride. The mouse reaches the scene behind it.
+// Draws the current challenge's goals and the limits that are broken in the upper right corner of the scene. The mouse
+// reaches the scene behind it.
 void draw_goals(Ui& ui, const view::Viewport& scene);
 
 // Parts of the panel Evaluation that also show in the list of the status bar.
