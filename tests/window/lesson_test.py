@@ -62,7 +62,6 @@ def main():
 
     try:
         wait_for("the keyboard's focus", lambda: "coaster" in xdo("getwindowfocus", "getwindowname"))
-        wait_for("the first frames", lambda: "ticks" in recorded())
         until("the first lesson", open_tutorial, lambda: "yaw 35 pitch 18 distance 80\n" in recorded())
         xdo("mousemove", *SHOW_ME)
         for number, line in enumerate(LESSONS, 1):
