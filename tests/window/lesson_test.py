@@ -9,11 +9,10 @@ import re
 import shutil
 import subprocess
 import sys
-import time
 
-from drag_test import TRACK, start_display, wait_for
+from drag_test import start_display, wait_for
 
-SHOW_ME = 848, 61  # px, of a window of 1280x720
+TUTORIAL, SHOW_ME = (183, 310), (848, 61)  # px, in a window of 1280x720: on the start screen, on the card
 # What a lesson adds to the recording.
 LESSONS = [r"^camera ", r"^element\.choose straight .*equipment none", r"^element\.choose straight .*equipment station",
            r"^element straight .*equipment station"]
@@ -27,12 +26,11 @@ def main():
             return 77
     shutil.rmtree(folder, ignore_errors=True)
     folder.mkdir(parents=True)
-    track, recording = folder / "line.json", folder / "recording.coaster"
-    track.write_text(TRACK)
+    recording = folder / "recording.coaster"
     server, display = start_display()
     environment = {**os.environ, "DISPLAY": display}
     environment.pop("WAYLAND_DISPLAY", None)
-    program = subprocess.Popen([coaster, str(track), "--record", str(recording), "--size", "1280x720",
+    program = subprocess.Popen([coaster, "--record", str(recording), "--size", "1280x720",
                                 "--config", str(folder / "config")],
                                env=environment, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
 
@@ -42,27 +40,22 @@ def main():
     def recorded():
         return recording.read_text() if recording.exists() else ""
 
-    def open_tutorial():
-        xdo("key", "Escape")
-        xdo("key", "ctrl+p")
-        time.sleep(1)
-        xdo("type", "--delay", 100, "tutorial")
-        time.sleep(1)
-        xdo("key", "Return")
+    def click(place):
+        xdo("mousemove", *place)
+        xdo("click", 1)
 
     def until(what, act, condition):
         """Acts until the condition holds: what comes while the program starts, or before the card shows, has no effect."""
-        for _ in range(5):
+        for _ in range(15):
             act()
             try:
-                return wait_for(what, condition, 15)
+                return wait_for(what, condition, 5)
             except SystemExit:
                 pass
         raise SystemExit(f"no {what}:\n{recorded()}")
 
     try:
-        wait_for("the keyboard's focus", lambda: "coaster" in xdo("getwindowfocus", "getwindowname"))
-        until("the first lesson", open_tutorial, lambda: "yaw 35 pitch 18 distance 80\n" in recorded())
+        until("the first lesson", lambda: click(TUTORIAL), lambda: "yaw 35 pitch 18 distance 80\n" in recorded())
         xdo("mousemove", *SHOW_ME)
         for number, line in enumerate(LESSONS, 1):
             before = len(recorded())
