@@ -57,7 +57,7 @@ Failure Runner::attend() {
                 fmt::format("the lesson's lines did not reach {}, found {}", lesson.until.text, found),
                 lesson.until.column});
   }
-  // A player may have built something else, so that the condition asks for what is not there yet.
+  // If the player built something else, the condition may name a part of the track that does not exist yet.
   const query::LessonAnswer answer = host.answer();
   if (answer == query::LessonAnswer::leave || frames_.interrupted()) {
     for (Place& place : places_) place.next = place.block->size(), place.again = 0;
