@@ -1,8 +1,8 @@
 # coaster_embed(TARGET SYMBOL FILE): embeds the bytes of a file in the program. Adds to TARGET a generated source with
 #   namespace coaster::embedded { extern const unsigned char SYMBOL[]; extern const std::size_t SYMBOL_size; }
 # SYMBOL_size is the file's size in bytes; SYMBOL[SYMBOL_size] is a zero, so that text can be read as a C string. The
-# user declares these two lines. The build runs this file as a script to generate the source, only when the input changes; a
-# 600 KB font takes about a second.
+# user declares these two lines. The build runs this file as a script to generate the source, only when the input
+# changes; a 600 KB font takes about a second.
 if(CMAKE_SCRIPT_MODE_FILE)
   file(READ ${input} hex HEX)
   string(LENGTH "${hex}" digits)

@@ -5,11 +5,16 @@ set(kernel_options $<IF:$<BOOL:${COASTER_SANITIZE}>,-O1,-O3>)  # with sanitizers
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
   list(APPEND kernel_options -ftree-slp-vectorize)  # only displayed values, or no roundings to float and back
 endif()
-set_source_files_properties(src/curve/kernels_baseline.cpp PROPERTIES COMPILE_OPTIONS "${kernel_options}" SKIP_PRECOMPILE_HEADERS ON)
-set_source_files_properties(src/sim/ride/lap_table.cpp PROPERTIES COMPILE_OPTIONS "${kernel_options}" SKIP_PRECOMPILE_HEADERS ON)  # its loops process several trains at once
-set_source_files_properties(src/view/sighted_curve.cpp PROPERTIES COMPILE_OPTIONS "${kernel_options}" SKIP_PRECOMPILE_HEADERS ON)  # products of short polynomials
+# kernel(SOURCE [option ...])
+function(kernel source)
+  set_source_files_properties(${source} PROPERTIES COMPILE_OPTIONS "${kernel_options};${ARGN}"
+                                                   SKIP_PRECOMPILE_HEADERS ON)
+endfunction()
+kernel(src/curve/kernels_baseline.cpp)
+kernel(src/sim/ride/lap_table.cpp)     # its loops process several trains at once
+kernel(src/view/sighted_curve.cpp)     # products of short polynomials
 if(CMAKE_SYSTEM_PROCESSOR MATCHES "^(x86_64|AMD64)$" AND NOT EMSCRIPTEN)
-  set_source_files_properties(src/curve/kernels_avx2.cpp PROPERTIES
-    COMPILE_OPTIONS "${kernel_options};-mavx2;-mfma;-ffp-contract=fast" COMPILE_DEFINITIONS COASTER_AVX2_KERNELS SKIP_PRECOMPILE_HEADERS ON)
-  set_source_files_properties(src/curve/kernels.cpp PROPERTIES COMPILE_DEFINITIONS COASTER_AVX2_KERNELS)
+  kernel(src/curve/kernels_avx2.cpp -mavx2 -mfma -ffp-contract=fast)
+  set_source_files_properties(src/curve/kernels.cpp src/curve/kernels_avx2.cpp
+                              PROPERTIES COMPILE_DEFINITIONS COASTER_AVX2_KERNELS)
 endif()

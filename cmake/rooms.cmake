@@ -1,10 +1,11 @@
 # coaster_room(NAME [COLD] [USES room ...] [LINK library ...])
-# One static library coaster_NAME from the .cpp files in and below src/NAME. Rooms include each other's headers as "room/file.h";
-# tools/check_layers checks which room may include which. COLD: optimised builds compile it with -O1, in two thirds of -O2's time. The speed
-# of such rooms does not matter: they wait for people and files.
-# Precompiled headers of the standard library, GLM and fmt for all rooms: they save a third of a file's compile time. Sources nevertheless
-# include what they need; clang-tidy (tools/lint) reads them without. A header must have the optimisation level of the sources, so each
-# level has a separate one: coaster_precompile(TARGET OPTIONS) adds the options to the target and to its headers.
+# One static library coaster_NAME from the .cpp files in and below src/NAME. Rooms include each other's headers as
+# "room/file.h"; tools/check_layers checks which room may include which. COLD: optimised builds compile it with -O1, in
+# two thirds of -O2's time. The speed of such rooms does not matter: they wait for people and files.
+# Precompiled headers of the standard library, GLM and fmt for all rooms: they save a third of a file's compile time.
+# Sources nevertheless include what they need; clang-tidy (tools/lint) reads them without. A header must have the
+# optimisation level of the sources, so each level has a separate one: coaster_precompile(TARGET OPTIONS) adds the
+# options to the target and to its headers.
 option(COASTER_PRECOMPILE "Precompile the standard headers" ON)
 function(coaster_precompile target options)
   target_compile_options(${target} PRIVATE ${options})
@@ -18,8 +19,9 @@ function(coaster_precompile target options)
     add_library(${headers} OBJECT ${empty})
     target_compile_options(${headers} PRIVATE ${options})
     target_link_libraries(${headers} PRIVATE glm::glm coaster_fmt)
-    target_precompile_headers(${headers} PRIVATE <algorithm> <array> <cmath> <cstdint> <cstdio> <deque> <filesystem> <functional> <map>
-      <memory> <optional> <set> <span> <string> <string_view> <tuple> <utility> <variant> <vector> <fmt/format.h> <glm/glm.hpp>)
+    target_precompile_headers(${headers} PRIVATE
+      <algorithm> <array> <cmath> <cstdint> <cstdio> <deque> <filesystem> <functional> <map> <memory> <optional> <set>
+      <span> <string> <string_view> <tuple> <utility> <variant> <vector> <fmt/format.h> <glm/glm.hpp>)
   endif()
   target_precompile_headers(${target} REUSE_FROM ${headers})
 endfunction()
@@ -36,8 +38,10 @@ function(coaster_room name)
   list(FILTER sources EXCLUDE REGEX "/app/main\\.cpp$")
   # A web page has no threads, signals, processes, other programs or displays: web_*.cpp and no_*.cpp replace them.
   if(EMSCRIPTEN)
-    list(FILTER sources EXCLUDE REGEX "/base/(parallel|crash_guard)\\.cpp$|/app/(process|driver_trial|system_dialog|beside)\\.cpp$")
-    list(FILTER sources EXCLUDE REGEX "/platform/(egl|osmesa|offscreen|lost|glfw)_.*\\.cpp$|/platform/(loop|no_window|no_encoder)\\.cpp$")
+    list(FILTER sources EXCLUDE REGEX "/base/(parallel|crash_guard)\\.cpp$")
+    list(FILTER sources EXCLUDE REGEX "/app/(process|driver_trial|system_dialog|beside)\\.cpp$")
+    list(FILTER sources EXCLUDE REGEX "/platform/(egl|osmesa|offscreen|lost|glfw)_.*\\.cpp$")
+    list(FILTER sources EXCLUDE REGEX "/platform/(loop|no_window|no_encoder)\\.cpp$")
   else()
     list(FILTER sources EXCLUDE REGEX "/base/no_(threads|crash_guard)\\.cpp$|/web_[a-z]+\\.cpp$|/no_processes\\.cpp$")
   endif()
@@ -66,6 +70,7 @@ function(coaster_room name)
   endif()
   if(COASTER_UNITY STREQUAL "all")
     coaster_unity(coaster_${name} 40)
-    target_compile_options(coaster_${name} PRIVATE -Wno-shadow)  # a local may have the name of a constant in another file
+    # A local may have the name of a constant in another file.
+    target_compile_options(coaster_${name} PRIVATE -Wno-shadow)
   endif()
 endfunction()

@@ -2,24 +2,30 @@
 file(GLOB scripts CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/scripts/*.coaster)
 function(coaster_script_test name)
   add_test(NAME script.${name} COMMAND ${ARGN} WORKING_DIRECTORY ${CMAKE_SOURCE_DIR})
-  set_tests_properties(script.${name} PROPERTIES LABELS script ENVIRONMENT "${hermetic}" SKIP_RETURN_CODE 77 TIMEOUT 300)
+  set_tests_properties(script.${name} PROPERTIES LABELS script ENVIRONMENT "${hermetic}" SKIP_RETURN_CODE 77
+                                                 TIMEOUT 300)
+endfunction()
+# Runs a script headless with these environment variables. Its pictures go to a folder of the test's name.
+function(coaster_headless_test name script)
+  string(REPLACE . _ folder ${name})
+  coaster_script_test(${name} ${CMAKE_COMMAND} -E env ${ARGN} $<TARGET_FILE:coaster> --headless --script ${script}
+                      --out ${CMAKE_CURRENT_BINARY_DIR}/out/${folder})
 endfunction()
 foreach(script ${scripts})
   cmake_path(GET script STEM name)
-  coaster_script_test(${name} $<TARGET_FILE:coaster> --headless --script ${script} --out ${CMAKE_CURRENT_BINARY_DIR}/out/${name})
+  coaster_headless_test(${name} ${script})
   file(STRINGS ${script} golden_pictures REGEX "^snap ")
   if(golden_pictures AND second_headless)
-    coaster_script_test(${name}.egl ${CMAKE_COMMAND} -E env ${second_headless} $<TARGET_FILE:coaster> --headless --script ${script}
-                        --out ${CMAKE_CURRENT_BINARY_DIR}/out/${name}_egl)
+    coaster_headless_test(${name}.egl ${script} ${second_headless})
   endif()
   if(golden_pictures AND browser_headless)
-    coaster_script_test(${name}.gles ${CMAKE_COMMAND} -E env ${browser_headless} $<TARGET_FILE:coaster> --headless --script ${script}
-                        --out ${CMAKE_CURRENT_BINARY_DIR}/out/${name}_gles)
+    coaster_headless_test(${name}.gles ${script} ${browser_headless})
   endif()
 endforeach()
 
 # The script counts the pictures in its folder, so it starts with an empty one.
-add_test(NAME script.window_states.empty COMMAND ${CMAKE_COMMAND} -E rm -rf ${CMAKE_CURRENT_BINARY_DIR}/out/window_states)
+add_test(NAME script.window_states.empty
+         COMMAND ${CMAKE_COMMAND} -E rm -rf ${CMAKE_CURRENT_BINARY_DIR}/out/window_states)
 set_tests_properties(script.window_states.empty PROPERTIES LABELS script FIXTURES_SETUP window_states_folder)
 set_tests_properties(script.window_states PROPERTIES FIXTURES_REQUIRED window_states_folder)
 
@@ -28,18 +34,17 @@ file(GLOB challenges CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/challenges/*.json)
 foreach(challenge ${challenges})
   cmake_path(GET challenge STEM name)
   coaster_script_test(challenge.${name}.fails $<TARGET_FILE:coaster> --validate ${challenge})
-  coaster_script_test(challenge.${name}.solution $<TARGET_FILE:coaster> --headless --script ${CMAKE_SOURCE_DIR}/challenges/solutions/${name}.coaster
-                      --out ${CMAKE_CURRENT_BINARY_DIR}/out/challenge_${name})
+  coaster_headless_test(challenge.${name}.solution ${CMAKE_SOURCE_DIR}/challenges/solutions/${name}.coaster)
 endforeach()
 
 # The circuit of docs/play.md.
-coaster_script_test(play $<TARGET_FILE:coaster> --headless --script ${CMAKE_SOURCE_DIR}/docs/play.coaster --out ${CMAKE_CURRENT_BINARY_DIR}/out/play)
+coaster_headless_test(play ${CMAKE_SOURCE_DIR}/docs/play.coaster)
 
 # The tutorial's steps must work: without a player its lessons run their own lines.
 file(GLOB tutorials CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/tutorials/*.coaster)
 foreach(script ${tutorials})
   cmake_path(GET script STEM name)
-  coaster_script_test(tutorial_${name} $<TARGET_FILE:coaster> --headless --script ${script} --out ${CMAKE_CURRENT_BINARY_DIR}/out/tutorial_${name})
+  coaster_headless_test(tutorial_${name} ${script})
 endforeach()
 
 # The command line: exit codes, recordings that replay to the same hashes, files validated without running.
@@ -51,7 +56,8 @@ endif()
 file(GLOB checks CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/app/*_check.sh)
 foreach(check ${checks})
   cmake_path(GET check STEM name)
-  coaster_script_test(${name} ${CMAKE_COMMAND} -E env COASTER=$<TARGET_FILE:coaster> OUT=${CMAKE_CURRENT_BINARY_DIR}/out/${name}
-                      SOURCE=${CMAKE_SOURCE_DIR} BUILD=${CMAKE_BINARY_DIR} CMAKE=${CMAKE_COMMAND} FAILING_NEW=${failing_new} bash ${check})
+  coaster_script_test(${name} ${CMAKE_COMMAND} -E env COASTER=$<TARGET_FILE:coaster>
+                      OUT=${CMAKE_CURRENT_BINARY_DIR}/out/${name} SOURCE=${CMAKE_SOURCE_DIR} BUILD=${CMAKE_BINARY_DIR}
+                      CMAKE=${CMAKE_COMMAND} FAILING_NEW=${failing_new} bash ${check})
   set_tests_properties(script.${name} PROPERTIES COST 20)  # the longest tests start first
 endforeach()

@@ -1,5 +1,6 @@
-# Tests of the build for browsers, label web: the page in Chromium, its scripts, and the core's tests, compiled by Emscripten and run by node with
-# the same expected hashes. web/native_alone.txt lists the tests of the core that are left out.
+# Tests of the build for browsers, label web: the page in Chromium, its scripts, and the core's tests, compiled by
+# Emscripten and run by node with the same expected hashes. web/native_alone.txt lists the tests of the core that are
+# left out.
 find_program(NODE node REQUIRED)
 set(left_out ${CMAKE_CURRENT_SOURCE_DIR}/web/native_alone.txt)
 set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${left_out})
@@ -7,7 +8,8 @@ file(STRINGS ${left_out} native_sources REGEX "_test\\.cpp$")
 file(STRINGS ${left_out} native_names REGEX "^[A-Za-z0-9_]+\\.[a-z0-9_]*\\*?$")
 set(sources)
 foreach(room base curve world sim exchange edit view query)
-  file(GLOB_RECURSE room_sources RELATIVE ${CMAKE_CURRENT_SOURCE_DIR} CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/${room}/*_test.cpp)
+  file(GLOB_RECURSE room_sources RELATIVE ${CMAKE_CURRENT_SOURCE_DIR} CONFIGURE_DEPENDS
+       ${CMAKE_CURRENT_SOURCE_DIR}/${room}/*_test.cpp)
   list(APPEND sources ${room_sources})
 endforeach()
 list(REMOVE_ITEM sources ${native_sources})
@@ -42,14 +44,17 @@ if(COASTER_APP)
   add_custom_target(web_tests
     COMMAND ${CMAKE_COMMAND} -E rm -rf ${CMAKE_BINARY_DIR}/test_page
     COMMAND ${CMAKE_COMMAND} -E copy_directory ${page} ${CMAKE_BINARY_DIR}/test_page
-    COMMAND ${CMAKE_COMMAND} -E copy ${CMAKE_CURRENT_SOURCE_DIR}/web/script.html ${CMAKE_CURRENT_SOURCE_DIR}/web/scripts.html ${CMAKE_BINARY_DIR}/test_page
-    COMMAND ${CMAKE_COMMAND} -E chdir ${CMAKE_BINARY_DIR}/test_page /usr/bin/python3 ${EMSCRIPTEN_ROOT_PATH}/tools/file_packager.py files.data
+    COMMAND ${CMAKE_COMMAND} -E copy ${CMAKE_CURRENT_SOURCE_DIR}/web/script.html
+            ${CMAKE_CURRENT_SOURCE_DIR}/web/scripts.html ${CMAKE_BINARY_DIR}/test_page
+    COMMAND ${CMAKE_COMMAND} -E chdir ${CMAKE_BINARY_DIR}/test_page
+            /usr/bin/python3 ${EMSCRIPTEN_ROOT_PATH}/tools/file_packager.py files.data
             --preload ${files} --js-output=files.js
     VERBATIM)
   add_dependencies(web_tests coaster)
   # coaster_web_test(NAME FILE [argument ...]): a test in Chromium. Debian's Python: it has Selenium.
   function(coaster_web_test name file)
-    add_test(NAME web.${name} COMMAND /usr/bin/python3 ${CMAKE_CURRENT_SOURCE_DIR}/web/${file}_test.py ${CMAKE_BINARY_DIR}/test_page ${CMAKE_SOURCE_DIR} ${ARGN})
+    add_test(NAME web.${name} COMMAND /usr/bin/python3 ${CMAKE_CURRENT_SOURCE_DIR}/web/${file}_test.py
+                                      ${CMAKE_BINARY_DIR}/test_page ${CMAKE_SOURCE_DIR} ${ARGN})
     set_tests_properties(web.${name} PROPERTIES LABELS web TIMEOUT 1200)
   endfunction()
   foreach(part RANGE 1 ${parts})
@@ -69,6 +74,7 @@ if(COASTER_APP)
   endforeach()
   set_tests_properties(web.limits.what_it_costs PROPERTIES RUN_SERIAL ON)  # it measures
   # The longest tests start first.
-  set_tests_properties(web.work.ten_minutes_of_ride_take_no_memory web.page.random_input_breaks_nothing PROPERTIES COST 100)
+  set_tests_properties(web.work.ten_minutes_of_ride_take_no_memory web.page.random_input_breaks_nothing
+                       PROPERTIES COST 100)
   set_tests_properties(web.page.a_circuit_built_by_hand_is_ridden_and_there_after_a_reload PROPERTIES COST 90)
 endif()

@@ -1,4 +1,5 @@
-// Movies: the browser encodes pictures (WebCodecs, VP8) while the program takes them, and downloads them as a WebM file.
+// Movies: the browser encodes pictures (WebCodecs, VP8) while the program takes them, and downloads them as a WebM
+// file.
 'use strict';
 (() => {
   const secondsAKeyPicture = 2;

@@ -96,8 +96,8 @@ function fullScreen() {
   else note('This browser shows no page in full screen.');
 }
 
-// The program is fetched and compiled, and the graphics start, while coaster.js and the data are still coming. All in one
-// file (packaging/web/one_file), `packed` holds the program's bytes.
+// The program is fetched and compiled, and the graphics start, while coaster.js and the data are still coming. All in
+// one file (packaging/web/one_file), `packed` holds the program's bytes.
 function compile() {
   if (window.packed) return WebAssembly.compile(packed.program);
   const fetched = () => fetch('coaster.wasm', { credentials: 'same-origin' });

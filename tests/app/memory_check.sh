@@ -79,7 +79,8 @@ rm -f "$OUT/zeros.json" "$OUT/large.nl2elem"
 } >"$OUT/sheet.coaster"
 expect_code 0 --headless --script "$OUT/sheet.coaster" --out "$OUT/run"
 
-# In however little, a run ends well or with that line: drivers and the compilers in them crash where an allocation of theirs fails.
+# In however little, a run ends well or with that line: drivers and the compilers in them crash where an allocation of
+# theirs fails.
 if [ -n "$limited" ]; then
   well=0 short=0
   for most in 100000 200000 $(seq 283000 5000 343000) 500000 760000; do

@@ -1,4 +1,5 @@
-# Movies: numbered pictures by the script's time, a file by ffmpeg if it is installed, and nothing lost if it is missing or fails.
+# Movies: numbered pictures by the script's time, a file by ffmpeg if it is installed, and nothing lost if it is missing
+# or fails.
 . "$(dirname "$0")/lib.sh"
 mkdir -p "$OUT/none" "$OUT/good" "$OUT/bad"
 cat >"$OUT/good/ffmpeg" <<'END'
@@ -16,7 +17,8 @@ exit 3
 END
 chmod +x "$OUT"/good/ffmpeg "$OUT"/bad/ffmpeg
 export FFMPEG_LOG="$OUT/ffmpeg.log"
-# with_ffmpeg WHICH CODE arguments...: runs the program with that ffmpeg, or none, in PATH. The fake ones use only commands built into sh.
+# with_ffmpeg WHICH CODE arguments...: runs the program with that ffmpeg, or none, in PATH. The fake ones use only
+# commands built into sh.
 with_ffmpeg() {
   local before=$PATH
   PATH=$OUT/$1

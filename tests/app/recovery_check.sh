@@ -1,4 +1,5 @@
-# Programs that are killed, receive a signal, or run at the same time: unsaved changes are offered for recovery, and two programs never write the same file.
+# Programs that are killed, receive a signal, or run at the same time: unsaved changes are offered for recovery, and two
+# programs never write the same file.
 . "$(dirname "$0")/lib.sh"
 script() { printf 'coaster-script 1\n%s\n' "$2" >"$OUT/$1.coaster"; }
 run() { expect_code "$1" --headless --script "$OUT/$2.coaster" --config "$OUT/home" --out "$OUT" --size 480x270; }
@@ -71,7 +72,8 @@ move @k2 to 5 8 4
 shot "ready.png"
 frames 1000000'
 for signal in 15 2 1; do
-  # A shell's background jobs ignore SIGINT from their start on; the handlers that the program installs work nevertheless.
+  # A shell's background jobs ignore SIGINT from their start on; the handlers that the program installs work
+  # nevertheless.
   launch told
   kill -$signal $pid
   wait $pid

@@ -13,7 +13,8 @@ import browser
 from page import Page, document_of, main, source
 
 WITHOUT_WEBGL = "HTMLCanvasElement.prototype.getContext = () => null;"
-# The time of the second frame after the page is shown: the first one has then been drawn. `reads` counts what waits for the graphics.
+# The time of the second frame after the page is shown: the first one has then been drawn. `reads` counts what waits for
+# the graphics.
 FIRST_FRAME = ("let shown = 0; const look = () => { const said = document.getElementById('said');"
                "if (said && said.hidden && ++shown > 1) window.firstFrame = performance.now(); else requestAnimationFrame(look); }; look();"
                "window.reads = 0; const read = WebGL2RenderingContext.prototype.readPixels;"

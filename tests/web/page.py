@@ -121,7 +121,8 @@ class Page(unittest.TestCase):
         """Clicks a widget, named by its label path as in scripts."""
         self.click(*self.place_of(widget))
 
-    # The browser moves and lifts the finger by itself: on a busy machine the tests would be too slow, and the press long.
+    # The browser moves and lifts the finger by itself: on a busy machine the tests would be too slow, and the press
+    # long.
     def swipe(self, x, y, dx, dy):
         self.page.execute_cdp_cmd("Input.synthesizeScrollGesture", {"x": x, "y": y, "xDistance": dx, "yDistance": dy, "preventFling": True,
                                                                     "gestureSourceType": "touch"})
