@@ -118,11 +118,12 @@ base::Status Movie::add(gfx::Image picture) {
   ++frames_;
   if (page_) return failed_ = page_->add(picture.width, picture.height, picture.rgba);
   collect(most_writers_ - 1);
-  writers_.push_back(std::async(base::beside(), [root = order_.root, path = order_.folder / picture_name(frames_ - 1),
-                                                 image = std::move(picture)] {
+  auto write = [root = order_.root, path = order_.folder / picture_name(frames_ - 1), image = std::move(picture)] {
     base::Files files(root);  // pictures bypass the program's file handling: injected faults are meant for documents
     return files.write_atomic(path, gfx::encode_png(image));
-  }));
+  };
+  const auto policy = base::has_threads() ? std::launch::async : std::launch::deferred;
+  writers_.push_back(std::async(policy, std::move(write)));
   return failed_;
 }
 

@@ -17,6 +17,7 @@
 #include "edit/session/session.h"
 #include "gfx/renderer.h"
 #include "platform/surface.h"
+#include "query/context.h"
 #include "query/query.h"
 #include "script/recorder.h"
 #include "ui/host/host.h"

@@ -6,7 +6,7 @@
 namespace coaster::base {
 
 unsigned cores() { return 1; }
-std::launch beside() { return std::launch::deferred; }
+bool has_threads() { return false; }
 
 void in_parts(std::size_t count, std::size_t grain, unsigned,
               const std::function<void(std::size_t begin, std::size_t end)>& work) {

@@ -3,16 +3,14 @@
 
 #include <cstddef>
 #include <functional>
-#include <future>
 
 namespace coaster::base {
 
 // Returns the number of threads that this machine runs at once, at least 1.
 unsigned cores();
 
-// Returns the launch policy for background work: a thread, or where there are none, deferred until its result is
-// requested.
-std::launch beside();
+// True if work can run in another thread; elsewhere std::async has to defer it until its result is requested.
+bool has_threads();
 
 // Calls work(begin, end) for consecutive parts of [0, count) of at most `grain` items, each once, on up to `workers`
 // threads including the caller's; returns when all are done. A single part starts no thread. If the system refuses a

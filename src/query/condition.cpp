@@ -7,6 +7,8 @@
 
 #include <fmt/format.h>
 
+#include "base/names.h"
+
 namespace coaster::query {
 namespace {
 

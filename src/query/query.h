@@ -8,19 +8,13 @@
 #include <string_view>
 #include <variant>
 
-#include "base/text.h"
-#include "edit/session/session.h"
-#include "query/frame_stats.h"
+#include <glm/glm.hpp>
+
+#include "base/status.h"
 
 namespace coaster::query {
 
-struct Context {
-  edit::Finder find;
-  const FrameStats& stats;
-  std::string_view toast;  // text of the newest notice, "" if none is shown
-  std::string_view title;
-  const edit::Session& session = find.session();
-};
+struct Context;  // what queries read (query/context.h)
 
 // Ordered values such as continuity compare by rank: none < G0 < G1 < G2, off < on.
 struct Ranked {

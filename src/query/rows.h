@@ -5,7 +5,9 @@
 
 #include <fmt/format.h>
 
+#include "base/text.h"
 #include "curve/continuity.h"
+#include "query/context.h"
 #include "query/query.h"
 #include "world/topology.h"
 

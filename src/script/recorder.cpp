@@ -18,6 +18,7 @@
 #include "edit/commands/commands_session.h"
 #include "edit/commands/commands_settings.h"
 #include "edit/commands/set_setting.h"
+#include "edit/session/session.h"
 #include "exchange/formats.h"
 #include "world/selection.h"
 #include "world/settings_groups.h"

@@ -6,7 +6,11 @@
 #include <memory>
 
 #include "base/files.h"
-#include "edit/session/session.h"
+#include "edit/commands/command.h"
+
+namespace coaster::edit {
+struct Session;
+}
 
 namespace coaster::script {
 

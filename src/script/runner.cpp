@@ -11,6 +11,7 @@
 #include "edit/commands/commands_sections.h"
 #include "edit/commands/commands_session.h"
 #include "edit/commands/commands_settings.h"
+#include "query/context.h"
 #include "script/grammar.h"
 #include "script/paths.h"
 #include "view/camera.h"

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "query/context.h"
 #include "script/runner.h"
 #include "view/gizmo.h"
 

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "query/condition.h"
+#include "query/context.h"
 #include "script/runner.h"
 #include "script/widgets.h"
 

@@ -7,6 +7,7 @@
 #include "exchange/own/json_values.h"
 #include "exchange/own/track_file.h"
 #include "query/condition.h"
+#include "query/context.h"
 #include "script/paths.h"
 #include "script/runner.h"
 

@@ -10,6 +10,7 @@
 
 #include "base/files.h"
 #include "base/text.h"
+#include "curve/evaluators.h"
 #include "edit/commands/command.h"
 #include "platform/events.h"
 #include "query/condition.h"

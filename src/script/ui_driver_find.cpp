@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "edit/commands/set_setting.h"
+#include "query/context.h"
 #include "script/ui_driver.h"
 #include "world/panels.h"
 

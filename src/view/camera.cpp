@@ -10,6 +10,7 @@
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "curve/cubic.h"
+#include "sim/ride/ride.h"
 #include "world/sections.h"
 
 namespace coaster::view {

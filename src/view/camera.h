@@ -6,9 +6,13 @@
 
 #include <glm/glm.hpp>
 
-#include "sim/ride/ride.h"
-#include "sim/shape/derived.h"
+#include "world/document.h"
 #include "world/settings.h"
+
+namespace coaster::sim {
+struct Derived;
+struct Pose;
+}  // namespace coaster::sim
 
 namespace coaster::view {
 

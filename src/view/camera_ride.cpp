@@ -4,6 +4,7 @@
 
 #include "base/portable_math.h"
 #include "curve/frames.h"
+#include "sim/ride/ride.h"
 #include "view/camera_rig.h"
 #include "world/camera_feel.h"
 

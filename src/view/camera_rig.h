@@ -5,6 +5,7 @@
 
 #include <glm/gtc/quaternion.hpp>
 
+#include "sim/ride/ride.h"
 #include "view/camera.h"
 #include "view/damping.h"
 #include "world/motion.h"

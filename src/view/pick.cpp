@@ -6,6 +6,7 @@
 #include <cmath>
 #include <utility>
 
+#include "sim/ride/ride.h"
 #include "view/angle_handle.h"
 #include "view/beam.h"
 #include "view/gizmo.h"

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "sim/shape/derived.h"
 #include "view/beam.h"
 #include "view/pick.h"
 #include "view/sighted_curve.h"

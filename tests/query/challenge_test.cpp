@@ -4,6 +4,7 @@
 #include "edit/commands/commands_challenge.h"
 #include "edit/session_fixture.h"
 #include "exchange/own/track_file.h"
+#include "query/context.h"
 #include "world/evaluation.h"
 
 #include <filesystem>

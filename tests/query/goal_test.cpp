@@ -9,6 +9,7 @@
 #include "edit/session_fixture.h"
 #include "exchange/formats.h"
 #include "query/challenge.h"
+#include "query/context.h"
 #include "world/sections.h"
 
 namespace coaster::query {

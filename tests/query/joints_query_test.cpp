@@ -4,6 +4,7 @@
 #include "base/portable_math.h"
 #include "curve/continuity.h"
 #include "edit/session_fixture.h"
+#include "query/context.h"
 #include "query/query.h"
 #include "sim/study/live_errata.h"
 #include "world/topology.h"

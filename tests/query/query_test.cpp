@@ -4,6 +4,7 @@
 
 #include "base/hash.h"
 #include "edit/session_fixture.h"
+#include "query/context.h"
 
 namespace coaster::query {
 namespace query_test {

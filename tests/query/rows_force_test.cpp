@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "edit/session_fixture.h"
+#include "query/context.h"
 #include "query/query.h"
 
 namespace coaster::query {

@@ -1,5 +1,6 @@
 // The queries of the ride's design.
 #include "edit/session_fixture.h"
+#include "query/context.h"
 #include "query/query.h"
 
 namespace coaster::query {

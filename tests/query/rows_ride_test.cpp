@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "edit/session_fixture.h"
+#include "query/context.h"
 #include "query/query.h"
 #include "sim/tracks.h"
 

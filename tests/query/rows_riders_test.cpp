@@ -1,5 +1,6 @@
 // Queries of one seat during the whole ride.
 #include "edit/session_fixture.h"
+#include "query/context.h"
 #include "query/query.h"
 #include "sim/study/seat.h"
 

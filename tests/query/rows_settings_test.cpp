@@ -4,6 +4,7 @@
 #include "edit/commands/codec.h"
 #include "edit/commands/set_setting.h"
 #include "edit/session_fixture.h"
+#include "query/context.h"
 #include "query/query.h"
 #include "world/other_settings.h"
 

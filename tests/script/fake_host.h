@@ -8,6 +8,7 @@
 
 #include "edit/perform/apply.h"
 #include "edit/session/session.h"
+#include "query/context.h"
 #include "script/grammar.h"
 #include "script/runner.h"
 #include "world/panels.h"

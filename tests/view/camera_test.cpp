@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "sim/ride/ride.h"
 #include "sim/tracks.h"
 
 namespace coaster::view {

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "base/tries.h"
+#include "sim/ride/ride.h"
 #include "sim/tracks.h"
 #include "view/pick.h"
 

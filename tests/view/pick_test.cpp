@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "sim/ride/ride.h"
 #include "sim/tracks.h"
 #include "view/beam.h"
 #include "world/look.h"

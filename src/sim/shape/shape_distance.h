@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "sim/shape/derived.h"
+#include "world/document.h"
 
 namespace coaster::sim {
 

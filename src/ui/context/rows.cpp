@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <string>
 
+#include "query/context.h"
+#include "query/query.h"
 #include "ui/context/setting_rows.h"
 
 namespace coaster::ui {

@@ -12,8 +12,8 @@
 #include "edit/session/session.h"
 #include "exchange/own/progress_file.h"
 #include "exchange/own/settings_file.h"
+#include "query/frame_stats.h"
 #include "query/lesson.h"
-#include "query/query.h"
 #include "view/camera_rig.h"
 
 namespace coaster::ui {

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "base/portable_math.h"
+#include "base/text.h"
 #include "sim/plan/force_quantity.h"
 
 namespace coaster::ui {

@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include "base/portable_math.h"
+#include "base/text.h"
 #include "edit/commands/commands_force.h"
 #include "edit/commands/commands_session.h"
 #include "ui/lab/cache.h"

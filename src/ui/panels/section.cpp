@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "base/text.h"
 #include "edit/commands/commands_force.h"
 #include "edit/commands/commands_sections.h"
 #include "ui/context/rows.h"

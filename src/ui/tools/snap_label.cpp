@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "base/text.h"
 #include "ui/widgets/theme.h"
 
 namespace coaster::ui {

@@ -1,4 +1,5 @@
 // The panel of the selected sections.
+#include "base/text.h"
 #include "ui/sections_stage.h"
 #include "world/panels.h"
 #include "world/selection.h"
