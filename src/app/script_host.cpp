@@ -163,6 +163,7 @@ script::Host make_script_host(Program& program) {
   host.viewport = [p] { return p->picture.view.viewport; };
   host.progress = progress;
   host.print = [](std::string_view line) { base::print(fmt::format("{}\n", line)); };
+  if (!program.surface->is_window()) host.report = [](std::string_view notice) { base::print_error(notice); };
   host.set_home = [p](const std::filesystem::path& folder) {
     stop_keeping(*p, false);
     p->quit = false;

@@ -66,6 +66,8 @@ struct Host {
   std::function<view::Viewport()> viewport;           // of the last frame
   std::function<void(int line, int lines)> progress;  // before each statement
   std::function<void(std::string_view line)> print;   // to stdout (log, hash log)
+  std::function<void(std::string_view notice)>
+      report;  // to stderr: notices of opened files; empty where panels show them
   std::function<base::Status(const std::filesystem::path&)>
       set_home;  // uses that folder for settings and autosaves, as after a start; may be empty
   std::function<base::Status(const std::filesystem::path& folder, int fps, bool gif)>

@@ -84,6 +84,14 @@ std::filesystem::path Runner::input(std::string_view written) const {
   return find_input(source().folder, written, options_.out.folder());
 }
 
+void Runner::report_since(std::uint64_t serial) {
+  const Host& host = frames_.host();
+  if (!host.report) return;
+  const query::Context context = host.context();
+  for (const edit::Notice& notice : context.session.notices.list)
+    if (notice.serial > serial) host.report(notice.text);
+}
+
 Failure Runner::perform(const RunCommand& run) {
   edit::Command command = run.command;
   if (std::string* const path = opened_path(command)) {
@@ -91,8 +99,11 @@ Failure Runner::perform(const RunCommand& run) {
     if (auto* const recover = command.as<edit::RecoverTrack>(); recover && !recover->original.empty())
       recover->original = input(recover->original).string();
     // A file that cannot be opened counts as a bad file: the exit code gives the kind of error, not the reason.
+    const std::uint64_t before = frames_.host().context().session.notices.serial;
     const base::Status opened = frames_.apply(command);
-    return opened ? Failure{} : Failure{base::Code::bad_file, opened.message};
+    if (!opened) return Failure{base::Code::bad_file, opened.message};
+    report_since(before);
+    return {};
   }
   if (const std::string* const written = edit::output_path(command)) {
     const auto path = find_output(*written, files_.root());

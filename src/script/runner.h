@@ -112,6 +112,8 @@ class Runner {
   base::Result<bool> check(const Condition& condition, std::string& found);
   const Source& source() const { return script_.sources[static_cast<std::size_t>(source_)]; }
   std::filesystem::path input(std::string_view written) const;
+  // Reports the notices after that number: without panels nobody sees the warnings of a file.
+  void report_since(std::uint64_t serial);
   // Returns the file to write for a path below $OUT, with or without "$OUT/".
   base::Result<std::filesystem::path> below_out(std::string_view written) const;
   // Writes picture, widgets and values to $OUT; returns a note for the message.

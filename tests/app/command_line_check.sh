@@ -97,6 +97,14 @@ expect_text stderr "flat.json: warning: all 2 knots are at one point"
 expect_code 0 --headless "$SOURCE/tests/tracks/ring.nltrack" --size 320x180 --out "$OUT/ride"
 expect_text stdout "The train completed the lap."
 expect_text stderr "The train completes the ride with a start speed of "
+# A script's load reports what a FILE does, and nothing of a file without notices.
+script loads "load \"$SOURCE/tests/tracks/two_knots.json\"\nload \"$SOURCE/tests/tracks/jump.csv\"\n"
+expect_code 0 --headless --script "$OUT/loads.coaster" --out "$OUT/run"
+messages >"$OUT/script_notices"
+expect_text script_notices "jump.csv:22: warning: the frame jumps"
+expect_code 0 --headless "$SOURCE/tests/tracks/jump.csv" --size 96x54 --frames 0 --out "$OUT/ride"
+messages >"$OUT/file_notices"
+cmp -s "$OUT/script_notices" "$OUT/file_notices" || fail "a script's load reports otherwise: $(cat "$OUT/script_notices")"
 # Changes by another program are not overwritten.
 script theirs 'append at 0 5 0\nsave "$OUT/own.json"\nappend at 9 5 0\ndump "own"\nappend at 9 9 0\nsave "$OUT/own.json"\n'
 expect_code 5 --headless --script "$OUT/theirs.coaster" --out "$OUT/run"

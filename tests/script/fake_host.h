@@ -24,7 +24,7 @@ struct FakeHost {
   std::vector<WidgetState> elsewhere_widgets;
   std::vector<std::pair<platform::Events, int>> frames;  // what each frame was given
   std::vector<edit::Command> at_release;                 // applied in frames where the left button goes up over them
-  std::vector<std::string> printed;
+  std::vector<std::string> printed, reported;
   std::map<std::string, std::string> snapped;
   std::uint64_t commands = 0;
   int changes = 0;  // commands since the last frame; a frame counts them as uploads
@@ -55,6 +55,7 @@ struct FakeHost {
     };
     h.commands = [this] { return commands; };
     h.print = [this](std::string_view line) { printed.emplace_back(line); };
+    h.report = [this](std::string_view notice) { reported.emplace_back(notice); };
     h.files = &files;
     return h;
   }

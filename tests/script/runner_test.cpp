@@ -102,6 +102,20 @@ TEST(runner, codes_tell_refused_commands_bad_files_and_forbidden_writes_apart) {
           .ok());
 }
 
+TEST(runner, reports_the_notices_of_the_files_that_it_opens_and_of_nothing_else) {
+  FakeHost fake;
+  const std::string tracks = COASTER_SOURCE_DIR "/tests/tracks/";
+  const std::string load = "load \"" + tracks;
+  ASSERT_TRUE(run_lines(fake, load + "two_knots.json\"\nheartline 1e9\nexpect toast ~ \"limit\"\nnew\n").ok());
+  EXPECT_TRUE(fake.reported.empty()) << fake.reported[0];
+  ASSERT_TRUE(run_lines(fake, load + "jump.csv\"\n").ok());
+  ASSERT_EQ(fake.reported.size(), 2u);
+  EXPECT_NE(fake.reported[0].find("jump.csv:22: warning: the frame jumps by 30.00 degrees"), std::string::npos);
+  EXPECT_EQ(fake.reported[1], "The train completes the ride with a start speed of 2 m/s.");
+  ASSERT_TRUE(run_lines(fake, "expect error load \"" + tracks + "cut.csv\"\n").ok());
+  EXPECT_EQ(fake.reported.size(), 2u) << "an expected error";
+}
+
 TEST(runner, expect_error_wants_a_failure_and_its_words) {
   FakeHost fake;
   EXPECT_TRUE(
