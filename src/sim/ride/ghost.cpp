@@ -15,17 +15,21 @@ std::vector<const SegmentTable*> segments_of(const RailTables& tables) {
   return segments;
 }
 
+Force force_of(glm::dvec3 g) { return {static_cast<float>(g.x), static_cast<float>(g.y), static_cast<float>(g.z)}; }
+
+glm::dvec3 seat_vector(const Force& force) { return {force.forward, force.left, force.up}; }
+
 // Returns the passage from the end of one segment's entries to the start of the next's, or backwards.
 Passage passage(std::span<const FeltEntry> from, std::span<const FeltEntry> to, bool back, double speed,
                 double acceleration) {
   const FeltEntry &before = back ? from.front() : from.back(), &after = back ? to.back() : to.front();
   const glm::dvec3 along(after.along - before.along), bend(after.bend - before.bend);
-  const auto force = [](glm::dvec3 g) {
-    return Force{static_cast<float>(g.x), static_cast<float>(g.y), static_cast<float>(g.z)};
-  };
+  const auto a = static_cast<float>(acceleration / world::kGravity),
+             v2 = static_cast<float>(speed * speed / world::kGravity);
   return {.speed = speed,
-          .impulse = force(speed / world::kGravity * along),
-          .step = force((acceleration * along + speed * speed * bend) / world::kGravity)};
+          .impulse = force_of(speed / world::kGravity * along),
+          .before = force_of(before.felt(a, v2)),
+          .step = force_of((acceleration * along + speed * speed * bend) / world::kGravity)};
 }
 
 class Simulation {
@@ -152,37 +156,60 @@ class Simulation {
       double at = moving_.x - round_ - car.back;
       if (rails_.closed && at < 0) at += rails_.length;
       double s = at - car.from;
+      const std::size_t before = car.segment;
       if (!(at >= car.from && at <= car.to)) {
-        const std::size_t before = car.segment;
         s = tables_.locate(at, car.segment);
         car.table = segments_[car.segment];
         car.from = tables_.start(car.segment), car.to = tables_.start(car.segment + 1);
-        if (car.segment != before && ghost.samples.size() > 1)
-          add_passages(static_cast<int>(i), before, car.segment, at, ghost);
       }
       ghost.forces[first + i] = force_at(*car.table, s, a, v2);
+      if (car.segment != before && first > 0) add_passages(static_cast<int>(i), before, car.segment, at, ghost);
     }
   }
 
   // Adds a car's passages since the last entry of the forces, from one segment to another, where it is at `at` m.
   void add_passages(int car, std::size_t from, std::size_t to, double at, Ghost& ghost) const {
     const GhostSample &now = ghost.samples.back(), &then = ghost.samples[ghost.samples.size() - 1 - kForceEvery];
-    const double moved = now.travelled - then.travelled;
-    const std::size_t count = segments_.size();
+    const double moved = now.travelled - then.travelled, time = kForceEvery * world::kTick;
+    const std::size_t count = segments_.size(), entry = (ghost.samples.size() - 1) / kForceEvery;
+    const auto speed = [&](double share) { return std::lerp(then.speed, now.speed, share); };
+    const auto acceleration = [&](double share) { return std::lerp(then.acceleration, now.acceleration, share); };
+    const Force* const felt = &ghost.forces[entry * cars_.size() + static_cast<std::size_t>(car)];
+    glm::dvec3 missed = -0.5 * time * (seat_vector(felt[0]) + seat_vector(*(felt - cars_.size())));
+    double done = 0;  // of the way between the entries
+    // Adds the integral of felt g on one segment's part of the way, from `done` on, by Simpson's rule.
+    const auto ride_to = [&](double share, std::size_t segment) {
+      glm::dvec3 sum(0);
+      for (int k = 0; k <= 2; ++k) {
+        const double here = std::lerp(done, share, 0.5 * k), v = speed(here);
+        double s = at - (1 - here) * moved - tables_.start(segment);
+        if (rails_.closed) s -= rails_.length * std::round((s - 0.5 * length_of(segment)) / rails_.length);
+        sum += (k == 1 ? 4.0 : 1.0) / 6 *
+               glm::dvec3(felt_at(*segments_[segment], s, static_cast<float>(acceleration(here) / world::kGravity),
+                                  static_cast<float>(v * v / world::kGravity)));
+      }
+      missed += time * (share - done) * sum;
+      done = share;
+    };
     while (from != to && moved != 0) {
       const bool back = moved < 0;
       const std::size_t next = (from + (back ? count - 1 : 1)) % count, knot = back ? from : next;
       double past = back ? tables_.start(knot) - at : at - tables_.start(knot);
       if (rails_.closed && past < 0) past += rails_.length;
       const double share = std::clamp(1 - past / std::abs(moved), 0.0, 1.0);
-      ghost.passages.push_back(passage(segments_[from]->felt, segments_[next]->felt, back,
-                                       std::lerp(then.speed, now.speed, share),
-                                       std::lerp(then.acceleration, now.acceleration, share)));
-      ghost.passages.back().knot = knot, ghost.passages.back().car = car;
-      ghost.passages.back().entry = (ghost.samples.size() - 1) / kForceEvery;
+      ghost.passages.push_back(
+          passage(segments_[from]->felt, segments_[next]->felt, back, speed(share), acceleration(share)));
+      Passage& passed = ghost.passages.back();
+      passed.knot = knot, passed.car = car, passed.entry = entry;
+      passed.time = (static_cast<double>(entry) - 1 + share) * time;
+      ride_to(share, from);
       from = next;
+      if (from != to) continue;
+      ride_to(1, to);
+      passed.missed = force_of(missed);
     }
   }
+  double length_of(std::size_t segment) const { return tables_.start(segment + 1) - tables_.start(segment); }
 
   const RailTables& tables_;
   std::span<const EquipmentSpan> equipment_;

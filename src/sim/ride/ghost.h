@@ -45,9 +45,14 @@ struct Passage {
   std::size_t knot = 0;  // index in the track
   int car = 0;
   std::size_t entry = 0;   // the first of the forces after it, per car
+  double time = 0;         // s since the start
   double speed = 0;        // m/s there
   Force impulse{0, 0, 0};  // g s: the step of velocity by g
+  Force before{0, 0, 0};   // g, felt just before it
   Force step{0, 0, 0};     // g
+  // g s: the integral of felt g from the entry before to that after it, without impulses, less the mean of both entries
+  // over that time: what happens between them. Of several passages between the same entries the last has it.
+  Force missed{0, 0, 0};
 };
 
 struct Ghost {

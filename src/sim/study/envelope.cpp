@@ -133,8 +133,16 @@ std::vector<float> low_passed_g(const Ghost& ghost, int car, float Force::*axis,
   values.reserve(ghost.forces.size() / cars);
   for (std::size_t i = static_cast<std::size_t>(car); i < ghost.forces.size(); i += cars)
     values.push_back(ghost.forces[i].*axis);
-  for (const Passage& passage : ghost.passages)
-    if (passage.car == car) values[passage.entry] += passage.impulse.*axis * static_cast<float>(kForceRate);
+  for (const Passage& passage : ghost.passages) {
+    if (passage.car != car) continue;
+    values[passage.entry] += passage.impulse.*axis * static_cast<float>(kForceRate);
+    // The nearer of two entries takes more of what both missed. The first stays: the filter starts with it.
+    const double place = passage.time * kForceRate - static_cast<double>(passage.entry - 1);
+    const float share = passage.entry > 1 ? static_cast<float>(std::clamp(place, 0.0, 1.0)) : 1.0f,
+                missed = passage.missed.*axis * static_cast<float>(kForceRate);
+    values[passage.entry] += share * missed;
+    if (passage.entry > 1) values[passage.entry - 1] += (1 - share) * missed;
+  }
   low_pass(values, kForceRate, cutoff);
   return values;
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <span>
 
 #include "sim/study/envelope.h"
 
@@ -10,11 +11,27 @@ namespace coaster::sim {
 namespace {
 
 constexpr int kEntriesPerCutoff = 50;  // entries per 1 / cutoff
+constexpr float kLeastStep = 0.05f;    // g: smaller ones do not count together
 
 // Responses of the low-pass of 1 Hz to a unit impulse and a unit step. Afterwards both stay closer to their final
 // values than before.
 struct Responses {
-  std::array<float, kEntriesPerCutoff * 3 / 2> impulse{}, step{};
+  static constexpr std::size_t kCount = kEntriesPerCutoff * 3 / 2;
+  std::array<float, kCount> impulse{}, step{}, ramp{};  // ramp: integral of the step's
+
+  // Return one at a place between entries.
+  float impulse_at(float x) const { return between(impulse, x); }
+  float step_at(float x) const { return x < kCount - 1 ? between(step, x) : 1; }
+  float ramp_at(float x) const {
+    return x < kCount - 1 ? between(ramp, x) : ramp.back() + (x - static_cast<float>(kCount - 1)) / kEntriesPerCutoff;
+  }
+
+ private:
+  static float between(const std::array<float, kCount>& values, float x) {
+    if (!(x > 0) || x >= kCount - 1) return 0;
+    const auto i = static_cast<std::size_t>(x);
+    return std::lerp(values[i], values[i + 1], x - static_cast<float>(i));
+  }
 };
 
 const Responses& responses() {
@@ -24,6 +41,8 @@ const Responses& responses() {
     std::fill(r.step.begin() + 1, r.step.end(), 1.0f);
     low_pass(r.impulse, kEntriesPerCutoff, 1);
     low_pass(r.step, kEntriesPerCutoff, 1);
+    for (std::size_t i = 1; i < r.ramp.size(); ++i)
+      r.ramp[i] = r.ramp[i - 1] + 0.5f * (r.step[i - 1] + r.step[i]) / kEntriesPerCutoff;
     return r;
   }();
   return kResponses;
@@ -39,24 +58,102 @@ void take(const Jolt& one, Jolt& found) {
   if (one.total > found.total) found.total = one.total, found.car = one.car, found.speed = one.speed;
 }
 
+// Collects the largest values of a difference of felt g.
+class Largest {
+ public:
+  void add(glm::vec3 felt) {
+    most_ = glm::max(most_, glm::abs(felt));
+    square_ = std::max(square_, glm::dot(felt, felt));
+  }
+  Jolt jolt(const Passage& passage) const {
+    return {most_.x, most_.y, most_.z, std::sqrt(square_), passage.car, passage.speed};
+  }
+
+ private:
+  glm::vec3 most_{0};
+  float square_ = 0;
+};
+
+// Returns the difference that some consecutive passages of a car make together, with the change of felt g between them,
+// as a jolt of `passage`.
+Jolt together(std::span<const Passage* const> passed, const Passage& passage, double cutoff) {
+  const Responses& r = responses();
+  const double start = passed.front()->time, whole = passed.back()->time - start;
+  const auto entries = [&](double time) { return static_cast<float>(time * cutoff * kEntriesPerCutoff); };
+  Largest largest;
+  for (float x = 0; x < static_cast<float>(Responses::kCount) + entries(whole); ++x) {
+    glm::vec3 felt(0);
+    for (std::size_t i = 0; i < passed.size(); ++i) {
+      const Passage& here = *passed[i];
+      const float since = x - entries(here.time - start);
+      felt += r.impulse_at(since) * static_cast<float>(cutoff) * vector_of(here.impulse) +
+              r.step_at(since) * vector_of(here.step);
+      if (i + 1 == passed.size()) break;
+      const Passage& next = *passed[i + 1];
+      const glm::vec3 change = vector_of(next.before) - vector_of(here.before) - vector_of(here.step);
+      const auto took = static_cast<float>((next.time - here.time) * cutoff);
+      if (took > 0) felt += (r.ramp_at(since) - r.ramp_at(since - took * kEntriesPerCutoff)) / took * change;
+    }
+    largest.add(felt);
+  }
+  return largest.jolt(passage);
+}
+
+// Returns the passages of a car that a step at passage i may count together with: those within 1 / (2 cutoff) and
+// kMostBeside of it, if one of them steps the other way; else i alone.
+struct Beside {
+  std::size_t first, last;
+};
+Beside beside(std::span<const Passage* const> passed, std::size_t i, double cutoff) {
+  constexpr std::size_t kMostBeside = 3;  // on either side
+  const auto near = [&](std::size_t k) { return std::abs(passed[k]->time - passed[i]->time) <= 0.5 / cutoff; };
+  const glm::vec3 step = vector_of(passed[i]->step);
+  Beside found{i, i};
+  if (glm::length(step) < kLeastStep) return found;
+  while (found.first > 0 && i - found.first < kMostBeside && near(found.first - 1)) --found.first;
+  while (found.last + 1 < passed.size() && found.last - i < kMostBeside && near(found.last + 1)) ++found.last;
+  for (std::size_t k = found.first; k <= found.last; ++k)
+    if (const glm::vec3 other = vector_of(passed[k]->step);
+        glm::length(other) >= kLeastStep && glm::dot(other, step) < 0)
+      return found;
+  return {i, i};
+}
+
 }  // namespace
 
 Jolt jolt_of(const Passage& passage, double cutoff) {
   const Responses& r = responses();
   const glm::vec3 impulse = static_cast<float>(cutoff) * vector_of(passage.impulse), step = vector_of(passage.step);
-  glm::vec3 most(0);
-  float square = 0;
-  for (std::size_t i = 0; i < r.impulse.size(); ++i) {
-    const glm::vec3 felt = r.impulse[i] * impulse + r.step[i] * step;
-    most = glm::max(most, glm::abs(felt));
-    square = std::max(square, glm::dot(felt, felt));
+  Largest largest;
+  for (std::size_t i = 0; i < r.impulse.size(); ++i) largest.add(r.impulse[i] * impulse + r.step[i] * step);
+  return largest.jolt(passage);
+}
+
+std::vector<Jolt> passage_jolts(const Ghost& ghost, double cutoff) {
+  std::vector<std::vector<const Passage*>> cars(static_cast<std::size_t>(ghost.start.cars));
+  std::vector<Jolt> found;
+  std::vector<std::size_t> places;  // of each passage among its car's
+  for (const Passage& passage : ghost.passages) {
+    std::vector<const Passage*>& passed = cars[static_cast<std::size_t>(passage.car)];
+    places.push_back(passed.size()), passed.push_back(&passage), found.push_back(jolt_of(passage, cutoff));
   }
-  return {most.x, most.y, most.z, std::sqrt(square), passage.car, passage.speed};
+  for (std::size_t n = 0; n < found.size(); ++n) {
+    const Passage& passage = ghost.passages[n];
+    const std::span<const Passage* const> passed = cars[static_cast<std::size_t>(passage.car)];
+    const Beside near = beside(passed, places[n], cutoff);
+    for (std::size_t first = near.first; first <= places[n]; ++first)
+      for (std::size_t last = std::max(first + 1, places[n]); last <= near.last; ++last)
+        if (const Jolt all = together(passed.subspan(first, last - first + 1), passage, cutoff);
+            all.total < found[n].total)
+          found[n] = all;
+  }
+  return found;
 }
 
 std::vector<Jolt> jolts(const Ghost& ghost, std::size_t knots, double cutoff) {
   std::vector<Jolt> found(knots);
-  for (const Passage& passage : ghost.passages) take(jolt_of(passage, cutoff), found.at(passage.knot));
+  const std::vector<Jolt> passages = passage_jolts(ghost, cutoff);
+  for (std::size_t i = 0; i < passages.size(); ++i) take(passages[i], found.at(ghost.passages[i].knot));
   return found;
 }
 

@@ -52,8 +52,11 @@ void take_wheels(const Ghost& ghost, double cutoff, Ratings& r) {
 }
 
 void take_jolts(const Ghost& ghost, double cutoff, Ratings& r) {
-  for (const Passage& passage : ghost.passages)
-    take(r.jolt_most, jolt_of(passage, cutoff).total, false, true, passage.entry * kForceEvery, passage.car, ghost);
+  const std::vector<Jolt> found = passage_jolts(ghost, cutoff);
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    const Passage& passage = ghost.passages[i];
+    take(r.jolt_most, found[i].total, false, true, passage.entry * kForceEvery, passage.car, ghost);
+  }
 }
 
 // Updates the heights under the first car: extremes, and descents from a top to the next bottom.

@@ -277,7 +277,8 @@ TEST(nl2_csv_felt, rolls_that_start_at_once_throw_riders_as_hard_as_in_closed_fo
     SCOPED_TRACE(fmt::format("rows every {} m", spacing));
     const std::string rows = rows_on(curve, kLength, spacing, 5);
     expect_felt(rows, ride, heart);
-    // An impulse is felt as a peak of 2.40 f dv / g; no joint is told to jolt by over three times that.
+    // An impulse is felt as a peak of 2.40 f dv / g. Joints of rows far apart are told to jolt by at most three times
+    // that.
     world::Document document = parse_nl2_csv(rows, "t.csv")->document;
     document.start_speed = kSpeed;
     const sim::Derived derived = sim::shapes_of(document);
@@ -285,7 +286,7 @@ TEST(nl2_csv_felt, rolls_that_start_at_once_throw_riders_as_hard_as_in_closed_fo
     const sim::Ghost* const ghost = memo.ride(document, derived, world::first_cart(document));
     double most = 0;
     for (const sim::Jolt& jolt : sim::jolts(*ghost, document.track.knots.size(), 5)) most = std::max(most, jolt.total);
-    EXPECT_LT(most, 3 * 2.40 * 5 * heart * kRate90 * kSpeed / world::kGravity);
+    EXPECT_LT(most, (spacing < 0.1 ? 1.2 : 3) * 2.40 * 5 * heart * kRate90 * kSpeed / world::kGravity);
   }
 }
 

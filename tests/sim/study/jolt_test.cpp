@@ -195,6 +195,34 @@ TEST(jolt, a_step_of_the_rolls_second_derivative_is_a_step_of_lateral_g) {
   expect_near(ride.found.at(1), fine.jolt);
 }
 
+// A roll to the left that begins within 2 a metres, as in imports: each joint steps by what the other takes back, and
+// riders feel the impulse of the sudden roll.
+TEST(jolt, a_roll_that_begins_within_a_short_stretch_jolts_as_a_sudden_one) {
+  for (const auto& [speed, spin, a] : {std::tuple(15.0, -0.0785, 0.45), {31.5, -0.157, 0.25}, {31.5, -0.209, 0.17}}) {
+    SCOPED_TRACE(spin);
+    const auto angle = [w = spin, a = a](long double s) {
+      return s < -a ? 0 : s > a ? w * s : w * (s + a) * (s + a) / (4 * a);
+    };
+    const FineRide sudden = fine_ride(rolling([w = spin](long double s) { return w * std::max(s, 0.0L); }), speed);
+    const FineRide spread = fine_ride(rolling(angle), speed);
+    world::Document d;
+    for (const double s : {-0.3 * speed, -a, a, 0.35 * speed, 0.7 * speed}) {
+      const Rail rail = rolling(angle)(s);
+      world::append_knot(d, test::skew_knot(glm::vec3(rail.at), {1, 0, 0}, 0.1f, 0.1f));
+      world::Knot& knot = d.entities.get<world::Knot>(d.track.knots.back());
+      knot.up = glm::vec3(rail.up), knot.spin = static_cast<float>(s < 0 ? 0 : spin);
+      knot.spin_kind = world::SpinKind::set;
+      world::orthonormalise(knot);
+    }
+    Ridden ride(std::move(d), speed);
+    for (const std::size_t joint : {1, 2})
+      EXPECT_NEAR(ride.found.at(joint).left, sudden.jolt.left, 0.12 * sudden.jolt.left) << joint;
+    const Ratings rated = rate(*ride.ghost, ride.memo.tables(ride.document, ride.derived), kCutoff);
+    EXPECT_NEAR(rated.side_most.value, spread.most.y, 0.03 * spread.most.y);
+    EXPECT_EQ(rated.jolt_most.value, std::max(ride.found.at(1).total, ride.found.at(2).total));
+  }
+}
+
 TEST(jolt, a_joint_with_continuous_curvature_has_none) {
   world::Document d = test::straight_document({1.1f, 12.3f, 2.7f}, {25.1f, 12.3f, 2.7f});
   const curve::Cubic bent{{25.1f, 12.3f, 2.7f}, {33.1f, 12.3f, 2.7f}, {41.1f, 14.9f, 2.7f}, {45.3f, 21.3f, 2.7f}};
