@@ -21,10 +21,11 @@ constexpr double kLeastHandle = 0.25;  // of the rows' length: curvature changes
 constexpr double kMostHandle = 0.495;  // of the rows' length: a little less than half the curve's
 constexpr double kBeyond = 40;         // weight of curvature beyond the limit, relative to that of a deviation
 constexpr double kStay = 1e-3;  // 1/m: weight of a change of the handles by the length, relative to that of a deviation
-constexpr double kBendMargin = 0.98;  // of the limit, because curvature is checked only at some positions
-constexpr double kLeanRoom = 0.25;    // of the bound of angles: what knots may lean more or less than the smooth roll
-constexpr double kSharp = 1.5;        // times the bound, before a low-pass
-constexpr double kShortSpan = 1;      // m: the rows' distances do not determine the handles of a shorter span
+constexpr double kBendMargin = 0.98;   // of the limit, because curvature is checked only at some positions
+constexpr double kAlikeMargin = 0.97;  // the same of a search, which ends a little beside it
+constexpr double kLeanRoom = 0.25;     // of the bound of angles: what knots may lean more or less than the smooth roll
+constexpr double kSharp = 1.5;         // times the bound, before a low-pass
+constexpr double kShortSpan = 1;       // m: the rows' distances do not determine the handles of a shorter span
 constexpr double kMostFitRoll = 2 * base::kPi * (world::kMaxTurns - 1);
 using Curve = curve::CoefficientsD;
 
@@ -266,8 +267,9 @@ SpanFit fit_span(std::span<const FitRow> rows, std::span<const double> distances
     const double length = distances[last] - distances[first];
     if (!neighbours && length > kShortSpan) return fit;
     const dvec3 bend0 = bounds.curvatures[first], bend3 = bounds.curvatures[last];
-    h = most_alike(ends, length, bend0, bend3,
-                   std::max({kBendMargin * bounds.bends[first], glm::length(bend0), glm::length(bend3)}), h);
+    // Rows far apart may bend more between them than their directions tell.
+    const double own = length > kShortSpan ? std::max(glm::length(bend0), glm::length(bend3)) : 0;
+    h = most_alike(ends, length, bend0, bend3, std::max(kAlikeMargin * bounds.bends[first], own), h);
     fit.bent = !good();
     if (fit.bent && !neighbours) return fit;
   }

@@ -41,13 +41,27 @@ std::vector<FitRow> wave_with_an_end(int count, double height, double share) {
 }
 
 TEST(fit_work, two_steps_take_handles_that_bend_little_where_one_bends_too_much) {
-  FitWork w = work_of(wave_with_an_end(100, 1.5, 0.5));
+  FitWork w = work_of(wave_with_an_end(100, 1.5, 0.9));
   const RollRange all{-0.008, 0.008};
   const SpanFit one = w.fit(97, 98, all), two = w.fit(97, 99, all);
   EXPECT_TRUE(one.within);
   EXPECT_TRUE(one.bent);
   EXPECT_TRUE(two.within);
   EXPECT_FALSE(two.bent);
+}
+
+// The first row is 0.3 mm beside the circle of the others, which at that spacing is a bend of 0.06/m to the next one.
+TEST(fit_work, a_step_at_an_open_end_bends_within_the_bound_where_a_cubic_can) {
+  const auto circle = [](double s) { return 28.0 * dvec3(std::sin(s / 28), 0.7, std::cos(s / 28)); };
+  const auto up = [](double) { return dvec3(0, 1, 0); };
+  for (const double off : {0.0003, -0.0003}) {
+    std::vector<FitRow> rows = test::rows_along(circle, up, 0.25, 40);
+    rows[0].position += off * glm::cross(rows[0].up, rows[0].forward);
+    FitWork w = work_of(std::move(rows));
+    const SpanFit first = w.fit(0, 1, {-0.008, 0.008});
+    EXPECT_TRUE(first.within) << off;
+    EXPECT_FALSE(first.bent) << off;
+  }
 }
 
 TEST(fit_work, a_span_ends_earlier_where_the_next_one_would_bend_too_much) {
