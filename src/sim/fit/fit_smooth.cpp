@@ -249,6 +249,7 @@ FilledRows fill_rows(std::span<const FitRow> rows, bool closed) {
 
 std::vector<double> felt_doubts(std::span<const FitRow> rows, bool closed, const RowRolls& rolls,
                                 std::span<const double> speeds, double heartline) {
+  constexpr double kCutoff = 5;  // Hz
   const std::size_t count = rows.size();
   std::vector<double> doubts(count, 0);
   for (std::size_t i = closed ? 0 : 1; i + (closed ? 0 : 1) < count; ++i) {
@@ -260,7 +261,10 @@ std::vector<double> felt_doubts(std::span<const FitRow> rows, bool closed, const
                           ((rolls.slopes[after] - rolls.slopes[i]) / std::max(b, 1e-9) -
                            (rolls.slopes[i] - rolls.slopes[before]) / std::max(a, 1e-9)) /
                           std::max(a + b, 1e-9);
-    doubts[i] = 2 * a * b / 12 * std::abs(fourth) * heartline * speeds[i];
+    // Squared frequency of the error, relative to the cutoff's.
+    const double wave = 2 * kCutoff * std::max(a, b), share = speeds[i] * world::kGravity / (wave * wave);
+    const double passed = 1 / std::sqrt(1 + share * share * share * share);  // a Butterworth low-pass of four poles
+    doubts[i] = 4 * passed * a * b / 12 * std::abs(fourth) * heartline * speeds[i];
   }
   return doubts;
 }
