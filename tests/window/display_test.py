@@ -2,29 +2,13 @@
 
 Usage: display_test.py COASTER FOLDER. Exit status 77 (skipped) when Xvfb is missing.
 """
-import os
 import pathlib
 import shutil
 import subprocess
 import sys
 
 from lost_display import expect_saved
-
-
-def start_display(*options):
-    read, write = os.pipe()
-    server = subprocess.Popen(["Xvfb", "-displayfd", str(write), "-screen", "0", "640x480x24", "-nolisten", "tcp", *options],
-                              pass_fds=[write], stderr=subprocess.DEVNULL)
-    os.close(write)
-    number = os.read(read, 16).decode().strip()
-    if not number:
-        raise SystemExit("Xvfb did not start")
-    return server, ":" + number
-
-
-def environment(display, **more):
-    env = {name: value for name, value in os.environ.items() if name != "WAYLAND_DISPLAY"}
-    return {**env, "DISPLAY": display, **more}
+from window import environment, need, start_display
 
 
 def expect(what, found, *wanted):
@@ -45,20 +29,18 @@ def expect_no_graphics(coaster, out, display, *wanted, **more):
 
 def main():
     coaster, out = sys.argv[1], pathlib.Path(sys.argv[2])
-    if shutil.which("Xvfb") is None:
-        print("skipped: Xvfb is missing")
-        raise SystemExit(77)
+    need("Xvfb")
     shutil.rmtree(out, ignore_errors=True)
     (out / "home").mkdir(parents=True)
 
-    server, display = start_display("-extension", "GLX")
+    server, display = start_display("-extension", "GLX", size="640x480")
     try:
         expect_no_graphics(coaster, out, display, "a window needs OpenGL 3.3 core, the driver has none", "--headless")
     finally:
         server.kill()
         server.wait()
 
-    server, display = start_display()
+    server, display = start_display(size="640x480")
     try:
         expect_no_graphics(coaster, out, display, "a window needs OpenGL 3.3 core, the driver has 2.1",
                            MESA_GL_VERSION_OVERRIDE="2.1")

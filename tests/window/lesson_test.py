@@ -3,14 +3,11 @@ lesson's own clicks have moved the pointer.
 
 Usage: lesson_test.py COASTER FOLDER. Exit status 77 (skipped) when Xvfb or xdotool is missing.
 """
-import os
 import pathlib
 import re
-import shutil
-import subprocess
 import sys
 
-from drag_test import start_display, wait_for
+from window import Window, need, wait_for
 
 TUTORIAL, SHOW_ME = (183, 310), (848, 61)  # px, in a window of 1280x720: on the start screen, on the card
 # What a lesson adds to the recording.
@@ -20,51 +17,33 @@ LESSONS = [r"^camera ", r"^element\.choose straight .*equipment none", r"^elemen
 
 def main():
     coaster, folder = sys.argv[1], pathlib.Path(sys.argv[2])
-    for tool in ("Xvfb", "xdotool"):
-        if not shutil.which(tool):
-            print(f"skipped: {tool} is not installed")
-            return 77
-    shutil.rmtree(folder, ignore_errors=True)
-    folder.mkdir(parents=True)
-    recording = folder / "recording.coaster"
-    server, display = start_display()
-    environment = {**os.environ, "DISPLAY": display}
-    environment.pop("WAYLAND_DISPLAY", None)
-    program = subprocess.Popen([coaster, "--record", str(recording), "--size", "1280x720",
-                                "--config", str(folder / "config")],
-                               env=environment, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+    need("Xvfb", "xdotool")
+    with Window(coaster, folder) as window:
+        xdo, recorded = window.xdo, window.recorded
 
-    def xdo(*arguments):
-        return subprocess.run(["xdotool", *map(str, arguments)], env=environment, capture_output=True, text=True).stdout
+        def click(place):
+            xdo("mousemove", *place)
+            xdo("click", 1)
 
-    def recorded():
-        return recording.read_text() if recording.exists() else ""
+        def until(what, act, condition):
+            """Acts until the condition holds: what comes while the program starts, or before the card shows, has no effect."""
+            for _ in range(15):
+                act()
+                try:
+                    return wait_for(what, condition, 5)
+                except SystemExit:
+                    pass
+            raise SystemExit(f"no {what}:\n{recorded()}")
 
-    def click(place):
-        xdo("mousemove", *place)
-        xdo("click", 1)
-
-    def until(what, act, condition):
-        """Acts until the condition holds: what comes while the program starts, or before the card shows, has no effect."""
-        for _ in range(15):
-            act()
-            try:
-                return wait_for(what, condition, 5)
-            except SystemExit:
-                pass
-        raise SystemExit(f"no {what}:\n{recorded()}")
-
-    try:
         until("the first lesson", lambda: click(TUTORIAL), lambda: "yaw 35 pitch 18 distance 80\n" in recorded())
         xdo("mousemove", *SHOW_ME)
         for number, line in enumerate(LESSONS, 1):
             before = len(recorded())
             until(f"lesson {number}", lambda: xdo("click", 1), lambda: re.search(line, recorded()[before:], re.M))
-        for word in ("append", "move"):
+        chosen = len(re.findall(r"^element\.choose ", recorded(), re.M))
+        assert chosen == 2, f"lessons that nobody left chose {chosen} elements instead of 2:\n{recorded()}"
+        for word in ("append", "move", "select"):
             assert not re.search(rf"^{word} ", recorded(), re.M), f"a click went through the card:\n{recorded()}"
-    finally:
-        program.kill()
-        server.terminate()
     return 0
 
 
