@@ -100,7 +100,7 @@ TEST_F(ChallengePresses, locks_hold_back_presses_that_would_pass) {
     begin(fs::path(COASTER_SOURCE_DIR) / "challenges" / one.challenge);
     ASSERT_FALSE(session.game.challenge->file.locks.empty());
     EXPECT_FALSE(apply(one.press)) << one.press;
-    EXPECT_NE(session.notices.list.back().text.find("is locked"), std::string::npos);
+    EXPECT_NE(session.notices.list.back().text.find("Locked in this challenge"), std::string::npos);
     session.game.challenge->file.locks.clear();
     const int medal = medal_after(one.press);
     EXPECT_GE(medal, one.medal) << one.challenge << ": " << one.press;

@@ -251,7 +251,7 @@ TEST_F(ChallengeTest, a_locked_command_is_refused_until_the_challenge_is_left) {
   const world::Document before = session.document;
   const base::Status locked = apply("equalise all");
   EXPECT_EQ(locked.code, base::Code::refused);
-  EXPECT_NE(locked.message.find("equalise is locked"), std::string::npos) << locked.message;
+  EXPECT_NE(locked.message.find("Locked in this challenge: Equalise handles"), std::string::npos) << locked.message;
   EXPECT_TRUE(session.document == before);
   EXPECT_TRUE(session.history.undo.empty());
   good("smooth all");

@@ -17,6 +17,7 @@
 #include "edit/perform/perform.h"
 #include "edit/perform/set.h"
 #include "edit/session/history.h"
+#include "edit/session/locks.h"
 #include "edit/session/ride_watch.h"
 #include "world/selection.h"
 #include "world/topology.h"
@@ -122,10 +123,8 @@ constexpr auto kPerform = Commands::table([]<class C>() -> Perform {
 
 // Refused for a command that the challenge locks.
 Status allowed(const Session& session, const Command& command) {
-  if (!session.game.challenge) return {};
-  const std::vector<std::string>& locks = session.game.challenge->file.locks;
-  if (std::ranges::find(locks, info(command).name) == locks.end()) return {};
-  return refused(fmt::format("{} is locked: this challenge is to be solved without it", info(command).name));
+  const std::string_view name = info(command).name;
+  return is_locked(session, name) ? refused(locked_text({std::string(name)})) : Status{};
 }
 
 Status carry_out(Session& session, base::Files& files, const Command& command) {

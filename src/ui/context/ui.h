@@ -131,4 +131,17 @@ struct Ui : WidgetFrame {
   void end_step();
 };
 
+// While it lives, widgets are greyed if the challenge locks the command, and their tooltips give the reason.
+class LockedWidgets {
+ public:
+  LockedWidgets(Ui& ui, std::string_view command);
+  ~LockedWidgets();
+  LockedWidgets(const LockedWidgets&) = delete;
+  LockedWidgets& operator=(const LockedWidgets&) = delete;
+
+ private:
+  Ui& ui_;
+  std::string before_;
+};
+
 }  // namespace coaster::ui

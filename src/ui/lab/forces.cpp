@@ -22,6 +22,12 @@
 namespace coaster::ui {
 namespace {
 
+void auto_bank_button(Ui& ui) {
+  const LockedWidgets locked(ui, edit::AutoBank::kInfo.name);
+  if (button(ui, "Auto-bank", "Bank every knot so that riders feel no lateral g there. One undo step."))
+    ui.emit(edit::AutoBank{});
+}
+
 void side(Ui& ui, const sim::Ghost& ghost, const sim::Ratings& r, bool within_limits) {
   if (const auto to = combo_of(ui, "Left", ui.lab.force_plots[0], "Quantity of the left plot."))
     ui.lab.force_plots[0] = *to;
@@ -29,8 +35,7 @@ void side(Ui& ui, const sim::Ghost& ghost, const sim::Ratings& r, bool within_li
     ui.lab.force_plots[1] = *to;
   choose_seat(ui, ghost.start.cars);
   choose_x_axis(ui);
-  if (button(ui, "Auto-bank", "Bank every knot so that riders feel no lateral g there. One undo step."))
-    ui.emit(edit::AutoBank{});
+  auto_bank_button(ui);
   (void)beside_last(ui, base::row_of(world::Layer::limits).label);
   layer_box(ui, world::Layer::limits);
   if (within_limits) small_note("All forces are within limits.");
@@ -120,7 +125,7 @@ void red_table(Ui& ui, std::span<const sim::RedSpan> red, float height, bool bri
 void forces_page(Ui& ui) {
   if (!need_probe(ui)) return;
   const auto plots = RidePlots::make(ui, ui.lab.forces_over_time);
-  if (!plots) return small_note("No cart: add one in the Track panel.");
+  if (!plots) return small_note("No train: add one in the Track panel.");
   const edit::Findings& found = ui.find(edit::Want::ratings | edit::Want::overloads);
   const std::span<const sim::RedSpan> red = found.overloads;
   Page page(ui, 230);

@@ -5,11 +5,11 @@
 #include <cmath>
 #include <string>
 
-#include <fmt/ranges.h>
-
 #include "edit/commands/commands_challenge.h"
 #include "edit/commands/commands_ride.h"
+#include "edit/session/locks.h"
 #include "query/challenge.h"
+#include "ui/context/challenge_files.h"
 #include "ui/context/rows.h"
 #include "ui/panels/panels.h"
 #include "ui/tools/places.h"
@@ -49,14 +49,6 @@ void rules_of(Ui& ui, const std::vector<query::Rule>& rules, std::initializer_li
   for (const query::Rule& rule : rules)
     if (std::find(lists.begin(), lists.end(), rule.list) != lists.end())
       rule_row(ui, rule, file.list(rule.list)[rule.index]);
-}
-
-// Returns "Locked: auto bank, section equip."
-std::string locked_words(const std::vector<std::string>& locks) {
-  std::string words = fmt::format("Locked: {}.", fmt::join(locks, ", "));
-  std::replace(words.begin(), words.end(), '_', ' ');
-  std::replace(words.begin(), words.end() - 1, '.', ' ');
-  return words;
 }
 
 // Shows the three medals side by side, the earned ones in their metal.
@@ -109,6 +101,20 @@ void buttons(Ui& ui, const edit::ActiveChallenge& challenge) {
     ui.emit(edit::LeaveChallenge{});
 }
 
+// Of a challenge that is judged as you build, so without a score card: the medal, and the way on.
+void passed_row(Ui& ui, const edit::ActiveChallenge& challenge) {
+  const float size = std::floor(24 * ui.scale);
+  draw_medal(*ImGui::GetWindowDrawList(), ImGui::GetCursorScreenPos(), size, challenge.medal, true);
+  ImGui::Dummy({size, size});
+  ImGui::SameLine();
+  ImGui::AlignTextToFramePadding();
+  tinted_line(fmt::format("{} medal", medal_title(challenge.medal)), palette().good);
+  const auto next = challenge_after(challenge);
+  if (!next) return;
+  ImGui::SameLine();
+  if (button(ui, "Next challenge", "Begin the next challenge.")) ui.want = {Want::Kind::challenge, next->string()};
+}
+
 }  // namespace
 
 bool challenge_shown(const Ui& ui) { return ui.session().game.challenge.has_value(); }
@@ -125,7 +131,7 @@ void challenge_panel(Ui& ui) {
                                                            : "To pass###To pass, ride so that",
           "Goals and limits. Values of the ride come from a simulation of the whole ride.");
   rules_of(ui, *rules, {RuleList::goals, RuleList::limits, RuleList::bronze});
-  if (!challenge.file.locks.empty()) paragraph(ui, "Locked", locked_words(challenge.file.locks), palette().dim);
+  if (!challenge.file.locks.empty()) paragraph(ui, "Locked", edit::locked_text(challenge.file.locks), palette().dim);
   medals(ui, challenge, std::max(challenge.medal, known_medal(ui, challenge.path)));
   medal_rules(ui, *rules);
   if (!challenge.last.reason.empty()) {
@@ -146,14 +152,15 @@ void draw_goals(Ui& ui, const view::Viewport& scene) {
   const base::Result<std::vector<query::Rule>> rules = query::read_rules(challenge->file, challenge->path);
   const float width = std::floor(280 * ui.scale), margin = std::floor(14 * ui.scale);
   if (!rules || scene.width < 2 * width || scene.height < width) return;
-  const Card card{
-      .id = "##goals",
-      .panel = "Goals",
-      .at = {std::floor(scene.x + scene.width - margin), std::floor(scene.y + margin)},
-      .pivot = {1, 0},
-      .width = width,
-      .alpha = 0.82f,
-      .flags = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoInputs | ImGuiWindowFlags_NoFocusOnAppearing};
+  const bool passed = challenge->medal > 0 && challenge->file.judged == exchange::Judged::build;
+  const Card card{.id = "##goals",
+                  .panel = "Goals",
+                  .at = {std::floor(scene.x + scene.width - margin), std::floor(scene.y + margin)},
+                  .pivot = {1, 0},
+                  .width = width,
+                  .alpha = 0.82f,
+                  .flags = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoFocusOnAppearing |
+                           (passed ? ImGuiWindowFlags_NoNav : ImGuiWindowFlags_NoInputs)};
   build_card(ui, card, [&] {
     tinted_line(challenge->file.name, palette().accent);
     for (const query::Rule& rule : *rules) {
@@ -161,6 +168,7 @@ void draw_goals(Ui& ui, const view::Viewport& scene) {
       if (rule.list == RuleList::goals || (!medal && !query::look_at(ui.state.find, rule).holds))
         rule_row(ui, rule, challenge->file.list(rule.list)[rule.index]);
     }
+    if (passed) passed_row(ui, *challenge);
   });
 }
 

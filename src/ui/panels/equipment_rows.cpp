@@ -22,7 +22,7 @@ Equipped equipped(const world::Document& document, const std::vector<world::Enti
   return found;
 }
 
-std::optional<EquipmentChoice> equipment_buttons(Ui& ui, const Equipped& now, bool enabled) {
+std::optional<EquipmentChoice> equipment_buttons(Ui& ui, const Equipped& now, bool enabled, std::string_view command) {
   constexpr int kColumns = 3;
   const float gap = ImGui::GetStyle().ItemSpacing.x, room = ImGui::GetContentRegionAvail().x;
   const float width = std::floor((room - gap * (kColumns - 1)) / kColumns);
@@ -44,6 +44,7 @@ std::optional<EquipmentChoice> equipment_buttons(Ui& ui, const Equipped& now, bo
   };
   std::optional<EquipmentChoice> chosen;
   for (const base::NameRow& row : world::kEquipmentKinds) {
+    const LockedWidgets locked(ui, command);
     const auto kind = static_cast<world::EquipmentKind>(place);
     if (choice(row.label, row.help, now.equipment && now.equipment->kind == kind)) chosen = EquipmentChoice{kind};
   }
@@ -52,7 +53,8 @@ std::optional<EquipmentChoice> equipment_buttons(Ui& ui, const Equipped& now, bo
   return chosen;
 }
 
-std::optional<world::Equipment> equipment_rows(Ui& ui, world::Equipment now) {
+std::optional<world::Equipment> equipment_rows(Ui& ui, world::Equipment now, std::string_view command) {
+  const LockedWidgets locked(ui, command);
   bool changed = false;
   const auto field = [&](const char* label, float& value, const char* unit, double low, double high,
                          const char* tooltip) {

@@ -86,6 +86,7 @@ void roll_rate(Ui& ui, const world::Knot& knot) {
            "The spin times the present speed of the first train.");
 }
 void joint_list(Ui& ui, const edit::Knots& knots, const world::Knot& knot, std::string_view tooltip) {
+  const LockedWidgets locked(ui, edit::SetJoint::kInfo.name);
   if (const auto kind = combo_of(ui, "Joint", knot.joint, tooltip)) ui.emit(edit::SetJoint{knots, *kind});
 }
 
@@ -213,13 +214,13 @@ void cart_inspector(Ui& ui, Entity entity) {
   const world::Cart* cart = session.document.entities.find<world::Cart>(entity);
   if (cart != nullptr) {
     read_out(ui, "Starts on", world::label_of(session.document, cart->segment), "",
-             "The segment that the cart starts on.");
+             "The segment that the train starts on.");
     read_out(ui, "Start position###Start place", fixed(cart->fraction * 100, 1), "%",
              "Fraction of that segment's length.");
   }
   const world::CartMotion* motion = session.motion.carts.find(entity);
   if (motion == nullptr) return;
-  read_out(ui, "Now on", world::label_of(session.document, motion->segment), "", "The segment that the cart is on.");
+  read_out(ui, "Now on", world::label_of(session.document, motion->segment), "", "The segment that the train is on.");
   read_out(ui, "Speed", motion->speed, 2, "m/s", "Speed along the track. Negative: backwards.");
   read_out(ui, "Distance", motion->track_distance, 2, "m", "Distance from the start of the track.");
   read_out(ui, "Travelled", motion->travelled, 2, "m",
@@ -239,7 +240,7 @@ void inspector_panel(Ui& ui) {
   const Entity selected = session.settings.selected;
   const Name* name = session.document.entities.find<Name>(selected);
   if (name == nullptr) {
-    heading(ui, "Nothing selected", "Click a knot, the curve or a cart to select it.");
+    heading(ui, "Nothing selected", "Click a knot, the curve or a train to select it.");
     return;
   }
   constexpr const char* kKinds[] = {"Knot", "Segment", "Cart", "Section"};

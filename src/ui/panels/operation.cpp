@@ -43,7 +43,8 @@ void equipment(Ui& ui) {
   const auto equip = [&] {
     ui.emit_each(segments, [&](world::Entity e) { ui.emit(edit::SetEquipment{{world::name_of(document, e)}, to}); });
   };
-  if (const auto chosen = equipment_buttons(ui, now, !segments.empty())) {
+  constexpr std::string_view kEquips = edit::SetEquipment::kInfo.name;
+  if (const auto chosen = equipment_buttons(ui, now, !segments.empty(), kEquips)) {
     if (chosen->kind) to.kind = *chosen->kind, equip();
     else
       ui.emit_each(segments, [&](world::Entity e) {
@@ -51,7 +52,7 @@ void equipment(Ui& ui) {
       });
   }
   if (!now.equipment) return;
-  if (const auto changed = equipment_rows(ui, *now.equipment)) to = *changed, equip();
+  if (const auto changed = equipment_rows(ui, *now.equipment, kEquips)) to = *changed, equip();
 }
 
 void train(Ui& ui) {
@@ -97,6 +98,7 @@ void loss_set(Ui& ui) {
   const auto now = world::loss_set_of(ui.session().document.resistance);
   const int shown = now ? static_cast<int>(*now) : static_cast<int>(sets.size());
   if (!now) sets.push_back({"Own", "The numbers below."});
+  const LockedWidgets locked(ui, edit::SetLossSet::kInfo.name);
   if (const auto to = combo(ui, "Losses", sets, shown, "Sets rolling friction and drag together."))
     ui.emit(edit::SetLossSet{static_cast<world::LossSet>(*to)});
 }
@@ -116,10 +118,9 @@ void track_curve(Ui& ui) {
   offer("Switch, keep numbers", edit::Keep::numbers, "The knots keep their numbers, and the rails move.");
 }
 
-void losses(Ui& ui) {
-  const world::Document& document = ui.session().document;
-  const world::Resistance& now = document.resistance;
-  loss_set(ui);
+void loss_numbers(Ui& ui) {
+  const world::Resistance& now = ui.session().document.resistance;
+  const LockedWidgets locked(ui, edit::SetLosses::kInfo.name);
   if (const auto to = number(
           ui, "Rolling", {.value = now.rolling, .decimals = 4, .step = 0.0002, .low = 0, .high = world::kMaxRolling},
           "Rolling friction coefficient. Steel coasters: 0.02 to 0.03. 0: none."))
@@ -129,6 +130,12 @@ void losses(Ui& ui) {
                  {.value = now.drag, .unit = "1/m", .decimals = 6, .step = 0.000002, .low = 0, .high = world::kMaxDrag},
                  "Drag coefficient: deceleration divided by v\u00B2. About 0.00002."))
     ui.emit(edit::SetLosses{now.rolling, static_cast<float>(*to)});
+}
+
+void losses(Ui& ui) {
+  const world::Document& document = ui.session().document;
+  loss_set(ui);
+  loss_numbers(ui);
   const Number heartline{.value = document.heartline,
                          .unit = "m",
                          .step = 0.01,

@@ -124,14 +124,15 @@ void section_equipment(Ui& ui, const Chosen& chosen) {
       ui.emit(edit::EquipSection{{chosen.name(run)}, to});
     });
   };
-  if (const auto button = equipment_buttons(ui, now, true)) {
+  constexpr std::string_view kEquips = edit::EquipSection::kInfo.name;
+  if (const auto button = equipment_buttons(ui, now, true, kEquips)) {
     if (button->kind) to.kind = *button->kind, equip();
     else
       ui.emit_each(chosen.runs,
                    [&](const world::SectionRun& run) { ui.emit(edit::UnequipSection{{chosen.name(run)}}); });
   }
   if (!now.equipment) return;
-  if (const auto changed = equipment_rows(ui, *now.equipment)) to = *changed, equip();
+  if (const auto changed = equipment_rows(ui, *now.equipment, kEquips)) to = *changed, equip();
 }
 
 // True if the selected sections are neighbours.

@@ -45,7 +45,10 @@ struct Buttons {
   int columns;
   int placed = 0;
   float width = 0;
-  bool operator()(std::string_view label, std::string_view tooltip, bool enabled = true) {
+  // A button for the command of that name, which a challenge may lock.
+  bool operator()(std::string_view label, std::string_view tooltip, bool enabled = true,
+                  std::string_view command = {}) {
+    const LockedWidgets locked(ui, command);
     const float gap = ImGui::GetStyle().ItemSpacing.x;
     if (placed++ % columns != 0) ImGui::SameLine();
     else
@@ -101,9 +104,10 @@ void shape_panel(Ui& ui) {
                        ui.keys.shown("Box select"), ui.keys.shown("Select all")));
   Buttons next{ui, 2};
   if (next("Smooth", "Fit the natural C2 spline through the knots: curvature is continuous at every joint.",
-           on_track > 1))
+           on_track > 1, edit::Smooth::kInfo.name))
     ui.emit(edit::Smooth{knots});
-  if (next("Equalise handles", "Set both handles to their average length (C1).", any)) ui.emit(edit::Equalise{knots});
+  if (next("Equalise handles", "Set both handles to their average length (C1).", any, edit::Equalise::kInfo.name))
+    ui.emit(edit::Equalise{knots});
   if (next("Straighten", "Move neighbouring knots onto the line from the first to the last.", any && count > 1))
     ui.emit(edit::Straighten{knots});
   if (next("Drop to ground", "Move the knots to the ground and level them.", any)) ui.emit(edit::DropToGround{knots});

@@ -65,14 +65,6 @@ void draw_row(const Ui& ui, const ChallengeEntry& entry, int medal, ImVec2 low, 
 
 }  // namespace
 
-std::vector<std::filesystem::path> json_files(const std::filesystem::path& folder) {
-  std::vector<std::filesystem::path> files;
-  if (const auto entries = base::list_folder(folder))
-    for (const base::FolderEntry& entry : *entries)
-      if (!entry.folder && entry.name.ends_with(".json")) files.push_back(folder / entry.name);
-  return files;
-}
-
 std::vector<ChallengeEntry> read_challenges(const Ui& ui) {
   std::vector<ChallengeEntry> found;
   const std::filesystem::path data = base::data_folder();

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "ui/context/challenge_files.h"
 #include "ui/context/ui.h"
 
 namespace coaster::ui {
@@ -18,9 +19,6 @@ struct ChallengeEntry {
   std::string problem;          // why it cannot start; empty if it can
   const std::string& help() const { return problem.empty() ? teaches : problem; }
 };
-
-// Returns the .json files of a folder, by name; none if the folder does not exist.
-std::vector<std::filesystem::path> json_files(const std::filesystem::path& folder);
 
 // Returns the program's challenges (base::data_folder()), then the user's, each by file name. Reads the files.
 std::vector<ChallengeEntry> read_challenges(const Ui& ui);

@@ -12,7 +12,7 @@
 #include "base/text.h"
 #include "edit/commands/commands_challenge.h"
 #include "edit/commands/commands_ride.h"
-#include "ui/screens/challenge_list.h"
+#include "ui/context/challenge_files.h"
 #include "ui/tools/places.h"
 #include "ui/widgets/medals.h"
 #include "ui/widgets/theme.h"
@@ -108,10 +108,7 @@ void title(Ui& ui, const edit::RideResult& result) {
 std::optional<std::filesystem::path> next_challenge(const edit::Session& session) {
   const edit::RideResult& result = *session.game.result;
   if (!session.game.challenge || !result.verdict || result.verdict->medal == 0) return std::nullopt;
-  const std::filesystem::path now(session.game.challenge->path);
-  for (const std::filesystem::path& file : json_files(now.parent_path()))  // by name
-    if (file.filename() > now.filename()) return file;
-  return std::nullopt;
+  return challenge_after(*session.game.challenge);
 }
 
 // Shows the buttons. Returns true if the details show.
@@ -148,7 +145,7 @@ void draw_score_card(Ui& ui, const view::Viewport& scene) {
   const edit::Session& session = ui.session();
   if (!card_shows(session)) return;
   const float margin = std::floor(14 * ui.scale), notice = std::floor(54 * ui.scale);
-  const float width = std::min(std::floor(640 * ui.scale), scene.width - 2 * margin);
+  const float width = std::min(std::floor(690 * ui.scale), scene.width - 2 * margin);
   if (width < 240 * ui.scale || scene.height < 240 * ui.scale) return;
   const ImVec2 foot(std::floor(scene.x + scene.width * 0.5f), std::floor(scene.y + scene.height - notice));
   ImGui::SetNextWindowSizeConstraints({width, 0}, {width, scene.height - notice - margin});

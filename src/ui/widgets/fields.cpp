@@ -108,6 +108,7 @@ std::optional<double> drag(WidgetFrame& ui, const Number& n, ImGuiID id) {
 // Shows one field at the cursor, `width` px wide.
 std::optional<double> field(WidgetFrame& ui, std::string_view label, const Number& metric, std::string_view name,
                             std::uint32_t name_colour, float width, std::string_view tooltip, bool enabled) {
+  enabled = enabled && ui.locked.empty();
   const auto [n, unit] = in_users_units(ui, metric);
   ImGui::PushID(label.data(), label.data() + label.size());
   ImGui::BeginDisabled(!enabled);

@@ -58,6 +58,7 @@ glm::vec2 mouse_position() { return {ImGui::GetIO().MousePos.x, ImGui::GetIO().M
 void note(WidgetFrame& ui, std::string_view label, std::string_view kind, std::string_view tooltip, bool enabled,
           std::string value, ImVec2 low, ImVec2 high) {
   const std::string path = label.empty() ? ui.panel : fmt::format("{}/{}", ui.panel, label);
+  if (!ui.locked.empty()) tooltip = ui.locked, enabled = false;
   // Also while its own button is held down.
   const bool over = ImGui::IsWindowHovered(ImGuiHoveredFlags_AllowWhenBlockedByActiveItem) &&
                     ImRect(low, high).Contains(ImGui::GetIO().MousePos);

@@ -59,6 +59,7 @@ struct WidgetFrame {
   std::string panel;                                         // first part of the paths
   base::Units units = base::Units::m_s;                      // units of displayed values and words
   FieldWish* wish = nullptr;                                 // null: fields take only the mouse
+  std::string locked = {};                                   // why widgets are disabled now; empty: they are not
 };
 
 // Widgets get metric values and words, and show them in the user's units (base/units.h): the numbers and units of
