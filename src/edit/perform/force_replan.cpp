@@ -95,10 +95,10 @@ Status replan_force(Session& session, Change& change, Document& document, Entity
 bool follow_speeds(Session& session, Change& change) {
   constexpr double kSame = 0.002;  // m/s
   std::vector<Entity> sections;
-  const auto& all = session.document.entities.pool<world::Section>();
-  if (std::none_of(all.items().begin(), all.items().end(),
-                   [](const world::Section& s) { return s.kind == SectionKind::force; }))
-    return false;
+  const auto& all = session.document.entities.pool<world::Section>().items();
+  const auto count = std::count_if(all.begin(), all.end(), [](const auto& s) { return s.kind == SectionKind::force; });
+  if (count == 0) return false;
+  session.findings.memory.forces.make_room(static_cast<std::size_t>(count));
   for (const SectionRun& run : world::sections_of(session.document)) sections.push_back(run.section);
   bool changed = false;
   for (const Entity section : sections) {
@@ -119,6 +119,7 @@ bool follow_speeds(Session& session, Change& change) {
       change.clamped.push_back(fmt::format("{} keeps its shape: {}.", world::title_of(value), status.message));
     } else if (differs) {
       changed = true;
+      change.planned.push_back(section);
       world::settle_joints(session.document);
       derive(session);
     }

@@ -160,13 +160,15 @@ bool ForceMemo::has(const ForceTask& task) const {
   return std::any_of(plans_.begin(), plans_.end(), [&](const ForcePlan& plan) { return plan.task == task; });
 }
 
+void ForceMemo::make_room(std::size_t sections) { most_ = std::max(most_, 2 * sections); }
+
 const ForcePlan& ForceMemo::plan(const ForceTask& task) {
   const auto found = std::find_if(plans_.begin(), plans_.end(), [&](const ForcePlan& p) { return p.task == task; });
   if (found != plans_.end()) {
     std::rotate(found, found + 1, plans_.end());
     return plans_.back();
   }
-  if (plans_.size() == kMost) plans_.erase(plans_.begin());
+  if (plans_.size() >= most_) plans_.erase(plans_.begin());
   plans_.push_back(plan_force(task));
   plans_.back().serial = ++serial_;
   return plans_.back();

@@ -82,9 +82,11 @@ class ForceMemo {
   const ForcePlan& plan(const ForceTask& task);
   // True if the task's plan is cached.
   bool has(const ForceTask& task) const;
+  // Caches at least twice that many plans from now on, so that a change of all sections keeps the former ones for undo.
+  void make_room(std::size_t sections);
 
  private:
-  static constexpr std::size_t kMost = 32;
+  std::size_t most_ = 32;
   std::vector<ForcePlan> plans_;  // the newest last
   std::uint64_t serial_ = 0;
 };

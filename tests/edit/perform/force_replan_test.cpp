@@ -84,6 +84,17 @@ TEST_F(Forces, a_change_of_speed_plans_it_again) {
   EXPECT_EQ(world::hash(session.document), hash_before);
 }
 
+// A command that changes no force section plans none again, however many there are.
+TEST_F(Forces, many_keep_their_plans) {
+  good("start_speed 20");
+  for (int i = 0; i < 40; ++i) good("force.add of curvature length 4");
+  const auto first = [&] { return world::segment(session.document, session.document.track.segments.front()).section; };
+  good("section.title @q40 to last");
+  const std::uint64_t planned = edit::force_plan(session, first())->serial;
+  good("section.title @q40 to end");
+  EXPECT_EQ(edit::force_plan(session, first())->serial, planned);
+}
+
 TEST_F(Forces, its_own_equipment_counts_in_its_speed) {
   drop_and_force();
   key("vertical key 1 at 0"), key("vertical key 2.4 at 20"), key("vertical key 0.8 at 45");
