@@ -140,6 +140,72 @@ TEST_F(PlantedGoals, of_sections_are_reached_by_their_parameters) {
     solve(task);
 }
 
+// A drop, a force section of some keys behind it, and track behind that.
+class ForceGoals : public PlantedGoals {
+ protected:
+  ForceGoals() {
+    for (const char* const line :
+         {"new", "start_speed 5", "element climb height 32 equipment lift speed 5", "element straight length 8",
+          "element dive height 28", "force.add length 60", "force @q4 vertical key 1 at 0",
+          "force @q4 vertical key 2 at 20", "force @q4 vertical key 1.2 at 45", "element straight length 20"})
+      good(line);
+    start_on(world::Document(session.document));
+  }
+  const world::ForceProgram& program() { return world::section(session.document, entity("q4")).force; }
+  double key(std::size_t i) { return program().keys(world::ForceChannel::vertical)[i].value; }
+};
+
+TEST_F(ForceGoals, are_reached_by_keys_and_by_what_is_before_them) {
+  for (const Task& task :
+       std::vector<Task>{{"section.g_most", "@q4", "vertical at 20", "@q4", "force @q4 vertical key 2.3 at 20"},
+                         {"ride.speed_max", "", "height", "@q3", "section.change @q3 to dive height 29"},
+                         {"open_end.distance", "", "height", "@q3", "section.change @q3 to dive height 29"}})
+    solve(task);
+}
+
+TEST_F(ForceGoals, are_reached_by_length) {
+  const double length = value("exact_length"), before = program().length;
+  good("seek exact_length == " + base::to_text(length + 2) + " by length of @q4");
+  EXPECT_NEAR(value("exact_length"), length + 2, 1e-3 * (length + 2)) << note();
+  EXPECT_NEAR(program().length, before + 2, 0.5);
+  good("seek exact_length == " + base::to_text(length - 3) + " by length of @q4 above 50 below 70");
+  EXPECT_NEAR(value("exact_length"), length - 3, 1e-3 * length) << note();
+}
+
+TEST_F(ForceGoals, change_the_named_keys_alone) {
+  good("seek section.g_most @q4 == 2.4 by vertical at 20 of @q4");
+  EXPECT_NEAR(value("section.g_most", "@q4"), 2.4, 0.003);
+  EXPECT_GT(key(1), 2);
+  EXPECT_EQ(key(0), 1);
+  EXPECT_EQ(key(2), 1.2);
+  EXPECT_EQ(world::kind_name(world::section(session.document, entity("q4"))), "force");
+  EXPECT_EQ(world::kind_name(world::section(session.document, entity("q5"))), "straight") << "planned again behind it";
+  good("undo");
+  good("seek section.g_most @q4 == 2.4 by vertical of @q4 together on");
+  EXPECT_NEAR(key(1) - key(0), 1, 1e-9);
+  EXPECT_GT(key(0), 1);
+  EXPECT_NE(note().find("Vertical keys: 3 of 3 changed, by up to"), std::string::npos) << note();
+}
+
+// What is found holds when the force section has been planned for its train's new speed.
+TEST_F(ForceGoals, hold_where_forces_follow_another_speed) {
+  const double speed = program().speed, far = value("open_end.distance") + 2;
+  good("seek ride.speed_max == 25 by height of @q3");
+  EXPECT_NEAR(value("ride.speed_max"), 25, 0.026) << note();
+  EXPECT_GT(program().speed, speed);
+  good("undo");
+  good("seek open_end.distance == " + base::to_text(far) + " by height of @q3");
+  EXPECT_NEAR(value("open_end.distance"), far, 1e-3 * far) << note();
+  EXPECT_NE(program().speed, speed);
+}
+
+TEST_F(ForceGoals, name_what_a_section_has) {
+  refused(command("seek exact_length == 200 by lateral of @q4"), "has no number \"lateral\"");
+  refused(command("seek exact_length == 200 by vertical at 21 of @q4"), "has no number \"vertical at 21\"");
+  refused(command("seek exact_length == 200 by vertical at noon of @q4"), "has no number");
+  refused(command("seek datum == 200 by vertical of @q4"), "datum does not depend on the vertical keys");
+}
+
 TEST_F(Goals, leave_locked_knots_and_limits_alone) {
   const double length = value("exact_length");
   good("seek exact_length == " + base::to_text(length + 3) + " by height of all except @k2 below 30");

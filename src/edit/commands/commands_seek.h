@@ -6,7 +6,8 @@
 
 namespace coaster::edit {
 
-// `by` is height, x, z, place or roll of knots, or a parameter of sections. The limits apply to each of these numbers:
+// `by` is height, x, z, place or roll of knots, a parameter of sections, or of force sections length, vertical, lateral
+// or roll for all keys of a channel, and "vertical at 40" for one. The limits apply to each of these numbers:
 // m, or degrees for roll, or the parameter's unit.
 struct Seek {
   Phrase goal, by;
@@ -17,7 +18,8 @@ struct Seek {
   COASTER_COMMAND(Seek, "seek",
                   "Change numbers as little as possible until a query has a value: seek ride.lap_time == 40 by height "
                   "of @k3..@k9. By height, x, z, place or roll of knots, or by a parameter of sections. Knots of "
-                  "except stay; above and below are limits; with together on, all change by the same amount.",
+                  "except stay; above and below are limits; with together on, all change by the same amount. Of force "
+                  "sections by length, by the keys of a channel, or by one key: by vertical at 40.",
                   Effect::document, "Changed {by} of {of} for {}");
   COASTER_FIELDS(visit("", self.goal), visit("by", self.by), visit("of", self.of), visit("except?", self.except),
                  visit("above?", self.above), visit("below?", self.below), visit("together?", self.together))

@@ -77,6 +77,13 @@ base::Result<sim::ForcePlan> present_plan(Session& session, Target section, cons
 
 }  // namespace
 
+Status change_forces(Session& session, Change& change, Entity section, const ForceProgram& to) {
+  return with_program(session, change, {world::name_of(session.document, section)}, false, [&](ForceProgram& program) {
+    program = to;
+    return Status{};
+  });
+}
+
 void report_forces(const sim::ForcePlan& plan, Change& change) {
   if (const std::string stopped = sim::stop_text(plan); !stopped.empty())
     change.clamped.push_back(base::sentence(stopped));

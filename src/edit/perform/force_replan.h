@@ -16,6 +16,9 @@ base::Status replan_force(Session& session, Change& change, world::Document& doc
 base::Status put_and_follow(Session& session, Change& change, world::Document& document, const world::SectionRun& run,
                             const sim::ElementFit& fit);
 
+// Gives a force section another program and plans it again, with what follows; refused if it cannot be planned.
+base::Status change_forces(Session& session, Change& change, world::Entity section, const world::ForceProgram& to);
+
 // Plans each force section of the session's document again whose plan would differ: because its train is faster or
 // slower, or because its start changed. One that cannot be planned keeps its shape, with a warning. Needs up-to-date
 // derived data; returns true if it changed the document, which makes them out of date.

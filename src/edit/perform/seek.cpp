@@ -8,6 +8,8 @@
 #include <fmt/format.h>
 
 #include "edit/commands/codec.h"
+#include "edit/perform/force_replan.h"
+#include "edit/perform/hand_shaped.h"
 #include "edit/perform/seek_numbers.h"
 #include "sim/shape/roll.h"
 #include "world/sections.h"
@@ -23,14 +25,21 @@ using Values = std::vector<double>;
 class Trial {
  public:
   Trial(const Session& session, const Seek& command, std::vector<SeekNumber> numbers)
-      : start_(session.document), goal_(command.goal.text), together_(command.together), numbers_(std::move(numbers)) {
+      : start_(session.document),
+        planned_(planned_sections(session.document)),
+        goal_(command.goal.text),
+        together_(command.together),
+        numbers_(std::move(numbers)),
+        by_(words_of(command, numbers_)) {
     session_.document = session.document, session_.settings = session.settings, session_.limits = session.limits;
     session_.derived = session.derived, session_.game.referee = session.game.referee;
+    session_.findings.memory.forces = session.findings.memory.forces;
     // As inside a drag: a section that completes the circuit keeps its way instead of searching all.
     session_.history.in_gesture = true, session_.history.gesture_start = session.document;
   }
 
   const std::vector<SeekNumber>& numbers() const { return numbers_; }
+  const std::string& by() const { return by_; }  // what the numbers are
   base::Result<GoalState> measure() { return session_.game.referee.measure(session_, goal_); }
   world::Document document() const { return session_.document; }
   Values start_values() const {
@@ -56,26 +65,33 @@ class Trial {
     return values;
   }
 
-  // Sets the numbers. On failure some have other values.
+  // Sets the numbers, and updates what depends on them as after a command. On failure some have other values.
   Status set(const Values& values) {
     session_.document = start_;
     edit::derive(session_);
     Change change{files_};
-    for (std::size_t i = 0; i < values.size(); ++i)
-      if (values[i] != numbers_[i].unknown.start)
-        if (const Status given = give(session_, change, numbers_[i], values[i]); !given) return given;
+    if (const Status given = give(session_, change, numbers_, values); !given) return given;
     world::settle_joints(session_.document);
+    free_hand_shaped(planned_, session_, change);
     edit::derive(session_);
     if (sim::set_automatic_spins(session_.derived, change.respun, session_.document)) edit::derive(session_);
+    if (follow_speeds(session_, change)) edit::derive(session_);
     ++session_.edits;
+    replanned_ = std::move(change.planned), note_ = std::move(change.note);
     return {};
   }
+  const std::vector<world::Entity>& replanned() const { return replanned_; }  // other sections that set() planned again
+  const std::string& note() const { return note_; }                           // of set()
 
  private:
   const world::Document start_;
+  std::vector<PlannedSection> planned_;
   std::string goal_;
   bool together_;
   std::vector<SeekNumber> numbers_;
+  std::string by_;
+  std::vector<world::Entity> replanned_;
+  std::string note_;
   Session session_ = make_session({});
   base::Files files_;
 };
@@ -85,17 +101,17 @@ std::string with_unit(double value, const std::string& unit) {
 }
 
 // Returns why a search has failed.
-std::string failure(const Seek& command, const base::Solution& solution, const GoalState& goal) {
+std::string failure(const std::string& by, const base::Solution& solution, const GoalState& goal) {
   switch (solution.end) {
-    case base::SolutionEnd::no_effect: return fmt::format("{} does not depend on the {}", goal.name, command.by.text);
+    case base::SolutionEnd::no_effect: return fmt::format("{} does not depend on the {}", goal.name, by);
     case base::SolutionEnd::cancelled: return "cancelled";
     default:
       return fmt::format("{} comes no closer to {} than {} by changing the {}", goal.name,
-                         with_unit(goal.wanted, goal.unit), with_unit(solution.value, goal.unit), command.by.text);
+                         with_unit(goal.wanted, goal.unit), with_unit(solution.value, goal.unit), by);
   }
 }
 
-base::Result<Sought> run(Trial& trial, const Seek& command, base::Progress* progress) {
+base::Result<Sought> run(Trial& trial, base::Progress* progress) {
   const base::Result<GoalState> before = trial.measure();
   if (!before) return before.status();
   const auto is_now = [&](double value) {
@@ -117,10 +133,10 @@ base::Result<Sought> run(Trial& trial, const Seek& command, base::Progress* prog
     return !progress || !progress->cancelled;
   };
   const base::Solution solution = base::solve_by_least_change(equation);
-  if (solution.end != base::SolutionEnd::met) return refused(failure(command, solution, *before));
+  if (solution.end != base::SolutionEnd::met) return refused(failure(trial.by(), solution, *before));
   const Values values = trial.values_of(solution.unknowns);
   return Sought{values, fmt::format("{}, was {}. {}", is_now(solution.value), with_unit(before->found, before->unit),
-                                    changed_text(command.by.text, trial.numbers(), values))};
+                                    changed_text(trial.by(), trial.numbers(), values))};
 }
 
 // Returns the sections whose parameters, or whose way home, the search has changed.
@@ -143,8 +159,8 @@ base::Result<std::shared_ptr<Trial>> trial_for(const Session& session, const See
 }  // namespace
 
 Search search_for(const Session& session, const Seek& command) {
-  return [trial = trial_for(session, command), command](base::Progress* progress) {
-    return trial ? run(**trial, command, progress) : base::Result<Sought>(trial.status());
+  return [trial = trial_for(session, command)](base::Progress* progress) {
+    return trial ? run(**trial, progress) : base::Result<Sought>(trial.status());
   };
 }
 
@@ -154,13 +170,14 @@ Status perform(Session& session, Change& change, const Seek& command) {
   const bool fits = ahead && ahead->edits == session.edits && ahead->command == print(command);
   const base::Result<std::shared_ptr<Trial>> trial = trial_for(session, command);
   if (!trial) return trial.status();
-  base::Result<Sought> found = fits ? base::Result<Sought>(ahead->found) : run(**trial, command, nullptr);
+  base::Result<Sought> found = fits ? base::Result<Sought>(ahead->found) : run(**trial, nullptr);
   if (!found) return found.status();
   if (const Status set = (*trial)->set(found->values); !set) return set;
   world::Document document = (*trial)->document();
   change.planned = planned_again(session.document, document);
+  change.planned.insert(change.planned.end(), (*trial)->replanned().begin(), (*trial)->replanned().end());
   session.document = std::move(document);
-  change.note = std::move(found->note);
+  change.note = found->note + ((*trial)->note().empty() ? "" : " ") + (*trial)->note();
   return {};
 }
 

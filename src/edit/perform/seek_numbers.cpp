@@ -7,8 +7,10 @@
 
 #include "edit/commands/commands_document.h"
 #include "edit/commands/commands_sections.h"
+#include "edit/perform/force_replan.h"
 #include "edit/perform/knot_runs.h"
 #include "world/element.h"
+#include "world/force_steps.h"
 #include "world/sections.h"
 #include "world/selection.h"
 #include "world/topology.h"
@@ -16,7 +18,9 @@
 namespace coaster::edit {
 namespace {
 
+using base::Status;
 using base::Unknown;
+using world::Entity;
 using Numbers = std::vector<SeekNumber>;
 
 constexpr double kCoordinateStep = 0.25;  // m, of coordinates
@@ -91,35 +95,102 @@ base::Result<Numbers> of_knots(const Session& session, const Seek& command) {
   return numbers;
 }
 
+// The numbers of a force section that a word names: "length", "vertical", or "vertical at 40" for a single key.
+struct ForceBy {
+  std::optional<world::ForceChannel> channel;  // nothing: the length
+  std::optional<double> at;                    // m or s
+};
+std::optional<ForceBy> force_by(std::string_view by) {
+  if (by == "length") return ForceBy{};
+  constexpr std::string_view kAt = " at ";
+  const std::size_t end = by.find(kAt);
+  const auto channel = base::value_named<world::ForceChannel>(by.substr(0, end));
+  if (!channel) return std::nullopt;
+  if (end == std::string_view::npos) return ForceBy{channel, {}};
+  const auto at = base::parse_double(by.substr(end + kAt.size()));
+  return at ? std::optional(ForceBy{channel, at}) : std::nullopt;
+}
+
+// Returns the length or the keys of a force section that the command names; empty if it has none of them.
+Numbers of_forces(const world::ForceProgram& program, Entity section, std::string_view by) {
+  const std::optional<ForceBy> named = force_by(by);
+  if (!named) return {};
+  if (!named->channel) {
+    const Unknown length{program.length, kParameterStep * program.length, world::shortest_of(program.over),
+                         world::longest_of(program.over)};
+    return {{SeekKind::force_length, section, {}, world::unit_of(program.over), length}};
+  }
+  Numbers numbers;
+  const world::ForceChannel channel = *named->channel;
+  const double step = world::steps_of(program, channel).value, limit = world::channel_of(program.of, channel).limit;
+  const std::vector<world::ForceKey>& keys = program.keys(channel);
+  for (std::size_t i = 0; i < keys.size(); ++i)
+    if (constexpr double kSame = 1e-6; !named->at || std::abs(keys[i].at - *named->at) <= kSame * (1 + keys[i].at))
+      numbers.push_back({SeekKind::force_key,
+                         section,
+                         {},
+                         world::unit_of(program, channel),
+                         {keys[i].value, step, -limit, limit},
+                         channel,
+                         i});
+  return numbers;
+}
+
+// Returns the parameter of a planned section that the command names; empty if it has none.
+Numbers of_element(const world::Element& element, Entity section, std::string_view by) {
+  const auto rows = base::row_of(element.kind).parameters;
+  const auto row = std::find_if(rows.begin(), rows.end(), [&](const auto& r) { return r.name == by; });
+  if (row == rows.end() || !row->names.empty()) return {};
+  const double usual = row->usual != 0 ? std::abs(row->usual) : row->high - row->low;
+  return {{SeekKind::parameter,
+           section,
+           std::string(row->name),
+           row->unit,
+           {*world::found_value(element, row->name), kParameterStep * usual, row->low, row->high}}};
+}
+
 base::Result<Numbers> of_sections(const Session& session, const Seek& command) {
   Sections named;
   named.which = command.of.which, named.names = command.of.names;
   const auto sections = chosen_sections(session, named);
   if (!sections) return sections.status();
   Numbers numbers;
-  for (const world::Entity e : *sections) {
+  for (const Entity e : *sections) {
     const world::Section& section = world::section(session.document, e);
-    const auto rows = base::row_of(section.element.kind).parameters;
-    const auto row = std::find_if(rows.begin(), rows.end(), [&](const auto& r) { return r.name == command.by.text; });
-    const bool planned = section.kind == world::SectionKind::element;
-    if (!planned || row == rows.end() || !row->names.empty()) {
-      if (command.of.which == Knots::Which::all) continue;
+    const std::string_view by = command.by.text;
+    const Numbers own = section.kind == world::SectionKind::force     ? of_forces(section.force, e, by)
+                        : section.kind == world::SectionKind::element ? of_element(section.element, e, by)
+                                                                      : Numbers{};
+    if (own.empty() && command.of.which != Knots::Which::all) {
       const std::string label = world::label_of(session.document, e);
-      if (!planned) return refused(fmt::format("@{} has no parameters: name its knots", label));
-      return refused(fmt::format("{} @{} has no number {}", base::row_of(section.element.kind).label, label,
-                                 base::quoted(command.by.text)));
+      if (section.kind != world::SectionKind::element && section.kind != world::SectionKind::force)
+        return refused(fmt::format("@{} has no parameters: name its knots", label));
+      return refused(fmt::format("{} @{} has no number {}", world::title_of(section), label, base::quoted(by)));
     }
-    const double usual = row->usual != 0 ? std::abs(row->usual) : row->high - row->low;
-    SeekNumber number{SeekKind::parameter,
-                      e,
-                      std::string(row->name),
-                      row->unit,
-                      {*world::found_value(section.element, row->name), kParameterStep * usual, row->low, row->high}};
-    if (!limit(command, number.unknown)) return beyond_limits(session, e, command, number.unknown.start);
-    numbers.push_back(std::move(number));
+    for (SeekNumber number : own) {
+      if (!limit(command, number.unknown)) return beyond_limits(session, e, command, number.unknown.start);
+      numbers.push_back(std::move(number));
+    }
   }
   return numbers;
 }
+
+Status give_one(Session& session, Change& change, const SeekNumber& number, double value) {
+  const world::Name name = world::name_of(session.document, number.entity);
+  if (number.kind == SeekKind::roll) return perform(session, change, SetRoll{name, value});
+  if (number.kind == SeekKind::parameter) {
+    world::Element element = world::section(session.document, number.entity).element;
+    world::set_value(element, number.parameter, value);
+    ChangeSection command;
+    command.section = {name}, command.to = element;
+    return perform(session, change, command);
+  }
+  glm::vec3 position = world::knot(session.document, number.entity).position;
+  position[axis_of(number.kind)] = static_cast<float>(value);
+  return perform(session, change, MoveKnot{{name}, position});
+}
+
+bool of_program(SeekKind kind) { return kind == SeekKind::force_length || kind == SeekKind::force_key; }
 
 }  // namespace
 
@@ -135,19 +206,31 @@ base::Result<Numbers> seek_numbers(const Session& session, const Seek& command) 
   return numbers;
 }
 
-base::Status give(Session& session, Change& change, const SeekNumber& number, double value) {
-  const world::Name name = world::name_of(session.document, number.entity);
-  if (number.kind == SeekKind::roll) return perform(session, change, SetRoll{name, value});
-  if (number.kind == SeekKind::parameter) {
-    world::Element element = world::section(session.document, number.entity).element;
-    world::set_value(element, number.parameter, value);
-    ChangeSection command;
-    command.section = {name}, command.to = element;
-    return perform(session, change, command);
+Status give(Session& session, Change& change, const Numbers& numbers, const std::vector<double>& values) {
+  for (std::size_t i = 0; i < numbers.size();) {
+    const SeekNumber& number = numbers[i];
+    if (!of_program(number.kind)) {
+      if (values[i] != number.unknown.start)
+        if (const Status given = give_one(session, change, number, values[i]); !given) return given;
+      ++i;
+      continue;
+    }
+    // All of a force section at once: it is planned a single time.
+    world::ForceProgram program = world::section(session.document, number.entity).force;
+    for (const Entity section = number.entity; i < numbers.size() && numbers[i].entity == section; ++i) {
+      if (numbers[i].kind == SeekKind::force_length) program.length = values[i];
+      else program.keys(numbers[i].channel)[numbers[i].key].value = values[i];
+    }
+    if (const Status given = change_forces(session, change, number.entity, program); !given) return given;
   }
-  glm::vec3 position = world::knot(session.document, number.entity).position;
-  position[axis_of(number.kind)] = static_cast<float>(value);
-  return perform(session, change, MoveKnot{{name}, position});
+  return {};
+}
+
+std::string words_of(const Seek& command, const Numbers& numbers) {
+  if (numbers.empty() || numbers.front().kind != SeekKind::force_key) return command.by.text;
+  const std::string channel(base::name_of(numbers.front().channel));
+  const std::size_t at = command.by.text.find(" at ");
+  return channel + (at == std::string::npos ? " keys" : " key" + command.by.text.substr(at));
 }
 
 std::string changed_text(std::string by, const Numbers& numbers, const std::vector<double>& values) {

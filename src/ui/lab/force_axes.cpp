@@ -130,12 +130,6 @@ std::vector<Level> shown_limits(const sim::Envelope& envelope, const ForceAxes& 
   return levels;
 }
 
-KeySteps steps_of(const world::ForceProgram& program, world::ForceChannel channel) {
-  const bool metres = program.over == world::ForceOver::distance, roll = channel == world::ForceChannel::roll;
-  const double at = metres ? 1.0 : 0.1;
-  if (program.of == world::ForceOf::curvature) return {at, roll ? 5.0 : 0.001};
-  return {at, !roll ? 0.1 : metres ? 1.0 : 5.0};
-}
 double to_step(double value, double step) {
   const double per_one = std::round(1 / step);
   return per_one >= 1 ? std::round(value * per_one) / per_one : std::round(value / step) * step;

@@ -44,11 +44,6 @@ class ForceAxes {
   double start_;
 };
 
-// Steps of a key's position and value.
-struct KeySteps {
-  double at, value;
-};
-KeySteps steps_of(const world::ForceProgram& program, world::ForceChannel channel);
 // Returns the value rounded to a multiple of the step.
 double to_step(double value, double step);
 

@@ -17,6 +17,7 @@
 #include "ui/lab/force_axes.h"
 #include "ui/lab/force_clip.h"
 #include "ui/widgets/theme.h"
+#include "world/force_steps.h"
 #include "world/panels.h"
 #include "world/sections.h"
 
@@ -84,7 +85,7 @@ void begin_gesture(Ui& ui, ForceKeys& state) {
 void drag_key(Ui& ui, ForceKeys& state, const ForceAxes& axes, PlotDrag to) {
   const ForceProgram& program = axes.program();
   const bool snaps = !ImGui::GetIO().KeyCtrl;
-  const KeySteps steps = steps_of(program, state.channel);
+  const world::KeySteps steps = steps_of(program, state.channel);
   const double at = axes.at_of(to.x);
   begin_gesture(ui, state);
   if (state.side == 0)
@@ -148,7 +149,7 @@ void follow_mouse(Ui& ui, ForceKeys& state, const ForceAxes& axes, const Knobs& 
   if (touch.held && touch.moved && state.key && !state.undone) drag_key(ui, state, axes, touch.at);
   if (touch.released && std::exchange(state.gesture, false)) ui.emit(edit::EndGesture{});
   if (!touch.twice || touch.over) return;
-  const KeySteps steps = steps_of(program, state.channel);
+  const world::KeySteps steps = steps_of(program, state.channel);
   insert_key(ui, state, program, to_step(axes.at_of(touch.at.x), steps.at), to_step(touch.at.y, steps.value));
 }
 
@@ -242,7 +243,7 @@ bool work_key(Ui& ui, ForceKeys& state, const ForceProgram& program, const platf
   using platform::Key;
   const std::vector<ForceKey>& keys = program.keys(state.channel);
   const ForceKey key = keys[*state.key];
-  KeySteps steps = steps_of(program, state.channel);
+  world::KeySteps steps = steps_of(program, state.channel);
   if (press.modifiers.ctrl) steps = {steps.at / 10, steps.value / 10};
   const auto move = [&](double along, double up) {
     move_key(ui, state, program, key.at, to_step(key.at + along * steps.at, steps.at),

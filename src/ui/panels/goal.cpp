@@ -32,24 +32,43 @@ std::vector<Choice> choices(const Rows& rows, Text text) {
 
 struct Numbers {
   std::vector<Choice> choices;
-  std::vector<std::string_view> words;  // words of the command
+  std::vector<std::string> words;  // words of the command
+  void add(std::string word, std::string_view label, std::string_view help) {
+    words.push_back(std::move(word)), choices.push_back({std::string(label), std::string(help)});
+  }
 };
 
-// Returns what can be changed: positions and roll of knots, or the parameters of the selected section.
+// The length of a force section, all keys of a channel, and each key.
+void add_forces(const world::ForceProgram& program, bool alone, Numbers& numbers) {
+  numbers.add("length", "Length", "How long the section is, in metres or seconds.");
+  for (const world::ForceChannelRow& row : world::channels_of(program.of)) {
+    const world::ForceChannel channel = *base::value_named<world::ForceChannel>(row.name);
+    const std::vector<world::ForceKey>& keys = program.keys(channel);
+    if (keys.empty()) continue;
+    numbers.add(std::string(row.name), fmt::format("{} keys", row.label), "The values of all these keys.");
+    if (!alone) continue;
+    const std::string unit(world::unit_of(program, channel)), place(world::unit_of(program.over));
+    for (const world::ForceKey& key : keys)
+      numbers.add(fmt::format("{} at {}", row.name, base::to_text(key.at)),
+                  fmt::format("{} key at {:.4g} {}", row.label, key.at, place),
+                  fmt::format("The value of this key: {:.4g} {}.", key.value, unit));
+  }
+}
+
+// Returns what can be changed: positions and roll of knots, or the numbers of the selected section.
 Numbers numbers_of(const edit::Session& session) {
   Numbers numbers;
-  const auto add = [&](std::string_view word, std::string_view label, std::string_view help) {
-    numbers.words.push_back(word), numbers.choices.push_back({std::string(label), std::string(help)});
-  };
-  if (!world::selected_sections(session.document, session.settings).empty()) {
+  if (const auto chosen = world::selected_sections(session.document, session.settings); !chosen.empty()) {
     const world::Section& section = world::section(session.document, session.settings.selected);
+    if (section.kind == world::SectionKind::force) add_forces(section.force, chosen.size() == 1, numbers);
     if (section.kind == world::SectionKind::element)
       for (const world::ElementParameter& row : base::row_of(section.element.kind).parameters)
-        if (row.names.empty() && world::counts(section.element, row)) add(row.name, row.label, row.help);
+        if (row.names.empty() && world::counts(section.element, row))
+          numbers.add(std::string(row.name), row.label, row.help);
   } else if (!world::selected_knots(session.document, session.settings).empty()) {
-    add("height", "Height", "The heights of the selected knots.");
-    add("place", "Place", "The heights of the selected knots, and their places on the plan.");
-    add("roll", "Roll", "The roll of the selected knots.");
+    numbers.add("height", "Height", "The heights of the selected knots.");
+    numbers.add("place", "Place", "The heights of the selected knots, and their places on the plan.");
+    numbers.add("roll", "Roll", "The roll of the selected knots.");
   }
   return numbers;
 }
@@ -107,7 +126,7 @@ void goal_panel(Ui& ui) {
   edit::Seek seek;
   seek.goal.text = fmt::format("{} {} {}", query::goals()[static_cast<std::size_t>(in.goal)].query,
                                kRelations[static_cast<std::size_t>(in.relation)].sign, base::to_text(*in.value));
-  seek.by.text = std::string(numbers.words[static_cast<std::size_t>(in.by)]);
+  seek.by.text = numbers.words[static_cast<std::size_t>(in.by)];
   seek.of = selected(session), seek.together = in.together;
   ui.emit(seek);
 }
