@@ -9,7 +9,6 @@
 
 #include <fmt/format.h>
 
-#include "base/portable_math.h"
 #include "base/text.h"
 #include "edit/commands/commands_force.h"
 #include "edit/commands/commands_session.h"
@@ -27,11 +26,19 @@ namespace {
 using world::Entity;
 using world::ForceChannel;
 using world::ForceKey;
-using world::ForceOver;
 using world::ForceProgram;
 
 const ForceProgram& program_of(const Ui& ui, Entity section) {
   return world::section(ui.session().document, section).force;
+}
+
+// Returns the force section that is selected alone in Build; none elsewhere.
+Entity selected_forces(const Ui& ui) {
+  const edit::Session& session = ui.session();
+  const world::Panels& shown = *session.settings.panels;
+  const auto* const section = session.document.entities.find<world::Section>(session.settings.selected);
+  const bool build = shown.workspace == world::Workspace::build && shown.show_panels && session.settings.also.empty();
+  return build && section && section->kind == world::SectionKind::force ? session.settings.selected : world::kNone;
 }
 
 // The state of the graph; another section starts with a fresh one.
@@ -156,12 +163,7 @@ void follow_mouse(Ui& ui, ForceKeys& state, const ForceAxes& axes, const Knobs& 
 }  // namespace
 
 Entity edited_forces(const Ui& ui) {
-  const edit::Session& session = ui.session();
-  const world::Panels& shown = *session.settings.panels;
-  const auto* const section = session.document.entities.find<world::Section>(session.settings.selected);
-  const bool shows = shown.workspace == world::Workspace::build && shown.show_panels && ui.drawers.graph.open &&
-                     !ui.drawers.table && session.settings.also.empty();
-  return shows && section && section->kind == world::SectionKind::force ? session.settings.selected : world::kNone;
+  return ui.drawers.graph.open && !ui.drawers.table ? selected_forces(ui) : world::kNone;
 }
 
 void force_channels(Ui& ui, float bar) {
@@ -259,7 +261,9 @@ bool work_key(Ui& ui, ForceKeys& state, const ForceProgram& program, const platf
     case Key::del: ui.emit(edit::RemoveForceKey{{state.section}, false, state.channel, key.at}); return true;
     case Key::insert: {
       const double next = *state.key + 1 < keys.size() ? keys[*state.key + 1].at : program.length;
-      insert_key(ui, state, program, to_step((key.at + next) / 2, steps.at), {});
+      const double middle = (key.at + next) / 2, round = to_step(middle, steps.at);
+      const bool far = std::min(round - key.at, next - round) >= world::key_gap_of(program.over);
+      insert_key(ui, state, program, far ? round : middle, {});
       return true;
     }
     default: return false;
@@ -269,18 +273,22 @@ bool work_key(Ui& ui, ForceKeys& state, const ForceProgram& program, const platf
 }  // namespace
 
 platform::Events without_force_keys(Ui& ui, const platform::Events& events) {
-  const Entity section = edited_forces(ui);
+  const Entity section = selected_forces(ui);
   if (!section.valid()) return events;
+  const bool shows = edited_forces(ui).valid();
   ForceKeys& state = state_of(ui, section);
   const ForceProgram& program = program_of(ui, section);
   const std::size_t count = program.keys(state.channel).size();
   platform::Events others;
   for (const platform::Event& event : events) {
     const auto* const press = std::get_if<platform::KeyPress>(&event);
-    const bool ours = press != nullptr && press->down && !state.gesture;
-    if (ours && press->key == platform::Key::tab && count > 0 && !press->modifiers.ctrl) {
+    const bool tab = press != nullptr && press->key == platform::Key::tab && !press->modifiers.ctrl;
+    const bool ours = press != nullptr && press->down && !state.gesture && (shows || tab);
+    if (ours && tab) {
+      ui.drawers.graph.wanted = true, ui.drawers.table = false;
+      if (count == 0) ui.warn("This channel has no keys. Double-click the graph to insert one.");
       const std::size_t now = state.key.value_or(press->modifiers.shift ? 0 : count - 1);
-      state.key = (now + (press->modifiers.shift ? count - 1 : 1)) % count;
+      if (count > 0) state.key = (now + (press->modifiers.shift ? count - 1 : 1)) % count;
     } else if (ours && copy_or_paste(ui, state, program, *press)) {
       continue;
     } else if (!ours || !state.key || !work_key(ui, state, program, *press)) {

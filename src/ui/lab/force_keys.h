@@ -19,8 +19,9 @@ void force_channels(Ui& ui, float bar);
 // a key.
 void force_plot(Ui& ui, world::Entity section, const std::optional<RidePlots>& ride);
 
-// Handles the keyboard for editing forces and returns the other events. Tab and Shift+Tab select a key, arrows move it
-// by a step (Ctrl: a tenth), Insert adds one behind it, Delete removes it, Escape deselects it; see also force_clip.h.
+// Handles the keyboard for editing forces and returns the other events. Tab and Shift+Tab select a key, and open
+// the graph if it is folded; arrows move the key by a step (Ctrl: a tenth), Insert adds one behind it, Delete removes
+// it, Escape deselects it; see also force_clip.h.
 platform::Events without_force_keys(Ui& ui, const platform::Events& events);
 
 }  // namespace coaster::ui
