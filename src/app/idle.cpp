@@ -16,7 +16,7 @@ bool is_busy(const Program& program) {
          program.picture.rig.ticks_left > 0 || program.stats.deviation_pending > 0 || program.pictures.busy() ||
          (session.settings.lab->layers.has(world::Layer::conflicts) && !session.findings.all_conflicts) ||
          program.job || program.filming || program.tutorial.wanted || program.tutorial.card ||
-         (program.keeper && program.keeper->dialog.running());
+         program.ui->input_waits() || (program.keeper && program.keeper->dialog.running());
 }
 
 }  // namespace

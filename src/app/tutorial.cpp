@@ -103,7 +103,7 @@ base::Status start(Program& program) {
 
 void teach(Program& program) {
   // The player's clicks come before those of the lesson, and not between them.
-  if (program.ui && program.ui->clicks_wait()) return;
+  if (program.ui && program.ui->input_waits()) return;
   std::optional<base::Status> ended;
   if (std::exchange(program.tutorial.wanted, false) && !program.tutorial.run)
     if (const base::Status started = start(program); !started) ended = started;

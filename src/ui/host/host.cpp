@@ -16,6 +16,7 @@
 #include "ui/actions/command_palette.h"
 #include "ui/actions/gamepad.h"
 #include "ui/host/areas.h"
+#include "ui/host/event_order.h"
 #include "ui/host/imgui_input.h"
 #include "ui/host/imgui_renderer.h"
 #include "ui/lab/cache.h"
@@ -51,11 +52,11 @@ view::View make_view(const State& state, const view::Viewport& scene) {
 
 struct Host::Parts {
   const gfx::Gl& gl;
-  float content_scale = 1;
+  float content_scale = 1, loaded_scale = 0;  // the latter of the fonts
   ImGuiContext* context = nullptr;
   std::optional<ImGuiRenderer> renderer;
+  EventOrder order;
   ImGuiInput input;
-  float loaded_scale = 0;  // of the fonts
   world::Theme theme = world::Theme::dark;
   WidgetList list;
   Entry entry;
@@ -215,13 +216,14 @@ base::Result<std::unique_ptr<Host>> Host::make(const gfx::Gl& gl, float content_
 Host::Host(std::unique_ptr<Parts> parts) : parts_(std::move(parts)) {}
 Host::~Host() = default;
 
-Output Host::build(const platform::Events& events, const State& state, int width, int height) {
+Output Host::build(const platform::Events& polled, const State& state, int width, int height) {
   COASTER_CHECK(width >= 1 && height >= 1, "the UI needs at least one pixel");
   Parts& p = *parts_;
   ImGui::SetCurrentContext(p.context);
   const float scale = fitted_scale(width, height, state.session.settings.look->ui_scale, p.content_scale);
   p.restyle(state.session.settings.look->theme, scale);
   p.follow_session(state);
+  const platform::Events events = p.order.take(polled, text_has_keyboard(), p.input.clicks_wait());
   p.input.feed(events, width, height, text_has_keyboard());
   ImGui::NewFrame();
   Output out;
@@ -281,15 +283,13 @@ void Host::reset_layout() {
 const std::vector<Widget>& Host::widgets() const { return parts_->list.widgets(); }
 const view::View& Host::view() const { return parts_->view; }
 std::string Host::toast() const { return parts_->toasts.shown; }
-bool Host::clicks_wait() const { return parts_->input.clicks_wait(); }
+bool Host::input_waits() const { return parts_->input.clicks_wait() || parts_->order.waits(); }
 
 double Host::still_for(double seconds) const {
-  constexpr double kBlink = 0.1, kList = 1;  // s
+  constexpr double kBlink = 0.1, kList = 1, kLong = 1e9;  // s
   ImGui::SetCurrentContext(parts_->context);
-  double still = parts_->toasts.still_for(seconds);
-  if (text_has_keyboard()) still = std::min(still, kBlink);
-  if (parts_->dialogs.open()) still = std::min(still, kList);
-  return still;
+  return std::min({parts_->toasts.still_for(seconds), text_has_keyboard() ? kBlink : kLong,
+                   parts_->dialogs.open() ? kList : kLong});
 }
 
 bool Host::wants_keyboard() const {

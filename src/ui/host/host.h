@@ -42,8 +42,8 @@ class Host {
   // Returns how long the panels stay unchanged without events, s, from the time `seconds` on: until a notice fades, the
   // caret of a text field blinks, or a list of files is read again.
   double still_for(double seconds) const;
-  // True while presses and releases of a button wait for the next frames, which take one each.
-  bool clicks_wait() const;
+  // True while clicks or keys wait for the next frames (event_order.h).
+  bool input_waits() const;
   // True while a text field or a popup has the keyboard.
   bool wants_keyboard() const;
 

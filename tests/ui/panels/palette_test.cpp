@@ -2,6 +2,8 @@
 
 #include <tuple>
 
+#include "edit/commands/commands_elements.h"
+#include "edit/commands/set_setting.h"
 #include "ui/stage.h"
 #include "world/look.h"
 #include "world/panels.h"
@@ -23,6 +25,25 @@ TEST_F(PaletteTest, buttons_have_labels_at_usual_sizes_and_the_view_its_share) {
     const view::Viewport& scene = host_->view().viewport;
     EXPECT_GE(scene.width * scene.height, 0.62f * static_cast<float>(width * height)) << width << " at " << scale;
   }
+}
+
+// At three frames a second a click and the key after it come in one frame.
+TEST_F(PaletteTest, a_key_acts_on_what_the_click_before_it_chose) {
+  ASSERT_TRUE(edit::apply(session_, files_, edit::Set<&world::Panels::workspace>{world::Workspace::build}));
+  frames(3);
+  click("Elements/Straight");
+  const glm::vec2 loop = middle(*find("Elements/Loop"));
+  commands_.clear();
+  const auto button = [](bool down) { return platform::MouseButton{platform::Button::left, down, {}}; };
+  frame({platform::MouseMove{loop.x, loop.y}, button(true), button(false), platform::KeyPress{platform::Key::enter},
+         platform::KeyPress{platform::Key::enter, false}});
+  EXPECT_TRUE(host_->input_waits());
+  frames(4);
+  EXPECT_FALSE(host_->input_waits());
+  std::vector<world::ElementKind> placed;
+  for (const edit::Command& command : commands_)
+    if (const auto* const place = command.as<edit::PlaceElement>()) placed.push_back(place->what.kind);
+  EXPECT_EQ(placed, std::vector{world::ElementKind::loop});
 }
 
 }  // namespace palette_test
