@@ -54,13 +54,16 @@ void return_to_start(Program& program) {
   while (strayed(program) && !program.session.history.undo.empty() && apply(program, edit::Undo{})) continue;
   while (strayed(program) && !program.session.history.redo.empty() && apply(program, edit::Redo{})) continue;
   if (away) (void)apply(program, edit::SetCamera{start.settings.camera});
-  (void)apply(program, edit::ChooseElement{start.settings.element});  // it shows the preview
+  const world::Settings& now = program.session.settings;
+  if (now.element != start.settings.element)
+    (void)apply(program, edit::ChooseElement{start.settings.element});  // it shows the preview
   restore<&world::Aids::show_element, &world::Aids::circuit, &world::Aids::append_mode, &world::Panels::workspace,
           &world::Panels::show_panels>(program, start.settings);
   program.tutorial.card->strayed = false;
   const world::Document& document = program.session.document;
-  const world::Entity selected = start.settings.selected;
-  const bool lives = document.entities.alive(selected);
+  const bool lives = document.entities.alive(start.settings.selected);
+  const world::Entity selected = lives ? start.settings.selected : world::kNone;
+  if (now.selected == selected && now.also.empty() && (!lives || now.selected_t == start.settings.selected_t)) return;
   (void)apply(program,
               lives ? edit::Select{{world::name_of(document, selected)}, start.settings.selected_t} : edit::Select{});
 }

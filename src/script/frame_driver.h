@@ -20,6 +20,7 @@ class FrameDriver {
   base::Status frame(platform::Events events, int ticks = kTicksPerFrame);
   // Adds events to the next frame.
   void put_off(platform::Events events);
+  bool has_put_off() const { return !put_off_.empty(); }
   // Ends early where a signal asks the program to end.
   void advance(std::int64_t ticks);
   bool interrupted() const { return host_.interrupted && host_.interrupted(); }

@@ -42,6 +42,8 @@ Failure Runner::attend() {
   Given& given = *given_;
   const Lesson& lesson = *given.lesson;
   failed_at_ = given.statement, source_ = given.statement->source;
+  // The player gets the mouse with its buttons up: the last line may have put off a release.
+  if (host.answer && frames_.has_put_off()) return failure(frames_.frame({}));
   const auto end = [&](Failure result) {
     given_.reset();
     if (host.teach) host.teach(nullptr);

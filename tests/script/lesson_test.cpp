@@ -19,7 +19,7 @@ struct Class {
   std::vector<query::LessonCard> cards;  // as they were shown; an empty one where a card was taken away
   std::vector<query::LessonAnswer> answers;
   int watched = 0, acts_at = -1;
-  bool interrupted = false;
+  bool interrupted = false, key_down = false;  // of a key that adds a knot
 
   base::Status take(const std::string& lines) {
     base::Files files;
@@ -27,6 +27,12 @@ struct Class {
     EXPECT_TRUE(parsed.errors.empty()) << (parsed.errors.empty() ? "" : parsed.errors.front());
     Host host = fake.host();
     host.teach = [this](const query::LessonCard* card) { cards.push_back(card ? *card : query::LessonCard{}); };
+    host.frame = [this](const platform::Events& events, int ticks) {
+      for (const platform::Event& event : events)
+        if (const auto* const key = std::get_if<platform::KeyPress>(&event); key && (key_down = key->down))
+          (void)fake.apply(edit::AppendKnot{{0, 1, 0}});
+      return fake.frame(events, ticks);
+    };
     host.answer = [this] {
       if (watched == acts_at) (void)fake.apply(edit::AppendKnot{{0, 1, 0}});
       const auto now = static_cast<std::size_t>(watched++);
@@ -80,6 +86,15 @@ TEST(lesson, shows_how_when_asked) {
                     query::LessonAnswer::show};
   EXPECT_TRUE(pupils.take(kLesson).ok());
   EXPECT_EQ(pupils.knots(), 2u);
+}
+
+// A key that takes effect at once leaves its release to the next frame: the player must not wait for that.
+TEST(lesson, hands_over_with_all_keys_and_buttons_up) {
+  Class pupils;
+  pupils.answers = {query::LessonAnswer::show, query::LessonAnswer::none, query::LessonAnswer::leave};
+  EXPECT_TRUE(pupils.take("lesson \"Press\" until knots == 1\n  key Enter\nend\n" + std::string(kLesson)).ok());
+  EXPECT_EQ(pupils.knots(), 1u);
+  EXPECT_FALSE(pupils.key_down);
 }
 
 TEST(lesson, leaving_ends_the_script_without_an_error) {
