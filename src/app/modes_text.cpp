@@ -71,7 +71,7 @@ int run_report(const Options& options) {
   print_notices(session);
   if (const base::Status limits = open_envelope(session, files, options); !limits) return finish(limits);
   const auto report = edit::ride_report(session);
-  if (!report) return finish({base::Code::refused, "the track has no cart, so there is no ride to report"});
+  if (!report) return finish({base::Code::refused, "the track has no train, so there is no ride to report"});
   base::print(*report);
   return finish({});
 }

@@ -96,7 +96,7 @@ struct AppendKnot {
 };
 struct RemoveKnot {
   Target knot;
-  COASTER_COMMAND(RemoveKnot, "remove", "Remove a knot or a cart.", Effect::document, "Deleted {}");
+  COASTER_COMMAND(RemoveKnot, "remove", "Remove a knot or a train.", Effect::document, "Deleted {}");
   COASTER_FIELDS(visit("", self.knot))
 };
 struct SetClosed {
@@ -108,8 +108,8 @@ struct SetClosed {
 struct AddCart {
   Target segment;
   double at = 0;
-  COASTER_COMMAND(AddCart, "add_cart", "Add a cart that starts on a segment, at a fraction of its length.",
-                  Effect::document, "Added a cart");
+  COASTER_COMMAND(AddCart, "add_cart", "Add a train that starts on a segment, at a fraction of its length.",
+                  Effect::document, "Added a train");
   COASTER_FIELDS(visit("", self.segment), visit("at", self.at))
 };
 struct SetName {
@@ -119,7 +119,7 @@ struct SetName {
 };
 struct SetStartSpeed {
   double to = 1;
-  COASTER_COMMAND(SetStartSpeed, "start_speed", "Set the speed at which carts start (m/s).", Effect::document,
+  COASTER_COMMAND(SetStartSpeed, "start_speed", "Set the speed at which trains start (m/s).", Effect::document,
                   "Set the start speed to {} m/s");
   COASTER_FIELDS(visit("", self.to))
 };

@@ -77,7 +77,7 @@ struct SetRollbackFails {
 struct SaveReport {
   std::string path;
   COASTER_COMMAND(SaveReport, "report",
-                  "Write the report of the selected cart's whole ride, else the first one's, to a file; one that ends "
+                  "Write the report of the selected train's whole ride, else the first one's, to a file; one that ends "
                   "in .csv gets the ride by time.",
                   Effect::session);
   COASTER_FIELDS(visit("", self.path))
@@ -92,7 +92,7 @@ struct LoadEnvelope {
 struct AutoBank {
   COASTER_COMMAND(
       AutoBank, "auto_bank",
-      "Roll every knot so that the riders of the selected cart, else of the first, feel no lateral g there.",
+      "Roll every knot so that the riders of the selected train, else of the first, feel no lateral g there.",
       Effect::document, "Banked the track");
   COASTER_FIELDS()
 };

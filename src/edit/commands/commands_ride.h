@@ -14,7 +14,7 @@ struct RidePause {
   COASTER_FIELDS()
 };
 struct RideStop {
-  COASTER_COMMAND(RideStop, "ride.stop", "Return the carts to their start.", Effect::motion);
+  COASTER_COMMAND(RideStop, "ride.stop", "Return the trains to their start.", Effect::motion);
   COASTER_FIELDS()
 };
 struct RideStep {
@@ -26,7 +26,7 @@ struct RideSeek {
   double to = 0;
   COASTER_COMMAND(
       RideSeek, "ride.seek",
-      "Put the selected cart, else the first, at a distance from the track's start (m), keeping its energy.",
+      "Put the selected train, else the first, at a distance from the track's start (m), keeping its energy.",
       Effect::motion);
   COASTER_FIELDS(visit("", self.to))
 };

@@ -24,7 +24,7 @@ struct SetFly {
 struct Select {
   Target what;
   double at = 0.5;
-  COASTER_COMMAND(Select, "select", "Select a knot, a cart, or a segment with a place on it; none clears.",
+  COASTER_COMMAND(Select, "select", "Select a knot, a train, or a segment with a place on it; none clears.",
                   Effect::settings);
   COASTER_FIELDS(visit("", self.what), visit("at?", self.at))
 };

@@ -125,7 +125,7 @@ Status perform(Session& session, Change& change, const SaveMeasurements& command
 }
 Status perform(Session& session, Change& change, const SaveReport& command) {
   const auto report = command.path.ends_with(".csv") ? ride_csv(session) : ride_report(session);
-  if (!report) return refused("a report needs a track with a cart");
+  if (!report) return refused("a report needs a track with a train");
   return write(change, command.path, *report);
 }
 Status perform(Session& session, Change& change, const LoadEnvelope& command) {

@@ -81,7 +81,7 @@ Status perform(Session& session, Change&, const SetRollbackFails& command) {
 // Banking changes what riders feel, not the speeds of the ride, so one pass is enough.
 Status perform(Session& session, Change& change, const AutoBank&) {
   const sim::Ghost* const ghost = find(session, Want::ride).ride;
-  if (!ghost) return refused("banking needs a track with a cart");
+  if (!ghost) return refused("banking needs a track with a train");
   const std::vector<glm::vec3> ups = sim::banked_ups(session.document, session.derived, *ghost);
   int turned = 0;
   for (std::size_t i = 0; i < ups.size(); ++i) {

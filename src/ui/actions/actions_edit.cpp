@@ -20,7 +20,7 @@ using world::Kind;
 
 constexpr Condition kRemovable{
     [](const Act& act) { return selected(act) != nullptr && !selected_is(act, Kind::segment); },
-    "Select a knot, a section or a cart first."};
+    "Select a knot, a section or a train first."};
 constexpr Condition kKnotSelected{[](const Act& act) { return selected_is(act, Kind::knot); }, "Select a knot first."};
 constexpr Condition kAnyKnots{[](const Act& act) { return !act.ui.session().document.track.knots.empty(); },
                               "The track has no knots."};
@@ -137,7 +137,7 @@ constexpr Action kEditActions[] = {
      kCanUndo},
     {"Redo", "Edit", ctrl(Key::y), kRepeats, "Redo the last undone step.", emit<edit::Redo>, kCanRedo, nullptr,
      ctrl_shift(Key::z)},
-    {"Delete", "Edit", key(Key::del), 0, "Delete the selected knot, section or cart.", remove, kRemovable, nullptr,
+    {"Delete", "Edit", key(Key::del), 0, "Delete the selected knot, section or train.", remove, kRemovable, nullptr,
      key(Key::x)},
     {"Select all", "Edit/Select", ctrl(Key::a), 0, "Select every knot.", select_all, kAnyKnots},
     {"Box select", "Edit/Select", key(Key::b), 0, "Drag a box around knots. Shift+drag adds, Ctrl+drag removes.",

@@ -35,7 +35,7 @@ inline constexpr Condition kSectionSelected{[](const Act& act) { return selected
                                             "Select a section first."};
 void delete_sections(Act& act);  // the selected ones
 inline constexpr Condition kRideable{[](const Act& act) { return rideable(act.ui.session()); },
-                                     "A ride needs a track and a cart."};
+                                     "A ride needs a track and a train."};
 
 template <Want::Kind kind>
 void want(Act& act) {

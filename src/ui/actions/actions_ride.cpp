@@ -21,7 +21,7 @@ constexpr Action kRideActions[] = {
     {"Play or pause", "Ride", key(Key::space), kInDrag, "Start or pause the ride.", play_pause, kRideable},
     {"Single step", "Ride", key(Key::period), kRepeats | kInDrag, "Pause the ride and advance one tick of 1/120 s.",
      single_step, kRideable},
-    {"Reset", "Ride", shift(Key::r), kInDrag, "Return the carts to their start.", emit<edit::RideStop>, kRideable},
+    {"Reset", "Ride", shift(Key::r), kInDrag, "Return the trains to their start.", emit<edit::RideStop>, kRideable},
     {"Show where it failed", "Ride", key(Key::j), kInDrag,
      "Go to where the last ride or its challenge failed and select the segment.", show_failed_place, kFailed},
     {"Score cards", "Ride", kNoKey, kInDrag, "Show a card with results at the end of a ride.",

@@ -40,7 +40,7 @@ constexpr Condition kInConflict{
     "The track has no conflicts."};
 void next_conflict(Act& act) { show_next_conflict(act.ui); }
 constexpr Condition kRidden{[](const Act& act) { return !act.ui.find(edit::Want::jolts).jolts.empty(); },
-                            "A ride needs a track and a cart."};
+                            "A ride needs a track and a train."};
 void worst_jolt(Act& act) { show_worst_jolt(act.ui); }
 void fill_screen(Act& act) { act.ui.out.toggles_full_screen = true; }
 void open_palette(Act& act) { toggle_palette(act.palette); }
@@ -177,8 +177,8 @@ constexpr Action kViewActions[] = {
     {"Next camera", "View/Camera", key(Key::v), kInDrag, "Next camera: orbit, ride, chase, fly.", next_camera},
     {"Orbit camera", "View/Camera", key(Key::d1), kInDrag, "Orbit a point with the mouse.", look<CameraMode::orbit>,
      kAlways, is<kCamera, CameraMode::orbit>},
-    {"Ride camera", "View/Camera", key(Key::d2), kInDrag, "View from the first cart's seat.", look<CameraMode::ride>,
-     kRideable, is<kCamera, CameraMode::ride>},
+    {"Ride camera", "View/Camera", key(Key::d2), kInDrag, "View from a seat of the first train.",
+     look<CameraMode::ride>, kRideable, is<kCamera, CameraMode::ride>},
     {"Chase camera", "View/Camera", key(Key::d3), kInDrag,
      "Follow the first train from behind. The wheel sets the distance.", look<CameraMode::chase>, kRideable,
      is<kCamera, CameraMode::chase>},

@@ -74,7 +74,7 @@ void legend_item(Ui& ui, RideValue value, std::string shown, bool& hidden, float
 const char* no_ride(const world::Document& document) {
   return document.track.segments.empty()
              ? "The forces of the ride are plotted here. Place an element: the first one brings a train."
-             : "No ride: the track has no train. Add a cart in the Track panel.";
+             : "No ride: the track has no train. Add a train in the Track panel.";
 }
 
 void curves(Ui& ui, const RidePlots& plots) {

@@ -56,8 +56,8 @@ void bend_plot(Ui& ui, const Probe& probe, const BendStudy& study, bool torsion,
 void side(Ui& ui, const Probe& probe) {
   const sim::Derived& derived = ui.session().derived;
   const auto formula = base::row_of(ui.session().settings.frames).formula;
-  setting_list<&world::Settings::frames>(ui, "Frame method###Turned by",
-                                         fmt::format("Orients carts and the ride camera along the track. {}", formula));
+  setting_list<&world::Settings::frames>(
+      ui, "Frame method###Turned by", fmt::format("Orients trains and the ride camera along the track. {}", formula));
   bool alone = false;
   for (const world::Layer layer :
        {world::Layer::frames, world::Layer::flips, world::Layer::comb, world::Layer::circle}) {

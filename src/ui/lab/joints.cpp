@@ -55,7 +55,7 @@ constexpr TableColumn kJointColumns[] = {
     {"Ratio", "", 1.0f, "|C'(0)| / |B'(1)|: 1 for C1."},
     {"Jump", "1/m", 1.3f, "Length of the difference between the curvature vectors."},
     {"g-step", "g", 1.2f,
-     "v\u00B2 |\u0394\u03BA| / g: jump of the force on a rider at the first cart's current speed."},
+     "v\u00B2 |\u0394\u03BA| / g: jump of the force on a rider at the first train's current speed."},
     {"Jolt", "g", 1.1f,
      "Largest change of felt g by the jumps of curvature and roll, low-pass filtered, in the whole ride, all cars."},
 };
@@ -101,7 +101,7 @@ void side(Ui& ui, const JointList& list, double speed) {
   const double largest = list.rows.empty() ? 0 : list.rows[list.by_jump.front()].joint.curvature_jump;
   read_out(ui, "All joints", std::to_string(list.rows.size()), "", "Number of joints between segments.");
   read_out(ui, "G2 joints###Of them G2", std::to_string(smooth), "", "Joints with continuous curvature.");
-  read_out(ui, "Speed", speed, 2, "m/s", "Current speed of the first cart. The g-steps use it.");
+  read_out(ui, "Speed", speed, 2, "m/s", "Current speed of the first train. The g-steps use it.");
   read_out(ui, "Largest g-step", fixed(sim::g_step(largest, speed), 2), "g",
            "Largest g-step of the track at this speed.");
   read_query(ui, "Largest jolt", "ride.jolt_max", "Largest jolt of the whole ride.");

@@ -30,7 +30,7 @@ void largest(Ui& ui, std::string_view label, const sim::Extreme& extreme, RideVa
 void riders_page(Ui& ui) {
   if (!need_probe(ui)) return;
   const auto plots = RidePlots::make(ui, ui.lab.forces_over_time);
-  if (!plots) return small_note("No cart: add one in the Track panel.");
+  if (!plots) return small_note("No train: add one in the Track panel.");
   Page page(ui, 210);
   choose_seat(ui, plots->ride().start.cars);
   choose_x_axis(ui);

@@ -13,7 +13,7 @@ using world::CameraFeel;
 // Mode and tooltip; "MODE camera" is the action that selects it.
 constexpr std::array<std::pair<const char*, const char*>, 4> kModes{{
     {"Orbit", "Orbits a point. Drag empty space to orbit, middle button to pan, wheel to zoom."},
-    {"Ride", "The view from the first cart's seat, 1.1 m above the rails."},
+    {"Ride", "The view from a seat of the first train, 1.1 m above the rails."},
     {"Chase", "Follows the first train from behind and above. The wheel sets the distance."},
     {"Fly", "W A S D to fly, Q down, E up, Shift faster. Drag to look around."},
 }};

@@ -33,7 +33,7 @@ void goal_panel(Ui& ui);
 std::span<const Panel> panels() {
   static constexpr std::array kPanels{
       Panel{"Track", Column::left, kTrack, "The whole track: name, file, size, and what you can add.", track_panel},
-      Panel{"Inspector", Column::left, kSelection, "The selected knot, segment, section or cart.", inspector_panel},
+      Panel{"Inspector", Column::left, kSelection, "The selected knot, segment, section or train.", inspector_panel},
       Panel{"Section", Column::left, kSection, "The selected sections: name, parameters and equipment.", section_panel,
             true, section_shown},
       Panel{"Shape", Column::left, kSelection | kTrack,
@@ -47,7 +47,7 @@ std::span<const Panel> panels() {
             challenge_panel, true, challenge_shown},
       Panel{"Evaluation", Column::right, kLaboratory,
             "How curves become polylines: method, resolution, accuracy and speed.", evaluation_panel},
-      Panel{"Ride", Column::right, kLaboratory, "Run the carts and read their speed, height and g.", ride_panel},
+      Panel{"Ride", Column::right, kLaboratory, "Run the trains and read their speed, height and g.", ride_panel},
       Panel{"Camera", Column::right, kLaboratory, "Camera modes and camera feel.", camera_panel},
       Panel{"Statistics", Column::right, kLaboratory, "Cost of the last frame.", statistics_panel},
       Panel{"Sections", Column::right, 0, "Every section: length, heights, speeds and g.", sections_panel, false},

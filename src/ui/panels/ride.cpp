@@ -40,16 +40,16 @@ void controls(Ui& ui) {
   const bool steppable = any && (state == world::RideState::paused || state == world::RideState::stopped);
   if (control(kStepIcon, "Step", "Advance a paused ride by one tick of 1/120 s.", "Single step", steppable))
     ui.emit(edit::RideStep{1});
-  if (control(kResetIcon, "Reset", "Return the carts to their start.", "Reset", any)) ui.emit(edit::RideStop{});
+  if (control(kResetIcon, "Reset", "Return the trains to their start.", "Reset", any)) ui.emit(edit::RideStop{});
 }
 
 void read_outs(Ui& ui) {
   read_query(ui, "State", "ride.state", "Stopped at the start, running, paused, ended at an open end, or failed.");
   if (ui.session().motion.failure.kind != world::FailureKind::none)
     read_query(ui, "Reason###Because it", "ride.fail", "Why the ride ended.");
-  read_query(ui, "Speed", "ride.speed", "Speed of the first cart along the track.");
-  read_query(ui, "Height", "ride.height", "Height of the first cart above the ground.");
-  read_query(ui, "Distance", "ride.distance", "Distance of the first cart from the start of the track.");
+  read_query(ui, "Speed", "ride.speed", "Speed of the first train along the track.");
+  read_query(ui, "Height", "ride.height", "Height of the first train above the ground.");
+  read_query(ui, "Distance", "ride.distance", "Distance of the first train from the start of the track.");
   read_query(ui, "Lap", "ride.lap", "Laps completed since the start.", {.decimals = 0});
   read_query(ui, "Energy", "ride.energy", "v\u00B2/2 + g (y - datum), per kilogram.", {.decimals = 3});
   read_query(ui, "Energy drift", "ride.energy_drift",
@@ -58,7 +58,7 @@ void read_outs(Ui& ui) {
   // Scripts and pictures show no times.
   const double cost = ui.session().measuring.ride_cost.ns_per_tick;
   read_out(ui, "Cost per tick", !ui.state.scripted && cost > 0 ? fixed(cost, 0) : "--", "ns",
-           "Average time of a tick on this machine, for all carts, with the selected integrator.");
+           "Average time of a tick on this machine, for all trains, with the selected integrator.");
   read_query(ui, "g up", "ride.g_up", "Felt g towards the rider's head, not low-passed. 1 at rest on level track.",
              {.unit = "g"});
   read_query(ui, "g side", "ride.g_side", "Felt g to the side, not low-passed.", {.unit = "g"});
@@ -99,7 +99,7 @@ void wheel_table(Ui& ui) {
 }
 
 void ride_methods(Ui& ui) {
-  heading(ui, "Frame method", "Frames that orient carts and the ride camera. The knots define the bank of the track.");
+  heading(ui, "Frame method", "Frames that orient trains and the ride camera. The knots define the bank of the track.");
   const auto rows = sim::frame_methods();
   for (std::size_t i = 0; i < rows.size(); ++i) {
     const auto method = static_cast<world::FrameMethod>(i);

@@ -19,7 +19,7 @@ void statistics_panel(Ui& ui) {
   const auto count = [&](std::string_view label, auto value, std::string_view tooltip) {
     read_out(ui, label, std::to_string(value), "", tooltip);
   };
-  count("Entities", ui.session().document.entities.size(), "Knots, segments and carts in the registry.");
+  count("Entities", ui.session().document.entities.size(), "Knots, segments and trains in the registry.");
   count("Draw calls", stats.draw_calls, "Draw calls for the scene in the last frame.");
   count("Triangles", stats.triangles, "Triangles drawn in the last frame.");
   count("Shadow maps", stats.shadow_maps, "Shadow maps rendered in the last frame. 0 while nothing moves.");

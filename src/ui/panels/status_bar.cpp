@@ -10,6 +10,7 @@
 #include "ui/context/rows.h"
 #include "ui/panels/panels.h"
 #include "ui/widgets/theme.h"
+#include "world/sections.h"
 
 namespace coaster::ui {
 namespace {
@@ -25,14 +26,23 @@ std::string real(const Ui& ui, std::string_view name, int decimals, const char* 
   return number ? measured(ui, *number, decimals, unit) : "--";
 }
 
+// Returns "Climb" for a section, "3 sections" or "4 knots" for several, else the name.
+std::string selection_text(const edit::Session& session) {
+  const world::Entity selected = session.settings.selected;
+  const auto* const section = session.document.entities.find<world::Section>(selected);
+  if (!session.settings.also.empty())
+    return fmt::format("{} {}", session.settings.also.size() + 1, section ? "sections" : "knots");
+  return section ? world::title_of(*section) : world::label_of(session.document, selected);
+}
+
 std::vector<Part> parts(const Ui& ui) {
   const edit::Session& session = ui.session();
   const double fps = ui.state.stats.fps;
   const bool timed = !ui.state.scripted && fps > 0;
   return {{"Length", real(ui, "length", 1, "m"), "Length of the track, by the method selected in Evaluation.", 76},
-          {"Speed", real(ui, "ride.speed", 1, "m/s"), "Speed of the first cart.", 68},
+          {"Speed", real(ui, "ride.speed", 1, "m/s"), "Speed of the first train.", 68},
           {"g", real(ui, "ride.g_up", 1, "g"), "Felt g towards the rider's head, not low-passed.", 40},
-          {"Selection", world::label_of(session.document, session.settings.selected), "The selection.", 36},
+          {"Selection", selection_text(session), "The selection.", 36},
           {"fps", timed ? fixed(fps, 0) : "--", "Frames per second.", 28}};
 }
 

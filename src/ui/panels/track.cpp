@@ -135,12 +135,12 @@ void building(Ui& ui) {
                        "Insert point"),
              on_segment, width))
     ui.emit(edit::SplitSegment{{*selected}, session.settings.selected_t});
-  if (button(ui, "Delete", with_keys(ui.keys, "Delete the selected knot or cart.", "Delete"), removable, width))
+  if (button(ui, "Delete", with_keys(ui.keys, "Delete the selected knot or train.", "Delete"), removable, width))
     ui.emit(edit::RemoveKnot{{*selected}});
   beside(width);
   const auto& segments = session.document.track.segments;
-  if (button(ui, "Add cart",
-             "Add a cart at the first free place from the start of the selected segment, or of the track.",
+  if (button(ui, "Add train###Add cart",
+             "Add a train at the first free place from the start of the selected segment, or of the track.",
              !segments.empty(), width))
     ui.emit(free_place(session, on_segment ? session.settings.selected : segments.front()));
 }
@@ -152,7 +152,7 @@ void start(Ui& ui) {
                      .low = -world::kMaxSpeed,
                      .high = world::kMaxSpeed,
                      .largest = 1e300};
-  if (const auto to = number(ui, "Start speed", speed, "Start speed of the carts. Negative: backwards."))
+  if (const auto to = number(ui, "Start speed", speed, "Start speed of the trains. Negative: backwards."))
     ui.emit(edit::SetStartSpeed{*to});
   const Number datum{.value = document.datum,
                      .unit = "m",

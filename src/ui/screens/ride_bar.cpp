@@ -47,7 +47,7 @@ void buttons(RideRow& row) {
   } else if (control(kPlayIcon, "Play", "Start or resume the ride.", "Play or pause")) {
     ui.emit(edit::RideStart{});
   }
-  if (control(kResetIcon, "Reset", "Return the carts to their start.", "Reset")) ui.emit(edit::RideStop{});
+  if (control(kResetIcon, "Reset", "Return the trains to their start.", "Reset")) ui.emit(edit::RideStop{});
 }
 
 // Shows a value that does not move when its digits change.
@@ -80,9 +80,9 @@ void values(RideRow& row) {
     const auto number = number_of(row.ui, query);
     return number ? measured(row.ui, *number, decimals, unit) : "--";
   };
-  value(row, "Speed", shown("ride.speed", 1, "m/s"), 64, "Speed of the first cart along the track.");
+  value(row, "Speed", shown("ride.speed", 1, "m/s"), 64, "Speed of the first train along the track.");
   value(row, "g up", shown("ride.g_up", 2, "g"), 48, "Felt g towards the rider's head, not low-passed.");
-  value(row, "Height", shown("ride.height", 1, "m"), 56, "Height of the first cart above the ground.");
+  value(row, "Height", shown("ride.height", 1, "m"), 56, "Height of the first train above the ground.");
   value(row, "Time", ride_time(row.ui), 96, "Time since the start of the ride, and of the whole ride.");
 }
 

@@ -69,7 +69,7 @@ TEST_F(Riding, without_carts_or_segments_there_is_no_ride) {
   good("remove @c1");
   good("remove @c2");
   for (const char* line : {"ride.start", "ride.pause", "ride.stop", "ride.step 1", "ride.seek 3"})
-    refused(line, "there is no cart");
+    refused(line, "there is no train");
   good("new");
   for (const char* line : {"ride.start", "ride.pause", "ride.stop", "ride.step 1", "ride.seek 3"})
     refused(line, "no segments");
