@@ -50,7 +50,7 @@ void add_forces(const world::ForceProgram& program, bool alone, Numbers& numbers
     const std::string unit(world::unit_of(program, channel)), place(world::unit_of(program.over));
     for (const world::ForceKey& key : keys)
       numbers.add(fmt::format("{} at {}", row.name, base::to_text(key.at)),
-                  fmt::format("{} key at {:.4g} {}", row.label, key.at, place),
+                  fmt::format("{} key at {} {}", row.label, base::to_text(std::round(key.at * 100) / 100), place),
                   fmt::format("The value of this key: {:.4g} {}.", key.value, unit));
   }
 }
