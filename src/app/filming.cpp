@@ -29,7 +29,7 @@ gfx::Image picture(Program& program) {
   if (size.width < 1 || size.height < 1) size = {1280, 720};  // started while the window was minimised
   filming.shown.width = size.width, filming.shown.height = size.height;
   const view::Viewport whole{0, 0, static_cast<float>(size.width), static_cast<float>(size.height)};
-  draw_scene_alone(program, view::view_of(program.picture.rig.eye, whole), size);
+  draw_scene_alone(program, view::view_of(program.picture.rig.eye, whole, program.picture.view.density), size);
   return program.renderer->read_pixels();
 }
 

@@ -37,6 +37,7 @@ ui::Output build_panels(Program& program, const platform::Events& events, platfo
   state.lesson = program.tutorial.card ? &*program.tutorial.card : nullptr;
   state.pictures = &program.pictures.made();
   state.movie = program.filming && program.filming->by_hand ? &program.filming->shown : nullptr;
+  state.content_scale = program.surface->content_scale();
   return program.ui->build(events, state, size.width, size.height);
 }
 
@@ -157,7 +158,7 @@ void run_frame(Program& program, const platform::Events& events, int ticks) {
   if (output) {
     edit::advance_measurement(program.session);
     // Uses the trains' present positions: an eye from the frame's start would lag by this frame's ticks.
-    program.picture.view = view::view_of(program.picture.rig.eye, output->view.viewport);
+    program.picture.view = view::view_of(program.picture.rig.eye, output->view.viewport, output->view.density);
     const bool unseen = !program.surface->is_window() && output->photo == ui::PhotoWish::none;
     const Look look{program.session.settings, program.picture.view, output->hovered, false, unseen};
     const edit::Findings& found = edit::find(program.session, wanted_by(look, program));

@@ -98,7 +98,7 @@ void take_photo(Program& program, bool panels) {
   if (!panels) {
     const platform::Size size{program.stats.width, program.stats.height};
     const view::Viewport whole{0, 0, static_cast<float>(size.width), static_cast<float>(size.height)};
-    draw_scene_alone(program, view::view_of(program.picture.rig.eye, whole), size);
+    draw_scene_alone(program, view::view_of(program.picture.rig.eye, whole, program.picture.view.density), size);
   }
   const base::Status wrote =
       panels ? write_picture(program, path) : write(program.files.root(), path, program.renderer->read_pixels());

@@ -149,7 +149,7 @@ base::Result<std::unique_ptr<Program>> make_program(const Options& options, plat
   for (const curve::EvaluatedBy stage : {curve::EvaluatedBy::vertex_shader, curve::EvaluatedBy::geometry_shader,
                                          curve::EvaluatedBy::tessellation_shader})
     program->stats.stage_refusals[static_cast<std::size_t>(stage)] = program->renderer->refusal(stage);
-  auto panels = ui::Host::make(program->gl, screen->content_scale());
+  auto panels = ui::Host::make(program->gl);
   if (!panels) return panels.status();
   program->ui = std::move(*panels);
   program->session = edit::make_session([screen] { return screen->clock(); });

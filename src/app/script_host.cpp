@@ -27,6 +27,7 @@ using script::AimPoint;
 // Ends with a frame, so that the viewport is known when a track is opened.
 base::Status set_environment(Program& program, const script::Environment& environment) {
   program.surface->resize({environment.width, environment.height});
+  program.surface->set_content_scale(environment.density);
   program.renderer->set_samples(environment.samples);
   if (program.session.settings.look->ui_scale != environment.scale)
     if (const base::Status scaled = apply(program, edit::Set<&world::Look::ui_scale>{environment.scale}); !scaled)
@@ -65,7 +66,7 @@ base::Result<glm::vec3> position_of(const Program& program, const AimPoint& aim)
   if (view::is_gizmo(aim.kind)) {
     const auto gizmo = view::gizmo_of(session.document, session.settings, program.picture.view);
     if (!gizmo) return base::Status{base::Code::refused, "there is no gizmo: select a knot"};
-    return view::gizmo_place(*gizmo, session.settings.look->ui_scale, aim.kind);
+    return view::gizmo_place(*gizmo, view::mark_scale(session.settings, program.picture.view), aim.kind);
   }
   const world::Entity entity = world::find(session.document, aim.name);
   const std::string label = "@" + world::to_text(aim.name);

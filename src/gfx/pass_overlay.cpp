@@ -3,6 +3,8 @@
 
 namespace coaster::gfx {
 
+constexpr float kMarkRim = 1.5f;  // points
+
 void draw_overlay(const Pass& pass, const Instances& instances) {
   blend(pass.gl, true);
   pass.gl.Disable(GL_DEPTH_TEST);
@@ -16,6 +18,8 @@ void draw_overlay(const Pass& pass, const Instances& instances) {
     pass.count(2LL * count);
   };
   draw(pass.programs.line, instances.bind_lines());
+  pass.programs.mark.use();
+  pass.programs.mark.set("rim", kMarkRim * pass.scene.view.density);
   draw(pass.programs.mark, instances.bind_marks());
 }
 

@@ -6,14 +6,17 @@
 namespace coaster::gfx {
 namespace {
 
-constexpr float kPolylineWidth = 1.75f;  // px
+constexpr float kPolylineWidth = 1.75f;  // points
 constexpr glm::vec4 kPolylineColour{1, 1, 1, 0.9f};
 
 // Draws the polyline's quads: from cached vertices, or from control points by the stage that evaluates them.
 void draw_lines(const Pass& pass, const TrackCache& track, GpuCurves& curves) {
   const view::View& view = pass.scene.view;
-  const PolylinePen pen{
-      pass.view_projection, view.eye, {view.viewport.width, view.viewport.height}, kPolylineWidth, kPolylineColour};
+  const PolylinePen pen{pass.view_projection,
+                        view.eye,
+                        {view.viewport.width, view.viewport.height},
+                        kPolylineWidth * view.density,
+                        kPolylineColour};
   if (pass.stats.drawn_by != curve::EvaluatedBy::processor) {
     for (const CurveSlots& run : track.control_runs()) {
       pass.count(2LL * run.count * run.steps);

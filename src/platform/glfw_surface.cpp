@@ -105,7 +105,7 @@ class WindowSurface final : public Surface {
   float content_scale() const override {
     float x = 1, y = 1;
     glfwGetWindowContentScale(window_, &x, &y);
-    return x;
+    return x > 0 ? x : 1;
   }
   void* gl_proc(const char* name) override { return reinterpret_cast<void*>(glfwGetProcAddress(name)); }
   void present(unsigned framebuffer) override {

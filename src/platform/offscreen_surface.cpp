@@ -24,7 +24,7 @@ class OffscreenSurface final : public Surface {
     events.push_back(Tick{1.0 / 60.0});
   }
   Size size() const override { return size_; }
-  float content_scale() const override { return 1.0f; }
+  float content_scale() const override { return content_scale_; }
   void* gl_proc(const char* name) override { return context_.proc(name); }
   void present(unsigned) override {}
   double clock() const override {
@@ -35,6 +35,7 @@ class OffscreenSurface final : public Surface {
     size_ = {std::max(size.width, 0), std::max(size.height, 0)};
     resized_ = true;
   }
+  void set_content_scale(float scale) override { content_scale_ = scale; }
   std::string clipboard() override { return clipboard_; }
   void set_clipboard(const std::string& text) override { clipboard_ = text; }
   bool is_window() const override { return false; }
@@ -46,6 +47,7 @@ class OffscreenSurface final : public Surface {
   OffscreenContext context_;
   std::string library_;
   Size size_;
+  float content_scale_ = 1;
   bool resized_ = false;
   std::string clipboard_;
 };

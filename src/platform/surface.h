@@ -25,7 +25,7 @@ class Surface {
   // most. Headless: only a Tick of exactly 1/60 s, at once.
   virtual void poll(Events& events, double wait) = 0;
   virtual Size size() const = 0;            // framebuffer pixels; zero if minimised
-  virtual float content_scale() const = 0;  // 1 on ordinary screens, 2 on high-density ones
+  virtual float content_scale() const = 0;  // pixels per point: 1 on ordinary screens, 2 on dense ones
   virtual void* gl_proc(const char* name) = 0;
   // Shows the colour of `framebuffer` (a GL name, single-sampled, of size()). A window copies it; memory keeps nothing,
   // so read pixels with gfx::read_pixels before.
@@ -33,6 +33,7 @@ class Surface {
   virtual double clock() const = 0;  // seconds, monotonic
   virtual void set_title(const std::string& title) = 0;
   virtual void resize(Size size) = 0;  // a window requests it from the window system; memory resizes
+  virtual void set_content_scale(float scale) { (void)scale; }  // of memory; a window has its screen's
   virtual std::string clipboard() = 0;
   virtual void set_clipboard(const std::string& text) = 0;
   // Gives a written file to the user: a browser downloads it. Elsewhere it is already at the chosen path.

@@ -51,7 +51,9 @@ class WebSurface final : public Surface {
     events.push_back(Tick{window_ ? passed : 1.0 / 60.0});
   }
   Size size() const override { return size_; }
-  float content_scale() const override { return window_ ? static_cast<float>(emscripten_get_device_pixel_ratio()) : 1; }
+  float content_scale() const override {
+    return window_ ? static_cast<float>(emscripten_get_device_pixel_ratio()) : content_scale_;
+  }
   void* gl_proc(const char* name) override { return web_gl_function(name); }
   void present(unsigned framebuffer) override {
     if (!window_ || size_ == Size{}) return;
@@ -68,6 +70,7 @@ class WebSurface final : public Surface {
     size_ = size;
     pending_.push_back(Resize{size.width, size.height});
   }
+  void set_content_scale(float scale) override { content_scale_ = scale; }
   std::string clipboard() override { return clipboard_; }
   void set_clipboard(const std::string& text) override {
     clipboard_ = text;
@@ -230,6 +233,7 @@ class WebSurface final : public Surface {
   Events pending_;
   std::deque<Events> typed_;  // one a frame
   bool takes_text_ = false;
+  float content_scale_ = 1;  // without a window
   struct Fingers {
     std::vector<Finger> down;
     double time = 0;

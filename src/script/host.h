@@ -38,7 +38,7 @@ struct AimPoint {
 struct Environment {
   int width = 640, height = 360;
   std::uint64_t seed = 0;
-  float scale = 1;
+  float scale = 1, density = 1;
   int samples = 0;
 };
 

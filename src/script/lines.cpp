@@ -18,11 +18,11 @@ namespace {
 constexpr std::int64_t kMostFrames = 10'000'000;
 
 bool parse_env(Words& words, Action& action) {
-  static const std::vector<std::string> kNames{"size", "seed", "scale", "msaa", "home"};
+  static const std::vector<std::string> kNames{"size", "seed", "scale", "msaa", "home", "density"};
   SetEnvironment env;
-  if (words.at_end()) return words.fail(words.end_column(), "expected size, seed, scale, msaa or home");
+  if (words.at_end()) return words.fail(words.end_column(), "expected size, seed, scale, density, msaa or home");
   while (!words.at_end()) {
-    const auto name = words.one_of("size, seed, scale, msaa or home", kNames);
+    const auto name = words.one_of("size, seed, scale, density, msaa or home", kNames);
     if (!name) return false;
     if (*name == 0) {
       const base::Token* const size = words.take("WIDTHxHEIGHT");
@@ -39,6 +39,12 @@ bool parse_env(Words& words, Action& action) {
       const auto scale = words.number("a scale");
       if (!scale) return false;
       env.scale = static_cast<float>(*scale);
+    } else if (*name == 5) {
+      const base::Token* const word = words.peek();
+      const auto density = words.number("a density from 0.5 to 4");
+      if (!density) return false;
+      if (!(*density >= 0.5 && *density <= 4)) return words.fail(word->column, "expected a density from 0.5 to 4");
+      env.density = static_cast<float>(*density);
     } else if (*name == 4) {
       if (!take(words, "a folder below $OUT", env.home.emplace())) return false;
     } else {

@@ -119,8 +119,10 @@ Failure Runner::perform(const SetEnvironment& change) {
   if (change.samples) environment_.samples = *change.samples;
   if (change.seed) environment_.seed = *change.seed;
   if (change.scale) environment_.scale = *change.scale;
+  if (change.density) environment_.density = *change.density;
   // If only a folder is set, picture and scale stay: its settings may change them.
-  const bool home_alone = change.home && !change.width && !change.samples && !change.seed && !change.scale;
+  const bool home_alone =
+      change.home && !change.width && !change.samples && !change.seed && !change.scale && !change.density;
   if (!home_alone)
     if (const base::Status status = frames_.set_environment(environment_); !status) return failure(status);
   if (!change.home) return {};

@@ -30,7 +30,7 @@ struct RunCommand {
 struct SetEnvironment {
   std::optional<int> width, height, samples;
   std::optional<std::uint64_t> seed;
-  std::optional<float> scale;
+  std::optional<float> scale, density;
   std::optional<base::Token> home;
 };
 struct Frames {

@@ -84,9 +84,10 @@ glm::dmat3 axes_of(const Eye& eye) {
   return {right, glm::cross(right, forward), -forward};
 }
 
-View view_of(const Eye& eye, Viewport viewport) {
+View view_of(const Eye& eye, Viewport viewport, float density) {
   View out;
   out.viewport = with_area(viewport);
+  out.density = density;
   out.eye = glm::vec3(eye.position);
   // Built from the direction itself: eye + forward would lose it to rounding when the eye is kilometres away.
   const glm::dmat3 to_eye = glm::transpose(axes_of(eye));

@@ -29,6 +29,7 @@ struct View {
   Viewport viewport;
   float parallel = 0;  // m from the eye to the subject in an orthographic view; 0: perspective
   float reach = 1;     // sizes of targets when picking, as multiples of those that are drawn: larger for a finger
+  float density = 1;   // pixels per point of the screen: 2 on a dense one. Marks and targets have their sizes in points
 };
 // Returns the metres that a pixel covers at `depth` metres in front of the eye; at any depth in an orthographic view.
 float metres_per_pixel(const View& view, float depth);
@@ -62,7 +63,7 @@ Eye fly_eye(const world::FlyCamera& fly, float field_of_view_deg);
 // Returns the eye on the seat of a car, looking forward.
 Eye ride_eye(const sim::Pose& pose, float field_of_view_deg);
 // Returns the view; a viewport of zero area counts as 1 x 1.
-View view_of(const Eye& eye, Viewport viewport);
+View view_of(const Eye& eye, Viewport viewport, float density = 1);
 
 View orbit_view(const world::Camera& camera, Viewport viewport);
 

@@ -10,7 +10,7 @@ namespace coaster::view {
 // Sizes at UI scale 1, in pixels along an axis perpendicular to the line of sight.
 inline constexpr float kGizmoLength = 76, kGizmoGap = 20;          // end and start of the arrows
 inline constexpr float kGizmoPlaneNear = 26, kGizmoPlaneFar = 44;  // corners of the squares, along both axes
-inline constexpr float kGizmoReach = 6;                            // px next to an arrow in which it can be picked
+inline constexpr float kGizmoReach = 6;                            // next to an arrow, in which it can be picked
 
 struct Gizmo {
   glm::vec3 at{0};     // m: the mean of the selected knots' positions

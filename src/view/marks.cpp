@@ -7,7 +7,7 @@
 namespace coaster::view {
 namespace {
 
-constexpr double kLargestMark = 64;  // px, more than the radius and the reach of any mark
+constexpr float kLargestMark = 64;  // points, more than the radius and the reach of any mark
 
 bool is_handle(PickKind kind) {
   return kind == PickKind::handle_in || kind == PickKind::handle_out || kind == PickKind::spin;
@@ -58,7 +58,7 @@ std::optional<PlacedMark> placed_mark(const Projector& projector, const View& vi
   if (!pixel) return std::nullopt;
   const glm::dvec2 first(view.viewport.x, view.viewport.y), size(view.viewport.width, view.viewport.height);
   const glm::dvec2 off = glm::max(first - *pixel, *pixel - first - size);
-  if (std::max(off.x, off.y) > kLargestMark) return std::nullopt;
+  if (std::max(off.x, off.y) > kLargestMark * view.density) return std::nullopt;
   const glm::dvec3 away = glm::dvec3(position) - glm::dvec3(view.eye);
   const double distance = view.parallel > 0 ? glm::dot(away, glm::dvec3(line_of_sight(view))) : glm::dot(away, away);
   return PlacedMark{kind, knot, position, *pixel, distance, 0};
@@ -85,7 +85,7 @@ MarksOnScreen marks_on_screen(const world::Document& document, const sim::Derive
     for (std::size_t i = 0; i < knots.size(); ++i) add_knot(i, world::knot(document, knots[i]));
   } else {
     sim::all_within(
-        derived.tree, [&](const curve::Box& box) { return projector.may_show(box, kLargestMark); },
+        derived.tree, [&](const curve::Box& box) { return projector.may_show(box, kLargestMark * view.density); },
         [&](std::size_t i) { return add_knot(i, made_from[i]); });
     if (!derived.closed) add_knot(knots.size() - 1, made_from.back());  // no segment begins there
   }

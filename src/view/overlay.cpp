@@ -14,7 +14,6 @@
 #include "view/section_handle.h"
 #include "view/spin_ring.h"
 #include "world/lab_view.h"
-#include "world/look.h"
 #include "world/selection.h"
 
 namespace coaster::view {
@@ -27,14 +26,14 @@ constexpr std::uint32_t kPolygonColour = 0xf2b84bff, kPlaceColour = 0xff8a1fff, 
 constexpr std::uint32_t kFailureColour = 0xd7263dff;
 constexpr double kFailureHeight = 1.6;  // m above the rails: above the car
 constexpr float kHoveredGrowth = 1.35f;
-constexpr float kPlaceRadius = 4.5f;  // px
-constexpr float kLineWidth = 1.5f;    // px
+constexpr float kPlaceRadius = 4.5f;  // points
+constexpr float kLineWidth = 1.5f;    // points
 
 // Adds control polygons and the handles of the shown knots; no line twice.
-void add_polygons(const world::Document& document, const world::Settings& settings, Overlay& overlay) {
+void add_polygons(const world::Document& document, const world::Settings& settings, float scale, Overlay& overlay) {
   const std::vector<world::Entity> knots = knots_with_handles(document, settings);
   const auto line = [&](glm::vec3 from, glm::vec3 to) {
-    overlay.lines.push_back({from, to, kLineWidth * settings.look->ui_scale, kPolygonColour});
+    overlay.lines.push_back({from, to, kLineWidth * scale, kPolygonColour});
   };
   const auto has_handles = [&](world::Entity e) { return std::find(knots.begin(), knots.end(), e) != knots.end(); };
   for (const world::Entity e : selected_segments(document, settings.selected)) {
@@ -92,9 +91,10 @@ std::vector<PlacedMark> shown_marks(const world::Document& document, const sim::
   return marks;
 }
 
-Mark mark_of(const PlacedMark& placed, const world::Settings& settings, const Selected& selected, const Pick& hovered) {
+Mark mark_of(const PlacedMark& placed, const world::Settings& settings, float scale, const Selected& selected,
+             const Pick& hovered) {
   const bool under_cursor = hovered == Pick{placed.kind, placed.knot};
-  const float growth = (under_cursor ? kHoveredGrowth : 1.0f) * settings.look->ui_scale;
+  const float growth = (under_cursor ? kHoveredGrowth : 1.0f) * scale;
   if (placed.kind == PickKind::spin)
     return {placed.position, kHandleHalf * growth, under_cursor ? kSpinHovered : kSpinColour, MarkShape::square};
   if (placed.kind != PickKind::knot)
@@ -123,11 +123,11 @@ Overlay build_overlay(const world::Document& document, const sim::Derived& deriv
                       const View& view, const Pick& hovered, const Findings& findings) {
   Overlay overlay;
   add_laboratory(document, derived, settings, view, findings, overlay);
-  const float scale = settings.look->ui_scale;
+  const float scale = mark_scale(settings, view);
   const double rails = world::rails_height(document);
   if (findings.element) add_element(*findings.element, findings.narrow, rails, view, scale, overlay);
-  add_sections(document, derived, settings, hovered, overlay);
-  add_polygons(document, settings, overlay);
+  add_sections(document, derived, settings, view, hovered, overlay);
+  add_polygons(document, settings, scale, overlay);
   // The picked position is not a pickable mark, so it is drawn below all that are.
   if (const sim::SegmentShape* const shape = derived.segments.find(settings.selected))
     add_disc(curve::point(shape->key.cubic, settings.selected_t), kPlaceRadius * scale, kPlaceColour, overlay);
@@ -138,7 +138,7 @@ Overlay build_overlay(const world::Document& document, const sim::Derived& deriv
     add_spin_ring(*ring, scale, overlay);
   const Selected selected(settings);
   for (const PlacedMark& placed : shown_marks(document, derived, settings, view, hovered, selected, findings.riding))
-    overlay.marks.push_back(mark_of(placed, settings, selected, hovered));
+    overlay.marks.push_back(mark_of(placed, settings, scale, selected, hovered));
   if (section_handles_show(settings) && !findings.riding) {
     for (const AngleHandle& ring : angle_handles(document, derived, settings.selected))
       add_angle_handle(ring, scale, hovered.kind == ring.kind, overlay);

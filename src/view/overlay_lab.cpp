@@ -11,7 +11,6 @@
 #include "view/overlay_lab_parts.h"
 #include "world/evaluation.h"
 #include "world/lab_view.h"
-#include "world/look.h"
 
 namespace coaster::view {
 namespace {
@@ -28,9 +27,8 @@ std::vector<world::Entity> rounded_segments(const world::Document& document, con
           derived.order.begin() + static_cast<std::ptrdiff_t>(std::min(most, derived.order.size()))};
 }
 
-void add_rounding(const sim::SegmentShape& shape, const world::Settings& settings, Overlay& overlay) {
+void add_rounding(const sim::SegmentShape& shape, const world::Settings& settings, float scale, Overlay& overlay) {
   constexpr std::size_t kWhiskers = 64;
-  const float scale = settings.look->ui_scale;
   const sim::Rounding r =
       sim::rounding(shape.curve, base::row_of(settings.evaluation->evaluator), settings.evaluation->steps);
   const std::size_t last = r.exact.size() - 1;
@@ -97,15 +95,15 @@ void add_circle(const sim::SegmentShape& shape, double t, float scale, Overlay& 
 }
 
 void add_rounding(const world::Document& document, const sim::Derived& derived, const world::Settings& settings,
-                  Overlay& overlay) {
+                  const View& view, Overlay& overlay) {
   for (const world::Entity e : rounded_segments(document, derived, settings))
-    add_rounding(derived.shape(e), settings, overlay);
+    add_rounding(derived.shape(e), settings, mark_scale(settings, view), overlay);
 }
 
 void add_laboratory(const world::Document& document, const sim::Derived& derived, const world::Settings& settings,
                     const View& view, const Findings& findings, Overlay& overlay) {
   using world::Layer;
-  const float scale = settings.look->ui_scale;
+  const float scale = mark_scale(settings, view);
   const sim::SegmentShape* const probed = derived.segments.find(settings.selected);
   const double t = settings.selected_t;
   const auto layer = [&](Layer which, bool possible, auto add) {
@@ -125,7 +123,7 @@ void add_laboratory(const world::Document& document, const sim::Derived& derived
     add_spans(derived, findings.spans, scale, o);
     add_jolts(derived, findings.jolts, view, scale, o);
   });
-  layer(Layer::rounding, true, [&](Overlay& o) { add_rounding(document, derived, settings, o); });
+  layer(Layer::rounding, true, [&](Overlay& o) { add_rounding(document, derived, settings, view, o); });
   layer(Layer::circle, probed != nullptr, [&](Overlay& o) { add_circle(*probed, t, scale, o); });
   layer(Layer::construction, probed != nullptr, [&](Overlay& o) { add_construction(*probed, t, view, scale, o); });
 }

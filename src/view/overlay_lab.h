@@ -49,7 +49,7 @@ void add_frames(const sim::Derived& derived, const world::Settings& settings, co
 // the limit, each vertex moved by (vertex - exact) * magnification. The last step, from the evaluator's accumulated
 // error to the pinned end, is the seam: red.
 void add_rounding(const world::Document& document, const sim::Derived& derived, const world::Settings& settings,
-                  Overlay& overlay);
+                  const View& view, Overlay& overlay);
 
 // Adds a cross and the normals on both sides of a flip, and a broad line where the curvature is 0.
 void add_breaks(const sim::Derived& derived, std::span<const sim::FrenetBreak> breaks, const View& view, float scale,

@@ -7,7 +7,6 @@
 #include "view/overlay_lab.h"
 #include "view/overlay_lab_parts.h"
 #include "world/lab_view.h"
-#include "world/look.h"
 
 namespace coaster::view {
 namespace {
@@ -60,7 +59,7 @@ glm::dvec3 tooth_at(const curve::Cubic& cubic, double t, double scale) {
 }  // namespace
 
 void add_comb(const sim::Derived& derived, const world::Settings& settings, const View& view, Overlay& overlay) {
-  const float scale = settings.look->ui_scale;
+  const float scale = mark_scale(settings, view);
   const std::vector<SeenSegment> seen = seen_segments(derived, view);
   const auto count = [&](const SeenSegment& one, double px) { return teeth_of(derived, one, px); };
   const double px = fitting_distance(seen, 9.0 * static_cast<double>(scale), kMaxTeeth, count);
@@ -86,7 +85,7 @@ void add_comb(const sim::Derived& derived, const world::Settings& settings, cons
 
 void add_frames(const sim::Derived& derived, const world::Settings& settings, const View& view, Overlay& overlay) {
   constexpr double kApartPx = 72, kArrowPx = 34;
-  const float scale = settings.look->ui_scale;
+  const float scale = mark_scale(settings, view);
   const double ui = static_cast<double>(scale);
   const PixelScale pixels(view);
   const std::vector<SeenSegment> seen = seen_segments(derived, view);

@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "sim/shape/rails.h"
-#include "world/look.h"
 #include "world/panels.h"
 #include "world/sections.h"
 #include "world/selection.h"
@@ -14,7 +13,7 @@ namespace {
 using world::Entity;
 
 struct LineLook {
-  float width;  // px
+  float width;  // points
   std::uint32_t colour;
 };
 constexpr LineLook kSelectedLine{5, 0xff8a1fcc}, kHoveredLine{2, 0xffffffb0};
@@ -47,8 +46,8 @@ Entity hovered_section(const world::Document& document, const world::Settings& s
 }  // namespace
 
 void add_sections(const world::Document& document, const sim::Derived& derived, const world::Settings& settings,
-                  const Pick& hovered, Overlay& overlay) {
-  const float scale = settings.look->ui_scale;
+                  const View& view, const Pick& hovered, Overlay& overlay) {
+  const float scale = mark_scale(settings, view);
   if (const Entity section = hovered_section(document, settings, hovered); section.valid())
     add_run(derived, world::run_of(document, section), kMaxSectionLines, kHoveredLine, scale, overlay);
   std::vector<Entity> selected = world::selected_sections(document, settings);

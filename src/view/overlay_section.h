@@ -10,6 +10,6 @@ inline constexpr std::size_t kMaxSectionLines = 2000;  // for each, unless its n
 // Adds the lines; nothing if no section is selected. The section under the mouse shows in the workspace Build, if it is
 // planned.
 void add_sections(const world::Document& document, const sim::Derived& derived, const world::Settings& settings,
-                  const Pick& hovered, Overlay& overlay);
+                  const View& view, const Pick& hovered, Overlay& overlay);
 
 }  // namespace coaster::view

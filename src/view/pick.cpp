@@ -21,7 +21,9 @@ namespace {
 using glm::dvec2;
 using glm::dvec3;
 
-float target_scale(const world::Settings& settings, const View& view) { return settings.look->ui_scale * view.reach; }
+float target_scale(const world::Settings& settings, const View& view) {
+  return mark_scale(settings, view) * view.reach;
+}
 
 bool inside(const PlacedMark& mark, dvec2 pixel, double scale) {
   const dvec2 off = pixel - mark.pixel;
@@ -195,13 +197,15 @@ std::optional<Pick> pick_section_handle(const world::Document& document, const s
 
 }  // namespace
 
+float mark_scale(const world::Settings& settings, const View& view) { return settings.look->ui_scale * view.density; }
+
 Pick pick(const world::Document& document, const sim::Derived& derived, const world::Motion& motion,
           const world::Settings& settings, const View& view, glm::vec2 pixel) {
   if (!view.viewport.contains(pixel)) return {};
   if (const auto handle = pick_section_handle(document, derived, settings, view, pixel)) return *handle;
   if (const auto mark = pick_mark(document, derived, settings, view, pixel)) return *mark;
   if (const auto gizmo = gizmo_of(document, settings, view))
-    if (const PickKind part = pick_gizmo(*gizmo, view, settings.look->ui_scale, pixel); part != PickKind::none)
+    if (const PickKind part = pick_gizmo(*gizmo, view, mark_scale(settings, view), pixel); part != PickKind::none)
       return {part, world::kNone, 0, gizmo->at};
   if (const auto cart = pick_cart(document, derived, motion, settings, view, pixel)) return *cart;
   if (const auto place = pick_place(derived, settings, view, pixel)) return *place;

@@ -37,13 +37,16 @@ struct Pick {
   friend bool operator==(const Pick& a, const Pick& b) { return a.kind == b.kind && a.entity == b.entity; }
 };
 
-// Sizes on screen at UI scale 1 (they scale with it), in pixels. Marks are drawn with them and, times View::reach,
+// Sizes on screen at UI scale 1, in points. Marks are drawn with them times mark_scale() and, times View::reach, too,
 // picked with them.
 inline constexpr float kKnotRadius = 5.0f;
 inline constexpr float kHandleHalf = 4.0f;  // half the side of the handle's square
 inline constexpr float kSectionHandleHalf = 6.0f;
-inline constexpr float kCurveReach = 8.0f;  // px from the curve
-inline constexpr float kCartReach = 9.0f;   // px from a car's middle: more than a knot's radius
+inline constexpr float kCurveReach = 8.0f;  // from the curve
+inline constexpr float kCartReach = 9.0f;   // from a car's middle: more than a knot's radius
+
+// Returns pixels per point of marks, lines and targets: the UI scale times the screen's density.
+float mark_scale(const world::Settings& settings, const View& view);
 
 // Returns what is under a pixel. Marks are on top of everything and never hidden. A section's handles win over other
 // handles, handles over knots, knots over the gizmo, the gizmo over cars, cars over the curve; within a kind the mark
@@ -61,7 +64,7 @@ Pick pick(const world::Document& document, const sim::Derived& derived, const wo
 // nothing if the view is not perspective. Takes about a microsecond at 100,000 segments (docs/performance.md), by
 // derived.tree.
 std::optional<Pick> pick_curve(const sim::Derived& derived, const View& view, glm::vec2 pixel, float reach);
-inline constexpr double kOneBehindAnother = 1.0;  // px
+inline constexpr double kOneBehindAnother = 1.0;  // points
 
 // Does the same by testing every segment: the reference for the tree in tests and benchmarks.
 std::optional<Pick> pick_curve_of_all(const sim::Derived& derived, const View& view, glm::vec2 pixel, float reach);

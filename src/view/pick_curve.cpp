@@ -41,11 +41,15 @@ bool is_nearest_at_joint(const sim::Derived& derived, const Beam& beam, const Ca
 // Collects the candidates while segments are visited in any order.
 class Search {
  public:
-  Search(const sim::Derived& derived, const Beam& beam, double reach)
-      : derived_(derived), beam_(beam), least_(kNowhere), reach_(reach) {}
+  Search(const sim::Derived& derived, const Beam& beam, const View& view, double reach)
+      : derived_(derived),
+        beam_(beam),
+        least_(kNowhere),
+        reach_(reach),
+        one_behind_another_(kOneBehindAnother * static_cast<double>(view.density)) {}
 
   // Positions farther away than this cannot win, px.
-  double limit() const { return std::min(reach_, least_ + kOneBehindAnother); }
+  double limit() const { return std::min(reach_, least_ + one_behind_another_); }
 
   void look_at(std::size_t index) {
     const SightedControls controls = sighted(derived_.tree.cubics[index], beam_);
@@ -78,7 +82,7 @@ class Search {
  private:
   const sim::Derived& derived_;
   const Beam& beam_;
-  double least_, reach_;
+  double least_, reach_, one_behind_another_;  // px
   std::vector<Candidate> candidates_;
 };
 
@@ -92,7 +96,7 @@ std::optional<Pick> picked(const sim::Derived& derived, const Candidate* place) 
 
 std::optional<Pick> pick_curve(const sim::Derived& derived, const View& view, glm::vec2 pixel, float reach) {
   const Beam beam(view, pixel);
-  Search search(derived, beam, reach);
+  Search search(derived, beam, view, reach);
   (void)visit_near(
       derived.tree, beam, [&] { return search.limit(); }, [&](std::size_t index) { search.look_at(index); });
   return picked(derived, search.meant());
@@ -101,7 +105,7 @@ std::optional<Pick> pick_curve(const sim::Derived& derived, const View& view, gl
 std::optional<Pick> pick_curve_of_all(const sim::Derived& derived, const View& view, glm::vec2 pixel, float reach) {
   const Beam beam(view, pixel);
   if (!beam.has_eye()) return std::nullopt;
-  Search search(derived, beam, reach);
+  Search search(derived, beam, view, reach);
   for (std::size_t i = 0; i < derived.order.size(); ++i) search.look_at(i);
   return picked(derived, search.meant());
 }

@@ -6,7 +6,6 @@
 #include "base/portable_math.h"
 #include "curve/frames.h"
 #include "view/gizmo.h"
-#include "world/look.h"
 
 namespace coaster::view {
 namespace {
@@ -43,7 +42,7 @@ std::optional<SpinRing> spin_ring_of(const world::Document& document, const worl
                   glm::dvec3(knot->position),
                   tangent,
                   curve::perpendicular(tangent, glm::dvec3(knot->up)),
-                  double{kSpinRadius * settings.look->ui_scale / gizmo->metre_px},
+                  double{kSpinRadius * mark_scale(settings, view) / gizmo->metre_px},
                   double{knot->spin}};
 }
 

@@ -61,7 +61,7 @@ class ProgramTest : public testing::Test {
     EXPECT_TRUE(gl.ok()) << gl.status().message;
     program->gl = std::move(*gl);
     program->surface = std::move(surface);
-    auto panels = ui::Host::make(program->gl, 1);
+    auto panels = ui::Host::make(program->gl);
     EXPECT_TRUE(panels.ok()) << panels.status().message;
     program->ui = std::move(*panels);
     program->session = edit::make_session({});

@@ -45,7 +45,7 @@ class Stage : public testing::Test {
 
   void restart() {
     host_.reset();
-    auto host = Host::make(gl_, 1);
+    auto host = Host::make(gl_);
     ASSERT_TRUE(host.ok()) << host.status().message;
     host_ = std::move(*host);
   }
@@ -62,6 +62,7 @@ class Stage : public testing::Test {
     State state{session_, stats_, seconds_, scripted_, nullptr, user_ ? &*user_ : nullptr};
     state.pictures = &pictures_;
     state.lesson = lesson_;
+    state.content_scale = density_;
     Output out = host_->build(events, state, width_, height_);
     for (const edit::Command& command : out.commands) {
       (void)edit::apply(session_, files_, command);
@@ -155,6 +156,7 @@ class Stage : public testing::Test {
   }
 
   int width_ = 1280, height_ = 720;
+  float density_ = 1;  // pixels per point of the screen
   bool scripted_ = false;
   double seconds_ = 0;
   std::unique_ptr<platform::Surface> surface_;

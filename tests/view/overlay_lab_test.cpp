@@ -165,7 +165,7 @@ TEST(overlay_lab, rounding_moves_vertices_by_their_error_times_the_magnification
   scene.settings.lab->magnification = 1234.5;
   scene.settings.selected = scene.derived.order[4];
   Overlay overlay;
-  add_rounding(scene.document, scene.derived, scene.settings, overlay);
+  add_rounding(scene.document, scene.derived, scene.settings, scene.view, overlay);
   const sim::Rounding r = sim::rounding(scene.shape(4).curve, base::row_of(scene.settings.evaluation->evaluator), 512);
   std::vector<Line> chain;
   for (const Line& line : overlay.lines)
@@ -245,7 +245,7 @@ TEST(overlay_lab, no_layer_outgrows_its_limit_on_a_long_track) {
     Overlay frames, comb, rounding;
     add_frames(scene.derived, scene.settings, scene.view, frames);
     add_comb(scene.derived, scene.settings, scene.view, comb);
-    add_rounding(scene.document, scene.derived, scene.settings, rounding);
+    add_rounding(scene.document, scene.derived, scene.settings, scene.view, rounding);
     EXPECT_GT(frames.lines.size(), 0u);
     EXPECT_LE(frames.lines.size(), 9u * kMaxFrames);
     EXPECT_GT(comb.lines.size(), 0u);

@@ -117,6 +117,28 @@ class Hands(Page):
             self.key("F11")
             self.until(lambda: self.js("document.fullscreenElement !== null") == full, f"full screen: {full}")
 
+    def test_marks_are_as_large_and_as_easy_to_hit_on_a_dense_screen(self):
+        widths = []
+        for ratio in (1, 2):
+            self.small(512, 360, ratio)
+            self.open()
+            self.key("Escape")
+            for line in ("new", "append at -30 10 0", "append at 0 10 0", "append at 30 10 0", "camera.projection top",
+                         "camera target 0 10 0 yaw 0 pitch 15 distance 60", "hints off", "show legend off", "panels off", "select none"):
+                self.command(line)
+            self.click(256, 180 + 9)
+            self.assertEqual(self.value("selected"), "none", f"9 points below a knot, {ratio} pixels to a point")
+            self.click(256, 180 + 4)
+            self.assertEqual(self.value("selected"), "k2", f"4 points below it, {ratio} pixels to a point")
+            widths.append(self.page.execute_async_script(
+                "const [picture, done] = arguments, image = new Image(); image.onload = () => {"
+                "const brush = new OffscreenCanvas(image.width, image.height).getContext('2d'); brush.drawImage(image, 0, 0);"
+                "const side = image.width / 16, row = brush.getImageData((image.width - side) / 2, image.height / 2, side, 1).data;"
+                "let orange = 0; for (let i = 0; i < row.length; i += 4) orange += row[i] > 220 && row[i + 1] < 170 && row[i + 2] < 90;"
+                "done(orange); }; image.src = 'data:image/png;base64,' + picture;", self.page.get_screenshot_as_base64()))
+        self.assertIn(widths[0], (10, 11), "the knot under the mouse without its rim: 10.5 points")
+        self.assertIn(widths[1], (20, 21, 22))
+
     def test_files_come_in_and_go_out(self):
         self.open()
         self.key("Escape")

@@ -76,6 +76,7 @@ struct State {
   const query::LessonCard* lesson = nullptr;
   const std::map<std::string, TrackPicture>* pictures = nullptr;  // by path
   const MovieState* movie = nullptr;                              // null: no movie is being recorded
+  float content_scale = 1;                                        // pixels per point of the screen
   const edit::Session& session = find.session();
 };
 

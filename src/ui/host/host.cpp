@@ -42,17 +42,17 @@ bool text_has_keyboard() {
 }
 
 view::View make_view(const State& state, const view::Viewport& scene) {
-  if (state.rig) return view::view_of(state.rig->eye, scene);
+  if (state.rig) return view::view_of(state.rig->eye, scene, state.content_scale);
   view::CameraRig rig;
   view::follow(rig, {state.session.document, state.session.derived, state.session.motion, state.session.settings}, 0);
-  return view::view_of(rig.eye, scene);
+  return view::view_of(rig.eye, scene, state.content_scale);
 }
 
 }  // namespace
 
 struct Host::Parts {
   const gfx::Gl& gl;
-  float content_scale = 1, loaded_scale = 0;  // the latter of the fonts
+  float loaded_scale = 0;  // of the fonts
   ImGuiContext* context = nullptr;
   std::optional<ImGuiRenderer> renderer;
   EventOrder order;
@@ -190,9 +190,8 @@ void Host::Parts::lay_out(Ui& ui, const platform::Events& events, int width, int
   if (ui.out.wants_tutorial || ui.out.recovery == Recovery::recover) start.hide();
 }
 
-base::Result<std::unique_ptr<Host>> Host::make(const gfx::Gl& gl, float content_scale) {
+base::Result<std::unique_ptr<Host>> Host::make(const gfx::Gl& gl) {
   auto parts = std::make_unique<Parts>(gl);
-  parts->content_scale = content_scale > 0 ? content_scale : 1;
   IMGUI_CHECKVERSION();
   ImGuiContext* before = ImGui::GetCurrentContext();
   parts->context = ImGui::CreateContext();
@@ -203,7 +202,6 @@ base::Result<std::unique_ptr<Host>> Host::make(const gfx::Gl& gl, float content_
   io.LogFilename = nullptr;
   io.BackendFlags |= ImGuiBackendFlags_RendererHasVtxOffset;  // a list may have more than 65,536 vertices
   io.ConfigWindowsMoveFromTitleBarOnly = true;
-  io.MouseDragThreshold = 3;
   auto renderer = ImGuiRenderer::make(gl);
   if (!renderer) {
     ImGui::SetCurrentContext(before);
@@ -220,7 +218,8 @@ Output Host::build(const platform::Events& polled, const State& state, int width
   COASTER_CHECK(width >= 1 && height >= 1, "the UI needs at least one pixel");
   Parts& p = *parts_;
   ImGui::SetCurrentContext(p.context);
-  const float scale = fitted_scale(width, height, state.session.settings.look->ui_scale, p.content_scale);
+  const float scale = fitted_scale(width, height, state.session.settings.look->ui_scale, state.content_scale);
+  ImGui::GetIO().MouseDragThreshold = 3 * state.content_scale;  // of drags in the view, too
   p.restyle(state.session.settings.look->theme, scale);
   p.follow_session(state);
   const platform::Events events = p.order.take(polled, text_has_keyboard(), p.input.clicks_wait());

@@ -17,7 +17,7 @@ namespace coaster::ui {
 
 class Host {
  public:
-  static base::Result<std::unique_ptr<Host>> make(const gfx::Gl& gl, float content_scale);
+  static base::Result<std::unique_ptr<Host>> make(const gfx::Gl& gl);
   ~Host();
   Host(const Host&) = delete;
   Host& operator=(const Host&) = delete;

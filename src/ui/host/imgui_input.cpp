@@ -62,11 +62,11 @@ void ImGuiInput::take_text(const std::string& utf8, bool ctrl) {
 
 void ImGuiInput::take_button(const platform::MouseButton& event) {
   constexpr double kSeconds = 0.3;  // between the presses of a double click
-  constexpr float kReach = 6;       // px
+  const float reach = 2 * ImGui::GetIO().MouseDragThreshold;
   const auto button = static_cast<std::size_t>(event.button);
   Press& last = presses_[button];
   const bool twice = event.down && !last.twice && time_ - last.time <= kSeconds &&
-                     std::hypot(mouse_.x - last.at.x, mouse_.y - last.at.y) <= kReach;
+                     std::hypot(mouse_.x - last.at.x, mouse_.y - last.at.y) <= reach;
   if (event.down) last = {time_, mouse_, twice};
   waiting_.push_back({button, event.down, twice, mouse_, event.modifiers});
 }

@@ -50,9 +50,8 @@ bool touch_knobs(const PlotArea& area, const Plot& plot, const AreaState& state)
   const int held = storage.GetInt(state.id, kNothing);
   if ((state.held || state.deactivated) && held >= 0 && held < static_cast<int>(plot.knobs.size()))
     touch.held = static_cast<std::size_t>(held);
-  constexpr float kStill = 3;  // px
   touch.pressed = state.activated && touch.held;
-  touch.moved = touch.held && io.MouseDragMaxDistanceSqr[0] >= kStill * kStill;
+  touch.moved = touch.held && io.MouseDragMaxDistanceSqr[0] >= io.MouseDragThreshold * io.MouseDragThreshold;
   touch.released = state.deactivated && touch.held;
   touch.twice = state.hovered && io.MouseDoubleClicked[0];
   return state.held && held == kCursor;

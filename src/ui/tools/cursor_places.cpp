@@ -6,7 +6,6 @@
 #include "sim/plan/element_shapes.h"
 #include "view/gizmo.h"
 #include "world/aids.h"
-#include "world/look.h"
 
 namespace coaster::ui {
 
@@ -32,7 +31,7 @@ std::optional<glm::vec3> append_place(const world::Document& document, const vie
 
 view::Pick under_mouse(const Ui& ui, const view::View& view) {
   using view::PickKind;
-  constexpr float kFinger = 16;  // px from a knot's middle, on an ordinary screen
+  constexpr float kFinger = 16;  // points from a knot's middle
   const edit::Session& s = ui.session();
   const auto at = [&](const view::View& from) {
     return view::pick(s.document, s.derived, s.motion, s.settings, from, mouse_position());
@@ -40,7 +39,7 @@ view::Pick under_mouse(const Ui& ui, const view::View& view) {
   const view::Pick exact = at(view);
   if (!ui.finger || (exact.kind != PickKind::none && exact.kind != PickKind::curve)) return exact;
   view::View grown = view;
-  grown.reach = kFinger * ui.scale / (view::kKnotRadius * s.settings.look->ui_scale);
+  grown.reach = kFinger * ui.scale / (view::kKnotRadius * view::mark_scale(s.settings, view));
   const view::Pick near = at(grown);
   return near.kind == PickKind::none || (near.kind == PickKind::curve && exact.kind == PickKind::curve) ? exact : near;
 }
@@ -52,7 +51,8 @@ std::optional<view::Pick> in_front_of_gizmo(const Ui& ui, const view::View& view
   settings.aids->show_gizmo = false;
   const view::Pick pick = view::pick(s.document, s.derived, s.motion, settings, view, mouse_position());
   const auto depth = [&](glm::vec3 at) { return glm::dot(at - view.eye, view::line_of_sight(view)); };
-  const float reach = view::kGizmoLength * ui.scale * view::metres_per_pixel(view, depth(gizmo));
+  const float reach =
+      view::kGizmoLength * view::mark_scale(s.settings, view) * view::metres_per_pixel(view, depth(gizmo));
   const bool solid = pick.kind == PickKind::curve || pick.kind == PickKind::cart;
   return solid && depth(pick.position) < depth(gizmo) - reach ? std::optional(pick) : std::nullopt;
 }

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "world/look.h"
+#include "view/pick.h"
 #include "world/selection.h"
 
 namespace coaster::ui {
@@ -61,7 +61,7 @@ dvec3 snapped(const SnapScene& scene, world::SnapTo to, dvec3 position, dvec3 st
         wanted[i] = std::round(position[i] / scene.settings.snapping.step) * scene.settings.snapping.step;
       break;
     case world::SnapTo::knots: {
-      double least = 12.0 * scene.settings.look->ui_scale;
+      double least = 12.0 * static_cast<double>(view::mark_scale(scene.settings, scene.view));
       for (const world::Entity e : scene.document.track.knots) {
         if (world::is_selected(scene.settings, e)) continue;
         const glm::vec3 at = world::knot(scene.document, e).position;

@@ -30,7 +30,7 @@ double turned_angle(const view::View& view, glm::vec2 from, glm::vec2 to, glm::v
 glm::vec3 rotation_axis(const view::View& view, const Constraint& constraint);
 
 // Returns the snapped `position` (m). Components that the constraint excludes keep the value of `start`. `knots` snaps
-// to the nearest unselected knot within 12 px times the scale of the cursor, `ground` to where the ray meets it.
+// to the nearest unselected knot within 12 points of the cursor, `ground` to where the ray meets it.
 struct SnapScene {
   const world::Document& document;
   const world::Settings& settings;

@@ -190,9 +190,8 @@ bool TransformTool::update(Ui& ui, const view::View& view) {
     *this = {};
     return false;
   }
-  constexpr float kStill = 3;  // px
   const ImGuiIO& io = ImGui::GetIO();
-  begun_ = begun_ || any_typed() || glm::length(mouse_position() - start_) >= kStill;
+  begun_ = begun_ || any_typed() || glm::length(mouse_position() - start_) >= ImGui::GetIO().MouseDragThreshold;
   const std::string mistake = mistyped();
   if (begun_ && mistake.empty()) emit(ui, view);
   else (void)command(ui, view);

@@ -153,8 +153,7 @@ void ViewportTool::press_left(Ui& ui, const view::Pick& under) {
 }
 
 void ViewportTool::move(Ui& ui, const view::View& view, glm::vec2 mouse) {
-  constexpr float kStill = 3;  // px
-  drag_.moved = drag_.moved || glm::length(mouse - drag_.start) >= kStill;
+  drag_.moved = drag_.moved || glm::length(mouse - drag_.start) >= ImGui::GetIO().MouseDragThreshold;
   if (!drag_.moved) return;
   const edit::Session& session = ui.session();
   const world::Camera& camera = session.settings.camera;

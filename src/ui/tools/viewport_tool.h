@@ -32,7 +32,7 @@ class ViewportTool {
     int button = 0;
     view::Pick pick;
     glm::vec2 start{0}, last{0};       // px
-    bool moved = false;                // by 3 px or more; otherwise it is a click
+    bool moved = false;                // by 3 points or more; otherwise it is a click
     bool click_acts = false;           // pressed on empty ground: a click appends or deselects
     bool shift = false, ctrl = false;  // held at the press
     BoxMode box = BoxMode::replace;

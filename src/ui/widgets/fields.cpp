@@ -56,9 +56,8 @@ bool wants_typing(ImGuiID id, ImVec2 low, ImVec2 high, bool plain_click) {
   const bool over =
       ImGui::IsWindowHovered(ImGuiHoveredFlags_AllowWhenBlockedByActiveItem) && ImGui::IsMouseHoveringRect(low, high);
   if (over && io.MouseClicked[0] && (io.KeyCtrl || io.MouseDoubleClicked[0])) return true;
-  constexpr float kStill = 3;  // px
   return plain_click && over && io.MouseReleased[0] && ImGui::GetActiveID() == id &&
-         io.MouseDragMaxDistanceSqr[0] < kStill * kStill;
+         io.MouseDragMaxDistanceSqr[0] < io.MouseDragThreshold * io.MouseDragThreshold;
 }
 
 // Draws the text of a field, right-aligned over it, with unit and small name dimmed.

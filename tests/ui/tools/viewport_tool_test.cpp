@@ -127,6 +127,20 @@ TEST_F(ViewportToolTest, a_click_selects_and_changes_nothing_else) {
   EXPECT_EQ(commands_.size(), 1u);
 }
 
+TEST_F(ViewportToolTest, on_a_dense_screen_a_click_may_move_as_many_points) {
+  density_ = 2;
+  resize(2560, 1440);
+  const glm::vec3 start = knot(3).position;
+  drag(pixel_of(3), {5.6f, 0});  // below 3 points
+  release();
+  frame();
+  EXPECT_EQ(session_.settings.selected, entity(world::Kind::knot, 3));
+  EXPECT_EQ(knot(3).position, start);
+  drag(pixel_of(3) + glm::vec2(0, 8.5f), {6.4f, 0});  // within the knot's 5 points, over 3 points
+  release();
+  EXPECT_NE(knot(3).position, start);
+}
+
 TEST_F(ViewportToolTest, shift_moves_vertically_and_ctrl_along_the_ground) {
   const glm::vec3 start = knot(2).position;
   drag(pixel_of(2), {40, -60}, {.shift = true});
