@@ -13,7 +13,10 @@ void keep_sounding(Program& program) {
   const bool wanted = volume > 0;
   if (!wanted) {
     sounds.refused = false;
-    if (sounds.voice.heard.volume < 1e-3) sounds.device.reset();  // otherwise it fades out first
+    if (sounds.device && sounds.voice.heard.volume < 1e-3) {  // otherwise it fades out first
+      program.surface->end_sound();
+      sounds.device.reset();
+    }
   }
   if (wanted && !sounds.device && !sounds.refused) {
     auto device = platform::SoundDevice::open();

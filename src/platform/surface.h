@@ -40,6 +40,8 @@ class Surface {
   virtual void offer(const std::string& path) { (void)path; }
   // Fills the screen, or returns from that. Where there is no window it does nothing.
   virtual void toggle_full_screen() {}
+  // Ends a browser's sound output, which would stay open when a sound device closes. Call it before the device closes.
+  virtual void end_sound() {}
   // Whether what is typed goes to a text. A touch screen shows its keyboard while it does.
   virtual void take_text(bool wanted) { (void)wanted; }
   // Lets whoever shows the window ask by text: a browser's page. `ask` must be callable as long as the surface lives.

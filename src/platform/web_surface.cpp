@@ -89,6 +89,11 @@ class WebSurface final : public Surface {
     if (window_) EM_ASM({ Module.coasterFullScreen(); });
     // clang-format on
   }
+  void end_sound() override {
+    // clang-format off
+    if (window_) EM_ASM({ for (const device of Object.values(AL.contexts)) device.audioCtx.close(); });
+    // clang-format on
+  }
   void take_text(bool wanted) override {
     if (!window_ || wanted == std::exchange(takes_text_, wanted)) return;
     // clang-format off

@@ -110,7 +110,11 @@ class Kept(Page):
         self.key(" ")
         self.until(lambda: self.js("loudest()") > 0.01, lambda: f"the ride's sound; speed {self.value('ride.speed')}")
         self.command("sound 0")
-        self.until(lambda: self.js("loudest()") < 1e-3, "silence at volume 0")
+        states = lambda: self.js("devices.map(({ context }) => context.state)")
+        self.until(lambda: states() == ["closed"], lambda: f"no sound output at volume 0, so that the machine's can sleep: {states()}")
+        self.command("sound 0.5")
+        self.until(lambda: states() == ["closed", "running"], lambda: f"another output with the sound: {states()}")
+        self.until(lambda: self.js("loudest()") > 0.01, lambda: f"the ride's sound again; speed {self.value('ride.speed')}")
 
 
 if __name__ == "__main__":
