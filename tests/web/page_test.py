@@ -180,12 +180,13 @@ class Fingers(Page):
         self.open()
 
     def test_a_phone_in_landscape_rides(self):
-        for width, height, ratio in ((844, 390, 1), (667, 375, 2)):
+        for width, height, ratio in ((844, 390, 1), (800, 360, 1), (667, 375, 2)):
             self.begin(width, height, ratio)
             for choice in ("New track", "Open or import", "Tutorial", "Challenges", "Back to the track", "Quit", "Show at start"):
                 self.place_of("Start/" + choice)
             self.tap("Start/Samples/helix")
             self.until_titled("Silver Spiral - coaster")
+            self.assertEqual(self.value("widget Hints/Got it"), "", "the first steps would cover the track")
             self.tap("Menu/Workspace/Ride")
             self.tap("Ride/Play")
             self.until(lambda: float(self.value("ride.travelled") or 0) > 5, "the ride")

@@ -37,11 +37,12 @@ std::array<std::pair<std::string, std::string>, 8> first_steps(const KeyMap& key
        {k("Command palette"), "find any action or command"}}};
 }
 
-constexpr float kHintsWidth = 398, kMargin = 14;  // design px
+constexpr float kHintsWidth = 398, kHintsHeight = 240, kMargin = 14;  // design px
 
+// Only where they cover at most half of the scene's height: on a phone they would hide the track.
 bool hints_show(const Ui& ui, const view::Viewport& scene) {
   return ui.session().settings.aids->show_hints && ui.state.lesson == nullptr && !card_shows(ui.session()) &&
-         scene.width >= (kHintsWidth + 2 * kMargin) * ui.scale && scene.height >= 300 * ui.scale;
+         scene.width >= (kHintsWidth + 2 * kMargin) * ui.scale && scene.height >= 2 * kHintsHeight * ui.scale;
 }
 
 std::string foot_text(const ViewportTool& tool, const edit::Session& session, const KeyMap& keys) {
