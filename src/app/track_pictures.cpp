@@ -1,6 +1,7 @@
 // Opens, frames and draws tracks other than the open one.
 #include "app/track_pictures.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "app/scene.h"
@@ -14,8 +15,9 @@
 namespace coaster::app {
 
 ui::TrackPicture TrackPictures::draw(const gfx::Gl& gl, const gfx::Renderer& scenes, const std::string& path,
-                                     world::Style style) {
-  constexpr int kWidth = 480, kHeight = 270, kSamples = 4;
+                                     const Source& source) {
+  constexpr int kSamples = 4;
+  const int width = source.width, height = width * 9 / 16;
   ui::TrackPicture picture;
   edit::Session session = edit::make_session({});
   base::Files files;
@@ -26,7 +28,7 @@ ui::TrackPicture TrackPictures::draw(const gfx::Gl& gl, const gfx::Renderer& sce
   picture.name = session.document.name;
   picture.length = session.derived.length;
   const auto renderer = scenes.sibling(kSamples);  // a separate one: its buffers follow one Derived
-  const view::Viewport viewport{0, 0, kWidth, kHeight};
+  const view::Viewport viewport{0, 0, static_cast<float>(width), static_cast<float>(height)};
   const view::View view =
       view::orbit_view(view::frame_all(session.settings.camera, session.document, viewport), viewport);
   const view::Overlay nothing_over_it;
@@ -35,7 +37,7 @@ ui::TrackPicture TrackPictures::draw(const gfx::Gl& gl, const gfx::Renderer& sce
   scene.show_polyline = false;
   scene.style = style;
   scene.supports = edit::find(session, edit::Want::supports).supports;
-  (void)renderer->draw(scene, kWidth, kHeight);
+  (void)renderer->draw(scene, width, height);
   gfx::Object texture = gfx::make_texture(gl, renderer->read_pixels());
   picture.texture = texture.id();
   textures_[path] = std::move(texture);
@@ -43,14 +45,15 @@ ui::TrackPicture TrackPictures::draw(const gfx::Gl& gl, const gfx::Renderer& sce
 }
 
 void TrackPictures::update(const gfx::Gl& gl, const gfx::Renderer& scenes, std::span<const std::string> wanted,
-                           world::Style style) {
+                           int width, world::Style style) {
+  constexpr int kStep = 80;  // px: a window that is resized draws them again only sometimes
   busy_ = !std::exchange(requested_, !wanted.empty()) && requested_;
   if (busy_) return;
   for (const std::string& path : wanted) {
-    const Source source{base::change_time(path), style};
+    const Source source{base::change_time(path), (std::max(width, 1) + kStep - 1) / kStep * kStep, style};
     const auto found = sources_.find(path);
     if (found != sources_.end() && found->second == source) continue;
-    made_[path] = draw(gl, scenes, path, style);
+    made_[path] = draw(gl, scenes, path, source);
     sources_[path] = source;
     busy_ = true;
     return;

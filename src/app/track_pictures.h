@@ -16,9 +16,11 @@ namespace coaster::app {
 
 class TrackPictures {
  public:
-  // Draws the first requested file whose picture is missing or out of date. Draws none in the first frame that requests
-  // some, so that the start screen shows at once. The pictures stay when nothing is requested any more.
-  void update(const gfx::Gl& gl, const gfx::Renderer& scenes, std::span<const std::string> wanted, world::Style style);
+  // Draws the first requested file whose picture is missing or out of date, at least `width` px wide. Draws none in the
+  // first frame that requests some, so that the start screen shows at once. The pictures stay when nothing is requested
+  // any more.
+  void update(const gfx::Gl& gl, const gfx::Renderer& scenes, std::span<const std::string> wanted, int width,
+              world::Style style);
 
   // Returns whether another picture may be due: the last update drew one or was the first.
   bool busy() const { return busy_; }
@@ -28,10 +30,11 @@ class TrackPictures {
  private:
   struct Source {
     std::int64_t time = 0;
+    int width = 0;  // px
     world::Style style{};
     friend bool operator==(const Source&, const Source&) = default;
   };
-  ui::TrackPicture draw(const gfx::Gl& gl, const gfx::Renderer& scenes, const std::string& path, world::Style style);
+  ui::TrackPicture draw(const gfx::Gl& gl, const gfx::Renderer& scenes, const std::string& path, const Source& source);
 
   bool requested_ = false;  // by the last update
   bool busy_ = false;

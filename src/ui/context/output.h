@@ -48,6 +48,7 @@ struct Output {
   query::LessonAnswer lesson_answer = query::LessonAnswer::none;
   bool wants_tutorial = false;
   std::vector<std::string> wanted_pictures;          // track files, most wanted first
+  int picture_width = 0;                             // px, as wide as they show
   std::optional<std::string> new_folder;             // folder to create
   std::optional<SystemDialogRequest> system_dialog;  // dialog to open
 };

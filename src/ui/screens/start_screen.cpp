@@ -85,12 +85,13 @@ bool StartScreen::draw(Ui& ui, const Card& card, float width) {
   if (ui.state.pictures != nullptr)
     if (const auto found = ui.state.pictures->find(card.picture); found != ui.state.pictures->end())
       picture = &found->second;
-  if (!card.picture.empty()) ui.out.wanted_pictures.push_back(card.picture);
   ImGui::PushFont(small_font());
   const float height = std::floor(width * 9 / 16), line = ImGui::GetTextLineHeight(), round = 5 * ui.scale;
   const ImVec2 low = ImGui::GetCursorScreenPos(), high(low.x + width, low.y + height);
   const bool clicked = ImGui::InvisibleButton(hidden(card.label).c_str(), {width, height + std::floor(1.4f * line)});
   const bool hot = ImGui::IsItemHovered();
+  if (!card.picture.empty() && ImGui::IsItemVisible()) ui.out.wanted_pictures.push_back(card.picture);
+  ui.out.picture_width = static_cast<int>(width);
   const std::string name = !card.name.empty() ? card.name : picture != nullptr ? name_of(*picture, card.picture) : "";
   note_item(ui, card.label, "button", picture != nullptr && !picture->problem.empty() ? picture->problem : card.help,
             true, name);
