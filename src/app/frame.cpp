@@ -162,7 +162,7 @@ void run_frame(Program& program, const platform::Events& events, int ticks) {
     program.picture.view = view::view_of(program.picture.rig.eye, output->view.viewport, output->view.density);
     const bool unseen = !program.surface->is_window() && output->photo == ui::PhotoWish::none;
     const Look look{program.session.settings, program.picture.view, output->hovered, false, unseen};
-    const edit::Findings& found = edit::find(program.session, wanted_by(look, program));
+    const edit::Findings& found = find_seen(program, look);
     times.found = program.surface->clock();
     draw(program, *output, look, found, size, times);
   }

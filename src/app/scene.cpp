@@ -28,6 +28,20 @@ edit::Want wanted_conflicts(const Look& look, const Program& program) {
   return look.unseen || program.surface->is_window() ? edit::Want::conflicts_so_far : edit::Want::conflicts;
 }
 
+edit::Want wanted_by(const Look& look, const Program& program) {
+  using edit::Want;
+  const world::Layers& layers = look.settings.lab->layers;
+  Want wanted = Want::values;
+  if (layers.has(world::Layer::flips)) wanted = wanted | Want::breaks;
+  if (layers.has(world::Layer::conflicts) && !is_riding(program, look))
+    wanted = wanted | wanted_conflicts(look, program) | Want::folds;
+  if (layers.has(world::Layer::limits)) wanted = wanted | Want::overloads | Want::jolts;
+  if (layers.has(world::Layer::supports)) wanted = wanted | Want::supports;
+  if (look.settings.aids->show_element) wanted = wanted | Want::element | Want::room;
+  if (shows_circuit(program, look)) wanted = wanted | Want::circuit;
+  return wanted;
+}
+
 // Adds the palette's element or a way home to the overlay.
 void mark_plan(const Program& program, const Look& look, const edit::Findings& found, view::Findings& marked) {
   if (look.settings.aids->show_element) marked.element = found.element, marked.narrow = found.room;
@@ -44,18 +58,9 @@ std::vector<sim::Pose> cart_poses(const edit::Session& session, glm::vec3 eye) {
                          gfx::Instances::kFullCars);
 }
 
-edit::Want wanted_by(const Look& look, const Program& program) {
-  using edit::Want;
-  const world::Layers& layers = look.settings.lab->layers;
-  Want wanted = Want::values;
-  if (layers.has(world::Layer::flips)) wanted = wanted | Want::breaks;
-  if (layers.has(world::Layer::conflicts) && !is_riding(program, look))
-    wanted = wanted | wanted_conflicts(look, program) | Want::folds;
-  if (layers.has(world::Layer::limits)) wanted = wanted | Want::overloads | Want::jolts;
-  if (layers.has(world::Layer::supports)) wanted = wanted | Want::supports;
-  if (look.settings.aids->show_element) wanted = wanted | Want::element | Want::room;
-  if (shows_circuit(program, look)) wanted = wanted | Want::circuit;
-  return wanted;
+const edit::Findings& find_seen(Program& program, const Look& look) {
+  edit::look_from(program.session, gfx::surroundings_of(look.view));
+  return edit::find(program.session, wanted_by(look, program));
 }
 
 gfx::DrawStats draw_scene(Program& program, const Look& look, const edit::Findings& found, platform::Size size) {
@@ -94,7 +99,7 @@ void draw_pixels(Program& program) {
   const platform::Size size{program.stats.width, program.stats.height};
   if (!std::exchange(program.picture.unseen, false) || size.width < 1 || size.height < 1) return;
   const Look look{program.session.settings, program.picture.view, program.picture.hovered};
-  (void)draw_scene(program, look, edit::find(program.session, wanted_by(look, program)), size);
+  (void)draw_scene(program, look, find_seen(program, look), size);
   program.ui->draw(size.width, size.height);
 }
 
@@ -106,7 +111,7 @@ void draw_scene_alone(Program& program, const view::View& view, platform::Size s
   settings.aids->circuit = 0;
   settings.lab->layers.set(world::Layer::polyline, false);
   const Look look{settings, view, {}, true};
-  (void)draw_scene(program, look, edit::find(program.session, wanted_by(look, program)), size);
+  (void)draw_scene(program, look, find_seen(program, look), size);
 }
 
 }  // namespace coaster::app

@@ -16,8 +16,8 @@ struct Look {
   bool unseen = false;  // everything except the pixels, because nobody will look at them
 };
 
-// Returns the findings that are needed before the scene can be drawn.
-edit::Want wanted_by(const Look& look, const Program& program);
+// Returns the session's findings with those that a picture needs, seen from its eye.
+const edit::Findings& find_seen(Program& program, const Look& look);
 
 // Draws the scene with its findings; the numbers of supports and colours go to program.stats.
 gfx::DrawStats draw_scene(Program& program, const Look& look, const edit::Findings& found, platform::Size size);

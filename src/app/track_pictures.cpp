@@ -35,7 +35,8 @@ ui::TrackPicture TrackPictures::draw(const gfx::Gl& gl, const gfx::Renderer& sce
   const std::vector<sim::Pose> cars = cart_poses(session, view.eye);
   gfx::Scene scene{session.derived, view, nothing_over_it, cars};
   scene.show_polyline = false;
-  scene.style = style;
+  scene.style = source.style;
+  edit::look_from(session, gfx::surroundings_of(view));
   scene.supports = edit::find(session, edit::Want::supports).supports;
   (void)renderer->draw(scene, width, height);
   gfx::Object texture = gfx::make_texture(gl, renderer->read_pixels());

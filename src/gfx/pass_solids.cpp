@@ -26,8 +26,8 @@ glm::vec3 lit_from(const view::View& view) {
 }
 
 // Returns up to which distance a rail is more than two pixels wide, and up to which ties are a pixel apart.
-SweptTrack::Reach reach_of(const Scene& scene) {
-  const float pixel = metres_of_pixels(scene.view, 1) / scene.detail;
+SweptTrack::Reach reach_of(const view::View& view, float detail) {
+  const float pixel = metres_of_pixels(view, 1) / detail;
   return {static_cast<float>(sim::kRailRadius) / pixel, static_cast<float>(sim::kTieSpacing) / pixel};
 }
 
@@ -79,14 +79,16 @@ void draw_all(const Pass& pass, const Program& program, GLenum hidden, const Tra
 
 }  // namespace
 
+sim::Surroundings surroundings_of(const view::View& view) { return {view.eye, reach_of(view, 1).ties}; }
+
 void choose_levels(const Scene& scene, TrackCache& track) {
   constexpr float kUnseen = 0.25f;  // px
-  const SweptTrack::Reach reach = reach_of(scene);
+  const SweptTrack::Reach reach = reach_of(scene.view, scene.detail);
   track.look_from({scene.view.eye, metres_of_pixels(scene.view, kUnseen / scene.detail), reach.full}, reach.ties);
 }
 
 void choose_detail(const Scene& scene, TrackCache& track) {
-  const SweptTrack::Reach reach = reach_of(scene);
+  const SweptTrack::Reach reach = reach_of(scene.view, scene.detail);
   track.swept().look_from(scene.view.eye, reach);
   track.mesh().look_from(scene.view.eye, reach.full);
   track.supports().mesh().look_from(scene.view.eye, reach.full);

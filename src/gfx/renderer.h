@@ -10,6 +10,7 @@
 
 #include "gfx/gl.h"
 #include "sim/ride/ride.h"
+#include "sim/shape/near_track.h"
 #include "sim/solids/supports.h"
 #include "sim/study/track_values.h"
 #include "view/camera.h"
@@ -34,6 +35,9 @@ struct Scene {
   bool unseen = false;  // true: do everything except drawing pixels
   float detail = 1;     // factor of the distances from which on the track is coarse
 };
+
+// Returns where ties, equipment and supports are near enough to be seen, for scenes of the usual detail.
+sim::Surroundings surroundings_of(const view::View& view);
 
 using view::DrawStats;
 

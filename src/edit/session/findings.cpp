@@ -143,7 +143,8 @@ const Findings& find(Session& session, Want wanted, const world::Element& elemen
   if (has(wanted, Want::breaks)) found.breaks = memory.breaks.update(session.derived);
   if (has(wanted, Want::values)) find_values(session);
   if (has(wanted, Want::supports)) {
-    memory.supports.update(session.derived);
+    memory.near.update(session.derived);
+    memory.supports.update(session.derived, memory.near);
     found.supports = &memory.supports;
   }
   if (has(wanted, Want::deviation)) find_deviation(session);
@@ -152,6 +153,8 @@ const Findings& find(Session& session, Want wanted, const world::Element& elemen
                                                [&] { return sim::chord_error(session.derived); });
   return found;
 }
+
+void look_from(Session& session, const sim::Surroundings& around) { session.findings.memory.near.look_from(around); }
 
 std::optional<double> speed_at(Session& session, double distance) {
   const world::Document& document = session.document;

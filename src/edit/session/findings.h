@@ -104,6 +104,7 @@ struct Findings {
     sim::ForceMemo forces;
     sim::FrenetBreaks breaks;
     sim::TrackValueMemo values;
+    sim::NearTrack near;             // to the eye
     sim::Supports supports, passed;  // displayed ones, and those a ride passes: each counts its rebuilds
     base::Kept<std::pair<sim::ShapeTrace, sim::ShapeTrace>, double> deviation;  // by the two tracks' traces
     base::Kept<std::pair<std::uint64_t, int>, double> chord_error;              // by the last build, and steps
@@ -115,6 +116,9 @@ struct Findings {
 const Findings& find(Session& session, Want wanted);
 // Does the same, with Want::element and Want::room for another element than the selected one.
 const Findings& find(Session& session, Want wanted, const world::Element& element);
+
+// Says where the eye is: of very long tracks Want::supports finds those near it.
+void look_from(Session& session, const sim::Surroundings& around);
 
 // Returns the speed of the first train when its first car reaches a position of the session's track, m/s; nothing if it
 // does not.

@@ -23,7 +23,7 @@ Detail detail_of(const Derived& derived) {
 std::string detail_text(const Detail& detail) {
   std::string text;
   if (detail.most_rings == 0) text = "The track is drawn as a curve alone.";
-  else if (!detail.parts) text = "It has no supports; ties and equipment are drawn only near the eye.";
+  else if (!detail.parts) text = "Ties, equipment and supports are drawn only near the eye.";
   if (detail.table_step > kTableStep)
     text += fmt::format("{}Forces are computed every {} m.", text.empty() ? "" : " ", base::to_text(detail.table_step));
   return text.empty() ? text : "This is a very long track. " + text;

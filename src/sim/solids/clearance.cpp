@@ -97,8 +97,8 @@ bool is_clear(const Derived& derived, std::span<const Lane* const> lanes, const 
   const curve::Box box = widened({glm::min(bar.from, bar.to), glm::max(bar.from, bar.to)}, static_cast<float>(reach));
   const auto off_curve = static_cast<float>(std::abs(derived.shape_at(held.index).key.rails));
   return all_near(derived.tree, widened(box, off_curve), [&](std::size_t i) {
+    if (lanes[i] == nullptr || !meet(lanes[i]->box, box)) return true;
     const Lane& lane = *lanes[i];
-    if (!meet(lane.box, box)) return true;
     for (std::size_t k = 0; k + 1 < lane.rings.size(); ++k) {
       const Ring &a = lane.rings[k], &b = lane.rings[k + 1];
       if (!clear_of_chord(question, a, b, along_rails(derived, held, i, a.along),

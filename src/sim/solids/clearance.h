@@ -31,8 +31,8 @@ struct Lane {
 };
 
 // Returns true if the bar stays outside the clearance envelope; `held` is the position whose support it belongs to.
-// `lanes` has one entry per segment of derived.order. Costs the logarithm of the segments plus about a microsecond for
-// each one near the bar.
+// `lanes` has one entry per segment of derived.order, which is null for track that is certainly far. Costs the
+// logarithm of the segments plus about a microsecond for each one near the bar.
 bool is_clear(const Derived& derived, std::span<const Lane* const> lanes, const Bar& bar, TrackPlace held);
 
 // Returns the smallest distance of two line segments, m. Points are segments of zero length.

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "sim/shape/detail.h"
+#include "sim/shape/near_track.h"
 #include "sim/solids/clearance.h"
 
 namespace coaster::sim {
@@ -35,19 +36,21 @@ SupportRow support_row(const SegmentShape& shape);
 
 class Supports {
  public:
-  // Updates the supports. If nothing changed, costs one comparison per segment. Else recomputes the supports of changed
-  // segments and of those that they came near to or left, about 10 microseconds per support.
-  void update(const Derived& derived);
+  // Updates the supports of near segments, and forgets the others; of all without `near`. If nothing changed, costs one
+  // comparison per segment near them. Else recomputes the supports of changed segments and of those that they came near
+  // to or left, about 10 microseconds per support.
+  void update(const Derived& derived, const NearTrack& near = {});
 
+  // Returns those of a near segment.
   const SegmentSupports* of(world::Entity segment) const;
-  int count() const { return count_; }        // supports
+  int count() const { return count_; }        // supports of near segments
   int rebuilds() const { return rebuilds_; }  // segments whose supports were recomputed in the last update
-  // Segments as of the last update.
+  // Segments as of the last update, in the track's order: the near ones, and those that their supports could meet.
   const std::vector<world::Entity>& order() const { return order_; }
 
  private:
   struct Entry {
-    std::uint64_t shape_build = 0;
+    std::uint64_t shape_build = 0, stamp = 0;  // stamp: of the last update
     bool stale = true;
     Lane lane;
     curve::Box reach;  // contains all possible positions of bars
@@ -55,18 +58,22 @@ class Supports {
     int count = -1;  // number wanted at its index in the track
     SegmentSupports found;
   };
-  void drop_vanished(const Derived& derived);
+  bool gather(const Derived& derived, const NearTrack& near);
   void take_shapes(const Derived& derived);
+  void drop_others(const Derived& derived);
+  void forget_far();
   void take_turns();
   void mark_disturbed();
-  void find_stale(const Derived& derived);
+  void find_if_stale(const Derived& derived, std::size_t index);
 
   world::Pool<Entry> entries_;
   std::vector<world::Entity> order_;
-  std::vector<curve::Box> moved_;   // present and former boxes of moved track, in the current update
-  std::vector<const Lane*> lanes_;  // by index in the order
-  std::uint64_t last_build_ = 0;
-  Detail detail_;  // without parts there are no supports
+  std::vector<std::size_t> places_;  // their indices in the track
+  std::vector<std::size_t> near_;    // those that are near; none if all are
+  std::vector<curve::Box> moved_;    // present and former boxes of moved track, in the current update
+  std::vector<const Lane*> lanes_;   // by index in the track, in the current update; empty until one is needed
+  std::uint64_t last_build_ = 0, build_ = 0, stamp_ = 0;  // build_: of the track
+  Detail detail_;                                         // without parts there are no supports
   bool closed_ = false;
   int count_ = 0, rebuilds_ = 0;
 };
