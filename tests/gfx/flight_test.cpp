@@ -2,6 +2,7 @@
 // together. Every picture is compared with one in full detail, so nothing opens, vanishes or jumps on the way.
 #include <cmath>
 
+#include "gfx/passes.h"
 #include "gfx/studio.h"
 #include "sim/solids/supports.h"
 #include "world/topology.h"
@@ -14,20 +15,20 @@ using test::Track;
 constexpr double kTurn = 6.283185307179586, kBetween = 150, kApart = 9;  // m between windings, and between knots
 constexpr float kFull = 32;  // times the usual detail: more than anyone could see
 
-// Returns a spiral outwards with hills of 8 m, and lifts on a fifth of it.
-world::Document spiral(int segments) {
+// Returns a spiral outwards with hills of 8 m, and lifts on a fifth of it. apart: m between knots.
+world::Document spiral(int segments, double apart = kApart) {
   world::Document document;
   double angle = kTurn;
   for (int i = 0; i <= segments; ++i) {
-    const double radius = kBetween * angle / kTurn, wave = kTurn * i * kApart / 120;
+    const double radius = kBetween * angle / kTurn, wave = kTurn * i * apart / 120;
     const glm::dvec2 out(std::cos(angle), std::sin(angle)), along(-out.y, out.x);
     const glm::dvec2 way = kBetween / kTurn * out + radius * along, flat = way / glm::length(way);
     world::Knot knot;
     knot.position = glm::vec3(radius * out.x, 20 + 8 * std::sin(wave), radius * out.y);
     world::set_tangent(knot, glm::vec3(flat.x, 8 * kTurn / 120 * std::cos(wave), flat.y));
-    knot.in_length = knot.out_length = static_cast<float>(kApart / 3);
+    knot.in_length = knot.out_length = static_cast<float>(apart / 3);
     world::append_knot(document, knot);
-    angle += kApart / glm::length(way);
+    angle += apart / glm::length(way);
   }
   for (std::size_t i = 0; i < document.track.segments.size(); ++i)
     if (i % 50 < 10) document.entities.put(document.track.segments[i], world::Equipment{world::EquipmentKind::lift});
@@ -107,6 +108,40 @@ TEST_F(Flight, along_the_track_and_up_looks_as_in_full_detail) {
   };
   fly(8, [&](int i) { return eye_above(9000 + 11 * static_cast<std::size_t>(i), 7, 20); });
   fly(6, [&](int i) { return eye_above(9000, 7 * std::pow(2, i), 20 + 10 * static_cast<std::size_t>(i)); });
+}
+
+// Polylines alone: pictures hardly show less than a pixel. Counted for a high picture, in which far segments fit.
+TEST_F(Flight, far_polylines_have_fewer_lines_only_where_that_is_off_by_a_quarter_of_a_pixel) {
+  Track track(spiral(24'000, 90), 64);
+  track.settings.evaluation->evaluator = *base::value_named<curve::EvaluatorId>("gpu_vertex");
+  track.derive();
+  const glm::dvec3 eye_at =
+      glm::dvec3(world::knot(track.document, track.document.track.knots[9000]).position) + glm::dvec3(0, 30, 0);
+  view::Eye eye;
+  eye.position = eye_at;
+  const view::View view = view::view_of(eye, {0, 0, 1600, 900});
+  const double pixels_at_1_m = 450 / std::tan(kTurn / 16);  // a field of view of 45 degrees
+  const view::Overlay overlay;
+  TrackCache cache(gl_);
+  choose_levels({track.derived, view, overlay, {}}, cache);
+  cache.sync(track.derived, {});
+  int full = 0, coarse = 0;
+  double worst = 0;  // px
+  for (const CurveSlots& run : cache.control_runs())
+    for (int slot = run.first; slot < run.first + run.count; ++slot) {
+      const curve::Cubic& cubic = track.derived.shape(cache.placed()[static_cast<std::size_t>(slot)].segment).key.cubic;
+      ++(run.steps == 64 ? full : coarse);
+      for (int k = 0; k < run.steps && run.steps < 64; ++k) {
+        const glm::dvec3 from = curve::point(cubic, double(k) / run.steps),
+                         to = curve::point(cubic, (k + 1.0) / run.steps),
+                         at = curve::point(cubic, (k + 0.5) / run.steps);
+        worst = std::max(worst, glm::distance(at, 0.5 * (from + to)) / glm::distance(at, eye_at) * pixels_at_1_m);
+      }
+    }
+  EXPECT_GT(full, 50);
+  EXPECT_GT(coarse, 20'000);
+  EXPECT_LT(worst, 0.25);
+  EXPECT_GT(worst, 0.125) << "finer than anyone sees";
 }
 
 }  // namespace flight_test
