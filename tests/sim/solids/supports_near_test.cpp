@@ -77,6 +77,22 @@ TEST_F(NearSupports, follow_track_that_moves_near_and_far) {
   EXPECT_GT(supports_.rebuilds(), 0);
 }
 
+// Track comes below segments at the border of what is near, while some of them are not near but close to it.
+TEST_F(NearSupports, are_found_again_where_track_came_while_nobody_was_near) {
+  for (std::size_t k = 24; k < 37; ++k) {
+    look(beside(0));
+    look(beside(kSegments - 4));
+    glm::vec3& moved = document_.entities.get<world::Knot>(document_.track.knots[k + 2]).position;
+    const glm::vec3 before = moved, above = world::knot(document_, document_.track.knots[k]).position;
+    moved = above + glm::vec3(1, -0.6f * above.y, 1);
+    derive(document_, {}, {}, derived_);
+    look(beside(kSegments - 4));
+    look(beside(0));
+    moved = before;
+    derive(document_, {}, {}, derived_);
+  }
+}
+
 // A track of 20 km that crosses itself everywhere, with an eye that jumps and knots that move in its sight and out of
 // it.
 TEST_F(NearSupports, follow_from_the_track_alone_whatever_moved_before) {
