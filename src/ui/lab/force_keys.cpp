@@ -275,7 +275,6 @@ bool work_key(Ui& ui, ForceKeys& state, const ForceProgram& program, const platf
 platform::Events without_force_keys(Ui& ui, const platform::Events& events) {
   const Entity section = selected_forces(ui);
   if (!section.valid()) return events;
-  const bool shows = edited_forces(ui).valid();
   ForceKeys& state = state_of(ui, section);
   const ForceProgram& program = program_of(ui, section);
   const std::size_t count = program.keys(state.channel).size();
@@ -283,7 +282,7 @@ platform::Events without_force_keys(Ui& ui, const platform::Events& events) {
   for (const platform::Event& event : events) {
     const auto* const press = std::get_if<platform::KeyPress>(&event);
     const bool tab = press != nullptr && press->key == platform::Key::tab && !press->modifiers.ctrl;
-    const bool ours = press != nullptr && press->down && !state.gesture && (shows || tab);
+    const bool ours = press != nullptr && press->down && !state.gesture && (tab || edited_forces(ui).valid());
     if (ours && tab) {
       ui.drawers.graph.wanted = true, ui.drawers.table = false;
       if (count == 0) ui.warn("This channel has no keys. Double-click the graph to insert one.");

@@ -17,6 +17,7 @@ struct ImGuiInputTest : testing::Test {
     ImGui::SetCurrentContext(context);
     ImGui::GetIO().IniFilename = nullptr;  // it would write one
     set_up_context();
+    ImGui::GetIO().MouseDragThreshold = 3;  // as the host at density 1
     load_fonts(1);
     frame({});
   }
