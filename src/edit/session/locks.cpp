@@ -21,8 +21,8 @@ std::string label_of(std::string_view command) {
   const auto* const row = std::ranges::find(kLabels, command, &std::pair<std::string_view, std::string_view>::first);
   if (row != std::end(kLabels)) return std::string(row->second);
   std::string words(command);
-  std::ranges::replace_if(
-      words, [](char c) { return c == '_' || c == '.'; }, ' ');
+  for (char& c : words)
+    if (c == '_' || c == '.') c = ' ';
   words = base::sentence(std::move(words));
   words.pop_back();
   return words;
