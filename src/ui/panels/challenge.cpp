@@ -5,6 +5,8 @@
 #include <cmath>
 #include <string>
 
+#include <fmt/format.h>
+
 #include "edit/commands/commands_challenge.h"
 #include "edit/commands/commands_ride.h"
 #include "edit/session/locks.h"
