@@ -79,11 +79,11 @@ struct Settings {
 
   static constexpr auto kRows =
       std::tuple{setting(&Settings::frames, "frames_by",
-                         "Frames that turn carts: the knots' banked ones (knots), rotation-minimising "
+                         "Frames that turn trains: the knots' banked ones (knots), rotation-minimising "
                          "along the track (rmf), Frenet-Serret (frenet) or upright (world_up)."),
-                 setting(&Settings::integrator, "integrator", "Method that moves the carts."),
+                 setting(&Settings::integrator, "integrator", "Method that moves the trains."),
                  setting(&Settings::camera_mode, "camera_mode",
-                         "Camera: orbit, from the first cart (ride), from behind its train (chase) or free (fly).")};
+                         "Camera: orbit, from the first train (ride), from behind it (chase) or free (fly).")};
 };
 
 }  // namespace coaster::world

@@ -6,9 +6,9 @@
 
 namespace coaster::edit {
 
-// `by` is height, x, z, place or roll of knots, a parameter of sections, or of force sections length, vertical, lateral
-// or roll for all keys of a channel, and "vertical at 40" for one. The limits apply to each of these numbers:
-// m, or degrees for roll, or the parameter's unit.
+// `by` is height, x, z, place or roll of knots, or a parameter of sections. Of force sections it is length, a channel
+// for all of its keys, or "vertical at 40" for one key. The limits apply to each of these numbers: m, or degrees for
+// roll, or the unit of the parameter or key.
 struct Seek {
   Phrase goal, by;
   KnotsOrSections of;

@@ -243,7 +243,7 @@ void inspector_panel(Ui& ui) {
     heading(ui, "Nothing selected", "Click a knot, the curve or a train to select it.");
     return;
   }
-  constexpr const char* kKinds[] = {"Knot", "Segment", "Cart", "Section"};
+  constexpr const char* kKinds[] = {"Knot", "Segment", "Train", "Section"};
   if (const std::vector<Entity> knots = world::selected_knots(session.document, session.settings); knots.size() > 1) {
     read_out(ui, "Selected", std::to_string(knots.size()) + " knots", "",
              fmt::format("Shift+click adds or removes a knot, {} draws a box.", ui.keys.shown("Box select")));
