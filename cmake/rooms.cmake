@@ -39,7 +39,7 @@ function(coaster_room name)
   # A web page has no threads, signals, processes, other programs or displays: web_*.cpp and no_*.cpp replace them.
   if(EMSCRIPTEN)
     list(FILTER sources EXCLUDE REGEX "/base/(parallel|crash_guard)\\.cpp$")
-    list(FILTER sources EXCLUDE REGEX "/app/(process|driver_trial|system_dialog|beside)\\.cpp$")
+    list(FILTER sources EXCLUDE REGEX "/app/(process|system_dialog|beside)\\.cpp$")
     list(FILTER sources EXCLUDE REGEX "/platform/(egl|osmesa|offscreen|lost|glfw)_.*\\.cpp$")
     list(FILTER sources EXCLUDE REGEX "/platform/(loop|no_window|no_encoder)\\.cpp$")
   else()

@@ -8,6 +8,7 @@
 #include "app/idle.h"
 #include "app/pictures.h"
 #include "app/scene.h"
+#include "base/crash_guard.h"
 #include "edit/commands/commands_force.h"
 #include "edit/commands/commands_sections.h"
 #include "exchange/own/force_text.h"
@@ -127,6 +128,7 @@ void draw(Program& program, const ui::Output& output, const Look& look, const ed
   if (!look.unseen) program.ui->draw(size.width, size.height);
   times.drew = program.surface->clock();
   program.surface->present(program.renderer->framebuffer());
+  base::explain_crashes("", 0);  // the driver works
   fill_stats(program, drawn, size, times);
   set_title(program);
   program.picture.unseen = look.unseen;

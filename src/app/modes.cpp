@@ -5,7 +5,6 @@
 
 #include <fmt/ranges.h>
 
-#include "app/driver_trial.h"
 #include "app/frame.h"
 #include "app/mode_parts.h"
 #include "app/pictures.h"
@@ -183,8 +182,7 @@ int run_headless(const Options& options) {
 int run_window(const Options& options) {
   const base::UserFolders folders =
       options.config.empty() ? base::user_folders() : base::UserFolders{options.config, options.config};
-  const auto mark = std::make_shared<StartMark>(folders.state);
-  auto made = make_program(options, size_of(options), kWindowSamples, mark->last_crashed());
+  auto made = make_program(options, size_of(options), kWindowSamples);
   if (!made) return finish(made.status());
   const std::shared_ptr<Program> program = std::move(*made);
   Program& p = *program;
@@ -202,10 +200,9 @@ int run_window(const Options& options) {
   if (options.file.empty() && p.keeper->state.settings.start_screen) p.ui->show_start();
   p.surface->answer_by([&p](const std::string& question) { return answer(p, question); });
   p.time.last_frame = p.surface->clock();
-  const auto step = [program, mark, left = options.frames]() mutable {
+  const auto step = [program, left = options.frames]() mutable {
     if (program->quit || platform::pending_signal() || (left && (*left)-- <= 0)) return false;
     play_frame(*program);
-    mark->remove();
     teach(*program);
     return true;
   };

@@ -1,5 +1,4 @@
 // A web page cannot start other programs.
-#include "app/driver_trial.h"
 #include "app/process.h"
 
 namespace coaster::app {
@@ -12,10 +11,5 @@ base::Status Process::start(std::vector<std::string>, int, bool, int) {
 }
 std::optional<int> Process::poll() { return std::nullopt; }
 void Process::end() {}
-
-std::string driver_overrides() { return {}; }
-base::Status try_driver(const std::function<base::Status()>&, const std::string&) { return {}; }
-StartMark::StartMark(const std::filesystem::path&) {}
-void StartMark::remove() {}
 
 }  // namespace coaster::app

@@ -1,13 +1,17 @@
 // Creates a program and changes its state.
 #include "app/program.h"
 
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
 #include <cstdlib>
 #include <fstream>
+#include <string_view>
 #include <system_error>
 
 #include <fmt/format.h>
 
-#include "app/driver_trial.h"
 #include "base/console.h"
 #include "base/crash_guard.h"
 #include "base/folders.h"
@@ -95,14 +99,18 @@ base::Status start_graphics(Program& program, const platform::SurfaceOptions& su
   return {};
 }
 
-// Starts the graphics in a child process.
-base::Status try_graphics(const Options& options, int samples, const std::string& overrides) {
-  const auto start = [&] {
-    Program program;
-    program.options = options;
-    return start_graphics(program, {{64, 36}, "coaster", false, false, {}}, samples);
-  };
-  return try_driver(start, overrides);
+// Returns the line of a crash while the driver starts. Variables of Mesa are the usual reason: it checks few values.
+std::string crash_line() {
+  constexpr std::array<std::string_view, 8> kPrefixes{"DRAW_",  "EGL_", "GALLIUM_", "GALLIVM_",
+                                                      "LIBGL_", "LP_",  "MESA_",    "ST_"};
+  std::string found;
+  for (char** variable = environ; variable != nullptr && *variable != nullptr; ++variable) {
+    const std::string_view text = *variable;
+    if (std::any_of(kPrefixes.begin(), kPrefixes.end(), [&](std::string_view p) { return text.starts_with(p); }))
+      found += fmt::format(" {}", text);
+  }
+  return "The OpenGL driver crashed at its start." +
+         (found.empty() ? "" : base::visible_text(" Unset the variables that change it:" + found));
 }
 
 // Autosaves before the program ends at once; returns the text to print. An incomplete change is not saved.
@@ -129,11 +137,8 @@ view::Watched watched(const Program& program) {
   return {session.document, session.derived, session.motion, session.settings, program.by_hand};
 }
 
-base::Result<std::unique_ptr<Program>> make_program(const Options& options, platform::Size size, int samples,
-                                                    bool last_crashed) {
-  const std::string overrides = driver_overrides();
-  if (!overrides.empty() || last_crashed)
-    if (const base::Status tried = try_graphics(options, samples, overrides); !tried) return tried;
+base::Result<std::unique_ptr<Program>> make_program(const Options& options, platform::Size size, int samples) {
+  base::explain_crashes(crash_line(), base::exit_code(base::Code::graphics));
   auto program = std::make_unique<Program>();
   program->options = options;
   base::on_memory_end([p = program.get()] { return save_at_once(*p); });

@@ -95,10 +95,9 @@ struct Program {
 };
 
 // Creates a window, or an off-screen surface if `headless`, with renderer and panels. Code::graphics if that is
-// impossible. Where the driver may crash, because the environment overrides it or the last start crashed, a child
-// process tries it first.
-base::Result<std::unique_ptr<Program>> make_program(const Options& options, platform::Size size, int samples,
-                                                    bool last_crashed = false);
+// impossible. Until the first picture is drawn, a crash is taken for the driver's: it ends the program with one line
+// and the exit code of Code::graphics.
+base::Result<std::unique_ptr<Program>> make_program(const Options& options, platform::Size size, int samples);
 
 // Applies a command and records it. Errors also show as a notice. After opening or creating a track, the camera frames
 // all of it, with the viewport of the last frame, so a frame must have been drawn.

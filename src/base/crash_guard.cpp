@@ -4,8 +4,10 @@
 #include <unistd.h>
 
 #include <array>
+#include <atomic>
 #include <csignal>
 #include <cstdlib>
+#include <string>
 #include <string_view>
 
 #include "base/memory_guard.h"
@@ -13,13 +15,30 @@
 namespace coaster::base {
 namespace {
 
-constexpr std::array kSignals{SIGSEGV, SIGBUS, SIGABRT};
+constexpr std::array kSignals{SIGSEGV, SIGBUS, SIGABRT, SIGFPE, SIGILL};
 std::array<struct sigaction, kSignals.size()> earlier{};
 std::array<char, 1u << 16> own_stack;  // the crash may be the overflow of a stack
+
+// The line and the exit code of explain_crashes(). Other threads read it only while `holds` is true.
+struct Explanation {
+  std::atomic<bool> holds = false;
+  std::string line;
+  int exit_code = 0;
+};
+Explanation& explanation() {
+  static Explanation one;
+  return one;
+}
+
+[[noreturn]] void leave(std::string_view line, int exit_code) {
+  (void)!::write(STDERR_FILENO, line.data(), line.size());
+  std::_Exit(exit_code);
+}
 
 // Uses only functions that are allowed in a signal handler.
 extern "C" void crashed(int signal) {
   end_if_out_of_memory();
+  if (const Explanation& known = explanation(); known.holds) leave(known.line, known.exit_code);
   for (std::size_t i = 0; i < kSignals.size(); ++i)
     if (kSignals[i] == signal) sigaction(signal, &earlier[i], nullptr);  // and the instruction crashes again
 }
@@ -27,6 +46,7 @@ extern "C" void crashed(int signal) {
 }  // namespace
 
 void guard_crashes() {
+  (void)explanation();  // a handler may not make it
   const stack_t stack{own_stack.data(), 0, own_stack.size()};
   sigaltstack(&stack, nullptr);
   struct sigaction action {};
@@ -39,15 +59,20 @@ void guard_crashes() {
     }
 }
 
+void explain_crashes(const std::string& line, int exit_code) {
+  Explanation& now = explanation();
+  now.holds = false;
+  now.line = line + "\n", now.exit_code = exit_code;
+  now.holds = !line.empty();
+}
+
 void end_if_out_of_memory() {
   void* const space = mmap(nullptr, kLeastSpace, PROT_NONE, MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
   if (space != MAP_FAILED) {
     munmap(space, kLeastSpace);
     return;
   }
-  constexpr std::string_view kLine = "Out of memory.\n";
-  (void)!::write(STDERR_FILENO, kLine.data(), kLine.size());
-  std::_Exit(kMemoryExitCode);
+  leave("Out of memory.\n", kMemoryExitCode);
 }
 
 }  // namespace coaster::base

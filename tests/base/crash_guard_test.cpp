@@ -25,10 +25,21 @@ void take_space() {
 
 TEST(crash_guard, a_crash_without_address_space_is_the_end_of_memory) {
   GTEST_FLAG_SET(death_test_style, "threadsafe");
-  for (const int signal : {SIGSEGV, SIGBUS, SIGABRT})
+  for (const int signal : {SIGSEGV, SIGBUS, SIGABRT, SIGFPE, SIGILL})
     EXPECT_EXIT((guard_crashes(), take_space(), std::raise(signal)), testing::ExitedWithCode(kMemoryExitCode),
                 "^Out of memory.\n$");
   EXPECT_EXIT((take_space(), end_if_out_of_memory()), testing::ExitedWithCode(kMemoryExitCode), "^Out of memory.\n$");
+}
+
+TEST(crash_guard, a_crash_with_an_explanation_prints_it_and_ends_with_its_code) {
+  GTEST_FLAG_SET(death_test_style, "threadsafe");
+  for (const int signal : {SIGSEGV, SIGBUS, SIGABRT, SIGFPE, SIGILL})
+    EXPECT_EXIT((guard_crashes(), explain_crashes("The driver.", 4), std::raise(signal)), testing::ExitedWithCode(4),
+                "^The driver.\n$");
+  EXPECT_EXIT((guard_crashes(), explain_crashes("The driver.", 4), take_space(), std::abort()),
+              testing::ExitedWithCode(kMemoryExitCode), "^Out of memory.\n$");
+  EXPECT_EXIT((guard_crashes(), explain_crashes("The driver.", 4), explain_crashes("", 0), std::abort()),
+              testing::KilledBySignal(SIGABRT), "^$");
 }
 
 TEST(crash_guard, other_crashes_stay_what_they_are) {
