@@ -40,10 +40,10 @@ bool parse_env(Words& words, Action& action) {
       if (!scale) return false;
       env.scale = static_cast<float>(*scale);
     } else if (*name == 5) {
-      const base::Token* const word = words.peek();
-      const auto density = words.number("a density from 0.5 to 4");
+      constexpr std::string_view kDensity = "a density from 0.5 to 4";
+      const auto density = words.number(kDensity);
       if (!density) return false;
-      if (!(*density >= 0.5 && *density <= 4)) return words.fail(word->column, "expected a density from 0.5 to 4");
+      if (!(*density >= 0.5 && *density <= 4)) return words.reject(kDensity);
       env.density = static_cast<float>(*density);
     } else if (*name == 4) {
       if (!take(words, "a folder below $OUT", env.home.emplace())) return false;
@@ -71,11 +71,11 @@ bool parse_wait(Words& words, Action& action) {
   if (!parse_condition(words, wait.condition, "max")) return false;
   if (words.accept("max")) {
     static const std::vector<std::string> kUnits{"ticks", "frames", "tick", "frame", "s", "seconds"};
-    const auto most = words.whole("a number of ticks or frames", 0, kMostFrames);
+    const auto most = words.whole("a number of ticks, frames or seconds", 0, kMostFrames);
     if (!most) return false;
     wait.most = *most;
     if (!words.at_end()) {
-      const auto unit = words.one_of("ticks or frames", kUnits);
+      const auto unit = words.one_of("ticks, frames or seconds", kUnits);
       if (!unit) return false;
       wait.frames = *unit == 1 || *unit == 3;
       if (*unit >= 4) wait.most *= world::kTicksPerSecond;

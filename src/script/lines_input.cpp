@@ -124,7 +124,7 @@ bool parse_resize(Words& words, Action& action) {
   const base::Token* const first = words.take("WIDTHxHEIGHT");
   if (!first) return false;
   std::string text = first->text;
-  if (!words.at_end()) text += "x" + words.take("a height")->text;
+  if (!words.at_end() && text.find_first_of("xX") == std::string::npos) text += "x" + words.take("a height")->text;
   platform::Resize size;
   if (!base::parse_size(text, size.width, size.height))
     return words.fail(first->column, "expected WIDTHxHEIGHT such as 640x360, found " + base::quoted(text));

@@ -2,6 +2,7 @@
 #include "script/lines.h"
 
 #include <algorithm>
+#include <string_view>
 
 #include <fmt/format.h>
 
@@ -19,16 +20,20 @@ bool parse_snap(Words& words, Action& action) {
   return words.end();
 }
 
+bool take_picture(Words& words, std::string_view what, base::Token& path) {
+  return take(words, what, path) && (base::lower(path.text).ends_with(".png") || words.reject(what));
+}
+
 bool parse_shot(Words& words, Action& action) {
   Shot shot;
-  if (!take(words, "a file below $OUT", shot.path)) return false;
+  if (!take_picture(words, "a file below $OUT ending in .png", shot.path)) return false;
   action = std::move(shot);
   return words.end();
 }
 
 bool parse_sheet(Words& words, Action& action) {
   Sheet sheet;
-  if (!take(words, "a file below $OUT", sheet.path)) return false;
+  if (!take_picture(words, "a file below $OUT ending in .png", sheet.path)) return false;
   if (words.accept("columns")) {
     const auto columns = words.whole("a number of columns", 1, 100);
     if (!columns) return false;
@@ -36,7 +41,7 @@ bool parse_sheet(Words& words, Action& action) {
   }
   sheet.half = words.accept("half");
   do {
-    if (!take(words, "a picture's file", sheet.pictures.emplace_back())) return false;
+    if (!take_picture(words, "a picture ending in .png", sheet.pictures.emplace_back())) return false;
   } while (!words.at_end());
   action = std::move(sheet);
   return true;

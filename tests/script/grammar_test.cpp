@@ -133,11 +133,31 @@ TEST(grammar, terminal_escapes_of_a_line_are_shown_as_text_above_the_caret) {
       << parsed.errors[0];
 }
 
+TEST(grammar, errors_name_what_was_expected_and_what_was_found) {
+  const ParsedScript parsed = parse_lines(
+      "env density 5\nresize 80 now\nresize 8x6 now\nshot \"a.jpg\"\nwait knots == 3 max 1 ms\n"
+      "wait knots == 3 max 0.5 seconds\n");
+  const std::vector<std::string> wanted{"expected a density from 0.5 to 4, found \"5\"",
+                                        "expected WIDTHxHEIGHT such as 640x360, found \"80xnow\"",
+                                        "unexpected \"now\" after the end of the statement",
+                                        "expected a file below $OUT ending in .png, found \"a.jpg\"",
+                                        "expected ticks, frames or seconds, found \"ms\"",
+                                        "expected a number of ticks, frames or seconds (0..10000000), found \"0.5\""};
+  ASSERT_EQ(parsed.errors.size(), wanted.size());
+  for (std::size_t i = 0; i < wanted.size(); ++i)
+    EXPECT_NE(parsed.errors[i].find("error: " + wanted[i]), std::string::npos) << parsed.errors[i];
+}
+
 TEST(grammar, words_left_over_and_missing_ones_are_errors) {
   for (const char* const line : {"frames 1 2",
                                  "frames -1",
                                  "ticks x",
                                  "env",
+                                 "env density 5",
+                                 "resize 800x600 now",
+                                 "shot \"$OUT/a.jpg\"",
+                                 "sheet \"$OUT/a.gif\" \"a.png\"",
+                                 "sheet \"$OUT/a.png\" \"a\"",
                                  "env size 640",
                                  "env size 0x3",
                                  "ui.click",
