@@ -3,7 +3,9 @@
 #include <sys/stat.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <cstdlib>
+#include <cstring>
 #include <ctime>
 #include <iterator>
 
@@ -49,10 +51,10 @@ Status make_folders(const std::filesystem::path& folder, unsigned mode) {
   if (std::filesystem::is_directory(folder, error)) return {};
   if (folder.has_parent_path() && folder.parent_path() != folder)
     if (const Status above = make_folders(folder.parent_path(), mode); !above) return above;
-  if (::mkdir(folder.c_str(), static_cast<mode_t>(mode)) == 0 || std::filesystem::is_directory(folder, error))
-    return {};
-  error = std::error_code(errno, std::generic_category());
-  return {Code::io, fmt::format("{}: cannot be made: {}", folder.string(), error.message())};
+  if (::mkdir(folder.c_str(), static_cast<mode_t>(mode)) == 0) return {};
+  const int reason = errno;
+  if (std::filesystem::is_directory(folder, error)) return {};
+  return {Code::io, fmt::format("{}: cannot be made: {}", folder.string(), std::strerror(reason))};
 }
 
 Result<std::vector<FolderEntry>> list_folder(const std::filesystem::path& folder, bool hidden) {
