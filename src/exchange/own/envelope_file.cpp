@@ -7,6 +7,7 @@
 
 #include "base/text.h"
 #include "exchange/own/json_fields.h"
+#include "world/components.h"
 
 namespace coaster::exchange {
 namespace {
@@ -20,8 +21,10 @@ bool read_envelope_head(EnvelopeParse& parse, Fields& fields) {
   std::string note;
   if (!fields.head(kEnvelopeFormat, kEnvelopeVersion)) return false;
   if (fields.has("note") && !fields.text("note", note)) return false;
-  return fields.text("name", parse.loaded.name) &&
-         fields.number("shortest", parse.loaded.envelope.shortest, 0, kMaxShortest) &&
+  if (!fields.text("name", parse.loaded.name)) return false;
+  if (parse.loaded.name.size() > world::kMaxNameBytes)
+    return fields.fail("name", fmt::format("longer than the limit of {} bytes", world::kMaxNameBytes));
+  return fields.number("shortest", parse.loaded.envelope.shortest, 0, kMaxShortest) &&
          fields.number("cutoff", parse.loaded.envelope.cutoff, kMinCutoff, kMaxCutoff);
 }
 

@@ -143,8 +143,12 @@ bool read_cart(TrackParse& parse, const Json& value, std::size_t index) {
 bool read_track_head(TrackParse& parse, Fields& fields) {
   if (!fields.head(kTrackFormat, kTrackVersion, &parse.version)) return false;
   Document& document = parse.document;
-  return fields.text("name", document.name) && fields.flag("closed", document.track.closed) &&
-         read_component(parse, fields, document);
+  if (!fields.text("name", document.name)) return false;
+  if (document.name.size() > world::kMaxNameBytes) {
+    document.name = std::string(base::utf8_start(document.name, world::kMaxNameBytes));
+    parse.warnings.push_back(fmt::format("name: cut to {} bytes", world::kMaxNameBytes));
+  }
+  return fields.flag("closed", document.track.closed) && read_component(parse, fields, document);
 }
 
 using ReadElement = bool (*)(TrackParse& parse, const Json& value, std::size_t index);

@@ -52,6 +52,8 @@ TEST(envelope_file, errors_name_the_exact_place_and_the_reason) {
   expect_error(with("coaster-envelope", "coaster-track"),
                "format: expected \"coaster-envelope\", found \"coaster-track\"");
   expect_error(with("\"version\": 1", "\"version\": 2"), "version 2 is newer");
+  expect_error(with("\"name\": \"", "\"name\": \"" + std::string(1'000'000, 'n')),
+               "name: longer than the limit of 200 bytes");
   expect_error(with("\"cutoff\": 5", "\"cutoff\": 0"), "cutoff: expected");
   expect_error(with("\"cutoff\": 5", "\"cutoff\": 5, \"cutoff\": 6"), "cutoff");
   expect_error(with("\"shortest\": 0.2", "\"shortest\": \"0.2\""), "shortest: expected a number");

@@ -246,6 +246,21 @@ TEST(track_parse, unknown_members_are_kept_and_warned_about) {
   EXPECT_NE(again.find("\"maker\": [\"Zoë\"]"), std::string::npos);
 }
 
+// A name of a megabyte took more than a minute to show.
+TEST(track_parse, a_long_name_is_cut_between_characters_with_a_warning) {
+  const std::string start(199, 'n');
+  for (const auto& [name, wanted] : {std::pair{start + "n", start + "n"}, std::pair{start + "\u00e9", start},
+                                     std::pair{std::string(1'000'000, 'n'), start + "n"}}) {
+    world::Document d = test::sample_document();
+    d.name = name;
+    const auto loaded = parse_track(print_track(d), "t.json");
+    ASSERT_TRUE(loaded) << loaded.status().message;
+    EXPECT_EQ(loaded->document.name, wanted);
+    const std::vector<std::string> warned{"t.json: warning: name: cut to 200 bytes"};
+    EXPECT_EQ(loaded->warnings, name == wanted ? std::vector<std::string>() : warned);
+  }
+}
+
 TEST(track_parse, warnings_are_few_however_many_members_are_unknown) {
   std::string members = kGood;
   for (int i = 0; i < 1000; ++i) members += ",\"x" + std::to_string(i) + "\":0";
