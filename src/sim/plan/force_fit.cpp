@@ -32,12 +32,15 @@ class Reach {
   // neighbouring spans there, so a span may not use all of it.
   Reach(const ForceTask& task, const ForcePath& path, double at_ends) : task_(task), path_(path), at_ends_(at_ends) {}
 
-  // Returns the ends of spans that are each as long as possible, from the first point on or from the last one back.
+  // Returns the ends of spans that are each as long as possible, from the first point on or from the last one back. The
+  // span before the last one leaves that its fewest points.
   std::vector<std::size_t> ends(bool back) {
     const std::size_t last = path_.points.size() - 1;
     std::vector<std::size_t> at{0};
     for (std::size_t length = kFirst; at.back() < last;) {
-      length = reach(at.back(), last - at.back(), length, back);
+      const std::size_t room = last - at.back(), least = fewest_points(task_, path_, back ? 0 : last);
+      length = reach(at.back(), room, length, back);
+      if (length < room && room - length < least) length = std::max(room - least, room / 2);
       at.push_back(at.back() + length);
     }
     if (!back) return at;
@@ -99,7 +102,7 @@ struct Attempt {
 };
 
 // Returns how far the second knot may move sideways, m, for the curvature at the start: riders on the neighbouring
-// spans feel at most that share of the tolerance.
+// spans feel about that share of the tolerance, or less.
 double shift_at(const ForceTask& task, const ForcePath& path, const std::vector<std::size_t>& at, double share) {
   if (at.size() < 3) return 0;
   const auto& points = path.curve.points;
@@ -127,12 +130,14 @@ Attempt attempt_with(const ForceTask& task, const ForcePath& path, std::vector<s
   return now;
 }
 
-Attempt attempt(const ForceTask& task, const ForcePath& path, std::vector<std::size_t> at) {
-  Attempt now = attempt_with(task, path, at, 0.25);
-  const double jump = std::max(now.spans.jumps.front(), task.held ? now.spans.jumps.back() : 0.0);
-  if (jump <= kElementJump) return now;
-  Attempt farther = attempt_with(task, path, std::move(at), 1);
-  return farther.strains[farther.worst()] < now.strains[now.worst()] ? farther : now;
+Attempt attempt(const ForceTask& task, const ForcePath& path, const std::vector<std::size_t>& at) {
+  Attempt best = attempt_with(task, path, at, 0.25);
+  for (const double share : {1.0, 4.0}) {
+    if (std::max(best.spans.jumps.front(), task.held ? best.spans.jumps.back() : 0.0) <= kElementJump) break;
+    Attempt farther = attempt_with(task, path, at, share);
+    if (farther.strains[farther.worst()] < best.strains[best.worst()]) best = std::move(farther);
+  }
+  return best;
 }
 
 // Returns the span to halve in order to mend a failing one: itself, or a longer neighbour at the joint where it fails.
@@ -156,7 +161,7 @@ Attempt mended(const ForceTask& task, const ForcePath& path, Attempt now) {
     std::sort(at.begin(), at.end());
     at.erase(std::unique(at.begin(), at.end()), at.end());
     if (at.size() == now.at.size()) break;
-    now = attempt(task, path, std::move(at));
+    now = attempt(task, path, at);
   }
   return now;
 }
@@ -191,7 +196,7 @@ void ease(const ForceTask& task, const ForcePath& path, Attempt& now, std::size_
     budget -= path.points.size();
     std::vector<std::size_t> at = now.at;
     at[knot] = static_cast<std::size_t>(place);
-    Attempt next = attempt(task, path, std::move(at));
+    Attempt next = attempt(task, path, at);
     if (!(next.strains[next.worst()] < 0.999 * now.strains[now.worst()])) return false;
     now = std::move(next);
     return true;

@@ -200,11 +200,14 @@ ForceState ForceLaw::step(double x, const ForceState& s, double by) const {
   return next;
 }
 
-// The ramp takes a tenth of a second for each g and for each 40 degrees per second, at least kShortest; of curvature,
-// at kCurvatureSpeed, and more where the angle of roll has far to go.
+// The ramp takes kPerG for each g and a tenth of a second for each 40 degrees per second, at least kShortest; of
+// curvature, at kCurvatureSpeed, and more where the angle of roll has far to go. Riders d above the curve swing aside
+// while a roll rate w (rad/s) fades within t, with 1.5 d w / t at most. The curvature that balances this has to rise
+// and fall slowly enough for spans of some 1 m to follow, so t^2 is at least kPerSwing d w / g.
 void ForceLaw::set_ramp() {
   constexpr double kShortest = 0.15, kPerG = 0.12, kPerDegree = 0.0025;  // s
-  constexpr double kMetresPerDegree = 0.4;                               // of an angle
+  constexpr double kPerSwing = 0.8;
+  constexpr double kMetresPerDegree = 0.4;  // of an angle
   constexpr double kSame = 1e-9;
   const bool by_time = task_.program.over == ForceOver::time;
   const TrackEnd& end = task_.end;
@@ -222,7 +225,9 @@ void ForceLaw::set_ramp() {
   const double turn = (by_time ? 1 / unit : unit) * std::abs(of_curvature_ ? missing_slope_ : missing_[2]),
                angle = of_curvature_ ? std::abs(missing_[2]) : 0.0;
   if (std::max({most, turn, angle}) <= kSame) return;
-  const double seconds = std::max({kShortest, kPerG * most, kPerDegree * turn});
+  const double riders = of_curvature_ ? 0.0 : std::abs(task_.riders),
+               swing = std::sqrt(kPerSwing * riders * base::radians(turn) / world::kGravity);
+  const double seconds = std::max({kShortest, kPerG * most, kPerDegree * turn, swing});
   ramp_ = std::min(std::max(seconds * unit, kMetresPerDegree * angle / (by_time ? speed : 1.0)), task_.length());
 }
 

@@ -1,9 +1,13 @@
 #include "sim/plan/force_fit.h"
 
+#include <cmath>
+#include <random>
+
 #include <gtest/gtest.h>
 
 #include "base/tries.h"
 #include "curve/continuity.h"
+#include "curve/frames.h"
 #include "sim/force_oracle.h"
 #include "sim/plan/element_spans.h"
 #include "sim/plan/force_plan.h"
@@ -115,6 +119,32 @@ TEST(force_fit, twenty_programs_are_felt_as_asked_for_on_spans_within_a_centimet
   EXPECT_GE(continued, test::tries(20) - 2)
       << "of those behind bent and rolled track; the others tell that they are not";
   RecordProperty("metres_per_span", std::to_string(metres / static_cast<double>(spans)));
+}
+
+// Track that climbs, banks, bends and rolls at random, up to 0.03 1/m and 0.08 rad/m: a fading roll swings riders
+// aside, so that the curvature changes within metres.
+class ForceStarts : public testing::TestWithParam<unsigned> {};
+INSTANTIATE_TEST_SUITE_P(seed, ForceStarts, testing::Values(3, 12));
+
+TEST_P(ForceStarts, continue_bent_and_rolling_track) {
+  test::RandomForces random(GetParam());
+  std::mt19937 ends(GetParam());
+  const auto uniform = [&](double low, double high) { return std::uniform_real_distribution<double>(low, high)(ends); };
+  const int tries = test::tries(120);
+  int missed = 0;
+  for (int i = 0; i < tries; ++i) {
+    ForceTask task = random.next(60);
+    TrackEnd& end = task.end;
+    const double pitch = uniform(-0.5, 0.5), bank = uniform(-1, 1), bend = uniform(0, 0.03), way = uniform(0, 2 * M_PI);
+    end.forward = {std::cos(pitch), std::sin(pitch), 0};
+    end.up = curve::rotate({-std::sin(pitch), std::cos(pitch), 0}, end.forward, bank);
+    end.curvature = curve::rotate(bend * end.up, end.forward, way), end.spin = uniform(-0.08, 0.08);
+    const ForcePlan plan = plan_force(task);
+    if (!plan.path.stopped.empty()) continue;
+    expect_continued(plan, i);
+    missed += plan.fit.within ? 0 : 1;
+  }
+  EXPECT_LE(missed, 2) << "the plans say so";
 }
 
 // The spans of curvature are judged at 20 m/s, where 0.05 g are 0.00123 1/m, and by what the keys say of the angle.
