@@ -182,7 +182,7 @@ base::Status apply(Program& program, const edit::Command& command) {
   const edit::Session& session = program.session;
   const world::Camera camera =
       view::frame_all(session.settings.camera, session.document, program.picture.view.viewport);
-  (void)apply_one(program, edit::SetCamera{camera});
+  (void)apply_one(program, edit::set_camera(camera));
   return applied;
 }
 

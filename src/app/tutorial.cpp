@@ -53,7 +53,7 @@ void return_to_start(Program& program) {
   const bool away = strayed(program);
   while (strayed(program) && !program.session.history.undo.empty() && apply(program, edit::Undo{})) continue;
   while (strayed(program) && !program.session.history.redo.empty() && apply(program, edit::Redo{})) continue;
-  if (away) (void)apply(program, edit::SetCamera{start.settings.camera});
+  if (away) (void)apply(program, edit::set_camera(start.settings.camera));
   const world::Settings& now = program.session.settings;
   if (now.element != start.settings.element)
     (void)apply(program, edit::ChooseElement{start.settings.element});  // it shows the preview

@@ -121,31 +121,23 @@ bool parse_fault(Words& words, Action& action) {
 }
 
 bool parse_camera(Words& words, Action& action) {
-  static const std::vector<std::string> kNames{"target",    "yaw",   "pitch", "distance", "all", "fit",
-                                               "selection", "orbit", "ride",  "chase",    "fly"};
-  constexpr std::string_view kWanted = "target, yaw, pitch, distance, all, selection, orbit, ride, chase or fly";
-  if (words.at_end()) return words.fail(words.end_column(), fmt::format("expected {}", kWanted));
-  MoveCamera camera;
-  while (!words.at_end()) {
-    const auto name = words.one_of(kWanted, kNames);
-    if (!name) return false;
-    if (*name >= 7) {
-      action = RunCommand{edit::Set<&world::Settings::camera_mode>{static_cast<world::CameraMode>(*name - 7)}};
-      return words.end();
-    }
-    if (*name >= 4) {
-      action = FitCamera{*name == 6};
-      return words.end();
-    }
-    if (*name == 0) {
-      camera.target = words.vector("a number of the target");
-    } else {
-      const auto value = words.number("a number");
-      if (!value) return false;
-      (*name == 1 ? camera.yaw_deg : *name == 2 ? camera.pitch_deg : camera.distance) = static_cast<float>(*value);
-    }
+  static const std::vector<std::string> kNames{"all", "fit",    "selection", "orbit", "ride",    "chase",
+                                               "fly", "target", "yaw",       "pitch", "distance"};
+  const std::span<const base::Token> rest = words.rest();
+  const auto name = words.one_of("target, yaw, pitch, distance, all, selection, orbit, ride, chase or fly", kNames);
+  if (!name) return false;
+  if (*name >= 7) {
+    std::vector<base::Token> line{{"camera", 1, false}};
+    line.insert(line.end(), rest.begin(), rest.end());
+    base::TextError error;
+    const auto command = edit::parse(line, error);
+    if (!command) return words.fail(error.column, error.message);
+    action = RunCommand{*command};
+    return true;
   }
-  action = camera;
+  if (*name >= 3)
+    action = RunCommand{edit::Set<&world::Settings::camera_mode>{static_cast<world::CameraMode>(*name - 3)}};
+  else action = FitCamera{*name == 2};
   return words.end();
 }
 

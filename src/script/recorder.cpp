@@ -29,7 +29,7 @@ namespace {
 // Returns the commands that restore settings and selection at the start.
 std::vector<edit::Command> settings_commands(const edit::Session& session) {
   const world::Settings& s = session.settings;
-  std::vector<edit::Command> commands{edit::SetCamera{s.camera}, edit::SetFly{s.fly},
+  std::vector<edit::Command> commands{edit::set_camera(s.camera), edit::SetFly{s.fly},
                                       edit::SetSnapping{s.snapping.to, s.snapping.step, s.snapping.angle},
                                       edit::ChooseElement{s.element}};
   world::for_each_setting([&]<auto Setting>() { commands.push_back(edit::Set<Setting>{world::value_in<Setting>(s)}); });

@@ -178,15 +178,6 @@ Failure Runner::perform(const Input& given) {
   return {};
 }
 
-Failure Runner::perform(const MoveCamera& move) {
-  world::Camera camera = frames_.host().context().session.settings.camera;
-  if (move.target) camera.target = *move.target;
-  if (move.yaw_deg) camera.yaw_deg = *move.yaw_deg;
-  if (move.pitch_deg) camera.pitch_deg = *move.pitch_deg;
-  if (move.distance) camera.distance = *move.distance;
-  return failure(frames_.apply(edit::SetCamera{camera}));
-}
-
 Failure Runner::perform(const FitCamera& fit) {
   if (!frames_.host().viewport) return wrong("no viewport");
   if (const base::Status status = frames_.settle_panels(); !status) return failure(status);
@@ -196,8 +187,8 @@ Failure Runner::perform(const FitCamera& fit) {
   if (fit.selection && !session.settings.selected.valid()) return wrong("nothing is selected");
   const world::Camera& now = session.settings.camera;
   return failure(frames_.apply(
-      edit::SetCamera{fit.selection ? view::frame_entity(now, session.document, session.settings.selected, viewport)
-                                    : view::frame_all(now, session.document, viewport)}));
+      edit::set_camera(fit.selection ? view::frame_entity(now, session.document, session.settings.selected, viewport)
+                                     : view::frame_all(now, session.document, viewport))));
 }
 
 Failure Runner::perform(const Needs& needs) {

@@ -85,7 +85,6 @@ class Runner {
   Failure perform(const Include& include);
   Failure perform(const Lesson& lesson);  // runner_lesson.cpp
   Failure perform(const Input& input);
-  Failure perform(const MoveCamera& move);
   Failure perform(const FitCamera& fit);
   Failure perform(const Needs& needs);
   Failure perform(const Fault& fault);

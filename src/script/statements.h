@@ -125,11 +125,6 @@ struct AimAction {
   std::optional<AimPoint> to;
 };
 
-// Sets the values that the line names.
-struct MoveCamera {
-  std::optional<glm::vec3> target;
-  std::optional<float> yaw_deg, pitch_deg, distance;
-};
 // Frames the whole track or the selection.
 struct FitCamera {
   bool selection = false;
@@ -183,8 +178,8 @@ struct SlowImport {
 };
 
 using Action = std::variant<RunCommand, SetEnvironment, Frames, Ticks, Repeat, Gesture, Lesson, Include, Expect, Wait,
-                            ExpectWidget, ExpectFile, ExpectError, UiAction, Input, AimAction, MoveCamera, FitCamera,
-                            Snap, Shot, Sheet, Dump, Log, StartMovie, StopMovie, Needs, Fault, SlowImport>;
+                            ExpectWidget, ExpectFile, ExpectError, UiAction, Input, AimAction, FitCamera, Snap, Shot,
+                            Sheet, Dump, Log, StartMovie, StopMovie, Needs, Fault, SlowImport>;
 
 struct Statement {
   int source = 0;  // index into Script::sources

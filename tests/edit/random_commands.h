@@ -55,6 +55,12 @@ class RandomCommands {
     constexpr std::array<std::string_view, 5> kPhrases{"height", "place", "roll", "exact_length == 80", "a \"b\" c"};
     v.text = kPhrases[below(static_cast<std::uint32_t>(kPhrases.size()))];
   }
+  void fill(edit::CameraChange& v) {
+    v = {glm::vec3(), 0.0f, 0.0f, 0.0f};
+    fill(*v.target), fill(*v.yaw_deg), fill(*v.pitch_deg), fill(*v.distance);
+    if (below(2)) v.target.reset();
+    if (below(2)) v.yaw_deg.reset();
+  }
   void fill(glm::vec3& v) { v = {number(), number(), number()}; }
   void fill(float& v) { v = static_cast<float>(number()); }
   void fill(double& v) { v = number(); }

@@ -31,7 +31,7 @@ class SectionsStage : public Stage {
     EXPECT_TRUE(status.ok()) << status.message;
   }
   void look_at_all() {
-    good(edit::SetCamera{view::frame_all(session_.settings.camera, session_.document, host_->view().viewport)});
+    good(edit::set_camera(view::frame_all(session_.settings.camera, session_.document, host_->view().viewport)));
     frames(2);
   }
 

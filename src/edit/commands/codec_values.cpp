@@ -133,6 +133,30 @@ bool read_value(base::Words& words, Phrase& value) {
   return words.take("words") != nullptr && words.reject("words");
 }
 
+std::string print_value(const CameraChange& value) {
+  std::string text;
+  const auto add = [&](std::string_view name, const auto& part) {
+    if (part) text += fmt::format("{}{} {}", text.empty() ? "" : " ", name, print_value(*part));
+  };
+  add("target", value.target), add("yaw", value.yaw_deg), add("pitch", value.pitch_deg);
+  add("distance", value.distance);
+  return text;
+}
+bool read_value(base::Words& words, CameraChange& value) {
+  static const Names kNames{"target", "yaw", "pitch", "distance"};
+  do {
+    const auto name = words.one_of("target, yaw, pitch or distance", kNames);
+    if (!name) return false;
+    if (*name == 0 ? !read_value(words, value.target.emplace())
+                   : !read_value(words, (*name == 1   ? value.yaw_deg
+                                         : *name == 2 ? value.pitch_deg
+                                                      : value.distance)
+                                            .emplace()))
+      return false;
+  } while (!words.at_end());
+  return true;
+}
+
 bool read_value(base::Words& words, Target& value) {
   constexpr std::string_view kExpected = "an entity such as @k3, @s2, @c1 or @q1";
   const base::Token* const word = words.take(kExpected);

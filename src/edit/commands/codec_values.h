@@ -27,6 +27,7 @@ std::string print_value(const HandleTarget& value);
 std::string print_value(const Knots& value);  // "@k1,@k2", "all", "selected"
 std::string print_value(const Sections& value);
 std::string print_value(const Phrase& value);
+std::string print_value(const CameraChange& value);
 std::string print_value(glm::vec3 value);
 std::string print_value(bool value);
 std::string print_value(const std::string& value);
@@ -43,6 +44,7 @@ std::string words_of(const Knots& value);
 std::string words_of(const Sections& value);
 std::string words_of(const KnotsOrSections& value);
 inline std::string words_of(const Phrase& value) { return value.text; }
+inline std::string words_of(const CameraChange& value) { return print_value(value); }
 std::string words_of(glm::vec3 value);
 std::string words_of(const world::Element& value);
 inline std::string words_of(bool value) { return print_value(value); }
@@ -57,6 +59,7 @@ bool read_value(base::Words& words, Knots& value);
 bool read_value(base::Words& words, Sections& value);
 bool read_value(base::Words& words, KnotsOrSections& value);
 bool read_value(base::Words& words, Phrase& value);
+bool read_value(base::Words& words, CameraChange& value);  // reads to the end of the line
 bool read_value(base::Words& words, glm::vec3& value);
 bool read_value(base::Words& words, float& value);
 bool read_value(base::Words& words, double& value);
@@ -73,6 +76,7 @@ inline std::string usage_of(const Knots&) { return "@knot,...|@knot..@knot|all|s
 inline std::string usage_of(const Sections&) { return "@section,...|@section..@section|all|selected"; }
 inline std::string usage_of(const KnotsOrSections&) { return "@knot,...|@knot..@knot|@section,...|all|selected"; }
 inline std::string usage_of(const Phrase&) { return "WORDS"; }
+inline std::string usage_of(const CameraChange&) { return "[target X Y Z] [yaw A] [pitch B] [distance D]"; }
 inline std::string usage_of(glm::vec3) { return "X Y Z"; }
 inline std::string usage_of(bool) { return "on|off"; }
 inline std::string usage_of(const Flag&) { return {}; }

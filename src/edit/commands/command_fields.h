@@ -3,10 +3,13 @@
 
 #include <array>
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
+
+#include <glm/glm.hpp>
 
 #include "base/status.h"
 #include "world/entity.h"
@@ -63,6 +66,13 @@ struct Flag {
   bool set = false;
   explicit operator bool() const { return set; }
   friend bool operator==(const Flag&, const Flag&) = default;
+};
+
+// The values of the orbit camera that a command changes, in any order: "target 1 2 3 distance 40". At least one.
+struct CameraChange {
+  std::optional<glm::vec3> target;                    // m
+  std::optional<float> yaw_deg, pitch_deg, distance;  // distance in m
+  friend bool operator==(const CameraChange&, const CameraChange&) = default;
 };
 
 enum class HandleEnd : std::uint8_t { in, out };

@@ -8,12 +8,21 @@
 namespace coaster::edit {
 
 struct SetCamera {
-  world::Camera to;
+  CameraChange to;
   COASTER_COMMAND(SetCamera, "camera", "Look at a target (m) from a distance (m) at yaw and pitch (degrees).",
                   Effect::settings);
-  COASTER_FIELDS(visit("target", self.to.target), visit("yaw", self.to.yaw_deg), visit("pitch", self.to.pitch_deg),
-                 visit("distance", self.to.distance))
+  COASTER_FIELDS(visit("", self.to))
 };
+// Returns the command that sets all four values.
+inline SetCamera set_camera(const world::Camera& to) { return {{to.target, to.yaw_deg, to.pitch_deg, to.distance}}; }
+// Returns a camera with the values that the command gives.
+inline world::Camera changed(world::Camera camera, const SetCamera& command) {
+  camera.target = command.to.target.value_or(camera.target);
+  camera.yaw_deg = command.to.yaw_deg.value_or(camera.yaw_deg);
+  camera.pitch_deg = command.to.pitch_deg.value_or(camera.pitch_deg);
+  camera.distance = command.to.distance.value_or(camera.distance);
+  return camera;
+}
 struct SetFly {
   world::FlyCamera to;
   COASTER_COMMAND(SetFly, "camera.fly",

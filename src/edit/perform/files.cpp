@@ -37,7 +37,7 @@ Status show_shared(Session& session, Change& change, const exchange::SharedView&
   settings.evaluation->evaluator = view.evaluator, settings.evaluation->steps = view.steps;
   fit_budget(session);
   derive(session);
-  if (const Status looks = perform(session, change, SetCamera{view.camera}); !looks) return looks;
+  if (const Status looks = perform(session, change, set_camera(view.camera)); !looks) return looks;
   return perform(session, change, SetFly{view.fly});
 }
 

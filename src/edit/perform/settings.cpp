@@ -24,7 +24,7 @@ std::string noun_of(std::string_view word) {
 }
 
 Status perform(Session& session, Change& change, const SetCamera& command) {
-  world::Camera camera = command.to;
+  world::Camera camera = changed(session.settings.camera, command);
   if (!finite(camera.target) || !std::isfinite(camera.yaw_deg) || !std::isfinite(camera.pitch_deg) ||
       !std::isfinite(camera.distance))
     return refused("expected finite numbers");
@@ -32,8 +32,6 @@ Status perform(Session& session, Change& change, const SetCamera& command) {
   camera.yaw_deg = std::remainder(camera.yaw_deg, 360.0f);
   camera.pitch_deg = change.clamp("pitch", camera.pitch_deg, -world::kMaxPitch, world::kMaxPitch, "degrees");
   camera.distance = change.clamp("distance", camera.distance, kMinDistance, kMaxDistance, "m");
-  camera.field_of_view_deg = session.settings.camera.field_of_view_deg;  // these have their own commands
-  camera.projection = session.settings.camera.projection;
   session.settings.camera = camera;
   return {};
 }

@@ -47,7 +47,7 @@ void open_palette(Act& act) { toggle_palette(act.palette); }
 
 // Frames with the orbit camera.
 void frame(Act& act, const world::Camera& camera) {
-  act.ui.emit(edit::SetCamera{camera});
+  act.ui.emit(edit::set_camera(camera));
   if (!is<kCamera, CameraMode::orbit>(act)) set<kCamera, CameraMode::orbit>(act);
 }
 // Includes the palette's preview, if it shows.

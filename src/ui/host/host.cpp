@@ -150,7 +150,7 @@ void Host::Parts::lay_out(Ui& ui, const platform::Events& events, int width, int
   drawers.graph.open = layout.graph.height > ImGui::GetFrameHeight() + 1;
   view = ui.out.view = make_view(ui.state, layout.scene);
   const bool framed = std::exchange(frame_next, false);
-  if (framed) ui.emit(edit::SetCamera{view::frame_all(session.settings.camera, session.document, layout.scene)});
+  if (framed) ui.emit(edit::set_camera(view::frame_all(session.settings.camera, session.document, layout.scene)));
 
   const bool typing = text_has_keyboard(), asking = dialogs.open() || start.open();
   take_files(ui, events);

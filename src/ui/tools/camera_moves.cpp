@@ -43,7 +43,7 @@ world::Camera zoomed(world::Camera camera, const view::View& view, glm::vec2 cur
 void set_camera(Ui& ui, const world::Camera& camera) {
   if (camera.projection != ui.session().settings.camera.projection)
     ui.emit(edit::Set<&world::Camera::projection>{camera.projection});
-  ui.emit(edit::SetCamera{camera});
+  ui.emit(edit::set_camera(camera));
 }
 
 void zoom_chase(Ui& ui, float notches) {
@@ -61,7 +61,7 @@ void ViewportTool::turn_wheel(Ui& ui, const view::View& view, float notches) {
   const world::Settings& settings = ui.session().settings;
   switch (shown_camera(ui)) {
     case world::CameraMode::orbit:
-      ui.emit(edit::SetCamera{zoomed(settings.camera, view, mouse_position(), notches)});
+      ui.emit(edit::set_camera(zoomed(settings.camera, view, mouse_position(), notches)));
       break;
     case world::CameraMode::fly: ui.emit(edit::SetFly{flown(fly_now(ui), {0, 0, kMetres * notches})}); break;
     case world::CameraMode::chase: zoom_chase(ui, notches); break;

@@ -27,13 +27,6 @@ constexpr std::array<Row, 6> kRows{{{Key::w, {0, 0, 1}},
 constexpr float kSpeed = 12, kFaster = 4;  // m/s
 constexpr double kLongestFrame = 0.25;     // s
 
-template <class Command, class Camera>
-Camera last_set(const Ui& ui, const Camera& before) {
-  for (auto command = ui.out.commands.rbegin(); command != ui.out.commands.rend(); ++command)
-    if (const auto* const set = command->template as<Command>()) return set->to;
-  return before;
-}
-
 }  // namespace
 
 bool is_fly_key(const platform::KeyPress& press) {
@@ -68,8 +61,18 @@ void FlyKeys::fly(Ui& ui, const platform::Events& events, bool text_has_keyboard
   if (to != now) ui.emit(edit::SetFly{to});
 }
 
-world::Camera camera_now(const Ui& ui) { return last_set<edit::SetCamera>(ui, ui.session().settings.camera); }
-world::FlyCamera fly_now(const Ui& ui) { return last_set<edit::SetFly>(ui, ui.session().settings.fly); }
+world::Camera camera_now(const Ui& ui) {
+  world::Camera camera = ui.session().settings.camera;
+  for (const edit::Command& command : ui.out.commands)
+    if (const auto* const set = command.as<edit::SetCamera>()) camera = edit::changed(camera, *set);
+  return camera;
+}
+world::FlyCamera fly_now(const Ui& ui) {
+  world::FlyCamera camera = ui.session().settings.fly;
+  for (const edit::Command& command : ui.out.commands)
+    if (const auto* const set = command.as<edit::SetFly>()) camera = set->to;
+  return camera;
+}
 
 world::FlyCamera flown(world::FlyCamera fly, glm::vec3 by) {
   const float yaw = glm::radians(fly.yaw_deg), pitch = glm::radians(fly.pitch_deg);

@@ -76,7 +76,7 @@ void FollowCamera::update(Ui& ui, const view::View& view, bool busy) {
   world::Camera next = between(settings.camera, *to_, part);
   if (near(next, *to_)) next = *to_, to_.reset();
   sent_ = next;
-  ui.emit(edit::SetCamera{next});
+  ui.emit(edit::set_camera(next));
 }
 
 }  // namespace coaster::ui

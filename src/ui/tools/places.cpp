@@ -26,7 +26,7 @@ void look_at(Ui& ui, double distance, glm::vec3 target, float near, float far) {
   world::Camera camera = session.settings.camera;
   camera.target = target;
   camera.distance = std::clamp(camera.distance, near, far);
-  ui.emit(edit::SetCamera{camera});
+  ui.emit(edit::set_camera(camera));
   if (session.settings.camera_mode != world::CameraMode::orbit)
     ui.emit(edit::Set<&world::Settings::camera_mode>{world::CameraMode::orbit});
 }

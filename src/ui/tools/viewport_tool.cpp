@@ -167,7 +167,7 @@ void ViewportTool::move(Ui& ui, const view::View& view, glm::vec2 mouse) {
         ui.emit(edit::SetFly{looked(fly_now(ui), by, ui.scale)});
       break;
     case What::pan:
-      if (turns) ui.emit(edit::SetCamera{panned(camera, view, by)});
+      if (turns) ui.emit(edit::set_camera(panned(camera, view, by)));
       break;
     case What::item: move_item(ui, view, mouse); break;
     case What::spin: turn_spin(ui, view, mouse); break;

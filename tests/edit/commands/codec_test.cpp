@@ -118,6 +118,17 @@ TEST(codec, commands_read_as_documented) {
   EXPECT_EQ(print(RideStart{}), "ride.start");
 }
 
+TEST(codec, a_camera_line_has_one_value_or_more) {
+  base::TextError error;
+  const auto camera = parsed("camera distance 40 target 1 2 3", error);
+  ASSERT_TRUE(camera) << error.message;
+  EXPECT_EQ(print(*camera), "camera target 1 2 3 distance 40");
+  for (const char* line : {"camera", "camera distance 40 roll 3"}) {
+    EXPECT_FALSE(parsed(line, error)) << line;
+    EXPECT_NE(error.message.find("expected target, yaw, pitch or distance"), std::string::npos) << error.message;
+  }
+}
+
 TEST(codec, the_place_of_a_selection_may_be_left_out) {
   base::TextError error;
   const auto select = parsed("select @s2", error);

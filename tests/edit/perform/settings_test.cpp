@@ -81,10 +81,13 @@ TEST_F(ChangingSettings, the_camera_is_clamped_and_yaw_wraps) {
   clamped("camera target 1 2 3 yaw 0 pitch 0 distance 0", "limit of 0.5 m");
   clamped("camera target 1 2 3 yaw 0 pitch 0 distance 1e6", "limit of 20000 m");
   clamped("camera target 1e6 2 3 yaw 0 pitch 0 distance 10", "target.x");
-  refused(SetCamera{{{kNan, 0, 0}, 0, 0, 10}}, "finite");
-  refused(SetCamera{{{0, 0, 0}, kNan, 0, 10}}, "finite");
-  refused(SetCamera{{{0, 0, 0}, 0, kNan, 10}}, "finite");
-  refused(SetCamera{{{0, 0, 0}, 0, 0, kNan}}, "finite");
+  good("camera target 1 2 3 yaw 10 pitch 20 distance 30");
+  good("camera distance 40 yaw 5");
+  EXPECT_EQ(session.settings.camera, (world::Camera{{1, 2, 3}, 5, 20, 40})) << "the other values stay";
+  refused(set_camera({{kNan, 0, 0}, 0, 0, 10}), "finite");
+  refused(set_camera({{0, 0, 0}, kNan, 0, 10}), "finite");
+  refused(set_camera({{0, 0, 0}, 0, kNan, 10}), "finite");
+  refused(set_camera({{0, 0, 0}, 0, 0, kNan}), "finite");
 }
 
 TEST_F(ChangingSettings, a_segment_is_selected_with_its_place) {

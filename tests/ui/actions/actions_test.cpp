@@ -138,7 +138,7 @@ TEST_F(ActionsTest, space_runs_and_holds_the_ride_and_period_steps_it) {
 
 TEST_F(ActionsTest, f_frames_the_track_so_that_every_knot_is_in_the_viewport) {
   frames(2);
-  ASSERT_TRUE(edit::apply(session_, files_, edit::SetCamera{{.target = {400, 2, 90}, .distance = 10}}).ok());
+  ASSERT_TRUE(edit::apply(session_, files_, edit::set_camera({.target = {400, 2, 90}, .distance = 10})).ok());
   key(platform::Key::f);
   frame();
   for (std::uint32_t number : {1u, 2u, 3u}) EXPECT_TRUE(host_->view().viewport.contains(pixel_of(number))) << number;

@@ -17,7 +17,7 @@ namespace cursor_places_test {
 struct CursorPlacesTest : Stage {
   void SetUp() override {
     Stage::SetUp();
-    ASSERT_TRUE(edit::apply(session_, files_, edit::SetCamera{{.target = {0, 6, 3}, .distance = 60}}));
+    ASSERT_TRUE(edit::apply(session_, files_, edit::set_camera({.target = {0, 6, 3}, .distance = 60})));
     frames(3);
   }
   void set_projection(world::Projection to) {

@@ -15,7 +15,7 @@ namespace follow_camera_test {
 struct FollowCameraTest : Stage {
   void SetUp() override {
     Stage::SetUp();
-    ASSERT_TRUE(edit::apply(session_, files_, edit::SetCamera{{.target = {0, 6, 3}, .distance = 60}}));
+    ASSERT_TRUE(edit::apply(session_, files_, edit::set_camera({.target = {0, 6, 3}, .distance = 60})));
     frames(3);
     commands_.clear();
   }
@@ -44,7 +44,7 @@ TEST_F(FollowCameraTest, goes_to_an_open_end_out_of_view_in_small_steps_and_rest
   EXPECT_TRUE(shows({150, 6, 3}));
   const std::vector<edit::SetCamera> steps = all<edit::SetCamera>();
   ASSERT_GT(steps.size(), 10u);
-  EXPECT_LT(glm::distance(steps[0].to.target, glm::vec3(0, 6, 3)), 30.0f);
+  EXPECT_LT(glm::distance(*steps[0].to.target, glm::vec3(0, 6, 3)), 30.0f);
   commands_.clear();
   frames(30);
   EXPECT_TRUE(all<edit::SetCamera>().empty());
@@ -78,7 +78,7 @@ TEST_F(FollowCameraTest, shows_the_way_home_and_the_next_one) {
   };
   ASSERT_TRUE(edit::apply(session_, files_, edit::NewTrack{}));
   straight(60), straight(60);
-  ASSERT_TRUE(edit::apply(session_, files_, edit::SetCamera{{.target = {120, 2, 0}, .distance = 40}}));
+  ASSERT_TRUE(edit::apply(session_, files_, edit::set_camera({.target = {120, 2, 0}, .distance = 40})));
   follow(true);
   frames(3);
   ASSERT_FALSE(shows({0, 2, 0}));

@@ -15,7 +15,7 @@ struct ViewportToolTest : Stage {
     Stage::SetUp();
     ASSERT_TRUE(
         edit::apply(session_, files_,
-                    edit::SetCamera{{.target = {2.3f, 5.1f, 1.7f}, .yaw_deg = 31, .pitch_deg = 27, .distance = 71}})
+                    edit::set_camera({.target = {2.3f, 5.1f, 1.7f}, .yaw_deg = 31, .pitch_deg = 27, .distance = 71}))
             .ok());
     frames(2);
     commands_.clear();
