@@ -105,17 +105,42 @@ std::string full_name(const Rule& rule) {
   return fmt::format("{}{}{}", rule.query->name, argument.empty() ? "" : " ", argument);
 }
 
-// Returns the value found, its position, and the wanted value; for an overload, its kind and duration.
-std::string words_of(const edit::Finder& find, const Rule& rule, const Finding& finding) {
+// Returns "at most" for <=, or what "not" makes of it.
+std::string_view words_of(Op op, bool negated) {
+  struct Row {
+    std::string_view plain, negated;
+  };
+  constexpr std::array<Row, 7> kRows{{{"exactly", "anything but"},
+                                      {"anything but", "exactly"},
+                                      {"less than", "at least"},
+                                      {"at most", "more than"},
+                                      {"more than", "at most"},
+                                      {"at least", "less than"},
+                                      {"text with", "text without"}}};
+  const Row& row = kRows[static_cast<std::size_t>(op)];
+  return negated ? row.negated : row.plain;
+}
+
+// Returns "at most 1.2 g": the values that meet the rule. Empty for a rule that only holds or does not.
+std::string needed(const Rule& rule) {
+  const Condition& condition = rule.condition;
+  if (!condition.op || (condition.values.size() == 1 && base::parse_switch(condition.values[0].text))) return {};
+  std::string text(words_of(*condition.op, condition.negated));
+  for (const base::Token& value : condition.values) text += " " + value.text;
+  if (condition.tolerance) text += " \u00B1 " + base::to_text(*condition.tolerance);
+  return rule.query->unit.empty() ? text : fmt::format("{} {}", text, rule.query->unit);
+}
+
+// Returns why a rule fails: for an overload, its kind and duration.
+std::string reason_of(const edit::Finder& find, const Rule& rule, const Finding& finding) {
   const auto overloads =
       rule.query->name == "ride.envelope" ? find(edit::Want::overloads).overloads : std::span<const sim::RedSpan>();
   if (!overloads.empty()) {
     const sim::RedSpan& span = overloads.front();
-    return fmt::format("{:.2f} g {} at {:.1f} m, limit {:.2f} g for that duration", span.worst,
+    return fmt::format("{:.2f} g {} at {:.1f} m; the limit for that duration is {:.2f} g", span.worst,
                        base::row_of(span.axis).label, span.from_distance, span.allowed);
   }
-  return fmt::format("{}{}, {}", finding.found, finding.place ? fmt::format(" at {:.1f} m", *finding.place) : "",
-                     wanted(rule));
+  return explain(rule, finding);
 }
 
 // Returns why the ride itself does not count; empty if it does.
@@ -179,6 +204,7 @@ Finding look_at(const edit::Finder& find, const Rule& rule) {
   const base::Result<Value> value = rule.query->evaluate(context_of(find), rule.condition.argument);
   if (!value) {
     finding.found = value.status().message;  // a knot that no longer exists
+    finding.missing = true;
     return finding;
   }
   const base::Result<bool> held = holds(rule.condition, *value);
@@ -189,6 +215,7 @@ Finding look_at(const edit::Finder& find, const Rule& rule) {
   if (rule.query->name == "ride.lap_time" && finding.value && !(*finding.value > 0)) {
     finding = {};
     finding.found = "no lap";
+    finding.missing = true;
     return finding;
   }
   finding.place = place_of(find, rule.query->name);
@@ -200,12 +227,12 @@ Finding look_at(const edit::Finder& find, const Rule& rule) {
   return finding;
 }
 
-std::string wanted(const Rule& rule) {
-  const std::string full = full_name(rule), &text = rule.condition.text;
-  std::string rest = text.size() > full.size() ? text.substr(text.find(rule.condition.query) + full.size()) : " on";
-  const bool unit = !rule.query->unit.empty() && rule.condition.op.has_value();
-  return fmt::format("{}{}{}{}", rule.condition.negated ? "wanted not" : "wanted", rest, unit ? " " : "",
-                     unit ? rule.query->unit : "");
+std::string explain(const Rule& rule, const Finding& finding) {
+  if (finding.missing) return finding.found;
+  const std::string needs = needed(rule);
+  if (needs.empty()) return finding.holds ? "this holds" : "this does not hold";
+  return fmt::format("you have {}{}; you need {}", finding.found,
+                     finding.place ? fmt::format(" at {:.1f} m", *finding.place) : "", needs);
 }
 
 edit::Verdict judge(edit::Session& session, const edit::RideResult* result) {
@@ -232,7 +259,7 @@ edit::Verdict judge(edit::Session& session, const edit::RideResult* result) {
       gold = false;
     } else if (verdict.reason.empty()) {
       verdict.reason =
-          fmt::format("{}: {}", challenge.file.list(rule.list)[rule.index].text, words_of(session, rule, finding));
+          fmt::format("{}: {}", challenge.file.list(rule.list)[rule.index].text, reason_of(session, rule, finding));
       verdict.place = finding.place;
     }
   }

@@ -38,14 +38,15 @@ base::Status check_rules(const exchange::ChallengeFile& challenge, const std::st
 // A rule evaluated on the present session.
 struct Finding {
   bool holds = false;
+  bool missing = false;         // there is no value; `found` says why
   std::string found;            // the value as text with its unit: "1.40 g"
   std::optional<double> value;  // of numeric queries
   std::optional<double> place;  // m along the track, where the value is taken; nothing if it has no position
 };
 Finding look_at(const edit::Finder& find, const Rule& rule);
 
-// Returns "wanted <= 1.2 g" for the rule's operator and value.
-std::string wanted(const Rule& rule);
+// Returns "you have 1.41 g at 87.3 m; you need at most 1.2 g", or why there is no value.
+std::string explain(const Rule& rule, const Finding& finding);
 
 // Judges the session's challenge. Bronze: the ride counts and all goals, limits and bronze's own rules hold. Silver and
 // gold need their own rules too, gold also silver's. `result`: of the ride that has just ended; null for Judged::build.

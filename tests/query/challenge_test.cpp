@@ -168,10 +168,31 @@ TEST_F(ChallengeTest, what_is_built_is_judged_at_once_but_not_within_a_gesture) 
   EXPECT_EQ(session.game.challenge->medal, 3);
   ASSERT_TRUE(begin(R"("judged": "build", "goals": [{"expect": "knots <= 22", "text": "Fewer knots"}])"));
   good("remove @k3");
-  EXPECT_EQ(session.game.challenge->last.reason, "Fewer knots: 23, wanted <= 22");
+  EXPECT_EQ(session.game.challenge->last.reason, "Fewer knots: you have 23; you need at most 22");
   good("challenge.leave");
   EXPECT_FALSE(session.game.challenge);
   EXPECT_EQ(apply("challenge.leave").code, base::Code::refused);
+}
+
+TEST_F(ChallengeTest, a_rule_is_explained_without_operators) {
+  const std::pair<const char*, const char*> cases[] = {
+      {"knots >= 99", "you have 24; you need at least 99"},
+      {"knots < 3", "you have 24; you need less than 3"},
+      {"knots > 30", "you have 24; you need more than 30"},
+      {"knots == 12", "you have 24; you need exactly 12"},
+      {"knots == 12 +-2", "you have 24; you need exactly 12 \u00B1 2"},
+      {"knots != 24", "you have 24; you need anything but 24"},
+      {"not knots >= 24", "you have 24; you need less than 24"},
+      {"start_speed >= 500 m/s", "you have 4.00 m/s; you need at least 500 m/s"},
+      {"closed == off", "this does not hold"},
+      {"not closed", "this does not hold"},
+      {"geometric @k99 >= G1", "there is no knot @k99"}};
+  for (const auto& [expect, words] : cases) {
+    ASSERT_TRUE(begin(fmt::format(R"("judged": "build", "goals": [{{"expect": "{}", "text": "Goal"}}])", expect)));
+    const auto rules = query::read_rules(session.game.challenge->file, "");
+    ASSERT_TRUE(rules) << expect;
+    EXPECT_EQ(query::explain(rules->front(), query::look_at(session, rules->front())), words) << expect;
+  }
 }
 
 TEST_F(ChallengeTest, a_failing_goal_is_told_with_its_value_place_and_unit) {
@@ -188,7 +209,7 @@ TEST_F(ChallengeTest, a_failing_goal_is_told_with_its_value_place_and_unit) {
   ASSERT_TRUE(session.game.challenge->last.place);
   EXPECT_NEAR(*session.game.challenge->last.place, place, 1e-9);
   char wanted[128];
-  std::snprintf(wanted, sizeof wanted, "Lateral: %.2f g at %.1f m, wanted <= 0.01 g", *most, place);
+  std::snprintf(wanted, sizeof wanted, "Lateral: you have %.2f g at %.1f m; you need at most 0.01 g", *most, place);
   EXPECT_EQ(session.game.challenge->last.reason, wanted);
 }
 

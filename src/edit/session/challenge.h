@@ -20,7 +20,7 @@ struct Session;
 // The result of judging a challenge.
 struct Verdict {
   int medal = 0;                // 0 not passed, 1 bronze, 2 silver, 3 gold
-  std::string reason;           // why it failed: "lateral g: 1.40 g at 87.0 m, wanted <= 1.2 g"; empty if it passed
+  std::string reason;           // why it failed: "Lateral: you have 1.40 g at 87.0 m; you need ..."; empty if it passed
   std::optional<double> place;  // m along the track, where it failed
   std::vector<exchange::BestValue> values;  // values that its rules compare
 };

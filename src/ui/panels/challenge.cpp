@@ -41,9 +41,8 @@ void rule_row(Ui& ui, const query::Rule& rule, const exchange::ChallengeRule& wo
   draw_text(list, {low.x + room - value, y}, finding.holds ? palette().good : palette().dim, found);
   const float height = beside ? line : size.y + line;
   ImGui::Dummy({room, height});
-  const std::string where = finding.place ? fmt::format(" (at {} m)", fixed(*finding.place, 1)) : "";
-  note(ui, words.text, "label", words.expect + where, true, (finding.holds ? "met " : "not met ") + found, low,
-       {low.x + room, low.y + height});
+  note(ui, words.text, "label", base::sentence(query::explain(rule, finding)), true,
+       (finding.holds ? "met " : "not met ") + found, low, {low.x + room, low.y + height});
 }
 
 void rules_of(Ui& ui, const std::vector<query::Rule>& rules, std::initializer_list<RuleList> lists) {
