@@ -67,7 +67,7 @@ void make_square(PlotArea& area) {
 }
 
 int most_ticks(float room, float each, int least) { return std::max(least, static_cast<int>(room / each)); }
-// Even a low plot gets three numbers beside it: of two there is often only one, which does not tell the scale.
+// Even a low plot gets up to three numbers beside it.
 int most_beside(float room, float text) { return most_ticks(room, 1.9f * text, 3); }
 
 // The labels of the right axis take their space from the data.

@@ -44,23 +44,22 @@ double round_step(double least) {
 }
 
 Ticks linear_ticks(const AxisRange& axis, int most) {
-  Ticks result;
-  const double span = axis.high - axis.low;
+  const double span = axis.high - axis.low, slack = 1e-9 * span;
+  const auto multiples = [&](double step) {
+    Ticks result{.step = step};
+    for (double i = std::ceil((axis.low - slack) / step); i * step <= axis.high + slack; ++i)
+      result.major.push_back(i == 0 ? 0 : i * step);  // no -0
+    return result;
+  };
+  const auto count = [](const Ticks& ticks) { return static_cast<int>(ticks.major.size()); };
   // Steps below the spacing of doubles at this magnitude would repeat the same number.
   const double finest = 4 * std::numeric_limits<double>::epsilon() * std::max(std::abs(axis.low), std::abs(axis.high));
-  result.step = round_step(std::max({span / most, finest, 1e-300}));
-  const double slack = 1e-9 * span, first = std::ceil((axis.low - slack) / result.step);
-  for (int i = 0; i <= most; ++i) {
-    const double value = (first + i) * result.step;
-    if (value > axis.high + slack) break;
-    result.major.push_back(value == 0 ? 0 : value);  // no -0
-  }
-  if (static_cast<int>(result.major.size()) > most) {  // both ends are ticks, one more than intervals
-    result.step = round_step(result.step * 1.5);
-    result.major.clear();
-    for (double i = std::ceil((axis.low - slack) / result.step); i * result.step <= axis.high + slack; ++i)
-      result.major.push_back(i == 0 ? 0 : i * result.step);
-  }
+  Ticks result = multiples(round_step(std::max({span / most, finest, 1e-300})));
+  if (count(result) > most) result = multiples(round_step(result.step * 1.5));  // both ends are ticks
+  // One number does not tell the scale: the outer two of a finer step do.
+  for (double step = result.step; count(result) < 2 && step >= 2.5 * finest;)
+    result = multiples(step = round_step(step / 2.5));
+  if (count(result) > most) result.major = {result.major.front(), result.major.back()};
   return result;
 }
 

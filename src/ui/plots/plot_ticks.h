@@ -41,7 +41,7 @@ struct Ticks {
   std::vector<double> minor;  // grid only: 2..9 times each power of ten
   double step = 0;            // between linear majors; 0 on a logarithmic axis
 };
-// Returns at most max(2, most) majors: multiples of 1, 2 or 5 times a power of ten; on a logarithmic axis powers of ten
+// Returns 2 to max(2, most) majors: multiples of 1, 2 or 5 times a power of ten; on a logarithmic axis powers of ten
 // (every k-th if there are many; with 2 and 5 times them if there are few).
 Ticks ticks(const AxisRange& axis, int most);
 

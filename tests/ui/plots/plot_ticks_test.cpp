@@ -34,6 +34,12 @@ TEST(plot_ticks, linear_ticks_read_as_people_write_them) {
   EXPECT_EQ(texts(linear(0, 4.1e-7), 4), (std::vector<std::string>{"0", "2e-7", "4e-7"}));
 }
 
+TEST(plot_ticks, there_are_two_or_more_because_one_does_not_tell_the_scale) {
+  EXPECT_EQ(texts(linear(0.5, 7.5), 3), (std::vector<std::string>{"2", "4", "6"})) << "of 5 there is one multiple";
+  EXPECT_EQ(texts(linear(-0.5, 4.9), 2), (std::vector<std::string>{"0", "4"})) << "no space for 2";
+  EXPECT_EQ(texts(linear(0.5, 1.9), 2), (std::vector<std::string>{"0.5", "1.5"}));
+}
+
 TEST(plot_ticks, logarithmic_ticks_are_powers_of_ten) {
   EXPECT_EQ(texts(logarithmic(1e-12, 1e-3), 4), (std::vector<std::string>{"1e-12", "1e-9", "1e-6", "1e-3"}));
   EXPECT_EQ(texts(logarithmic(0.5, 200), 12),
@@ -56,7 +62,7 @@ RC_GTEST_PROP(plot_ticks, ticks_lie_within_and_are_no_more_than_asked, ()) {
   RC_PRE(axis.high > axis.low);
   const Ticks all = ticks(axis, most);
   const double slack = 1e-6 * (axis.high - axis.low) + 1e-15 * std::abs(low);  // and the rounding of `low` itself
-  RC_ASSERT(static_cast<int>(all.major.size()) <= most);
+  RC_ASSERT(static_cast<int>(all.major.size()) <= most && all.major.size() >= 2);
   RC_ASSERT(is_round_step(all.step));
   for (const double value : all.major) RC_ASSERT(value >= axis.low - slack && value <= axis.high + slack);
   for (std::size_t i = 1; i < all.major.size(); ++i) RC_ASSERT(all.major[i] > all.major[i - 1]);
