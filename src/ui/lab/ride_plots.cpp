@@ -155,7 +155,8 @@ Series RidePlots::curve(RideValue value, std::string label) const {
 
 void RidePlots::add_overloads(RideValue value, std::vector<Series>& series) const {
   const auto v = static_cast<std::size_t>(value);
-  if (v < study_->beyond.size())
+  if (v >= study_->beyond.size()) return;
+  if (std::ranges::any_of(study_->beyond[v], [](double one) { return std::isfinite(one); }))
     series.push_back({"over the limit", axis(), study_->beyond[v], kBadColour, SeriesKind::line, 3.0f});
 }
 
@@ -180,7 +181,9 @@ void RidePlots::show(Ui& ui, std::string_view label, Plot& picture, std::string_
 void RidePlots::plot(Ui& ui, RideValue value, std::string_view label, float width, float height) const {
   const sim::RideValueRow& row = base::row_of(value);
   const std::optional<double> at = mark_ ? mark_ : train_;
-  std::vector<Series> series{curve(value, at ? shown_at(ui, value, *at) : "")};
+  const std::string now =
+      at ? fmt::format("{} {}", shown_at(ui, value, *at), base::shown_in(ui.units, row.unit).name) : "";
+  std::vector<Series> series{curve(value, now)};
   if (value == RideValue::jerk && series.front().high.empty())
     for (const auto& [part, name] : {std::pair{RideValue::jerk_up, "vertical"},
                                      {RideValue::jerk_side, "lateral"},
