@@ -229,7 +229,7 @@ void cart_inspector(Ui& ui, Entity entity) {
   if (session.derived.order.empty()) return;
   read_out(ui, "Energy", fixed(sim::energy(session.document, session.derived, entity, *motion), 3), "J/kg",
            "v\u00B2/2 + g (y - datum).");
-  read_out(ui, "g up", fixed(sim::felt(session.document, session.derived, entity, *motion).up, 2), "g",
+  read_out(ui, "Vertical g###g up", fixed(sim::felt(session.document, session.derived, entity, *motion).up, 2), "g",
            "Felt acceleration towards the rider's head.");
 }
 

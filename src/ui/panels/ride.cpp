@@ -59,10 +59,10 @@ void read_outs(Ui& ui) {
   const double cost = ui.session().measuring.ride_cost.ns_per_tick;
   read_out(ui, "Cost per tick", !ui.state.scripted && cost > 0 ? fixed(cost, 0) : "--", "ns",
            "Average time of a tick on this machine, for all trains, with the selected integrator.");
-  read_query(ui, "g up", "ride.g_up", "Felt g towards the rider's head, not low-passed. 1 at rest on level track.",
-             {.unit = "g"});
-  read_query(ui, "g side", "ride.g_side", "Felt g to the side, not low-passed.", {.unit = "g"});
-  read_query(ui, "g forward", "ride.g_forward", "Felt g forwards, not low-passed.", {.unit = "g"});
+  read_query(ui, "Vertical g###g up", "ride.g_up",
+             "Felt g towards the rider's head, not low-passed. 1 at rest on level track.", {.unit = "g"});
+  read_query(ui, "Lateral g###g side", "ride.g_side", "Felt g to the side, not low-passed.", {.unit = "g"});
+  read_query(ui, "Longitudinal g###g forward", "ride.g_forward", "Felt g forwards, not low-passed.", {.unit = "g"});
 }
 
 // Shows text at the right edge of the next cell.

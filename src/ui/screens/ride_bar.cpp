@@ -50,15 +50,17 @@ void buttons(RideRow& row) {
   if (control(kResetIcon, "Reset", "Return the trains to their start.", "Reset")) ui.emit(edit::RideStop{});
 }
 
+constexpr std::string_view kVertical = "Vertical g###g up";
+
 // Shows a value that does not move when its digits change.
-void value(RideRow& row, std::string_view label, std::string_view shown, float cell, std::string_view tooltip) {
-  const float gap = row.scaled(6), words = text_size(label).x, width = words + gap + row.scaled(cell);
+void value(RideRow& row, std::string_view label, std::string_view number, float cell, std::string_view tooltip) {
+  const float gap = row.scaled(6), words = text_size(shown(label)).x, width = words + gap + row.scaled(cell);
   const float left = row.x, text = std::floor(row.y + (ImGui::GetFrameHeight() - ImGui::GetTextLineHeight()) * 0.5f);
   row.place(width);
   ImDrawList& list = *ImGui::GetWindowDrawList();
-  draw_text(list, {left, text}, palette().dim, label);
-  draw_text(list, {left + width - text_size(shown).x, text}, palette().text, shown);
-  note(row.ui, label, "label", tooltip, true, std::string(shown), {left, row.y},
+  draw_text(list, {left, text}, palette().dim, shown(label));
+  draw_text(list, {left + width - text_size(number).x, text}, palette().text, number);
+  note(row.ui, label, "label", tooltip, true, std::string(number), {left, row.y},
        {left + width, row.y + ImGui::GetFrameHeight()});
 }
 
@@ -81,7 +83,7 @@ void values(RideRow& row) {
     return number ? measured(row.ui, *number, decimals, unit) : "--";
   };
   value(row, "Speed", shown("ride.speed", 1, "m/s"), 64, "Speed of the first train along the track.");
-  value(row, "g up", shown("ride.g_up", 2, "g"), 48, "Felt g towards the rider's head, not low-passed.");
+  value(row, kVertical, shown("ride.g_up", 2, "g"), 48, "Felt g towards the rider's head, not low-passed.");
   value(row, "Height", shown("ride.height", 1, "m"), 56, "Height of the first train above the ground.");
   value(row, "Time", ride_time(row.ui), 96, "Time since the start of the ride, and of the whole ride.");
 }
@@ -157,7 +159,8 @@ float fixed_width(const RideRow& row, bool two_rows) {
   const float first = 2 * (row.scaled(78) + row.gap) + row.scaled(86) + row.gap;
   if (two_rows) return first;
   float labels = 0;
-  for (const char* const label : {"Speed", "g up", "Height", "Time"})
+  for (const std::string_view label :
+       std::initializer_list<std::string_view>{"Speed", shown(kVertical), "Height", "Time"})
     labels += text_size(label).x + row.scaled(6) + row.gap;
   return first + labels + row.scaled(64 + 48 + 56 + 96) + row.scaled(kSeatWidth) + row.scaled(kCameraWidth) +
          2 * row.gap;

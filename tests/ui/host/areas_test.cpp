@@ -168,8 +168,8 @@ TEST_F(AreasTest, tabs_and_keys_choose_the_workspace_and_each_shows_only_its_pan
   key(Key::f9);
   EXPECT_EQ(workspace(), Workspace::ride);
   frames(2);
-  for (const char* path : {"Ride/Play", "Ride/Speed", "Ride/g up", "Ride/Height", "Ride/Time", "Ride/Place",
-                           "Ride/Seat", "Ride/Camera", "Ride/Record"})
+  for (const char* path : {"Ride/Play", "Ride/Speed", "Ride/Vertical g", "Ride/g up", "Ride/Height", "Ride/Time",
+                           "Ride/Place", "Ride/Seat", "Ride/Camera", "Ride/Record"})
     EXPECT_NE(find(path), nullptr) << path;
   for (const char* path : {"Elements/Loop", "Track", "Forces", "Evaluation"}) EXPECT_EQ(find(path), nullptr) << path;
   click("Menu/Workspace/Laboratory");
