@@ -9,10 +9,10 @@ namespace coaster::ui {
 class EventOrder {
  public:
   // Returns the events for this frame, with all of its ticks. A key or text waits until a click before it has been
-  // seen: `clicks_wait` says that a former frame's is not. Outside a text field one key press is seen a frame, because
-  // it may open a field or a tool for the next one; in a text field the same holds for Enter, Tab and Escape. A held
-  // key that repeats does not wait.
-  platform::Events take(const platform::Events& events, bool text_has_keyboard, bool clicks_wait);
+  // seen. `keys_wait`: a former frame's click has not, or a text field is about to take the keyboard. Outside a text
+  // field one key press is seen a frame, because it may open a field or a tool for the next one; in a text field the
+  // same holds for Enter, Tab and Escape. A held key that repeats does not wait.
+  platform::Events take(const platform::Events& events, bool text_has_keyboard, bool keys_wait);
   bool waits() const { return !waiting_.empty(); }
 
  private:

@@ -5,7 +5,6 @@
 #include <gtest/gtest.h>
 
 #include "edit/perform/apply.h"
-#include "ui/actions/command_palette.h"
 #include "ui/tools/selecting.h"
 #include "world/look.h"
 #include "world/sample_documents.h"
@@ -114,14 +113,6 @@ TEST(selecting, up_to_takes_the_shorter_way_round_a_closed_track) {
   EXPECT_EQ(chosen.back(), k[1]);
   std::sort(chosen.begin(), chosen.end()), std::sort(wanted.begin(), wanted.end());
   EXPECT_EQ(chosen, wanted);
-}
-
-TEST(command_palette, words_are_found_in_any_order_and_names_count_more_than_help) {
-  EXPECT_EQ(match("xyz", "Select all", "Select every knot."), 0);
-  EXPECT_GT(match("all sel", "Select all", "Select every knot."), 0);
-  EXPECT_GT(match("sel", "Select all", ""), match("sel", "Box select", ""));
-  EXPECT_GT(match("knot", "move @knot", ""), match("knot", "Select all", "Select every knot."));
-  EXPECT_GT(match("", "anything", ""), 0);
 }
 
 }  // namespace transform_math_test
