@@ -98,12 +98,11 @@ bool draw_row(Ui& ui, const PaletteLine& entry, bool chosen) {
   const bool pressed = ImGui::Selectable(hidden(entry.name).c_str(), chosen);
   note_item(ui, entry.name, "item", entry.help, true, entry.keys);
   ImDrawList& list = *ImGui::GetWindowDrawList();
-  const float keys = entry.keys.empty() ? 0 : text_size(entry.keys).x + 14 * ui.scale;
-  const float name_room = std::min(text_size(entry.name).x, room - keys);
-  list.PushClipRect({at.x, at.y}, {at.x + room - keys, at.y + ImGui::GetTextLineHeight() + 2}, true);
-  draw_text(list, at, palette().text, entry.name);
-  draw_text(list, {at.x + name_room + 14 * ui.scale, at.y}, palette().dim, entry.help);
-  list.PopClipRect();
+  const float gap = 14 * ui.scale, keys = entry.keys.empty() ? 0 : text_size(entry.keys).x + gap;
+  const std::string name = shortened(entry.name, room - keys);
+  const float help = text_size(name).x + gap;
+  draw_text(list, at, palette().text, name);
+  draw_text(list, {at.x + help, at.y}, palette().dim, shortened(entry.help, room - keys - help));
   draw_text(list, {at.x + room - text_size(entry.keys).x, at.y}, palette().accent, entry.keys);
   return pressed;
 }

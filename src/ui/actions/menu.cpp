@@ -122,9 +122,11 @@ void build_file_mark(Ui& ui) {
   const std::string name = session.file.path.empty() ? "no file" : session.file.path.filename().string();
   const bool unsaved = edit::dirty(ui.state.find);
   if (!unsaved && holder.empty()) return;
-  const std::string words =
-      fmt::format("{}{}{}", unsaved ? "\u25CF " : "", name, holder.empty() ? "" : " (in use elsewhere)");
-  const float left = ImGui::GetWindowWidth() - text_size(words).x - std::floor(10 * ui.scale);
+  const std::string mark = unsaved ? "\u25CF " : "", use = holder.empty() ? "" : " (in use elsewhere)";
+  const float right = ImGui::GetWindowWidth() - std::floor(10 * ui.scale);
+  const float room = right - ImGui::GetCursorPosX() - text_size(mark + use).x;
+  const std::string words = mark + shortened(name, room) + use;
+  const float left = right - text_size(words).x;
   if (left < ImGui::GetCursorPosX()) return;
   ImGui::SetCursorPosX(left);
   tinted_line(words, palette().warning);

@@ -88,7 +88,8 @@ void side(Ui& ui) {
   ImGui::SameLine();
   if (button(ui, "Stop", "Stop measuring. Results so far are kept.", m.running, width)) ui.emit(edit::StopMeasuring{});
   progress_bar(ui, sim::progress(m));
-  if (const auto to = text(ui, "CSV file", ui.lab.csv, "File for the table, as comma-separated values."))
+  if (const auto to =
+          text(ui, "CSV file", ui.lab.csv, "File for the table, as comma-separated values.", TextShows::end))
     ui.lab.csv = *to;
   if (button(ui, "Export CSV", "Write the table to the file.", !m.rows.empty() && !ui.lab.csv.empty()))
     ui.emit(edit::SaveMeasurements{ui.lab.csv});

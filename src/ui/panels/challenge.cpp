@@ -163,7 +163,7 @@ void draw_goals(Ui& ui, const view::Viewport& scene) {
                   .flags = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoFocusOnAppearing |
                            (passed ? ImGuiWindowFlags_NoNav : ImGuiWindowFlags_NoInputs)};
   build_card(ui, card, [&] {
-    tinted_line(challenge->file.name, palette().accent);
+    tinted(challenge->file.name, palette().accent);
     for (const query::Rule& rule : *rules) {
       const bool medal = rule.list == RuleList::silver || rule.list == RuleList::gold;
       if (rule.list == RuleList::goals || (!medal && !query::look_at(ui.state.find, rule).holds))

@@ -6,7 +6,6 @@
 
 #include <fmt/format.h>
 
-#include "base/utf8.h"
 #include "ui/context/rows.h"
 #include "ui/panels/panels.h"
 #include "ui/widgets/theme.h"
@@ -44,13 +43,6 @@ std::vector<Part> parts(const Ui& ui) {
           {"g", real(ui, "ride.g_up", 1, "g"), "Felt g towards the rider's head, not low-passed.", 40},
           {"Selection", selection_text(session), "The selection.", 36},
           {"fps", timed ? fixed(fps, 0) : "--", "Frames per second.", 28}};
-}
-
-std::string shortened(std::string words, float room) {
-  if (text_size(words).x <= room) return words;
-  while (!words.empty() && text_size(words).x + text_size("\u2026").x > room)
-    words.resize(base::utf8_start(words, words.size() - 1).size());
-  return words + "\u2026";
 }
 
 // Position of the next part of the bar.

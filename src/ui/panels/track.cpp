@@ -163,8 +163,7 @@ void start(Ui& ui) {
 }
 
 void file(Ui& ui) {
-  if (auto path =
-          text(ui, "File", ui.inputs.file, "The track's file. Type another path to open it.\n" + ui.inputs.file))
+  if (auto path = text(ui, "File", ui.inputs.file, "The track's file. Type another path to open it.", TextShows::end))
     ui.want = {Want::Kind::load, std::move(*path)};
   const float width = (ImGui::GetContentRegionAvail().x - 2 * ImGui::GetStyle().ItemSpacing.x) / 3;
   const auto choice = [&](std::string_view label, std::string_view help, Want::Kind kind) {

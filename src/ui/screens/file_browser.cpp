@@ -148,7 +148,7 @@ bool FileBrowser::draw_row(Ui& ui, const base::FolderEntry& entry) {
       ImGui::Selectable(hidden(entry.name).c_str(), marked,
                         ImGuiSelectableFlags_AllowDoubleClick | ImGuiSelectableFlags_DontClosePopups, {width, line});
   ImGui::PopStyleColor();
-  note(ui, (entry.folder ? "Folders/" : "Files/") + entry.name, "item", "", true, marked ? "on" : "off", low,
+  note(ui, (entry.folder ? "Folders/" : "Files/") + entry.name, "item", entry.name, true, marked ? "on" : "off", low,
        {low.x + width, low.y + line});
   if (pressed) mark({&entry}, 0), by_key_ = false;
   ImDrawList& list = *ImGui::GetWindowDrawList();
@@ -161,10 +161,9 @@ bool FileBrowser::draw_row(Ui& ui, const base::FolderEntry& entry) {
     list.AddRectFilled(at, {at.x + icon * 0.45f, at.y + line * 0.2f}, packed(palette().warning), 1);
     list.AddRectFilled({at.x, at.y + line * 0.1f}, {at.x + icon, at.y + line * 0.6f}, packed(palette().warning), 2);
   }
-  list.PushClipRect(low, {name_right, low.y + line}, true);
-  draw_text(list, {low.x + 2 * pad + icon, low.y}, entry.folder || knows(entry) ? palette().text : palette().dim,
-            entry.name);
-  list.PopClipRect();
+  const float left = low.x + 2 * pad + icon;
+  draw_text(list, {left, low.y}, entry.folder || knows(entry) ? palette().text : palette().dim,
+            shortened(entry.name, name_right - left));
   draw_text(list, {size_right - text_size(size).x, low.y}, palette().dim, size);
   draw_text(list, {low.x + width - time_width - pad, low.y}, palette().dim, time);
   if (marked && scroll_) ImGui::SetScrollHereY(), scroll_ = false;
@@ -223,7 +222,8 @@ FileBrowser::Answer FileBrowser::build(Ui& ui, const platform::Events& events, b
   const std::string_view label = saving ? "Name" : "Search or path";
   if (auto typed = text(ui, label, words_,
                         saving ? "Name of the file. Its extension selects the format, .json by default."
-                               : "Part of a name, a path, or a shared link.")) {
+                               : "Part of a name, a path, or a shared link.",
+                        TextShows::end)) {
     words_ = std::move(*typed);
     untouched_ = by_key_ = false;
     if (!saving) marked_.clear();

@@ -106,9 +106,7 @@ bool StartScreen::draw(Ui& ui, const Card& card, float width) {
   const std::string length =
       card.name.empty() && picture != nullptr && picture->length > 0 ? measured(ui, picture->length, 0, "m") : "";
   const float foot = high.y + 0.2f * line, room = text_size(length).x;
-  list.PushClipRect(low, {high.x - room - 4 * ui.scale, high.y + 1.4f * line}, true);
-  draw_text(list, {low.x + 2, foot}, palette().text, name);
-  list.PopClipRect();
+  draw_text(list, {low.x + 2, foot}, palette().text, shortened(name, high.x - low.x - room - 8 * ui.scale));
   draw_text(list, {high.x - room - 2, foot}, palette().dim, length);
   ImGui::PopFont();
   return clicked;

@@ -9,7 +9,6 @@
 
 #include "base/arithmetic.h"
 #include "base/text.h"
-#include "base/utf8.h"
 #include "ui/widgets/theme.h"
 #include "ui/widgets/typing.h"
 #include "ui/widgets/widgets.h"
@@ -227,24 +226,20 @@ std::optional<int> slider(WidgetFrame& ui, std::string_view label, int value, in
 }
 
 std::optional<std::string> text(WidgetFrame& ui, std::string_view label, const std::string& value,
-                                std::string_view tooltip) {
+                                std::string_view tooltip, TextShows shows) {
   begin_row(label);
-  const ImVec2 at = ImGui::GetCursorScreenPos();
-  const float pad = ImGui::GetStyle().FramePadding.x, room = ImGui::CalcItemWidth() - 2 * pad;
-  // A text that is too long for its field (a path's file name) shows its end until it is edited.
-  const bool ends_only = ui.entry.id != ImGui::GetID(hidden(label).c_str()) && text_size(value).x > room;
-  if (ends_only) ImGui::PushStyleColor(ImGuiCol_Text, ImVec4(0, 0, 0, 0));
+  const ImVec2 at = ImGui::GetCursorScreenPos(), padding = ImGui::GetStyle().FramePadding;
+  const float room = ImGui::CalcItemWidth() - 2 * padding.x;
+  const bool cut = ui.entry.id != ImGui::GetID(hidden(label).c_str()) && text_size(value).x > room;
+  if (cut) ImGui::PushStyleColor(ImGuiCol_Text, ImVec4(0, 0, 0, 0));
   const Typing typing = typed(ui, hidden(label).c_str(), value, false);
-  if (ends_only) {
+  if (cut) {
     ImGui::PopStyleColor();
-    std::size_t from = 0;
-    while (from < value.size() && text_size("\u2026" + value.substr(from)).x > room)
-      from += std::max<std::size_t>(1, base::utf8_length(std::string_view(value).substr(from)));
-    const std::string shown = "\u2026" + value.substr(from);
-    draw_text(*ImGui::GetWindowDrawList(), {at.x + pad, at.y + ImGui::GetStyle().FramePadding.y}, palette().text,
-              shown);
+    draw_text(*ImGui::GetWindowDrawList(), {at.x + padding.x, at.y + padding.y}, palette().text,
+              shortened(value, room, shows == TextShows::end));
   }
-  note_item(ui, label, "text", tooltip, true, typing == Typing::open ? ui.entry.text.data() : value);
+  note_item(ui, label, "text", cut ? fmt::format("{}\n{}", tooltip, value) : std::string(tooltip), true,
+            typing == Typing::open ? ui.entry.text.data() : value);
   if (typing != Typing::complete) return std::nullopt;
   return std::string(ui.entry.text.data());
 }

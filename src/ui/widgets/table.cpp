@@ -14,18 +14,18 @@ namespace coaster::ui {
 namespace {
 
 void draw_cell(const WidgetFrame& ui, const Cell& cell) {
-  const ImVec2 at = ImGui::GetCursorScreenPos(), size = text_size(cell.text);
+  const ImVec2 at = ImGui::GetCursorScreenPos();
   const float room = ImGui::GetContentRegionAvail().x;
   ImDrawList& list = *ImGui::GetWindowDrawList();
   if (cell.ground != 0) ImGui::TableSetBgColor(ImGuiTableBgTarget_CellBg, packed(cell.ground));
   float left = at.x;
   if (cell.swatch != 0) {
-    const float mark = std::floor(8 * ui.scale), y = std::floor(at.y + (size.y - mark) * 0.5f);
+    const float mark = std::floor(8 * ui.scale), y = std::floor(at.y + (ImGui::GetTextLineHeight() - mark) * 0.5f);
     list.AddRectFilled({left, y}, {left + mark, y + mark}, packed(ink(cell.swatch)), 2);
     left += mark + std::floor(5 * ui.scale);
   }
-  const float x = cell.left ? left : std::max(left, at.x + room - size.x);
-  draw_text(list, {x, at.y}, ink(cell.colour), cell.text);
+  const std::string text = shortened(cell.text, at.x + room - left);
+  draw_text(list, {cell.left ? left : at.x + room - text_size(text).x, at.y}, ink(cell.colour), text);
 }
 
 }  // namespace

@@ -10,6 +10,7 @@
 
 #include <fmt/format.h>
 
+#include "base/utf8.h"
 #include "ui/widgets/theme.h"
 
 namespace coaster::ui {
@@ -93,6 +94,18 @@ std::string in_units(const WidgetFrame& ui, std::string_view words) { return bas
 std::string hidden(std::string_view label) { return "##" + std::string(label); }
 
 ImVec2 text_size(std::string_view text) { return ImGui::CalcTextSize(text.data(), text.data() + text.size()); }
+
+std::string shortened(std::string_view text, float room, bool keep_end) {
+  if (text_size(text).x <= room) return std::string(text);
+  constexpr std::string_view kCut = "\u2026";
+  room -= text_size(kCut).x;
+  while (!text.empty() && text_size(text).x > room) {
+    if (keep_end) text.remove_prefix(std::max<std::size_t>(1, base::utf8_length(text)));
+    else text = base::utf8_start(text, text.size() - 1);
+  }
+  if (text.empty()) return {};
+  return keep_end ? fmt::format("{}{}", kCut, text) : fmt::format("{}{}", text, kCut);
+}
 
 void draw_text(ImDrawList& list, ImVec2 at, std::uint32_t rgb, std::string_view text) {
   if (!text.empty()) list.AddText(at, packed(rgb), text.data(), text.data() + text.size());
@@ -238,7 +251,9 @@ std::optional<int> combo(WidgetFrame& ui, std::string_view label, std::span<cons
   const ImVec2 low = ImGui::GetCursorScreenPos();
   const ImVec2 high(low.x + ImGui::CalcItemWidth(), low.y + ImGui::GetFrameHeight());
   std::optional<int> chosen;
-  const bool open = ImGui::BeginCombo(hidden(label).c_str(), preview.c_str());
+  const std::string fitting =
+      shortened(preview, high.x - low.x - ImGui::GetFrameHeight() - 2 * ImGui::GetStyle().FramePadding.x);
+  const bool open = ImGui::BeginCombo(hidden(label).c_str(), fitting.c_str());
   if (open) {
     ImGui::PushStyleColor(ImGuiCol_Header, colour(palette().accent, 0.35f));
     for (std::size_t i = 0; i < choices.size(); ++i) {

@@ -73,6 +73,10 @@ std::string in_units(const WidgetFrame& ui, std::string_view words);
 glm::vec2 mouse_position();                  // px
 std::string hidden(std::string_view label);  // "##label": an id without a visible label
 ImVec2 text_size(std::string_view text);
+// Returns the text if it fits into `room` px of the current font, else its start with "\u2026" behind it, or its end
+// with
+// "\u2026" before it. Empty if not even one character fits.
+std::string shortened(std::string_view text, float room, bool keep_end = false);
 // Draw text with its top left at `at`, in the normal and in the small font.
 void draw_text(ImDrawList& list, ImVec2 at, std::uint32_t rgb, std::string_view text);
 void draw_small(ImDrawList& list, ImVec2 at, std::uint32_t rgb, std::string_view text);
@@ -187,9 +191,11 @@ std::optional<int> slider(WidgetFrame& ui, std::string_view label, int value, in
 std::optional<double> real_slider(WidgetFrame& ui, std::string_view label, double value, double low, double high,
                                   int decimals, std::string_view tooltip, bool logarithmic = false,
                                   const char* unit = "");
+// What a text field shows of a text that is too long while it is not edited: of a path its end. The tooltip has it all.
+enum class TextShows { start, end };
 // Shows a text field. Returns the text on Enter, or when it loses focus with the text changed.
 std::optional<std::string> text(WidgetFrame& ui, std::string_view label, const std::string& value,
-                                std::string_view tooltip);
+                                std::string_view tooltip, TextShows shows = TextShows::start);
 
 // Shows a label on the left, value and unit on the right, in the warning colour if it `warns`. Text is shown unchanged,
 // a number in the user's units.

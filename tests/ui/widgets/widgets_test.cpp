@@ -2,6 +2,8 @@
 
 #include <imgui_internal.h>
 
+#include "base/utf8.h"
+#include "edit/commands/commands_document.h"
 #include "edit/commands/set_setting.h"
 #include "ui/stage.h"
 #include "world/evaluation.h"
@@ -33,6 +35,39 @@ TEST_F(WidgetsTest, a_changed_label_is_shown_and_its_former_path_is_kept_as_an_a
   type("Inspector/Place", "0.25");
   EXPECT_DOUBLE_EQ(session_.settings.selected_t, 0.25);
   for (const Widget& widget : host_->widgets()) EXPECT_EQ(widget.path.find("###"), std::string::npos) << widget.path;
+}
+
+TEST_F(WidgetsTest, a_text_too_long_for_its_room_keeps_as_much_as_fits_beside_dots) {
+  frame();
+  const std::string text = "Gr\u00FCner Berg \u2013 Achterbahn", dots = "\u2026";
+  EXPECT_EQ(shortened(text, text_size(text).x), text);
+  for (float room = 0; room < text_size(text).x; ++room)
+    for (const bool end : {false, true}) {
+      const std::string cut = shortened(text, room, end);
+      EXPECT_LE(text_size(cut).x, room);
+      EXPECT_TRUE(base::is_printable_utf8(cut)) << cut;
+      if (cut.empty()) continue;
+      ASSERT_TRUE(end ? cut.starts_with(dots) : cut.ends_with(dots)) << cut;
+      const std::string kept = end ? cut.substr(dots.size()) : cut.substr(0, cut.size() - dots.size());
+      EXPECT_TRUE(end ? text.ends_with(kept) : text.starts_with(kept)) << cut;
+      const std::size_t next = text.size() - kept.size();
+      const std::size_t more =
+          end ? base::utf8_start(text, next - 1).size() : kept.size() + base::utf8_length(text.substr(kept.size()));
+      const std::string longer = end ? dots + text.substr(more) : text.substr(0, more) + dots;
+      EXPECT_GE(text_size(longer).x, room) << "one more character does not fit; sizes are rounded up";
+    }
+}
+
+TEST_F(WidgetsTest, the_tooltip_of_a_text_that_is_cut_has_all_of_it) {
+  ASSERT_TRUE(edit::apply(session_, files_, edit::SetName{"Oblivion of the Northern Mountains and Lakes"}).ok());
+  ASSERT_TRUE(reach("Track/Name"));
+  hover(middle(*find("Track/Name")));
+  frames(60);
+  const ImGuiWindow* tooltip = nullptr;
+  for (const ImGuiWindow* const window : ImGui::GetCurrentContext()->Windows)
+    if ((window->Flags & ImGuiWindowFlags_Tooltip) != 0 && window->Active) tooltip = window;
+  ASSERT_NE(tooltip, nullptr);
+  EXPECT_GT(tooltip->Size.x, text_size("Oblivion of the Northern Mountains").x);
 }
 
 TEST_F(WidgetsTest, a_press_and_release_in_one_frame_is_a_click) {
