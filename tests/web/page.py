@@ -11,11 +11,72 @@ import zlib
 import browser
 
 CTRL, SHIFT = 2, 8
+LINK_START = "#coaster=1."
+
+# Every frame lasts `step` ms of the page's time, however slow the machine. A quarter of a second is the longest that a
+# frame makes up for.
+FIXED_STEPS = """
+window.step = 250;
+let time = performance.now();
+performance.now = () => time;
+const next = () => {
+  time += step;
+  requestAnimationFrame(next);
+};
+next();
+"""
+# Moves the page's time past the next autosave.
+A_MINUTE_LATER = """
+const now = performance.now.bind(performance);
+performance.now = () => now() + 60e3;
+"""
+# Lists downloads instead of starting them: name and address.
+CATCH_DOWNLOADS = """
+window.downloads = [];
+HTMLAnchorElement.prototype.click = function () { downloads.push([this.download, this.href]); };
+"""
+# Resolves to the drawing context of a canvas that shows the picture at an address.
+DRAWN = """
+const drawn = async (address) => {
+  const image = new Image();
+  image.src = address;
+  await image.decode();
+  const brush = new OffscreenCanvas(image.width, image.height).getContext('2d');
+  brush.drawImage(image, 0, 0);
+  return brush;
+};
+"""
+WITHOUT_DRAWING = """
+const gl = canvas.getContext('webgl2');
+for (const draw of ['drawElements', 'drawArrays', 'drawElementsInstanced', 'drawArraysInstanced']) gl[draw] = () => {};
+"""
+NEXT_FRAMES = """
+let [left, done] = arguments;
+const next = () => left-- > 0 ? requestAnimationFrame(next) : done();
+next();
+"""
+STORED = """
+const [done] = arguments;
+const opening = indexedDB.open('/home/coaster');
+opening.onsuccess = () => {
+  const files = {};
+  const cursor = opening.result.transaction('FILE_DATA', 'readonly').objectStore('FILE_DATA').openCursor();
+  cursor.onsuccess = () => {
+    const file = cursor.result;
+    if (!file) {
+      opening.result.close();
+      return void done(files);
+    }
+    files[file.key] = file.value.contents ? new TextDecoder().decode(file.value.contents) : '';
+    file.continue();
+  };
+};
+"""
 
 
 def shared_in(link):
-    """Returns what the first line of a link's text says: the document's hash and the view (docs/share.md)."""
-    packed = link[link.index("#coaster=1.") + len("#coaster=1."):]
+    """Returns the first line of a link's text: the document's hash and the view (docs/share.md)."""
+    packed = link[link.index(LINK_START) + len(LINK_START):]
     text = zlib.decompress(base64.urlsafe_b64decode(packed + "=" * (-len(packed) % 4)), -15).decode()
     return json.loads(text.split("\n")[0])
 
@@ -24,9 +85,18 @@ def document_of(link):
     return shared_in(link)["hash"]
 
 
+def code_of(key):
+    """Returns the name of the place on the keyboard where a key is."""
+    if key.isalpha() and len(key) == 1:
+        return "Key" + key.upper()
+    return "Space" if key == " " else key
+
+
 class Page(unittest.TestCase):
-    """A test with a page of its own, of one size, in a browser that keeps nothing from others. A page of the same size has
-    a quarter of the pixels, so that frames are fast without a graphics card."""
+    """A test with its own page, of one size, in its own browser profile.
+
+    The page is drawn with a quarter of its pixels, so that frames are fast without a graphics card.
+    """
     width, height = 1024, 720
 
     def setUp(self):
@@ -36,27 +106,41 @@ class Page(unittest.TestCase):
         self.small(self.width, self.height)
         folder = pathlib.Path(sys.argv[1])
         self.address = f"{browser.serve(folder.parent)}/{folder.name}"  # not at the root of its host
-        self.page.execute_cdp_cmd("Browser.grantPermissions", {"permissions": ["clipboardReadWrite", "clipboardSanitizedWrite"]})
+        self.devtools("Browser.grantPermissions", permissions=["clipboardReadWrite", "clipboardSanitizedWrite"])
 
     def tearDown(self):
-        self.assertEqual(browser.complaints(self.page), self.expected())
+        self.assertEqual(browser.complaints(self.page), [])
         self.page.quit()
         self.profile.cleanup()
 
-    def expected(self):
-        return []
+    def devtools(self, command, **parameters):
+        """Sends a command of the Chrome DevTools Protocol and returns its result."""
+        return self.page.execute_cdp_cmd(command, parameters)
 
-    def small(self, width, height, ratio=0.5):
-        """Gives the page a size, and `ratio` pixels of the screen to a pixel of the page."""
-        self.page.execute_cdp_cmd("Emulation.setDeviceMetricsOverride", {"width": width, "height": height, "deviceScaleFactor": ratio, "mobile": False})
+    def execute(self, script, *arguments):
+        self.page.execute_script(script, *arguments)
+
+    def js(self, expression, *arguments):
+        return self.page.execute_script("return " + expression, *arguments)
+
+    def js_async(self, script, *arguments):
+        """Runs a script; returns what it passes to its last argument, a function."""
+        return self.page.execute_async_script(script, *arguments)
 
     def before_load(self, script):
-        self.page.execute_cdp_cmd("Page.addScriptToEvaluateOnNewDocument", {"source": script})
+        self.devtools("Page.addScriptToEvaluateOnNewDocument", source=script)
+
+    def small(self, width, height, ratio=0.5, mobile=False):
+        """Sets the page's size, and the number of screen pixels per page pixel."""
+        self.devtools("Emulation.setDeviceMetricsOverride",
+                      width=width, height=height, deviceScaleFactor=ratio, mobile=mobile)
+
+    def touch_screen(self, fingers):
+        self.devtools("Emulation.setTouchEmulationEnabled", enabled=True, maxTouchPoints=fingers)
 
     def without_drawing(self):
-        """Leaves the pictures out: a software renderer takes most of a frame's time, and a long ride needs none."""
-        self.page.execute_script("const gl = canvas.getContext('webgl2'); for (const draw of ['drawElements', 'drawArrays', 'drawElementsInstanced',"
-                                 "'drawArraysInstanced']) gl[draw] = () => {};")
+        """Draws nothing: a software renderer takes most of a frame's time, and a long ride needs no pictures."""
+        self.execute(WITHOUT_DRAWING)
 
     # What a hand does.
     def open(self, fragment=""):
@@ -65,11 +149,13 @@ class Page(unittest.TestCase):
         self.until(lambda: self.js("said.hidden"), "the program has started")
         self.frames(4)
 
-    def js(self, text, *arguments):
-        return self.page.execute_script("return " + text, *arguments)
+    def open_track(self):
+        """Opens the page and closes the start screen."""
+        self.open()
+        self.key("Escape")
 
     def until(self, holds, what, longest=240):
-        """Waits for a condition. `what` may be a function: what is found instead."""
+        """Waits for a condition. `what` describes it, or is a function that returns what is found instead."""
         end = time.monotonic() + longest
         while not holds():
             if time.monotonic() > end:
@@ -79,26 +165,34 @@ class Page(unittest.TestCase):
     def until_titled(self, title):
         self.until(lambda: self.title() == title, lambda: f"the title {title}; it is {self.title()}")
 
+    def until_ridden(self, metres, longest=240):
+        self.until(lambda: self.number("ride.travelled") > metres,
+                   lambda: f"{metres} m of ride: {self.value('ride.state')} at {self.value('ride.travelled')} m",
+                   longest)
+
     def frames(self, count):
         for begun in range(0, count, 4):  # each call has a time limit
-            self.page.execute_async_script(
-                "const done = arguments[1]; let left = arguments[0]; const next = () => left-- > 0 ? requestAnimationFrame(next) : done(); next();",
-                min(4, count - begun))
+            self.js_async(NEXT_FRAMES, min(4, count - begun))
 
-    def key(self, key, modifiers=0, code=None, text=None):
-        virtual = {"Enter": 13, "Escape": 27, " ": 32}.get(key, ord(key.upper()) if len(key) == 1 else 0)
-        event = {"key": key, "code": code or ("Key" + key.upper() if key.isalpha() and len(key) == 1 else "Space" if key == " " else key),
-                 "modifiers": modifiers, "windowsVirtualKeyCode": virtual}
-        text = text if text is not None else (key if len(key) == 1 and not modifiers & CTRL else "")
+    def key(self, key, modifiers=0):
+        special = {"Enter": 13, "Escape": 27, " ": 32}
+        event = {
+            "key": key,
+            "code": code_of(key),
+            "modifiers": modifiers,
+            "windowsVirtualKeyCode": special.get(key, ord(key.upper()) if len(key) == 1 else 0),
+        }
+        text = key if len(key) == 1 and not modifiers & CTRL else ""
         commands = {"commands": ["paste"]} if key == "v" and modifiers & CTRL else {}
-        self.page.execute_cdp_cmd("Input.dispatchKeyEvent", {"type": "keyDown", "text": text, **event, **commands})
+        self.devtools("Input.dispatchKeyEvent", type="keyDown", text=text, **event, **commands)
         self.frames(2)
-        self.page.execute_cdp_cmd("Input.dispatchKeyEvent", {"type": "keyUp", **event})
+        self.devtools("Input.dispatchKeyEvent", type="keyUp", **event)
         self.frames(1)
 
     def mouse(self, kind, x, y, buttons=0):
-        self.page.execute_cdp_cmd("Input.dispatchMouseEvent", {"type": kind, "x": x, "y": y, "button": "left" if kind != "mouseMoved" else "none",
-                                                               "buttons": buttons, "clickCount": 0 if kind == "mouseMoved" else 1})
+        moves = kind == "mouseMoved"
+        self.devtools("Input.dispatchMouseEvent", type=kind, x=x, y=y, buttons=buttons,
+                      button="none" if moves else "left", clickCount=0 if moves else 1)
         self.frames(2)
 
     def click(self, x, y):
@@ -111,8 +205,8 @@ class Page(unittest.TestCase):
         self.key("p", CTRL)
         self.frames(2)
         for letter in line:
-            for kind in ("keyDown", "keyUp"):
-                self.page.execute_cdp_cmd("Input.dispatchKeyEvent", {"type": kind, "key": letter, "text": letter if kind == "keyDown" else ""})
+            self.devtools("Input.dispatchKeyEvent", type="keyDown", key=letter, text=letter)
+            self.devtools("Input.dispatchKeyEvent", type="keyUp", key=letter, text="")
         self.frames(2)
         self.key("Enter")
         self.frames(3)
@@ -124,19 +218,19 @@ class Page(unittest.TestCase):
     # The browser moves and lifts the finger by itself: on a busy machine the tests would be too slow, and the press
     # long.
     def swipe(self, x, y, dx, dy):
-        self.page.execute_cdp_cmd("Input.synthesizeScrollGesture", {"x": x, "y": y, "xDistance": dx, "yDistance": dy, "preventFling": True,
-                                                                    "gestureSourceType": "touch"})
+        self.devtools("Input.synthesizeScrollGesture", x=x, y=y, xDistance=dx, yDistance=dy,
+                      preventFling=True, gestureSourceType="touch")
         self.frames(8)
 
     def tap(self, widget):
         """Taps a widget, named by its label path as in scripts."""
         x, y = self.place_of(widget)
-        self.page.execute_cdp_cmd("Input.synthesizeTapGesture", {"x": round(x), "y": round(y), "duration": 50, "gestureSourceType": "touch"})
+        self.devtools("Input.synthesizeTapGesture", x=round(x), y=round(y), duration=50, gestureSourceType="touch")
         self.frames(8)
 
     def touch(self, kind, *points):
         fingers = [{"x": x, "y": y, "id": i} for i, (x, y) in enumerate(points)]
-        self.page.execute_cdp_cmd("Input.dispatchTouchEvent", {"type": kind, "touchPoints": fingers})
+        self.devtools("Input.dispatchTouchEvent", type=kind, touchPoints=fingers)
         if kind == "touchEnd":
             self.frames(8)
 
@@ -144,6 +238,10 @@ class Page(unittest.TestCase):
     def value(self, question):
         """Returns the value of a query, or the place of "widget PATH" (app/script_host.h)."""
         return self.js("Module.ccall('coaster_answer', 'string', ['string'], [arguments[0]])", question)
+
+    def number(self, query):
+        """Returns the value of a query as a number, 0 if it has none."""
+        return float(self.value(query) or 0)
 
     def place_of(self, widget):
         """Returns the middle of a widget once it can be used, in pixels of the page."""
@@ -153,24 +251,31 @@ class Page(unittest.TestCase):
 
     def stored(self):
         """Returns the files that the browser stores for the next visit: names and texts."""
-        return self.page.execute_async_script(
-            "const done = arguments[0], asked = indexedDB.open('/home/coaster'); asked.onsuccess = () => {"
-            "const all = {}, files = asked.result.transaction('FILE_DATA', 'readonly').objectStore('FILE_DATA').openCursor();"
-            "files.onsuccess = () => { const file = files.result; if (!file) { asked.result.close(); return void done(all); }"
-            "all[file.key] = file.value.contents ? new TextDecoder().decode(file.value.contents) : ''; file.continue(); }; };")
+        return self.js_async(STORED)
 
     def stores(self, document):
         """Whether the browser stores an autosave of this document."""
         return any(f'"{document}"' in text for name, text in self.stored().items() if name.endswith(".info.json"))
 
+    def downloads(self):
+        """Returns the names and addresses of downloads since CATCH_DOWNLOADS."""
+        return self.js("downloads")
+
     def title(self):
         return self.page.title
 
     def link(self):
-        """Shares the track and returns what is on the clipboard: it holds the document's hash."""
+        """Shares the track and returns the link on the clipboard; it holds the document's hash."""
         self.key("l", CTRL | SHIFT)
         self.frames(4)
-        return self.page.execute_async_script("const done = arguments[0]; navigator.clipboard.readText().then(done, (why) => done('' + why));")
+        return self.js_async("""
+            const [done] = arguments;
+            navigator.clipboard.readText().then(done, (why) => done('' + why));
+        """)
+
+    def document(self):
+        """Returns the hash of the open document, by sharing it."""
+        return document_of(self.link())
 
 
 def main():

@@ -4,15 +4,27 @@ import os
 import random
 import time
 
-from page import CTRL, Page, document_of, main, shared_in, source
+from page import CATCH_DOWNLOADS, CTRL, DRAWN, FIXED_STEPS, Page, document_of, main, shared_in, source
 
-# A quarter of a second for each frame, the longest that a frame makes up for: rides take fewer frames.
-QUARTERS = "let time = performance.now(); performance.now = () => time; const next = () => { time += 250; requestAnimationFrame(next); }; next();"
+# Passes the number of orange pixels in the middle row of a picture, over a sixteenth of its width.
+ORANGE = DRAWN + """
+const [picture, done] = arguments;
+drawn('data:image/png;base64,' + picture).then((brush) => {
+  const { width, height } = brush.canvas;
+  const side = width / 16;
+  const row = brush.getImageData((width - side) / 2, height / 2, side, 1).data;
+  let orange = 0;
+  for (let i = 0; i < row.length; i += 4) orange += row[i] > 220 && row[i + 1] < 170 && row[i + 2] < 90;
+  done(orange);
+}, (why) => done(String(why)));
+"""
+# Opens no dialog for a file: its field stays in the page.
+CATCH_FILE_DIALOG = "HTMLInputElement.prototype.click = function () { document.body.append(this); };"
 
 
 class Hands(Page):
     def test_a_circuit_built_by_hand_is_ridden_and_there_after_a_reload(self):
-        self.before_load(QUARTERS)
+        self.before_load(FIXED_STEPS)
         self.open()
         self.press("Start/New track")
         for element, equipment in (("Straight", "Station"), ("Climb", "Lift"), ("Dive", None), ("Curve", None)):
@@ -22,21 +34,22 @@ class Hands(Page):
                 self.press("Elements/Equipment/" + equipment)
             self.key("Enter")
         self.press("Elements/Complete circuit")
-        self.until(lambda: int(self.value("complete.proposals") or 0) > 0, "ways home")
+        self.until(lambda: self.number("complete.proposals") > 0, "ways home")
         self.key("Enter")
         self.until(lambda: self.value("closed") == "on", "the circuit")
         self.without_drawing()
         self.key(" ")
-        self.until(lambda: float(self.value("ride.travelled") or 0) > 100, lambda: f"the ride over the lift: {self.value('ride.state')} at {self.value('ride.travelled')} m", 500)
+        self.until_ridden(100, 500)  # past the lift
         self.until_titled("Untitled* - coaster")
-        before = document_of(self.link())
-        self.until(lambda: self.stores(before), lambda: f"an autosave of {before} in the browser's store: {self.stored()}")
+        before = self.document()
+        self.until(lambda: self.stores(before),
+                   lambda: f"an autosave of {before} in the browser's store: {self.stored()}")
         self.open()
         self.press("Recover")
         self.until_titled("Untitled* - coaster")
-        self.assertEqual(document_of(self.link()), before)
+        self.assertEqual(self.document(), before)
         self.key(" ")
-        self.until(lambda: float(self.value("ride.distance") or 0) > 5, "the ride")
+        self.until(lambda: self.number("ride.distance") > 5, "the ride")
 
     def test_the_tutorial_waits_and_shows(self):
         self.open()
@@ -50,34 +63,33 @@ class Hands(Page):
         self.press("Elements/Straight")
         self.until(lambda: self.value("element.preview") == "on", "the second step, by hand")
         self.press("Lesson/Show me")
-        self.until(lambda: self.value("element.value equipment") == "station", lambda: "the third step; " + self.value("element.value equipment"))
+        self.until(lambda: self.value("element.value equipment") == "station",
+                   lambda: "the third step; " + self.value("element.value equipment"))
         self.press("Elements/Place")
-        self.until(lambda: self.value("segments") not in ("", "0"), "the fourth step, by hand")
+        self.until(lambda: self.number("segments") > 0, "the fourth step, by hand")
         self.press("Lesson/Leave")
 
     def test_a_link_is_the_track(self):
-        self.open()
-        self.key("Escape")
+        self.open_track()
         link = self.link()
         self.assertTrue(link.startswith(self.address + "/index.html#coaster=1."), link[:80])
         self.command("new")
-        self.assertNotEqual(document_of(self.link()), document_of(link))
-        self.page.execute_async_script("navigator.clipboard.writeText(arguments[0]).then(arguments[1]);", link)
+        self.assertNotEqual(self.document(), document_of(link))
+        self.js_async("navigator.clipboard.writeText(arguments[0]).then(arguments[1]);", link)
         self.key("v", CTRL)
         self.until_titled("Red Comet - coaster")
-        self.assertEqual(document_of(self.link()), document_of(link))
+        self.assertEqual(self.document(), document_of(link))
         self.open(link[link.index("#"):])
         self.key("Escape")
         self.assertEqual(self.link(), link)
         self.open("#coaster=1.damaged")
         self.frames(10)
         self.assertEqual(self.title(), "Red Comet - coaster")
-        self.assertTrue(self.js("said.hidden"), "a bad link is refused, and the program goes on")
+        self.assertTrue(self.js("said.hidden"), "a bad link is refused, and the program continues")
 
     def test_fingers_orbit_pan_and_zoom(self):
-        self.page.execute_cdp_cmd("Emulation.setTouchEmulationEnabled", {"enabled": True, "maxTouchPoints": 2})
-        self.open()
-        self.key("Escape")
+        self.touch_screen(2)
+        self.open_track()
         views = [shared_in(self.link())]
         self.swipe(800, 90, -100, 30)
         views.append(shared_in(self.link()))
@@ -90,29 +102,27 @@ class Hands(Page):
         self.assertEqual(views[0]["distance"], views[1]["distance"])
         self.assertLess(views[2]["distance"], 0.8 * views[1]["distance"], "wider by 2.2")
         self.assertNotEqual(views[2]["target"], views[1]["target"])
-        self.assertEqual(views[0]["hash"], views[2]["hash"], "the track is as it was")
+        self.assertEqual(views[0]["hash"], views[2]["hash"], "the track is unchanged")
 
     def test_the_touch_keyboard_types(self):
-        self.page.execute_cdp_cmd("Emulation.setTouchEmulationEnabled", {"enabled": True, "maxTouchPoints": 1})
-        self.open()
-        self.key("Escape")
+        self.touch_screen(1)
+        self.open_track()
         focused = lambda: self.js("document.activeElement.id")
         self.touch("touchStart", (800, 90))
         self.touch("touchEnd")
         self.assertEqual(focused(), "canvas", "nothing takes text")
         self.key("p", CTRL)
         self.until(lambda: focused() == "typed", "the field that shows the keyboard")
-        # As keyboards on screens do: words replace what was composed, without keys.
-        self.page.execute_cdp_cmd("Input.imeSetComposition", {"text": "nex", "selectionStart": 3, "selectionEnd": 3})
-        self.page.execute_cdp_cmd("Input.insertText", {"text": "new"})
+        # As keyboards on screens do: words replace the composed text, without keys.
+        self.devtools("Input.imeSetComposition", text="nex", selectionStart=3, selectionEnd=3)
+        self.devtools("Input.insertText", text="new")
         self.frames(8)
         self.key("Enter")
         self.until_titled("Untitled - coaster")
-        self.until(lambda: focused() == "canvas", "the keyboard goes")
+        self.until(lambda: focused() == "canvas", "the keyboard closes")
 
     def test_a_key_fills_the_screen(self):
-        self.open()
-        self.key("Escape")
+        self.open_track()
         for full in (True, False):
             self.key("F11")
             self.until(lambda: self.js("document.fullscreenElement !== null") == full, f"full screen: {full}")
@@ -121,45 +131,39 @@ class Hands(Page):
         widths = []
         for ratio in (1, 2):
             self.small(512, 360, ratio)
-            self.open()
-            self.key("Escape")
+            self.open_track()
             for line in ("new", "append at -30 10 0", "append at 0 10 0", "append at 30 10 0", "camera.projection top",
-                         "camera target 0 10 0 yaw 0 pitch 15 distance 60", "hints off", "show legend off", "panels off", "select none"):
+                         "camera target 0 10 0 yaw 0 pitch 15 distance 60", "hints off", "show legend off",
+                         "panels off", "select none"):
                 self.command(line)
             self.click(256, 180 + 9)
-            self.assertEqual(self.value("selected"), "none", f"9 points below a knot, {ratio} pixels to a point")
+            self.assertEqual(self.value("selected"), "none", f"9 points below a knot, {ratio} pixels per point")
             self.click(256, 180 + 4)
-            self.assertEqual(self.value("selected"), "k2", f"4 points below it, {ratio} pixels to a point")
-            widths.append(self.page.execute_async_script(
-                "const [picture, done] = arguments, image = new Image(); image.onload = () => {"
-                "const brush = new OffscreenCanvas(image.width, image.height).getContext('2d'); brush.drawImage(image, 0, 0);"
-                "const side = image.width / 16, row = brush.getImageData((image.width - side) / 2, image.height / 2, side, 1).data;"
-                "let orange = 0; for (let i = 0; i < row.length; i += 4) orange += row[i] > 220 && row[i + 1] < 170 && row[i + 2] < 90;"
-                "done(orange); }; image.src = 'data:image/png;base64,' + picture;", self.page.get_screenshot_as_base64()))
+            self.assertEqual(self.value("selected"), "k2", f"4 points below it, {ratio} pixels per point")
+            widths.append(self.js_async(ORANGE, self.page.get_screenshot_as_base64()))
         self.assertIn(widths[0], (10, 11), "the knot under the mouse without its rim: 10.5 points")
         self.assertIn(widths[1], (20, 21, 22))
 
     def test_files_come_in_and_go_out(self):
-        self.open()
-        self.key("Escape")
-        track = source("tracks/helix.json")
-        self.js("void (window.chosen = null, HTMLInputElement.prototype.click = function () { window.chosen = this; document.body.append(this); })")
-        self.page.execute_script("Module.coasterPick()")
-        self.page.find_element("css selector", "input[type=file]").send_keys(str(track))
+        self.open_track()
+        self.execute(CATCH_FILE_DIALOG)
+        self.execute("Module.coasterPick()")
+        field = self.page.find_element("css selector", "input[type=file]")
+        field.send_keys(str(source("tracks/helix.json")))
         self.until(lambda: self.js("Module.coasterPicked()") == "/tmp/opened/helix.json", "the chosen file")
-        self.page.execute_script("openFile(Module.coasterPicked())")
+        self.execute("openFile(Module.coasterPicked())")
         self.until_titled("Silver Spiral - coaster")
         dropped = {"items": [], "files": [str(source("tracks/gentle.json"))], "dragOperationsMask": 1}
         for kind in ("dragEnter", "dragOver", "drop"):
-            self.page.execute_cdp_cmd("Input.dispatchDragEvent", {"type": kind, "x": 500, "y": 300, "data": dropped})
+            self.devtools("Input.dispatchDragEvent", type=kind, x=500, y=300, data=dropped)
         self.until_titled("Meadow Breeze - coaster")
-        self.page.execute_script("window.sent = []; HTMLAnchorElement.prototype.click = function () { sent.push(this.download); };")
+        self.execute(CATCH_DOWNLOADS)
         self.command('save "/home/coaster/mine.json"')
-        self.until(lambda: self.js("sent.join()") == "mine.json", lambda: "the download: " + self.js("sent.join()"))
+        self.until(lambda: [name for name, _ in self.downloads()] == ["mine.json"],
+                   lambda: f"the download: {self.downloads()}")
 
     def test_random_input_breaks_nothing(self):
-        self.open()
-        self.key("Escape")
+        self.open_track()
         rng = random.Random(20261123)
         keys = "abcdefghijklmnoprstuvwxyz0123456789 "
         end = time.monotonic() + float(os.environ.get("RANDOM_SECONDS", "60"))
@@ -175,21 +179,22 @@ class Fingers(Page):
     """Touch screens."""
 
     def begin(self, width, height, ratio):
-        self.page.execute_cdp_cmd("Emulation.setTouchEmulationEnabled", {"enabled": True, "maxTouchPoints": 2})
-        self.page.execute_cdp_cmd("Emulation.setDeviceMetricsOverride", {"width": width, "height": height, "deviceScaleFactor": ratio, "mobile": True})
+        self.touch_screen(2)
+        self.small(width, height, ratio, mobile=True)
         self.open()
 
     def test_a_phone_in_landscape_rides(self):
         for width, height, ratio in ((844, 390, 1), (800, 360, 1), (667, 375, 2)):
             self.begin(width, height, ratio)
-            for choice in ("New track", "Open or import", "Tutorial", "Challenges", "Back to the track", "Quit", "Show at start"):
+            for choice in ("New track", "Open or import", "Tutorial", "Challenges", "Back to the track", "Quit",
+                           "Show at start"):
                 self.place_of("Start/" + choice)
             self.tap("Start/Samples/helix")
             self.until_titled("Silver Spiral - coaster")
             self.assertEqual(self.value("widget Hints/Got it"), "", "the first steps would cover the track")
             self.tap("Menu/Workspace/Ride")
             self.tap("Ride/Play")
-            self.until(lambda: float(self.value("ride.travelled") or 0) > 5, "the ride")
+            self.until_ridden(5)
             self.tap("Ride/Camera")
             self.tap("Ride/Camera/Ride")
             self.until(lambda: self.value("camera_mode") == "ride", "the rider's view")
@@ -201,7 +206,7 @@ class Fingers(Page):
         self.tap("Start/New track")
         self.tap("Elements/Straight")
         self.tap("Elements/Place")
-        self.until(lambda: self.value("segments") not in ("", "0"), "the element")
+        self.until(lambda: self.number("segments") > 0, "the element")
         self.tap("Menu/Workspace/Laboratory")
         self.place_of("Evaluation/Vertex shader")
         self.assertEqual(self.value("widget Evaluation/Geometry shader"), "", "it is greyed out")

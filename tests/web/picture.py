@@ -1,24 +1,20 @@
 #!/usr/bin/python3
 """Takes docs/web.png, the page's picture of a ride on Red Comet: PAGE_FOLDER SOURCE_FOLDER."""
-from page import Page, main, source
-
-# A clock of its own: a software renderer is slow, and the picture should not show on what machine it was taken.
-CLOCK = "window.step = 250; let time = performance.now(); performance.now = () => time; const next = () => { time += step; requestAnimationFrame(next); }; next();"
+from page import FIXED_STEPS, Page, main, source
 
 
 class Picture(Page):
     width, height = 1280, 720
 
     def test_of_a_ride(self):
-        self.before_load(CLOCK)
+        self.before_load(FIXED_STEPS)  # the picture does not depend on the machine's speed
         self.small(self.width, self.height, 1)
-        self.open()
-        self.key("Escape")
+        self.open_track()
         for line in ("hints off", "workspace ride", "camera_mode chase"):
             self.command(line)
         self.key(" ")
-        self.until(lambda: float(self.value("ride.travelled") or 0) > 140, "the first drop")
-        self.js("void (window.step = 1000 / 60)")
+        self.until_ridden(140)  # the first drop
+        self.execute("window.step = 1000 / 60")
         self.frames(60)
         source("docs/web.png").write_bytes(self.page.get_screenshot_as_png())
 

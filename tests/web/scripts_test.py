@@ -1,8 +1,9 @@
 #!/usr/bin/python3
-"""Runs scripts of tests/scripts in a page, one after the other: PAGE_FOLDER SOURCE_FOLDER PART/PARTS, or NAME... instead.
+"""Runs scripts of tests/scripts in a page, one after the other.
 
-Each has to end with exit code 0, as natively; those in SKIPPED with 77, at a line that says what they need, and those in
-DIFFERS at the picture that is named there.
+Usage: PAGE_FOLDER SOURCE_FOLDER PART/PARTS, or NAME... instead.
+Each has to end with exit code 0, as natively; those in SKIPPED with 77, at a line that says what they need; those in
+DIFFERS with 1, at the picture that is named there.
 """
 import pathlib
 import sys
@@ -14,8 +15,9 @@ import browser
 
 LONGEST = 300  # s for a script
 SKIPPED = {"gpu_evaluators"}  # geometry shaders
-# A texel of the shadow map is 0.5 m in a picture of 240x135, as wide as the spine. Where the sunlight grazes it, its own
-# shadow depends on how a rasteriser rounds vertices: 30 pixels of a block. At 960x540 0.08 % of all pixels differ.
+# A texel of the shadow map is 0.5 m in a picture of 240x135, as wide as the spine. Where the sunlight grazes the track,
+# its own shadow depends on how a rasteriser rounds vertices: 30 pixels of a block. At 960x540 0.08 % of all pixels
+# differ.
 DIFFERS = {"looks": "look_dusk_rider.png in"}
 
 
@@ -56,11 +58,12 @@ def chosen(source, words):
 def main():
     names = chosen(pathlib.Path(sys.argv[2]), sys.argv[3:])
     runner = Runner(browser.serve(sys.argv[1]))
-    wrong, skipped = 0, 0
+    wrong = skipped = 0
     for name in names:
         began = time.monotonic()
         code, said = runner.run(name)
-        good = code == (77 if name in SKIPPED else 1 if name in DIFFERS else 0) and DIFFERS.get(name, "") in said
+        wanted = 77 if name in SKIPPED else 1 if name in DIFFERS else 0
+        good = code == wanted and DIFFERS.get(name, "") in said
         wrong += not good
         skipped += good and code == 77
         word = "FAILED" if not good else "skipped" if code == 77 else "passed"
