@@ -1,4 +1,4 @@
-// Long work beside the page's frames: a worker gets the program, a copy of its memory and the file that the work reads.
+// Long work in the background: a worker gets the program, a copy of its memory and the file that the work reads.
 'use strict';
 (() => {
   // Runs in the worker.
@@ -36,10 +36,11 @@
 
   let worker = null;
   // As app/found.h prints it.
-  const failure = (why) => '6 failed1 5' + new TextEncoder().encode(why).length + ' ' + why;
+  const failure = (why) => `6 failed1 5${new TextEncoder().encode(why).length} ${why}`;
   const beside = {
-    part: 0, found: undefined,
-    begin: (work_, path) => {
+    part: 0,
+    found: undefined,
+    begin: (job, path) => {
       beside.end();
       const script = document.getElementById('program');
       if (!window.Worker || !Module.program) return 0;
@@ -48,10 +49,17 @@
       } catch (refused) {
         return 0;
       }
-      const message = { work: work_, path, folder: Module.FS.cwd(), program: Module.program, memory: Module.HEAPU8.slice(),
-                        source: script.src, text: script.textContent };
-      if (path) message.file = Module.FS.readFile(path);
-      const fail = (why) => { beside.found = failure('The page\'s worker stopped: ' + why); };
+      const message = {
+        work: job,
+        path,
+        file: path ? Module.FS.readFile(path) : undefined,
+        folder: Module.FS.cwd(),
+        program: Module.program,
+        memory: Module.HEAPU8.slice(),
+        source: script.src,
+        text: script.textContent,
+      };
+      const fail = (why) => { beside.found = failure(`The page's worker stopped: ${why}`); };
       worker.onmessage = ({ data }) => {
         if (data.part !== undefined) beside.part = data.part;
         else if (data.failed !== undefined) fail(data.failed);
@@ -63,7 +71,9 @@
     },
     end: () => {
       if (worker) worker.terminate();
-      worker = null, beside.part = 0, beside.found = undefined;
+      worker = null;
+      beside.part = 0;
+      beside.found = undefined;
     },
   };
   Module.coasterWork = beside;

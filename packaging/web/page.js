@@ -1,4 +1,4 @@
-// The page around the program: what it keeps, files in and out, the clipboard, and what is said when it cannot run.
+// The page around the program: what it keeps, files in and out, the clipboard, and messages when it cannot run.
 'use strict';
 const said = document.getElementById('said');
 const canvas = document.getElementById('canvas');
@@ -21,9 +21,11 @@ function note(text) {
 
 // What the program keeps is in a folder that the browser stores: settings, medals, autosaves and saved tracks.
 const kept = '/home/coaster';
-let keeps = true, keeping = true, again = false;  // keeping: also while what was kept is read
+let keeps = true;
+let keeping = true;  // also while what was kept is read
+let again = false;
 function keepsNothing(why) {
-  if (keeps) note('The browser stores nothing more (' + why + '), so settings and unsaved work end with this page.');
+  if (keeps) note(`The browser stores nothing more (${why}), so settings and unsaved work end with this page.`);
   keeps = false;
 }
 // IDBFS waits forever for a transaction that ends because the store is full.
@@ -50,7 +52,10 @@ function keep() {
   Module.FS.syncfs(false, (failed) => {
     keeping = false;
     if (failed) keepsNothing(failed);
-    else if (again) { again = false; keep(); }
+    else if (again) {
+      again = false;
+      keep();
+    }
   });
 }
 
@@ -91,22 +96,25 @@ const download = (path) => offer(new Blob([Module.FS.readFile(path)]), path.slic
 
 function fullScreen() {
   const page = document.documentElement;
-  if (document.fullscreenElement) document.exitFullscreen();
-  else if (page.requestFullscreen) page.requestFullscreen({ navigationUI: 'hide' }).catch((why) => note('No full screen: ' + why.message));
-  else note('This browser shows no page in full screen.');
+  if (document.fullscreenElement) return void document.exitFullscreen();
+  if (!page.requestFullscreen) return note('This browser shows no page in full screen.');
+  page.requestFullscreen({ navigationUI: 'hide' }).catch((why) => note('No full screen: ' + why.message));
 }
 
-// The program is fetched and compiled, and the graphics start, while coaster.js and the data are still coming. All in
-// one file (packaging/web/one_file), `packed` holds the program's bytes.
+const reload = () => location.reload();
+
+// The program is fetched and compiled, and the graphics start, while coaster.js and the data are still loading. In a
+// page of one file (packaging/web/one_file) `packed` holds the program's bytes.
 function compile() {
   if (window.packed) return WebAssembly.compile(packed.program);
   const fetched = () => fetch('coaster.wasm', { credentials: 'same-origin' });
-  // A host that sends another type than application/wasm is served, too.
-  return WebAssembly.compileStreaming(fetched()).catch(() => fetched().then((sent) => sent.arrayBuffer()).then((bytes) => WebAssembly.compile(bytes)));
+  // Some hosts send another type than application/wasm.
+  const compileWhole = async () => WebAssembly.compile(await (await fetched()).arrayBuffer());
+  return WebAssembly.compileStreaming(fetched()).catch(compileWhole);
 }
 const compiled = compile();
-compiled.catch(() => {});  // instantiate() says it
-canvas.getContext('webgl2', { alpha: false, depth: false, antialias: false });  // as platform/web_surface asks for it later
+compiled.catch(() => {});  // instantiate() reports it
+canvas.getContext('webgl2', { alpha: false, depth: false, antialias: false });  // as platform/web_surface does later
 
 // Keeps the compiled program, for workers (beside.js).
 function instantiate(imports, done) {
@@ -114,11 +122,14 @@ function instantiate(imports, done) {
     Module.program = program;
     return WebAssembly.instantiate(program, imports).then((instance) => done(instance, program));
   });
-  begun.catch((why) => { if (!(why instanceof Error) || why.name !== 'ExitStatus') say('coaster cannot start: ' + (why.message || why), 'Reload', () => location.reload()); });
+  begun.catch((why) => {
+    if (why instanceof Error && why.name === 'ExitStatus') return;
+    say('coaster cannot start: ' + (why.message || why), 'Reload', reload);
+  });
   return {};
 }
 
-let last = '';  // what the program said last
+let last = '';  // the program's last message
 let begun = false;
 const here = location.href.replace(/#.*/, '');
 const isLink = () => location.hash.startsWith('#coaster=');
@@ -155,15 +166,15 @@ var Module = {
     canvas.focus();
     if (isLink()) openFile(location.hash);
   }],
-  onAbort: (why) => say('coaster has stopped: ' + why + '. Changes since the last autosave are lost.', 'Reload', () => location.reload()),
+  onAbort: (why) => say(`coaster has stopped: ${why}. Changes since the last autosave are lost.`, 'Reload', reload),
   // Also called with 0 when main() has begun the loop of frames.
   quit: (code, thrown) => {
     if (code === 0 && !begun) throw thrown;
     if (Module.pauseMainLoop) Module.pauseMainLoop();
     Module.coasterEnded = code;
     keep();
-    if (code === 0) say('coaster has ended.', 'Start again', () => location.reload());
-    else say((last || 'coaster has ended with code ' + code) + '.', 'Reload', () => location.reload());
+    if (code === 0) say('coaster has ended.', 'Start again', reload);
+    else say((last || 'coaster has ended with code ' + code) + '.', 'Reload', reload);
     throw thrown;
   },
   print: (text) => console.log(text),
@@ -188,7 +199,7 @@ document.addEventListener('visibilitychange', () => {
   keep();
   if (document.hidden) return void (hiddenAt = Date.now());
   const minutes = Math.round((Date.now() - hiddenAt) / 60000);
-  if (hiddenAt > 0 && minutes >= 10) note('This page was hidden for ' + minutes + ' minutes. The ride has waited.');
+  if (hiddenAt > 0 && minutes >= 10) note(`This page was hidden for ${minutes} minutes. The ride has waited.`);
 });
 
 // Links that are opened in this page.
@@ -214,7 +225,7 @@ if ('serviceWorker' in navigator && location.protocol.startsWith('http')) {
     const note = document.getElementById('update');
     note.hidden = false;
     note.onclick = () => {
-      navigator.serviceWorker.addEventListener('controllerchange', () => location.reload());
+      navigator.serviceWorker.addEventListener('controllerchange', reload);
       waiting.postMessage('use now');
     };
   };
