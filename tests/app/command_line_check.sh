@@ -1,6 +1,5 @@
 # The command line: the meaning of each exit code, and the output on stdout and stderr.
 . "$(dirname "$0")/lib.sh"
-script() { printf 'coaster-script 1\n%b' "$2" >"$OUT/$1.coaster"; }
 
 expect_code 0 --version
 expect_text stdout "coaster "
@@ -25,8 +24,12 @@ expect_text stderr "truncated.json:"
 expect_code 3 --validate "$OUT/no-such-file.json"
 expect_code 0 --validate "$SOURCE/challenges/01_first_hill.json"
 expect_text stdout "does not pass, as it must: rolled back"
-rule() { # what the one goal expects, the start track
-  printf '{"format": "coaster-challenge", "version": 1, "name": "N", "teaches": "T", "judged": "lap", "track": "%s", "goals": [{"expect": "%s", "text": "x"}]}' "$2" "$1" >"$OUT/rule.json"
+# rule GOAL TRACK: writes a challenge of one goal on that start track.
+rule() {
+  cat >"$OUT/rule.json" <<END
+{"format": "coaster-challenge", "version": 1, "name": "N", "teaches": "T", "judged": "lap", "track": "$2",
+ "goals": [{"expect": "$1", "text": "x"}]}
+END
 }
 rule "knotz == 3" "$SOURCE/tracks/gentle.json"
 expect_code 3 --validate "$OUT/rule.json"
@@ -37,41 +40,47 @@ expect_text stderr "rule.json: error: track: "
 rule "knots == 24" "$SOURCE/tracks/gentle.json"
 expect_code 3 --validate "$OUT/rule.json"
 expect_text stderr "its start track passes it already (gold)"
-script challenge 'challenge "rule.json"\nchallenge "no_such.json"\n'
-expect_code 3 --headless --script "$OUT/challenge.coaster" --out "$OUT/run"
+script challenge 'challenge "rule.json"
+challenge "no_such.json"'
+run_script 3 challenge
 expect_text stderr "challenge.coaster:3:1: error:"
-script good 'frames 1\nexpect knots == 99\n'
+script good 'frames 1
+expect knots == 99'
 expect_code 0 --validate "$OUT/good.coaster"
-script bad 'fraems 1\nexpect knotz == 1\n'
+script bad 'fraems 1
+expect knotz == 1'
 expect_code 2 --validate "$OUT/bad.coaster"
 expect_text stderr "bad.coaster:2:1: error:"
 expect_text stderr 'did you mean "frames"'
 expect_text stderr "bad.coaster:3:8: error:"
 
-expect_code 2 --headless --script "$OUT/bad.coaster" --out "$OUT/run"
+run_script 2 bad
 expect_code 2 --headless --script "$OUT/no-such-script.coaster" --out "$OUT/run"
-expect_code 1 --headless --script "$OUT/good.coaster" --out "$OUT/run"
+run_script 1 good
 expect_text stderr "good.coaster:3:8: error: expected knots == 99, found 0"
 for file in frame.png widgets.txt state.json; do [ -s "$OUT/run/$file" ] || fail "no $file after a failure"; done
-script gone 'load "gone.json"\n'
-expect_code 3 --headless --script "$OUT/gone.coaster" --out "$OUT/run"
-script late 'wait tick == 100000 max 10 ticks\n'
-expect_code 6 --headless --script "$OUT/late.coaster" --out "$OUT/run"
-script outside 'save "outside.json"\n'
-expect_code 2 --headless --script "$OUT/outside.coaster" --out "$OUT/run"
+script gone 'load "gone.json"'
+run_script 3 gone
+script late 'wait tick == 100000 max 10 ticks'
+run_script 6 late
+script outside 'save "outside.json"'
+run_script 2 outside
 [ ! -e "$OUT/outside.json" ] && [ ! -e outside.json ] || fail "a script wrote outside of its folder"
-script snap 'snap "none"\n'
-expect_code 1 --headless --script "$OUT/snap.coaster" --out "$OUT/run"
+script snap 'snap "none"'
+run_script 1 snap
 expect_text stderr "--update-goldens"
-expect_code 0 --headless --script "$OUT/snap.coaster" --out "$OUT/run" --update-goldens
-expect_code 0 --headless --script "$OUT/snap.coaster" --out "$OUT/run"
-script other 'load "'"$SOURCE"'/tracks/loop.json"\nsnap "none"\n'
-expect_code 1 --headless --script "$OUT/other.coaster" --out "$OUT/run"
+run_script 0 snap --update-goldens
+run_script 0 snap
+script other "load \"$SOURCE/tracks/loop.json\"
+snap \"none\""
+run_script 1 other
 expect_text stderr "of them in an 8x8 block; another driver may change 115 and 8; see "
-script changed 'env size 600x300\nsnap "none"\n'
-expect_code 1 --headless --script "$OUT/changed.coaster" --out "$OUT/run"
-script hash 'load "'"$SOURCE"'/tracks/loop.json"\nlog hash document\n'
-expect_code 0 --headless --script "$OUT/hash.coaster" --out "$OUT/run"
+script changed 'env size 600x300
+snap "none"'
+run_script 1 changed
+script hash "load \"$SOURCE/tracks/loop.json\"
+log hash document"
+run_script 0 hash
 grep -qE '^[0-9a-f]{16}$' "$OUT/stdout" || fail "log hash document printed $(cat "$OUT/stdout")"
 
 : >"$OUT/file"
@@ -85,7 +94,11 @@ expect_code 0 --headless "$SOURCE/tests/tracks/two_knots.json" --size 320x180 --
 expect_text stdout "Two knots"
 expect_text stdout "Stopped after 0 s"
 # A train at rest is a stall, as in the report; all knots are at one point.
-flat() { sed -e 's/"start_speed": 4/"start_speed": 0/' -e 's/3\.75/12.25/' -e "$1" "$SOURCE/tests/tracks/two_knots.json" >"$OUT/flat.json"; }
+# flat COMMAND: writes the track of two knots level, and edited by that command of sed.
+flat() {
+  sed -e 's/"start_speed": 4/"start_speed": 0/' -e 's/3\.75/12.25/' -e "$1" \
+    "$SOURCE/tests/tracks/two_knots.json" >"$OUT/flat.json"
+}
 flat ''
 expect_code 0 --headless "$OUT/flat.json" --size 96x54 --out "$OUT/ride"
 expect_text stdout "Train c1 stalled at 0.0 m"
@@ -98,16 +111,23 @@ expect_code 0 --headless "$SOURCE/tests/tracks/ring.nltrack" --size 320x180 --ou
 expect_text stdout "The train completed the lap."
 expect_text stderr "The train completes the ride with a start speed of "
 # A script's load reports what a FILE does, and nothing of a file without notices.
-script loads "load \"$SOURCE/tests/tracks/two_knots.json\"\nload \"$SOURCE/tests/tracks/jump.csv\"\n"
-expect_code 0 --headless --script "$OUT/loads.coaster" --out "$OUT/run"
+script loads "load \"$SOURCE/tests/tracks/two_knots.json\"
+load \"$SOURCE/tests/tracks/jump.csv\""
+run_script 0 loads
 messages >"$OUT/script_notices"
 expect_text script_notices "jump.csv:22: warning: the frame jumps"
 expect_code 0 --headless "$SOURCE/tests/tracks/jump.csv" --size 96x54 --frames 0 --out "$OUT/ride"
 messages >"$OUT/file_notices"
-cmp -s "$OUT/script_notices" "$OUT/file_notices" || fail "a script's load reports otherwise: $(cat "$OUT/script_notices")"
+cmp -s "$OUT/script_notices" "$OUT/file_notices" || 
+  fail "a script's load reports other notices: $(cat "$OUT/script_notices")"
 # Changes by another program are not overwritten.
-script theirs 'append at 0 5 0\nsave "$OUT/own.json"\nappend at 9 5 0\ndump "own"\nappend at 9 9 0\nsave "$OUT/own.json"\n'
-expect_code 5 --headless --script "$OUT/theirs.coaster" --out "$OUT/run"
+script theirs 'append at 0 5 0
+save "$OUT/own.json"
+append at 9 5 0
+dump "own"
+append at 9 9 0
+save "$OUT/own.json"'
+run_script 5 theirs
 expect_text stderr "own.json was changed by another program since it was opened"
 # Values that Mesa crashes on, at its start or in the first picture, and versions that are too old.
 for driver in GALLIUM_DRIVER=none_such LP_NATIVE_VECTOR_WIDTH=0 LP_NATIVE_VECTOR_WIDTH=64 MESA_GLSL_VERSION_OVERRIDE=130 MESA_GL_VERSION_OVERRIDE=2.1; do
@@ -119,17 +139,20 @@ done
 expect_text stderr "OpenGL 3.3 is needed"
 # The library that draws; a report needs none.
 for library in osmesa:OSMesa egl:EGL; do
-  COASTER_HEADLESS=${library%:*} "$COASTER" --headless --script "$OUT/hash.coaster" --out "$OUT/run" >"$OUT/stdout" 2>"$OUT/stderr"
+  COASTER_HEADLESS=${library%:*} \
+    "$COASTER" --headless --script "$OUT/hash.coaster" --out "$OUT/run" >"$OUT/stdout" 2>"$OUT/stderr"
   case $? in
-    0) grep -qE "^Drawing with ${library#*:}: .+, OpenGL [0-9.]+" "$OUT/stderr" || fail "$library: $(cat "$OUT/stderr")" ;;
+    0)
+      grep -qE "^Drawing with ${library#*:}: .+, OpenGL [0-9.]+" "$OUT/stderr" ||
+        fail "$library: $(cat "$OUT/stderr")" ;;
     4) expect_text stderr "was not found" ;; # not installed
     *) fail "$library: $(cat "$OUT/stderr")" ;;
   esac
 done
 expect_code 0 --report "$SOURCE/tracks/loop.json"
 grep -q "^Drawing" "$OUT/stderr" && fail "--report draws"
-env GALLIUM_DRIVER=llvmpipe "$COASTER" --headless --script "$OUT/hash.coaster" --out "$OUT/run" >"$OUT/stdout" 2>"$OUT/stderr" || fail "a driver that works: $(cat "$OUT/stderr")"
+GALLIUM_DRIVER=llvmpipe run_script 0 hash
 env -u DISPLAY -u WAYLAND_DISPLAY "$COASTER" "$SOURCE/tracks/loop.json" >"$OUT/stdout" 2>"$OUT/stderr"
-[ $? = 4 ] || fail "no display: expected exit code 4"
+check_code $? 4 "no display"
 expect_text stderr "--headless"
 finish

@@ -24,7 +24,7 @@ prepare() {
 # run CODE TEXT arguments...: runs a script of these lines.
 run() {
   printf 'coaster-script 1\nenv size 96x54\nload "%s"\n%b' "$TRACK" "$2" >"$OUT/try.coaster"
-  expect_code "$1" --headless --script "$OUT/try.coaster" --out "$OUT/run" "${@:3}"
+  run_script "$1" try "${@:3}"
   [ "$1" != 2 ] || expect_text stderr "is a symbolic link; this run writes only below $OUT/run"
   nothing_outside "$2 ${*:3}"
 }
@@ -50,22 +50,26 @@ prepare a.new.png
 run 2 'snap a\n'
 prepare sheet.png
 run 2 'shot "$OUT/b.png"\nsheet "$OUT/sheet.png" "b.png"\n'
-for line in 'report "$OUT/a.csv"' 'report "$OUT/a.txt"' 'section.save "$OUT/a.json" @q1' 'measure.save "$OUT/a.json"' 'save "$OUT/a.gltf"'; do
+for line in 'report "$OUT/a.csv"' 'report "$OUT/a.txt"' 'section.save "$OUT/a.json" @q1' \
+  'measure.save "$OUT/a.json"' 'save "$OUT/a.gltf"'; do
   prepare a.csv a.txt a.json a.gltf
   run 2 "measure\nwait measuring == off max 20000 frames\n$line\n"
 done
 
 # Links instead of a folder.
-for line in 'save "$OUT/in/a.json"' 'shot "$OUT/in/a.png"' 'dump "in/a"' 'snap in/a' 'env home "$OUT/in/home"' 'movie.start "$OUT/in/m"' 'movie.start "$OUT/in"'; do
+for line in 'save "$OUT/in/a.json"' 'shot "$OUT/in/a.png"' 'dump "in/a"' 'snap in/a' 'env home "$OUT/in/home"' \
+  'movie.start "$OUT/in/m"' 'movie.start "$OUT/in"'; do
   prepare
   ln -s "$away" "$OUT/run/in"
   run 2 "$line\nticks 8\n"
 done
 
 # Movies: pictures and the file that ffmpeg writes; by statement and by option.
+# replaced FILE: checks that a file of the run took the place of the link.
+replaced() { [ -f "$OUT/run/$1" ] && [ ! -L "$OUT/run/$1" ] || fail "the link $1 was not replaced"; }
 prepare m/frame-00000.png
 run 0 'movie.start "$OUT/m"\nticks 8\nmovie.stop\n'
-[ -f "$OUT/run/m/frame-00000.png" ] && [ ! -L "$OUT/run/m/frame-00000.png" ] || fail "the link was not replaced by the picture"
+replaced m/frame-00000.png
 [ "$(cat "$OUT/run/m/movie.mp4")" = "a movie" ] || fail "no movie file"
 prepare m/movie.mp4
 run 0 'movie.start "$OUT/m"\nticks 8\nmovie.stop\n'
@@ -75,18 +79,22 @@ run 0 'ticks 8\n' --movie "$OUT/run/m"
 # Recordings replace links; the folder itself may be a link.
 prepare rec.coaster rec.json rec-2.json
 run 0 "load \"$TRACK\"\n" --record "$OUT/run/rec.coaster"
-for name in rec.coaster rec.json rec-2.json; do
-  [ -f "$OUT/run/$name" ] && [ ! -L "$OUT/run/$name" ] || fail "the recording did not take the place of $name"
-done
+for name in rec.coaster rec.json rec-2.json; do replaced "$name"; done
 
 # The user's folder of a script: emptied before use; no lock next to a file outside.
 prepare home/settings.json
 ln -s "$away" "$OUT/run/home/recovery"
 cp "$TRACK" "$away/foreign.json"
-printf 'coaster-script 1\nenv size 96x54\nenv home "$OUT/home"\nload "%s"\nload "%s"\nframes 2\nmove @k1 to 1 2 3\nframes 4000\n' "$away/foreign.json" "$away/foreign.json" >"$OUT/try.coaster"
+script home "env size 96x54
+env home \"\$OUT/home\"
+load \"$away/foreign.json\"
+load \"$away/foreign.json\"
+frames 2
+move @k1 to 1 2 3
+frames 4000"
 ln "$away/foreign.json" "$OUT/foreign.json"
 touch "$away/.foreign.json.lock"
-expect_code 0 --headless --script "$OUT/try.coaster" --out "$OUT/run"
+run_script 0 home
 [ -e "$away/.foreign.json.lock" ] || fail "a lock outside was deleted"
 cmp -s "$away/foreign.json" "$TRACK" || fail "a track outside was changed"
 rm -f "$away/foreign.json" "$away/.foreign.json.lock" "$OUT/foreign.json"
@@ -115,16 +123,17 @@ run 0 'save "$OUT/a.json"\nshot "$OUT/b/a.png"\n'
 [ -f "$OUT/real/a.json" ] && [ -f "$OUT/real/b/a.png" ] || fail "a folder named by a link was not written to"
 
 # Without --out nobody named the folder: no link on the way is followed, and a script's name leads nowhere else.
-here() { # CODE arguments...
+# here CODE arguments...: runs the program in the run folder.
+here() {
   local wanted=$1
   shift
   (cd "$OUT/run" && "$COASTER" --headless "$@" >"$OUT/stdout" 2>"$OUT/stderr")
-  local found=$?
-  [ "$found" = "$wanted" ] || fail "coaster $*: exit code $found, expected $wanted: $(head -c 400 "$OUT/stderr")"
+  check_code $? "$wanted" "coaster $*"
   nothing_outside "$*"
 }
 prepare
-printf 'coaster-script 1\nenv size 96x54\nsave "$OUT/a.json"\n' >"$OUT/run/ride.coaster"
+script run/ride 'env size 96x54
+save "$OUT/a.json"'
 cp "$OUT/run/ride.coaster" "$OUT/run/...coaster"
 here 2 --script ...coaster
 [ ! -e "$OUT/run/a.json" ] || fail "a script's name led it out of the folder"
@@ -142,7 +151,8 @@ expect_text stderr "out: is a symbolic link"
 
 # Golden pictures lie below the script's folder.
 ln -s "$away" "$OUT/golden"
-printf 'coaster-script 1\nenv size 96x54\nsnap a\n' >"$OUT/try.coaster"
-expect_code 2 --headless --script "$OUT/try.coaster" --out "$OUT/run" --update-goldens
+script golden 'env size 96x54
+snap a'
+run_script 2 golden --update-goldens
 nothing_outside "--update-goldens"
 finish

@@ -10,9 +10,13 @@ expect_code() {
   local wanted=$1
   shift
   "$COASTER" "$@" >"$OUT/stdout" 2>"$OUT/stderr"
-  local found=$?
-  [ "$found" = "$wanted" ] || fail "coaster $*: exit code $found, expected $wanted: $(head -c 400 "$OUT/stderr")"
+  check_code $? "$wanted" "coaster $*"
 }
+# check_code FOUND CODE WHAT: checks the exit code of a run that the caller started, with stderr in $OUT/stderr.
+check_code() { [ "$1" = "$2" ] || fail "$3: exit code $1, expected $2: $(head -c 400 "$OUT/stderr")"; }
+# script NAME LINES: writes a script. run_script CODE NAME arguments...: runs it; it may write in $OUT/run.
+script() { printf 'coaster-script 1\n%s\n' "$2" >"$OUT/$1.coaster"; }
+run_script() { expect_code "$1" --headless --script "$OUT/$2.coaster" --out "$OUT/run" "${@:3}"; }
 expect_text() { grep -qF -- "$2" "$OUT/$1" || fail "$1 has no '$2': $(head -c 400 "$OUT/$1")"; }
 expect_empty() { [ ! -s "$OUT/$1" ] || fail "$1 is not empty: $(head -c 400 "$OUT/$1")"; }
 # The lines on stderr except the one that names the driver.

@@ -2,50 +2,68 @@
 # In, besides: FAILING_NEW (a library for LD_PRELOAD, failing_new.cpp; empty in sanitized builds).
 . "$(dirname "$0")/lib.sh"
 TRACK=$SOURCE/tests/tracks/eight.json
-# within KILOBYTES CODE arguments...: runs the program in that much address space.
+# limited_to KILOBYTES arguments...: runs the program in that much address space.
+limited_to() {
+  (
+    ulimit -v "$1"
+    "$COASTER" "${@:2}" >"$OUT/stdout" 2>"$OUT/stderr"
+  )
+}
+# within KILOBYTES CODE arguments...: checks the exit code in that much address space.
 within() {
-  local most=$1 wanted=$2
-  shift 2
-  (ulimit -v "$most"; "$COASTER" "$@" >"$OUT/stdout" 2>"$OUT/stderr")
-  local found=$?
-  [ "$found" = "$wanted" ] || fail "coaster $* in $most kB: exit code $found, expected $wanted: $(head -c 400 "$OUT/stderr")"
+  limited_to "$1" "${@:3}"
+  check_code $? "$2" "coaster ${*:3} in $1 kB"
 }
 limited=yes
 [ -n "${FAILING_NEW:-}" ] || limited= # sanitizers reserve terabytes of address space
 
 # Files that are larger in memory than on disk.
-zeros() { printf '['; head -c "$1" /dev/zero | sed 's/\x0/0,/g'; printf '0]'; }
-zeros 30000000 >"$OUT/zeros.json"
-carts() { for i in $(seq 1 "$1"); do printf '%s{"id": "c%d", "segment": "s1", "fraction": 0}' "$([ "$i" = 1 ] || echo ,)" "$i"; done; }
+# repeated N TEXT: the text N times.
+repeated() { head -c "$1" /dev/zero | sed "s|\\x0|$2|g"; }
+{ printf '['; repeated 30000000 0,; printf '0]'; } >"$OUT/zeros.json"
+{ printf '<root><element>'; repeated 4000000 '<a/>'; printf '</element></root>'; } >"$OUT/large.nl2elem"
+# listed N ITEM: items of a JSON list for the numbers 1 to N. @ is the number, @next the one after, @x its place on a
+# line.
+listed() {
+  seq 1 "$1" | awk -v item="$2" '{
+    text = item
+    gsub(/@next/, $1 + 1, text)
+    gsub(/@x/, 10 * $1 - 90000, text)
+    gsub(/@/, $1, text)
+    printf "%s%s", (NR > 1 ? ",\n" : ""), text
+  }'
+}
 for n in 10000 10001; do
   sed -n '/"carts"/q;p' "$TRACK" >"$OUT/carts-$n.json"
-  printf '"carts": [%s]}\n' "$(carts "$n")" >>"$OUT/carts-$n.json"
+  printf '"carts": [%s]}\n' "$(listed "$n" '{"id": "c@", "segment": "s1", "fraction": 0}')" >>"$OUT/carts-$n.json"
 done
-{ printf '<root><element>'; head -c 4000000 /dev/zero | sed 's/\x0/<a\/>/g'; printf '</element></root>'; } >"$OUT/large.nl2elem"
-corner() { # KNOT X Y Z
-  printf '{"id": "k%d", "position": [%s, %s, %s], "tangent": [1, 0, 0], "up": [0, 1, 0], "in": 10000, "out": 10000, "joint": "smooth"}' "$@"
+# track SPEED KNOTS SEGMENTS: prints an open track of these.
+track() {
+  cat <<END
+{"format": "coaster-track", "version": 1, "name": "Long", "closed": false, "start_speed": $1, "datum": 0,
+"knots": [$2],
+"segments": [$3],
+"carts": [{"id": "c1", "segment": "s1", "fraction": 0.5}]}
+END
 }
+# corners N: a track from corner to corner of a cube of 200 km, N of them.
 corners() {
-  printf '{"format": "coaster-track", "version": 1, "name": "Corners", "closed": false, "start_speed": 50, "datum": 0, "knots": ['
+  local knots=
   for i in $(seq 1 "$1"); do
-    [ "$i" = 1 ] || printf ', '
-    c=$((i * 5 % 8))
-    corner "$i" "$((c & 1 ? 100000 : -100000))" "$((c & 2 ? 100000 : -100000))" "$((c & 4 ? 100000 : -100000))"
+    local c=$((i * 5 % 8))
+    local at="$((c & 1 ? 100000 : -100000)), $((c & 2 ? 100000 : -100000)), $((c & 4 ? 100000 : -100000))"
+    knots+="${knots:+, }{\"id\": \"k$i\", \"position\": [$at], \"tangent\": [1, 0, 0], \"up\": [0, 1, 0],
+      \"in\": 10000, \"out\": 10000, \"joint\": \"smooth\"}"
   done
-  printf '], "segments": ['
-  for i in $(seq 1 $(($1 - 1))); do
-    [ "$i" = 1 ] || printf ', '
-    printf '{"id": "s%d", "from": "k%d", "to": "k%d", "turns": 0}' "$i" "$i" $((i + 1))
-  done
-  printf '], "carts": [{"id": "c1", "segment": "s1", "fraction": 0.5}]}\n'
+  track 50 "$knots" "$(listed $(($1 - 1)) '{"id": "s@", "from": "k@", "to": "k@next", "turns": 0}')"
 }
 # row N: a straight of N segments of 10 m, each with a chain.
 row() {
-  printf '{"format": "coaster-track", "version": 1, "name": "Row", "closed": false, "start_speed": 9, "datum": 0, "knots": ['
-  seq 1 $(($1 + 1)) | awk '{ printf "%s{\"id\": \"k%d\", \"position\": [%d, 5, 0], \"tangent\": [1, 0, 0], \"up\": [0, 1, 0], \"in\": 3, \"out\": 3, \"joint\": \"smooth\"}", (NR > 1 ? ", " : ""), $1, 10 * $1 - 90000 }'
-  printf '], "segments": ['
-  seq 1 "$1" | awk '{ printf "%s{\"id\": \"s%d\", \"from\": \"k%d\", \"to\": \"k%d\", \"turns\": 0, \"equipment\": \"lift\"}", (NR > 1 ? ", " : ""), $1, $1, $1 + 1 }'
-  printf '], "carts": [{"id": "c1", "segment": "s1", "fraction": 0}]}\n'
+  local knots segments
+  knots=$(listed $(($1 + 1)) '{"id": "k@", "position": [@x, 5, 0], "tangent": [1, 0, 0], "up": [0, 1, 0],
+    "in": 3, "out": 3, "joint": "smooth"}')
+  segments=$(listed "$1" '{"id": "s@", "from": "k@", "to": "k@next", "turns": 0, "equipment": "lift"}')
+  track 9 "$knots" "$segments"
 }
 row 15000 >"$OUT/row.json"
 corners 40 >"$OUT/corners.json"
@@ -60,30 +78,31 @@ if [ -n "$limited" ]; then
   expect_text stderr "larger than the limit of 4194304 bytes"
   within 2500000 0 --headless "$OUT/corners.json" --size 96x54 --frames 2 --out "$OUT/ride"
   expect_text stderr "This is a very long track. Ties, equipment and supports are drawn only near the eye."
-  for name in corners many_corners; do within 2500000 0 --report "$OUT/$name.json"; done
-  # Chains of 150 km: drawn near the eye alone, and too much for a solid.
+  within 2500000 0 --report "$OUT/corners.json"
+  within 2500000 0 --report "$OUT/many_corners.json"
+  # Chains of 150 km: drawn only near the eye, and too much for a solid.
   within 1500000 0 --headless "$OUT/row.json" --size 96x54 --frames 2 --out "$OUT/ride"
-  printf 'coaster-script 1\nload "%s"\nexpect error save "$OUT/a.obj" ~ "the limit of 3000000 vertices"\nexpect error save "$OUT/a.gltf" ~ "the limit"\n' "$OUT/row.json" >"$OUT/solid.coaster"
+  script solid "load \"$OUT/row.json\"
+expect error save \"\$OUT/a.obj\" ~ \"the limit of 3000000 vertices\"
+expect error save \"\$OUT/a.gltf\" ~ \"the limit\""
   within 1500000 0 --headless --script "$OUT/solid.coaster" --out "$OUT/run"
-  # Without enough of it for anything: one line and an exit code of its own.
+  # Too little to read the file: one line and its own exit code.
   within 250000 70 --validate "$OUT/zeros.json"
   [ "$(cat "$OUT/stderr")" = "Out of memory." ] || fail "expected one line: $(cat "$OUT/stderr")"
 fi
 rm -f "$OUT/zeros.json" "$OUT/large.nl2elem"
 
 # A sheet has as many pixels as a picture at most.
-{
-  printf 'coaster-script 1\nenv size 640x360\nshot "a.png"\nexpect error sheet "sheet.png"'
-  printf ' "a.png"%.0s' $(seq 200)
-  printf ' ~ "more than the limit of 33177600 pixels"\n'
-} >"$OUT/sheet.coaster"
-expect_code 0 --headless --script "$OUT/sheet.coaster" --out "$OUT/run"
+script sheet "env size 640x360
+shot \"a.png\"
+expect error sheet \"sheet.png\"$(repeated 200 ' "a.png"') ~ \"more than the limit of 33177600 pixels\""
+run_script 0 sheet
 
-# In however little, a run ends well or with that line: drivers and the compilers in them crash where an allocation of
-# theirs fails. How much a driver needs differs between versions, so most runs have about that much.
+# In any amount of memory a run ends normally or with that line, although drivers and their compilers crash if one of
+# their allocations fails. How much a driver needs differs between versions, so most runs have about that much.
 if [ -n "$limited" ]; then
-  runs_within() { # KILOBYTES: returns 0 if the run ends well, 1 if it ends for want of memory
-    (ulimit -v "$1"; "$COASTER" --headless "$TRACK" --size 96x54 --frames 2 --out "$OUT/ride" >"$OUT/stdout" 2>"$OUT/stderr")
+  runs_within() { # KILOBYTES: returns 0 if the run ends normally, 1 if it runs out of memory
+    limited_to "$1" --headless "$TRACK" --size 96x54 --frames 2 --out "$OUT/ride"
     local code=$?
     case $code in
       0) return 0 ;;
@@ -94,8 +113,8 @@ if [ -n "$limited" ]; then
     return 1
   }
   little=100000 enough=1000000
-  runs_within $little && fail "a run ends well in $little kB"
-  runs_within $enough || fail "a run does not end well in $enough kB"
+  runs_within $little && fail "a run ends normally in $little kB"
+  runs_within $enough || fail "a run does not end normally in $enough kB"
   while [ $((enough - little)) -gt 5000 ]; do
     middle=$(((little + enough) / 2))
     if runs_within $middle; then enough=$middle; else little=$middle; fi
@@ -106,11 +125,16 @@ fi
 # The n-th allocation fails, for many n: always 70 and one line, or the script's normal end. Unsaved work can be
 # recovered.
 if [ -n "$limited" ]; then
-  printf 'coaster-script 1\nenv size 64x36\nload "%s"\nmove @k2 to 1 9 4\nframes 120\nlog "the end"\n' "$TRACK" >"$OUT/some.coaster"
+  script some "env size 64x36
+load \"$TRACK\"
+move @k2 to 1 9 4
+frames 120
+log \"the end\""
   saved=0 ended=0
   for n in 1 10 100 1000 10000 20000 30000 40000 45000 50000 55000 60000 65000 70000 80000 100000000; do
     rm -rf "$OUT/home"
-    FAIL_AT=$n LD_PRELOAD=$FAILING_NEW "$COASTER" --headless --script "$OUT/some.coaster" --config "$OUT/home" --out "$OUT/run" >"$OUT/stdout" 2>"$OUT/stderr"
+    FAIL_AT=$n LD_PRELOAD=$FAILING_NEW "$COASTER" --headless --script "$OUT/some.coaster" --config "$OUT/home" \
+      --out "$OUT/run" >"$OUT/stdout" 2>"$OUT/stderr"
     code=$?
     case $code in
       0) ended=$((ended + 1)) ;;
@@ -129,9 +153,13 @@ if [ -n "$limited" ]; then
 fi
 
 # A file over the size limit is an error like a full disk, and the old file stays.
-printf 'coaster-script 1\nload "%s"\nsave "$OUT/own.json"\n' "$TRACK" >"$OUT/save.coaster"
-(ulimit -f 1; "$COASTER" --headless --script "$OUT/save.coaster" --out "$OUT/run" >/dev/null 2>"$OUT/stderr")
-[ $? = 5 ] || fail "ulimit -f: expected exit code 5: $(cat "$OUT/stderr")"
+script save "load \"$TRACK\"
+save \"\$OUT/own.json\""
+(
+  ulimit -f 1
+  "$COASTER" --headless --script "$OUT/save.coaster" --out "$OUT/run" >/dev/null 2>"$OUT/stderr"
+)
+check_code $? 5 "ulimit -f"
 expect_text stderr "write: File too large"
 [ ! -e "$OUT/run/own.json" ] || fail "half a file is left"
 finish

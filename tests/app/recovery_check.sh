@@ -1,12 +1,12 @@
 # Programs that are killed, receive a signal, or run at the same time: unsaved changes are offered for recovery, and two
 # programs never write the same file.
 . "$(dirname "$0")/lib.sh"
-script() { printf 'coaster-script 1\n%s\n' "$2" >"$OUT/$1.coaster"; }
-run() { expect_code "$1" --headless --script "$OUT/$2.coaster" --config "$OUT/home" --out "$OUT" --size 480x270; }
+user=(--config "$OUT/home" --out "$OUT" --size 480x270)
+run() { expect_code "$1" --headless --script "$OUT/$2.coaster" "${user[@]}"; }
 # Runs a script in the background until it has written its picture ready.png; its process is $pid.
 launch() {
   rm -f "$OUT/ready.png"
-  "$COASTER" --headless --script "$OUT/$1.coaster" --config "$OUT/home" --out "$OUT" --size 480x270 >"$OUT/stdout.$1" 2>"$OUT/stderr.$1" &
+  "$COASTER" --headless --script "$OUT/$1.coaster" "${user[@]}" >"$OUT/stdout.$1" 2>"$OUT/stderr.$1" &
   pid=$!
   for _ in $(seq 600); do
     [ -e "$OUT/ready.png" ] && return
@@ -66,7 +66,7 @@ cmp -s "$OUT/own.json" "$OUT/before.json" && fail "what was recovered is not sav
 [ "$(left)" = 0 ] || fail "an autosave is left of what is saved"
 
 # SIGTERM, SIGINT, SIGHUP: autosaved at once, exit code 128 plus the signal's number.
-script told 'env size 64x36
+script signalled 'env size 64x36
 load "$OUT/own.json"
 move @k2 to 5 8 4
 shot "ready.png"
@@ -74,7 +74,7 @@ frames 1000000'
 for signal in 15 2 1; do
   # A shell's background jobs ignore SIGINT from their start on; the handlers that the program installs work
   # nevertheless.
-  launch told
+  launch signalled
   kill -$signal $pid
   wait $pid
   code=$?

@@ -1,8 +1,9 @@
 # The settings file: kept from run to run, garbage set aside, keys reassigned, and none of it in scripts that do not
 # request it.
 . "$(dirname "$0")/lib.sh"
-script() { printf 'coaster-script 1\n%s\n' "$2" >"$OUT/$1.coaster"; }
-run() { expect_code "$1" --headless --script "$OUT/$2.coaster" --config "$OUT/home" --out "$OUT" --size 800x600 "${@:3}"; }
+run() {
+  expect_code "$1" --headless --script "$OUT/$2.coaster" --config "$OUT/home" --out "$OUT" --size 800x600 "${@:3}"
+}
 mkdir -p "$OUT/home"
 settings=$OUT/home/settings.json
 
@@ -79,7 +80,10 @@ grep -q '"panels": false' "$settings" || fail "the panels are not kept"
 
 # Keys: unknown actions and keys, and keys assigned twice, are reported in one notice; menus and tooltips show the keys
 # in effect.
-printf '{"format": "coaster-settings", "version": 1, "keys": {"Undo": "Ctrl+U", "Undoo": "F3", "Redo": "Ctrl+U", "Save": "Splat", "Frame all": "R", "Add curve": ""}}' >"$settings"
+cat >"$settings" <<'END'
+{"format": "coaster-settings", "version": 1, "keys": {
+  "Undo": "Ctrl+U", "Undoo": "F3", "Redo": "Ctrl+U", "Save": "Splat", "Frame all": "R", "Add curve": ""}}
+END
 script keys 'expect toast ~ "There is no action \"Undoo\"; did you mean \"Undo\"?"
 expect toast ~ "Ctrl+U is assigned to both Undo and Redo."
 expect toast ~ "Save keeps its default keys because \"Splat\" is not a key."
