@@ -1,5 +1,5 @@
 # The libraries of the build for browsers (preset web; tools/web). Those of headers alone are the installed ones: each
-# is linked into a folder of its own, because the other headers of /usr/include belong to another system. TinyXML-2,
+# is linked into its own folder, because the other headers of /usr/include belong to another system. TinyXML-2,
 # zlib and Dear ImGui are compiled from the sources in COASTER_WEB_SOURCES. Its folders have the names that apt-get
 # source gives them: tinyxml2-*, zlib-*, imgui-*.
 set(COASTER_WEB_SOURCES "" CACHE PATH "Folder of the sources of Dear ImGui, TinyXML-2 and zlib (tools/web fetches them)")
@@ -29,7 +29,9 @@ function(coaster_sources target what pattern)
   list(FILTER folder EXCLUDE REGEX "\\.(dsc|xz|gz|bz2|log)$")
   list(LENGTH folder count)
   if(NOT COASTER_WEB_SOURCES OR NOT count EQUAL 1)
-    message(FATAL_ERROR "${what}: expected one folder ${pattern} in COASTER_WEB_SOURCES (${COASTER_WEB_SOURCES}), found ${count}. tools/web fetches it")
+    message(FATAL_ERROR
+      "${what}: expected one folder ${pattern} in COASTER_WEB_SOURCES (${COASTER_WEB_SOURCES}), found ${count}. "
+      "tools/web fetches it")
   endif()
   list(TRANSFORM ARGN PREPEND ${folder}/ OUTPUT_VARIABLE files)
   file(GLOB sources ${files})
@@ -58,7 +60,8 @@ if(COASTER_APP)
   coaster_sources(coaster_imgui "Dear ImGui" imgui-* imgui*.cpp)
   add_library(coaster_openal INTERFACE)  # Emscripten's own, on Web Audio
   target_link_libraries(coaster_openal INTERFACE openal)
-  find_file(COASTER_INTER_FONT NAMES Inter-Regular.otf PATHS /usr/share/fonts/opentype/inter NO_DEFAULT_PATH NO_CMAKE_FIND_ROOT_PATH)
+  find_file(COASTER_INTER_FONT NAMES Inter-Regular.otf PATHS /usr/share/fonts/opentype/inter
+            NO_DEFAULT_PATH NO_CMAKE_FIND_ROOT_PATH)
 endif()
 
 if(BUILD_TESTING)
