@@ -1,4 +1,4 @@
-"""tools/count_tests sums what CTest itself says of small suites. Usage: count_tests_test.py COUNT_TESTS CTEST"""
+"""tools/count_tests sums what CTest itself reports for small suites. Usage: count_tests_test.py COUNT_TESTS CTEST"""
 import pathlib
 import re
 import shlex
@@ -26,7 +26,9 @@ def suite(folder, name, tests):
     lines = []
     for test in tests:
         program, properties = TESTS[test]
-        lines += [f"add_test({test} {program})"] + [f"set_tests_properties({test} PROPERTIES {properties})"] * bool(properties)
+        lines.append(f"add_test({test} {program})")
+        if properties:
+            lines.append(f"set_tests_properties({test} PROPERTIES {properties})")
     (path / "CTestTestfile.cmake").write_text("\n".join(lines))
     return f"{shlex.quote(sys.argv[2])} --test-dir {path} --repeat until-pass:2"
 
@@ -63,7 +65,8 @@ def main():
             if numbers(lines[0]) != expected:
                 wrong.append(f"{name}: {lines[0]}, expected {expected}")
             percent = 100 if failed == 0 else 100 * (passed + skipped) // sum(expected)
-            if abs(numbers(lines[1])[0] - percent) > 1 or numbers(lines[1])[1:] != [failed, sum(expected)] or "tests passed, " not in lines[1]:
+            found, *counts = numbers(lines[1])
+            if abs(found - percent) > 1 or counts != [failed, sum(expected)] or "tests passed, " not in lines[1]:
                 wrong.append(f"{name}: {lines[1]}")
             if not re.match(r"Total Test time \(real\) = +\d+\.\d\d sec$", lines[2]):
                 wrong.append(f"{name}: {lines[2]}")
@@ -76,11 +79,14 @@ def main():
         # A suite alone has the same closing lines as CTest gives it.
         for command in (every, fine, one):
             own = subprocess.run(command, shell=True, capture_output=True, text=True).stdout
-            counted = subprocess.run([sys.argv[1], command], capture_output=True, text=True).stdout.rpartition("\n=== ")[2]
+            counted = subprocess.run([sys.argv[1], command], capture_output=True, text=True).stdout
+            counted = counted.rpartition("\n=== ")[2]
             for line in own.splitlines():
-                if ("% tests passed" in line or re.match(r"\t +\d+ - ", line)) and "Disabled" not in line and line not in counted:
+                closing = "% tests passed" in line or re.match(r"\t +\d+ - ", line)
+                if closing and "Disabled" not in line and line not in counted:
                     wrong.append(f"CTest says {line.strip()}, tools/count_tests says {counted.strip()}")
-    print("\n".join(line.replace("%", " percent").replace("\t", " ") for line in wrong))  # this output may be counted, too
+    # This output may be counted, too.
+    print("\n".join(line.replace("%", " percent").replace("\t", " ") for line in wrong))
     return 1 if wrong else 0
 
 

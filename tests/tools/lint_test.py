@@ -1,4 +1,4 @@
-"""lint --format names a file that is formatted otherwise, and passes over one that is not; 77 without the clang-format for it."""
+"""lint --format names a file that is formatted wrongly and no other file. Exit status 77 without that clang-format."""
 import pathlib
 import shutil
 import subprocess

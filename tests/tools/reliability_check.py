@@ -7,11 +7,13 @@ import re
 import sys
 
 
+CASE = re.compile(r"^(?:TEST|TEST_F|RC_GTEST_PROP)\(\s*(\w+),\s*(\w+)", re.M)
+
+
 def tests_of(source):
     names = set()
     for file in (source / "tests").rglob("*_test.cpp"):
-        text = file.read_text()
-        names |= {f"{suite}.{case}" for suite, case in re.findall(r"^(?:TEST|TEST_F|RC_GTEST_PROP)\(\s*(\w+),\s*(\w+)", text, re.M)}
+        names |= {f"{suite}.{case}" for suite, case in CASE.findall(file.read_text())}
     names |= {"script." + file.stem for file in (source / "tests/scripts").glob("*.coaster")}
     names |= {"script." + file.stem for file in (source / "tests/app").glob("*_check.sh")}
     names |= {"window." + file.stem.removesuffix("_test") for file in (source / "tests/window").glob("*_test.py")}

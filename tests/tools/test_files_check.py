@@ -1,6 +1,7 @@
 """The rule for test files (head of tests/CMakeLists.txt), checked. Usage: test_files_check.py SOURCE_FOLDER
 
-1. tests/FOLDER/NAME_test.cpp tests src/FOLDER/NAME.h or NAME.cpp, or its first line is a comment that says what it holds.
+1. tests/FOLDER/NAME_test.cpp tests src/FOLDER/NAME.h or NAME.cpp, or its first line is a comment that says what it
+   tests.
 2. A header with functions or classes that another room includes is included by a test of its own room.
 """
 import re
@@ -8,7 +9,9 @@ import sys
 from pathlib import Path
 
 INCLUDE = re.compile(r'^#include "([^"]+)"', re.M)
-DECLARES = re.compile(r"^(?:\[\[nodiscard\]\] )?[a-zA-Z][^;{}=#]*\([^;{}]*\)(?: const)?;|^(?:template .*\n)?class \w+ (?:final )?\{", re.M)
+FUNCTION = r"^(?:\[\[nodiscard\]\] )?[a-zA-Z][^;{}=#]*\([^;{}]*\)(?: const)?;"
+CLASS = r"^(?:template .*\n)?class \w+ (?:final )?\{"
+DECLARES = re.compile(f"{FUNCTION}|{CLASS}", re.M)
 
 
 def unnamed_tests(source):

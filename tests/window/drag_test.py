@@ -1,7 +1,9 @@
-"""A real window under Xvfb: a real mouse drags a knot, a real key undoes it; what was recorded replays headless to the same hashes.
+"""A real window under Xvfb: a real mouse drags a knot and a real key undoes it. The recording replays headless to the
+same hashes.
 
 Usage: drag_test.py COASTER FOLDER. Exit status 77 (skipped) when Xvfb or xdotool is missing.
 """
+import json
 import math
 import pathlib
 import re
@@ -11,17 +13,29 @@ import sys
 
 from window import Window, need, wait_for
 
-KNOT = '{"id": "k%d", "position": [%g, 10, 0], "tangent": [1, 0, 0], "up": [0, 1, 0], "in": 6, "out": 6, "joint": "smooth"}'
-TRACK = """{"format": "coaster-track", "version": 1, "name": "Line", "closed": false, "start_speed": 5, "datum": 0,
-"knots": [%s],
-"segments": [{"id": "s1", "from": "k1", "to": "k2", "turns": 0}, {"id": "s2", "from": "k2", "to": "k3", "turns": 0}],
-"carts": [{"id": "c1", "segment": "s1", "fraction": 0}]}
-""" % ", ".join(KNOT % (i + 1, x) for i, x in enumerate((-20, 0, 20)))
+
+
+def knot(name, x):
+    return {"id": name, "position": [x, 10, 0], "tangent": [1, 0, 0], "up": [0, 1, 0], "in": 6, "out": 6,
+            "joint": "smooth"}
+
+
+TRACK = json.dumps({
+    "format": "coaster-track", "version": 1, "name": "Line", "closed": False, "start_speed": 5, "datum": 0,
+    "knots": [knot("k1", -20), knot("k2", 0), knot("k3", 20)],
+    "segments": [{"id": "s1", "from": "k1", "to": "k2", "turns": 0},
+                 {"id": "s2", "from": "k2", "to": "k3", "turns": 0}],
+    "carts": [{"id": "c1", "segment": "s1", "fraction": 0}],
+})
 
 
 def documents(log):
     """The document's hash of each whole line of a log of ticks."""
     return [line.split()[3] for line in log.split("\n")[:-1] if line.startswith("tick")]
+
+
+def cross(a, b):
+    return a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]
 
 
 def pixel_of(point, recording):
@@ -31,7 +45,7 @@ def pixel_of(point, recording):
     yaw, pitch = math.radians(yaw), math.radians(pitch)
     back = (math.sin(yaw) * math.cos(pitch), math.sin(pitch), math.cos(yaw) * math.cos(pitch))
     right = (math.cos(yaw), 0, -math.sin(yaw))
-    up = (back[1] * right[2] - back[2] * right[1], back[2] * right[0] - back[0] * right[2], back[0] * right[1] - back[1] * right[0])
+    up = cross(back, right)
     offset = [a - b for a, b in zip(point, target)]
     x, y, z = (sum(a * b for a, b in zip(offset, axis)) for axis in (right, up, back))
     left, top, width, height = 0, 0, 1280, 720
@@ -56,17 +70,24 @@ def drag_and_undo(window, log):
     wait_for("the keyboard's focus", lambda: "coaster" in window.xdo("getwindowfocus", "getwindowname"))
     xdo("key", "Tab")
     wait_for("the panels to be hidden", lambda: "panels off" in recorded())
-    xdo("mousemove", *pixel_of((0, 10, 0), wait_for("the camera", lambda: re.search(r"^camera .*\n", recorded(), re.M) and recorded())))
+    wait_for("the camera", lambda: re.search(r"^camera .*\n", recorded(), re.M))
+    xdo("mousemove", *pixel_of((0, 10, 0), recorded()))
     xdo("mousedown", 1)
     for _ in range(6):
         xdo("mousemove_relative", "--", 2, -9)
     xdo("mouseup", 1)
-    wait_for("the drag to be recorded", lambda: re.search(r"^gesture\.begin[\s\S]*move @k2 to [\s\S]*gesture\.end", recorded(), re.M))
+    drag = re.compile(r"^gesture\.begin[\s\S]*move @k2 to [\s\S]*gesture\.end", re.M)
+    wait_for("the drag to be recorded", lambda: drag.search(recorded()))
     xdo("key", "space")
     wait_for("the ride to start", lambda: "ride.start" in recorded())
     xdo("key", "ctrl+z")
     wait_for("the undo to be recorded", lambda: re.search(r"^undo", recorded(), re.M))
-    wait_for("the knot to be back", lambda: (d := documents(log.read_text())) and len(d) > 3 and d[-1] == d[-3] == d[0])
+
+    def is_back():
+        found = documents(log.read_text())
+        return len(found) > 3 and found[-1] == found[-3] == found[0]
+
+    wait_for("the knot to be back", is_back)
 
 
 def main():
@@ -84,8 +105,8 @@ def main():
             print("the program", "runs" if ended is None else f"has ended with {ended}", log.read_text()[-300:])
             raise
     live = [line for line in log.read_text().splitlines() if line.startswith("tick")]
-    replay = subprocess.run([coaster, "--headless", "--script", str(window.recording), "--out", str(folder / "replay"), "--hash-log"],
-                            capture_output=True, text=True)
+    replay = subprocess.run([coaster, "--headless", "--script", window.recording, "--out", folder / "replay",
+                             "--hash-log"], capture_output=True, text=True)
     assert replay.returncode == 0, replay.stderr
     again = [line for line in replay.stdout.splitlines() if line.startswith("tick")]
     # The window was killed: the last lines of its log may be missing or cut.

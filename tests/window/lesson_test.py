@@ -1,5 +1,5 @@
-"""A real mouse that rests on "Show me" clicks through the first lessons: each click goes to the button, not to where the
-lesson's own clicks have moved the pointer.
+"""A real mouse that rests on "Show me" clicks through the first lessons: each click goes to the button, although the
+lesson's own clicks move the program's pointer.
 
 Usage: lesson_test.py COASTER FOLDER. Exit status 77 (skipped) when Xvfb or xdotool is missing.
 """
@@ -26,7 +26,7 @@ def main():
             xdo("click", 1)
 
         def until(what, act, condition):
-            """Acts until the condition holds: what comes while the program starts, or before the card shows, has no effect."""
+            """Acts until the condition holds. Input has no effect until the program has started and the card shows."""
             for _ in range(15):
                 act()
                 try:

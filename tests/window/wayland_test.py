@@ -16,8 +16,8 @@ from lost_display import expect_saved
 def start_compositor(environment):
     """weston without a screen, and the environment of its clients."""
     socket = pathlib.Path(environment["XDG_RUNTIME_DIR"]) / "coaster"
-    weston = subprocess.Popen(["weston", "--backend=headless-backend.so", "--no-config", "--idle-time=0", "--socket=" + socket.name],
-                              env=environment, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+    command = ["weston", "--backend=headless-backend.so", "--no-config", "--idle-time=0", "--socket=" + socket.name]
+    weston = subprocess.Popen(command, env=environment, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
     end = time.monotonic() + 60
     while not socket.exists():
         if weston.poll() is not None or time.monotonic() > end:
@@ -38,8 +38,8 @@ def main():
         bare = {name: value for name, value in os.environ.items() if name not in ("DISPLAY", "WAYLAND_DISPLAY")}
         weston, environment = start_compositor({**bare, "XDG_RUNTIME_DIR": runtime})
         try:
-            tried = subprocess.run([coaster, "--frames", "2", "--config", out / "home"], env=environment, capture_output=True,
-                                   text=True, timeout=120)
+            tried = subprocess.run([coaster, "--frames", "2", "--config", out / "home"], env=environment,
+                                   capture_output=True, text=True, timeout=120)
             if "X11: The DISPLAY environment variable is missing" in tried.stderr:
                 print("skipped: GLFW has no Wayland")
                 raise SystemExit(77)

@@ -25,8 +25,8 @@ def wait_for(what, condition, seconds=60):
 
 def start_display(*options, size="1280x720"):
     read, write = os.pipe()
-    server = subprocess.Popen(["Xvfb", "-displayfd", str(write), "-screen", "0", size + "x24", "-nolisten", "tcp", *options],
-                              pass_fds=[write], stderr=subprocess.DEVNULL)
+    command = ["Xvfb", "-displayfd", str(write), "-screen", "0", size + "x24", "-nolisten", "tcp", *options]
+    server = subprocess.Popen(command, pass_fds=[write], stderr=subprocess.DEVNULL)
     os.close(write)
     number = os.read(read, 16).decode().strip()
     if not number:
@@ -52,9 +52,9 @@ class Window:
         self.server, display = start_display()
         self.environment = environment(display)
         self.environment.pop("GALLIVM_PERF", None)  # large pictures, and many: shaders are better compiled well
-        self.program = subprocess.Popen(
-            [coaster, *map(str, options), "--record", str(self.recording), "--size", "1280x720", "--config", str(folder / "config")],
-            env=self.environment, stdout=self.log.open("w"), stderr=subprocess.STDOUT)
+        command = [coaster, *options, "--record", self.recording, "--size", "1280x720", "--config", folder / "config"]
+        self.program = subprocess.Popen(command, env=self.environment, stdout=self.log.open("w"),
+                                        stderr=subprocess.STDOUT)
 
     def __enter__(self):
         return self
@@ -64,7 +64,8 @@ class Window:
         self.server.terminate()
 
     def xdo(self, *arguments):
-        return subprocess.run(["xdotool", *map(str, arguments)], env=self.environment, capture_output=True, text=True).stdout
+        command = ["xdotool", *map(str, arguments)]
+        return subprocess.run(command, env=self.environment, capture_output=True, text=True).stdout
 
     def recorded(self):
         return self.recording.read_text() if self.recording.exists() else ""
