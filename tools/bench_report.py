@@ -36,7 +36,8 @@ def machine_line(report, runs):
     return f"{model}, {context['num_cpus']} cores, {sizes}; {compiler}; medians of {repetitions} interleaved runs"
 
 
-FIGURES = ("ns_per_", "ms_", "cpu_s_", "mb_", "kb_", "ratio_", "worst_", "difference_", "error_", "drift_", "evaluations", "uploads", "rebuilds", "shadow_maps", "draw_calls", "triangles", "vertices", "checksum")
+FIGURES = ("ns_per_", "ms_", "cpu_s_", "mb_", "kb_", "ratio_", "worst_", "difference_", "error_", "drift_",
+           "evaluations", "uploads", "rebuilds", "shadow_maps", "draw_calls", "triangles", "vertices", "checksum")
 
 
 def main():
