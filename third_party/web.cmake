@@ -1,8 +1,9 @@
 # The libraries of the build for browsers (preset web; tools/web). Those of headers alone are the installed ones: each
-# is linked into its own folder, because the other headers of /usr/include belong to another system. TinyXML-2,
-# zlib and Dear ImGui are compiled from the sources in COASTER_WEB_SOURCES. Its folders have the names that apt-get
-# source gives them: tinyxml2-*, zlib-*, imgui-*.
-set(COASTER_WEB_SOURCES "" CACHE PATH "Folder of the sources of Dear ImGui, TinyXML-2 and zlib (tools/web fetches them)")
+# is linked into its own folder, because the other headers of /usr/include belong to another system. TinyXML-2, zlib and
+# Dear ImGui are compiled from the sources in COASTER_WEB_SOURCES. Its folders have the names that apt-get source gives
+# them: tinyxml2-*, zlib-*, imgui-*.
+set(COASTER_WEB_SOURCES "" CACHE PATH
+    "Folder of the sources of Dear ImGui, TinyXML-2 and zlib (tools/web fetches them)")
 
 enable_language(C)  # zlib
 

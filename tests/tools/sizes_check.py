@@ -1,12 +1,22 @@
 """The sizes that CONTRIBUTING.md names. Usage: sizes_check.py SOURCE_FOLDER
 
-Files of src/ have at most 300 lines, functions 60, folders 30 .cpp files. tool.format checks the width of lines.
+Files of src/ have at most 300 lines, functions 60, folders 30 .cpp files. Lines have at most 120 columns; tool.format
+checks those of C++.
 """
 import re
 import sys
 from pathlib import Path
 
-FILE, FUNCTION, FOLDER = 300, 60, 30
+FILE, FUNCTION, FOLDER, LINE = 300, 60, 30, 120
+# The folders whose lines are measured, besides the files at the top, and what is exempt there.
+FOLDERS = ("bench", "cmake", "packaging", "shaders", "tests", "third_party", "tools")
+EXEMPT = (
+    ".cpp", ".h",  # tool.format
+    ".coaster",  # a statement of a script takes one line
+    ".json", ".csv", ".fvd", ".nltrack",  # data
+    ".png", ".pyc",  # not text
+)
+CORPUS = Path("tests/fuzz/corpus")
 # What opens a brace at the left margin without being a function, as clang-format leaves it: scopes, types and tables.
 OTHER = re.compile(r"(namespace|struct|class|union|enum|extern|template)\b.*[^)]{$|.*= ?{$|.*(\w|\])\{$")
 
@@ -22,6 +32,18 @@ def long_functions(lines):
             start = None
 
 
+def long_lines(root):
+    files = [path for folder in FOLDERS for path in (root / folder).rglob("*")]
+    for path in sorted([*files, *root.glob("*.md"), root / "CMakeLists.txt", root / ".clang-tidy"]):
+        name = path.relative_to(root)
+        if not path.is_file() or path.suffix in EXEMPT or CORPUS in name.parents:
+            continue
+        for number, line in enumerate(path.read_text().splitlines(), 1):
+            is_row = path.suffix == ".md" and line.startswith("|")  # of a table
+            if len(line) > LINE and not is_row:
+                yield f"{name}:{number}: {len(line)} columns, at most {LINE}"
+
+
 def wrong(source):
     folders = {}
     for path in sorted(source.rglob("*")):
@@ -34,10 +56,13 @@ def wrong(source):
                     for start, length in long_functions(lines))
         if path.suffix == ".cpp":
             folders[name.parent] = folders.get(name.parent, 0) + 1
-    yield from (f"{folder}: {count} .cpp files, at most {FOLDER}" for folder, count in folders.items() if count > FOLDER)
+    for folder, count in folders.items():
+        if count > FOLDER:
+            yield f"{folder}: {count} .cpp files, at most {FOLDER}"
 
 
 if __name__ == "__main__":
-    found = list(wrong(Path(sys.argv[1]) / "src"))
+    root = Path(sys.argv[1])
+    found = [*wrong(root / "src"), *long_lines(root)]
     print("\n".join(found), end="\n" if found else "")
     sys.exit(1 if found else 0)
