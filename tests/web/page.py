@@ -1,4 +1,4 @@
-"""What a person does with the page, by mouse, keyboard and fingers alone. For the tests of the page."""
+"""What a person does with the page, only by mouse, keyboard and fingers. For the tests of the page."""
 import base64
 import json
 import pathlib
