@@ -67,13 +67,13 @@ void retreat(FitWork& w, Span& span, std::size_t usual) {
 
 }  // namespace
 
-void fit_spans(FitWork& w) {
+void fit_spans(FitWork& w, std::size_t most_spans) {
   const std::size_t end = w.rows.size() - 1;
   w.spans.clear();
   const double most = w.bounds().angle, seam = w.row_rolls.leans[0];
   RollRange allowed = w.closed ? RollRange{seam, seam} : RollRange{-most, most};
   std::size_t usual = kFirstStride;
-  for (std::size_t first = 0; first < end && !w.cancelled();) {
+  for (std::size_t first = 0; first < end && w.spans.size() <= most_spans && !w.cancelled();) {
     Span span = longest_span(w, first, allowed, usual);
     if (span.fit.bent && !w.spans.empty()) retreat(w, span, usual);
     usual = std::max<std::size_t>(2, span.last - span.first);
@@ -88,15 +88,21 @@ void fit_spans(FitWork& w) {
 void even_out(FitWork& w) {
   if (w.spans.size() < 2 || w.rows.size() > kEvenedRows) return;
   std::vector<Span> best = w.spans;
-  // A span's length scales with the second to fourth root of the bound: with n spans the bounds can shrink by 4 / n at
-  // most.
-  double low = std::max(kLeastScale, 1 - 4.0 / static_cast<double>(best.size())), high = 1;
-  for (int i = 0; i < kEvenings && !w.cancelled(); ++i) {
-    w.scale = 0.5 * (low + high);
-    fit_spans(w);
-    const bool as_few = w.spans.size() <= best.size();
-    (as_few ? high : low) = w.scale;
-    if (as_few) best = std::move(w.spans);
+  const auto suffice = [&](double scale) {
+    w.scale = scale;
+    fit_spans(w, best.size());
+    if (w.spans.size() > best.size()) return false;
+    best = std::move(w.spans);
+    return true;
+  };
+  // The rows of a track that was fitted before lie on spans that meet much tighter bounds. On other rows a span's
+  // length scales with the second to fourth root of the bound: with n spans the bounds can shrink by 4 / n at most.
+  if (!suffice(kLeastScale)) {
+    double low = std::max(kLeastScale, 1 - 4.0 / static_cast<double>(best.size())), high = 1;
+    for (int i = 0; i < kEvenings && !w.cancelled(); ++i) {
+      const double middle = 0.5 * (low + high);
+      (suffice(middle) ? high : low) = middle;
+    }
   }
   w.scale = 1;
   w.spans = std::move(best);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <limits>
 #include <vector>
 
 #include "base/progress.h"
@@ -12,7 +13,7 @@
 namespace coaster::sim {
 
 inline constexpr int kEvenings = 3;  // bisections for the smallest bounds that the same number of knots meets
-// Longer tracks are not evened out, which would take four times as long.
+// Longer tracks are not evened out, which would take up to five times as long.
 inline constexpr std::size_t kEvenedRows = 60'000;
 
 struct Span {
@@ -42,7 +43,7 @@ struct FitWork {
   bool cancelled() const { return progress && progress->cancelled; }
   // Reports progress within the present pass, 0..1. The passes take about the same time, the rest little.
   void tell(double part) const {
-    const double all = (rows.size() > kEvenedRows ? 1 : 1 + kEvenings) + 0.2;
+    const double all = (rows.size() > kEvenedRows ? 1 : 2 + kEvenings) + 0.2;
     if (progress) progress->report(std::max(progress->done.load(), std::min(1.0, (passes + part) / all)));
   }
 
@@ -64,8 +65,9 @@ struct FitWork {
   }
 };
 
-// Divides all rows into the longest spans that fit, from the first row on. Ends early once cancelled.
-void fit_spans(FitWork& w);
+// Divides all rows into the longest spans that fit, from the first row on. Ends early once cancelled, or with one span
+// more than `most_spans`.
+void fit_spans(FitWork& w, std::size_t most_spans = std::numeric_limits<std::size_t>::max());
 
 // Tightens the bounds as far as the same number of spans allows: the longest spans leave a short one at the end.
 void even_out(FitWork& w);
