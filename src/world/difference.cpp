@@ -99,7 +99,8 @@ Difference difference_of(Document other, const Document& document) {
       },
       std::as_const(other), document);
   other.entities = {};
-  other.track.knots = {}, other.track.segments = {};
+  for (std::vector<Entity>* const list : {&other.track.knots, &other.track.segments})
+    *list = std::vector<Entity>();  // `= {}` would keep the memory
   difference.rest = std::move(other);
   return difference;
 }
@@ -121,7 +122,9 @@ void exchange(Difference& difference, Document& document) {
 }
 
 std::size_t bytes_of(const Difference& difference) {
-  std::size_t bytes = sizeof(Difference) + difference.rest.name.capacity() + owned_bytes(difference.rest.extra);
+  const Document& rest = difference.rest;
+  std::size_t bytes = sizeof(Difference) + rest.name.capacity() + owned_bytes(rest.extra) +
+                      (rest.track.knots.capacity() + rest.track.segments.capacity()) * sizeof(Entity);
   const auto add = [&]<class T>(const ColumnEdits<T>& edits) {
     bytes += edits.capacity() * sizeof(ColumnEdit<T>);
     for (const ColumnEdit<T>& edit : edits) {
