@@ -130,7 +130,8 @@ save "$OUT/own.json"'
 run_script 5 theirs
 expect_text stderr "own.json was changed by another program since it was opened"
 # Values that Mesa crashes on, at its start or in the first picture, and versions that are too old.
-for driver in GALLIUM_DRIVER=none_such LP_NATIVE_VECTOR_WIDTH=0 LP_NATIVE_VECTOR_WIDTH=64 MESA_GLSL_VERSION_OVERRIDE=130 MESA_GL_VERSION_OVERRIDE=2.1; do
+for driver in GALLIUM_DRIVER=none_such LP_NATIVE_VECTOR_WIDTH=0 LP_NATIVE_VECTOR_WIDTH=64 \
+  MESA_GLSL_VERSION_OVERRIDE=130 MESA_GL_VERSION_OVERRIDE=2.1; do
   env "$driver" "$COASTER" --headless --script "$OUT/hash.coaster" --out "$OUT/run" >"$OUT/stdout" 2>"$OUT/stderr"
   [ $? = 4 ] || fail "$driver: expected exit code 4: $(cat "$OUT/stderr")"
   [ "$(messages | grep -vc '^error: ')" = 1 ] || fail "$driver: expected one line: $(cat "$OUT/stderr")"

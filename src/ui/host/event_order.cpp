@@ -19,10 +19,14 @@ bool acts(const platform::KeyPress& press, bool text_has_keyboard) {
 
 }  // namespace
 
-platform::Events EventOrder::take(const platform::Events& events, bool text_has_keyboard, bool keys_wait) {
+platform::Events EventOrder::take(const platform::Events& events, bool text_has_keyboard, bool clicks_wait,
+                                  bool field_opens) {
+  constexpr int kMostFrames = 3;
+  opening_ = field_opens && !text_has_keyboard ? opening_ + 1 : 0;
+  const bool opens = opening_ > 0 && opening_ <= kMostFrames;
   platform::Events taken;
   const platform::Events before = std::exchange(waiting_, {});
-  bool clicked = keys_wait, pressed = false;
+  bool clicked = clicks_wait || opens, pressed = false;
   const auto take_one = [&](const platform::Event& event) {
     const auto* const press = std::get_if<platform::KeyPress>(&event);
     const bool button = std::holds_alternative<platform::MouseButton>(event);

@@ -81,7 +81,6 @@ struct Host::Parts {
   view::Pick hovered;
   std::string dropped;      // a file or a link to open
   bool frame_next = false;  // frame the track that the last frame's commands loaded
-  int opening = 0;          // frames for which a text field has been about to take the keyboard
 
   explicit Parts(const gfx::Gl& table) : gl(table) {
     std::vector<std::string> none;
@@ -94,7 +93,6 @@ struct Host::Parts {
 
   void restyle(world::Theme wanted, float scale);
   void follow_session(const State& state);
-  bool keys_wait();
   void settle_gesture(Ui& ui);
   void take_files(Ui& ui, const platform::Events& events);
   void take_want(Ui& ui);
@@ -120,14 +118,6 @@ void Host::Parts::follow_session(const State& state) {
     gesture = {};
     ImGui::ClearActiveID();
   }
-}
-
-// True while keys would miss what they are meant for: a click before them has not been seen, or a text field is about
-// to take the keyboard, which takes at most three frames.
-bool Host::Parts::keys_wait() {
-  const bool opens = !text_has_keyboard() && (palette.open || wish.id != 0 || !wish.panel.empty());
-  opening = opens ? opening + 1 : 0;
-  return input.clicks_wait() || (opens && opening <= 3);
 }
 
 // Ends the gesture of a number when its field is released or gone.
@@ -232,7 +222,8 @@ Output Host::build(const platform::Events& polled, const State& state, int width
   ImGui::GetIO().MouseDragThreshold = 3 * state.content_scale;  // of drags in the view, too
   p.restyle(state.session.settings.look->theme, scale);
   p.follow_session(state);
-  const platform::Events events = p.order.take(polled, text_has_keyboard(), p.keys_wait());
+  const bool field_opens = p.palette.open || p.wish.id != 0 || !p.wish.panel.empty();
+  const platform::Events events = p.order.take(polled, text_has_keyboard(), p.input.clicks_wait(), field_opens);
   p.input.feed(events, width, height, text_has_keyboard());
   ImGui::NewFrame();
   Output out;

@@ -225,6 +225,39 @@ std::optional<int> slider(WidgetFrame& ui, std::string_view label, int value, in
   return whole != value ? whole : std::nullopt;
 }
 
+std::optional<int> combo(WidgetFrame& ui, std::string_view label, std::span<const Choice> choices, int current,
+                         std::string_view tooltip, ComboPlace place) {
+  float widest = 0;
+  for (const Choice& choice : choices) widest = std::max(widest, text_size(shown(choice.label)).x);
+  if (place == ComboPlace::in_bar) begin_in_bar(label);
+  else
+    begin_row(label, place == ComboPlace::beside
+                         ? 0
+                         : widest + 2 * ImGui::GetStyle().FramePadding.x + ImGui::GetFrameHeight());
+  const std::string preview(current >= 0 && current < static_cast<int>(choices.size())
+                                ? shown(choices[static_cast<std::size_t>(current)].label)
+                                : "");
+  // Once the list is open, ImGui's last item is the list, so the box is read before.
+  const ImVec2 low = ImGui::GetCursorScreenPos();
+  const ImVec2 high(low.x + ImGui::CalcItemWidth(), low.y + ImGui::GetFrameHeight());
+  std::optional<int> chosen;
+  const std::string fitting =
+      shortened(preview, high.x - low.x - ImGui::GetFrameHeight() - 2 * ImGui::GetStyle().FramePadding.x);
+  const bool open = ImGui::BeginCombo(hidden(label).c_str(), fitting.c_str());
+  if (open) {
+    ImGui::PushStyleColor(ImGuiCol_Header, colour(palette().accent, 0.35f));
+    for (std::size_t i = 0; i < choices.size(); ++i) {
+      const bool on = static_cast<int>(i) == current;
+      if (ImGui::Selectable(choices[i].label.c_str(), on) && !on) chosen = static_cast<int>(i);
+      note_item(ui, fmt::format("{}/{}", label, choices[i].label), "item", choices[i].tooltip, true, on ? "on" : "off");
+    }
+    ImGui::PopStyleColor();
+    ImGui::EndCombo();
+  }
+  note(ui, label, "combo", tooltip, true, preview, low, high);
+  return chosen;
+}
+
 std::optional<std::string> text(WidgetFrame& ui, std::string_view label, const std::string& value,
                                 std::string_view tooltip, TextShows shows) {
   begin_row(label);

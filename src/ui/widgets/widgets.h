@@ -74,8 +74,7 @@ glm::vec2 mouse_position();                  // px
 std::string hidden(std::string_view label);  // "##label": an id without a visible label
 ImVec2 text_size(std::string_view text);
 // Returns the text if it fits into `room` px of the current font, else its start with "\u2026" behind it, or its end
-// with
-// "\u2026" before it. Empty if not even one character fits.
+// with "\u2026" before it. Empty if not even one character fits.
 std::string shortened(std::string_view text, float room, bool keep_end = false);
 // Draw text with its top left at `at`, in the normal and in the small font.
 void draw_text(ImDrawList& list, ImVec2 at, std::uint32_t rgb, std::string_view text);

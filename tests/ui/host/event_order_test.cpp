@@ -30,9 +30,9 @@ std::string text_of(const platform::Events& events) {
 }
 
 struct EventOrderTest : testing::Test {
-  std::string frame(platform::Events events, bool typing = false, bool clicks_wait = false) {
+  std::string frame(platform::Events events, bool typing = false, bool clicks_wait = false, bool field_opens = false) {
     events.emplace_back(platform::Tick{0.3});
-    const platform::Events taken = order.take(events, typing, clicks_wait);
+    const platform::Events taken = order.take(events, typing, clicks_wait, field_opens);
     EXPECT_TRUE(std::holds_alternative<platform::Tick>(taken.back())) << "time does not wait";
     return text_of(taken);
   }
@@ -72,6 +72,16 @@ TEST_F(EventOrderTest, typed_text_does_not_wait_but_for_the_end_of_its_field) {
 TEST_F(EventOrderTest, text_waits_for_the_click_that_opens_its_field) {
   EXPECT_EQ(frame({kDown, kUp, TextInput{"5"}}), "v^");
   EXPECT_EQ(frame({}, true), "'5'");
+}
+
+TEST_F(EventOrderTest, text_waits_three_frames_at_most_for_a_field_that_opens) {
+  EXPECT_EQ(frame({TextInput{"c"}}, false, false, true), "");
+  EXPECT_EQ(frame({}, false, false, true), "");
+  EXPECT_EQ(frame({}, true, false, true), "'c'") << "the field has the keyboard";
+  EXPECT_EQ(frame({TextInput{"d"}}, false, false, true), "");
+  EXPECT_EQ(frame({}, false, false, true), "");
+  EXPECT_EQ(frame({}, false, false, true), "");
+  EXPECT_EQ(frame({}, false, false, true), "'d'") << "no field took the keyboard";
 }
 
 TEST_F(EventOrderTest, held_keys_and_modifiers_do_not_wait) {
