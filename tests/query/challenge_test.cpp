@@ -186,7 +186,7 @@ TEST_F(ChallengeTest, a_rule_is_explained_without_operators) {
       {"start_speed >= 500 m/s", "you have 4.00 m/s; you need at least 500 m/s"},
       {"closed == off", "this does not hold"},
       {"not closed", "this does not hold"},
-      {"geometric @k99 >= G1", "there is no knot @k99"}};
+      {"geometric @k99 >= G1", "no knot @k99; did you mean \"@k9\"?"}};
   for (const auto& [expect, words] : cases) {
     ASSERT_TRUE(begin(fmt::format(R"("judged": "build", "goals": [{{"expect": "{}", "text": "Goal"}}])", expect)));
     const auto rules = query::read_rules(session.game.challenge->file, "");
