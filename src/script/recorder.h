@@ -30,7 +30,7 @@ class Recorder {
   base::Status command(const edit::Command& command, const edit::Session& after);
   // Counts ticks. They are written before the next command, or after a second of ticks.
   base::Status ticks(int count);
-  // Writes the ticks that are left; the destructor does it, too, but tells nobody of an error.
+  // Writes the remaining ticks. So does the destructor, but without reporting errors.
   base::Status finish() { return write_ticks(); }
 
  private:

@@ -48,7 +48,7 @@ void add_fields(const T& component, Add add) {
   });
 }
 
-// Returns the bytes that a component's texts take, and its lists, of which list_bytes() tells.
+// Returns the bytes of a component's texts and of its lists (list_bytes()).
 template <class T>
 std::size_t owned_bytes(const T& component) {
   std::size_t bytes = 0;

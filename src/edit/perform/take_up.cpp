@@ -32,7 +32,7 @@ Ends ends_of(const Document& document, const SectionRun& run) {
   Ends ends{nth_knot(document, run.first), nth_knot(document, run.end()),
             curve::curvature_vector(cubic(run.first + segments.size() - 1), 1.0),
             curve::curvature_vector(cubic(run.end()), 0.0)};
-  // The section's own, and what the curvatures tell of the track beside it.
+  // These belong to the section or follow from the curvatures of the track beside it.
   ends.start.out_length = ends.end.in_length = ends.start.in_length = ends.end.out_length = 0;
   ends.start.joint = ends.end.joint = world::JointKind::aligned;
   return ends;

@@ -262,12 +262,12 @@ SpanFit fit_span(std::span<const FitRow> rows, std::span<const double> distances
     return near && !felt_wrong(rows, distances, first, last, c, smooth, bounds, s);
   };
   if (!good()) {
-    // Beside rounding, rows close together tell nothing about the handles.
+    // The rounding of rows close together hides their handles.
     const bool neighbours = last == first + 1;
     const double length = distances[last] - distances[first];
     if (!neighbours && length > kShortSpan) return fit;
     const dvec3 bend0 = bounds.curvatures[first], bend3 = bounds.curvatures[last];
-    // Rows far apart may bend more between them than their directions tell.
+    // Between rows far apart the track may bend more than their directions show.
     const double own = length > kShortSpan ? std::max(glm::length(bend0), glm::length(bend3)) : 0;
     h = most_alike(ends, length, bend0, bend3, std::max(kAlikeMargin * bounds.bends[first], own), h);
     fit.bent = !good();

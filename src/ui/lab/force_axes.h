@@ -47,7 +47,7 @@ class ForceAxes {
 // Returns the value rounded to a multiple of the step.
 double to_step(double value, double step);
 
-// Fills the positions and values of the target curve and, where the ride does not tell it, of the actual one.
+// Fills the positions and values of the target curve, and of the actual curve unless it comes from the ride.
 void fill_curves(const sim::Derived& derived, const ForceAxes& axes, ForceKeys& state);
 // Returns the ends of the axes: the section with a margin, the range of target and actual values, and at the right edge
 // that of g felt where keys are curvature.

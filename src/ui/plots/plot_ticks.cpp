@@ -56,7 +56,7 @@ Ticks linear_ticks(const AxisRange& axis, int most) {
   const double finest = 4 * std::numeric_limits<double>::epsilon() * std::max(std::abs(axis.low), std::abs(axis.high));
   Ticks result = multiples(round_step(std::max({span / most, finest, 1e-300})));
   if (count(result) > most) result = multiples(round_step(result.step * 1.5));  // both ends are ticks
-  // One number does not tell the scale: the outer two of a finer step do.
+  // One number does not show the scale, so a finer step is used and its outer two ticks are labelled.
   for (double step = result.step; count(result) < 2 && step >= 2.5 * finest;)
     result = multiples(step = round_step(step / 2.5));
   if (count(result) > most) result.major = {result.major.front(), result.major.back()};

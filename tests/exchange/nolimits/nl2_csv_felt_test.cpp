@@ -277,8 +277,8 @@ TEST(nl2_csv_felt, rolls_that_start_at_once_throw_riders_as_hard_as_in_closed_fo
     SCOPED_TRACE(fmt::format("rows every {} m", spacing));
     const std::string rows = rows_on(curve, kLength, spacing, 5);
     expect_felt(rows, ride, heart);
-    // An impulse is felt as a peak of 2.40 f dv / g. Joints of rows far apart are told to jolt by at most three times
-    // that.
+    // An impulse is felt as a peak of 2.40 f dv / g. Joints between rows far apart report at most three times that as
+    // their jolt.
     world::Document document = parse_nl2_csv(rows, "t.csv")->document;
     document.start_speed = kSpeed;
     const sim::Derived derived = sim::shapes_of(document);

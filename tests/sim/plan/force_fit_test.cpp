@@ -117,7 +117,7 @@ TEST(force_fit, twenty_programs_are_felt_as_asked_for_on_spans_within_a_centimet
     spans += plan.spans(), metres += plan.length;
   }
   EXPECT_GE(continued, test::tries(20) - 2)
-      << "of those behind bent and rolled track; the others tell that they are not";
+      << "of those behind bent and rolled track; the others report that they are not";
   RecordProperty("metres_per_span", std::to_string(metres / static_cast<double>(spans)));
 }
 
