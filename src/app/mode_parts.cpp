@@ -1,6 +1,7 @@
 #include "app/mode_parts.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "app/program.h"
 #include "base/console.h"

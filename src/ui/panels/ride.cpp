@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "edit/commands/commands_ride.h"
 #include "sim/shape/frame_methods.h"
