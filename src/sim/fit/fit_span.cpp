@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "base/portable_math.h"
 #include "curve/frames.h"
+#include "sim/fit/fit_handles.h"
 #include "sim/fit/fit_smooth.h"
 #include "sim/shape/roll.h"
 #include "world/components.h"
@@ -15,12 +17,6 @@ namespace {
 
 using glm::dvec2, glm::dvec3;
 
-constexpr std::size_t kFittedRows = 40;  // rows that handle lengths are fitted to
-constexpr int kIterations = 12;
-constexpr double kLeastHandle = 0.25;  // of the rows' length: curvature changes quickly beside shorter handles
-constexpr double kMostHandle = 0.495;  // of the rows' length: a little less than half the curve's
-constexpr double kBeyond = 40;         // weight of curvature beyond the limit, relative to that of a deviation
-constexpr double kStay = 1e-3;  // 1/m: weight of a change of the handles by the length, relative to that of a deviation
 constexpr double kBendMargin = 0.98;   // of the limit, because curvature is checked only at some positions
 constexpr double kAlikeMargin = 0.97;  // the same of a search, which ends a little beside it
 constexpr double kLeanRoom = 0.25;     // of the bound of angles: what knots may lean more or less than the smooth roll
@@ -28,118 +24,6 @@ constexpr double kSharp = 1.5;         // times the bound, before a low-pass
 constexpr double kShortSpan = 1;       // m: the rows' distances do not determine the handles of a shorter span
 constexpr double kMostFitRoll = 2 * base::kPi * (world::kMaxTurns - 1);
 using Curve = curve::CoefficientsD;
-
-struct Handles {
-  double out, in;
-};
-struct Ends {
-  dvec3 p0, t0, p3, t3;
-};
-
-// Returns the shortest and the longest handle of a span over so many metres of rows, within a knot's limits.
-double least_handle(double length) {
-  return std::clamp<double>(kLeastHandle * length, world::kMinHandle, world::kMaxHandle);
-}
-double most_handle(double length) {
-  return std::clamp<double>(kMostHandle * length, least_handle(length), world::kMaxHandle);
-}
-
-Curve curve_of(const Ends& e, Handles h) {
-  const dvec3 d0 = h.out * e.t0, p1 = e.p0 + d0, p2 = e.p3 - h.in * e.t3, d1 = p2 - p1, d2 = e.p3 - p2;
-  return {e.p0, 3.0 * d0, 3.0 * (d1 - d0), (d2 - d1) - (d1 - d0)};
-}
-
-// Returns the parameter nearest to `target` by Newton's method from t, kept in [0,1].
-double nearer(const Curve& c, dvec3 target, double t, int steps) {
-  for (int i = 0; i < steps; ++i) {
-    const dvec3 d = c.derivative(t), off = c.point(t) - target;
-    const double speed = glm::dot(d, d), slope = speed + glm::dot(off, c.second_derivative(t));
-    const double step = glm::dot(off, d) / (slope > 0.1 * speed ? slope : std::max(speed, 1e-30));
-    t = std::clamp(t - std::clamp(step, -0.2, 0.2), 0.0, 1.0);
-    if (std::abs(step) < 1e-9) break;
-  }
-  return t;
-}
-
-// Returns the curvature vector, 1/m.
-dvec3 bend_of(const Curve& c, double t) {
-  const dvec3 d = c.derivative(t);
-  const double speed = std::max(glm::length(d), 1e-15);
-  return curve::across(c.second_derivative(t), d / speed) / (speed * speed);
-}
-
-// Gauss-Newton on the distances perpendicular to the curve. A row's position along it is ignored, so sliding parameters
-// do not slow it down.
-Handles fit_handles(std::span<const FitRow> rows, std::span<const double> distances, std::size_t first,
-                    std::size_t last, const Ends& ends, std::vector<double>& parameters,
-                    std::vector<double>& stations) {
-  const double length = std::max(distances[last] - distances[first], 1e-9);
-  const std::size_t inner = std::min(last - first - 1, kFittedRows);
-  parameters.resize(inner + 2), stations.resize(inner + 2);
-  const auto row_of = [&](std::size_t k) { return first + (last - first) * k / (inner + 1); };
-  for (std::size_t k = 0; k < inner + 2; ++k)
-    parameters[k] = stations[k] = (distances[row_of(k)] - distances[first]) / length;
-  const double low = least_handle(length), high = most_handle(length);
-  // Without rows between the ends: the handles of a circle through both.
-  const double third = inner > 0 ? length / 3 : length / (1.5 + 0.75 * glm::length(ends.t0 + ends.t3));
-  Handles h{std::clamp(third, low, high), std::clamp(third, low, high)};
-  for (int iteration = 0; iteration < kIterations && inner > 0; ++iteration) {
-    const Curve c = curve_of(ends, h);
-    double a00 = 0, a01 = 0, a11 = 0, x0 = 0, x1 = 0, weight = 0;
-    for (std::size_t k = 1; k <= inner; ++k) {
-      const double t = parameters[k] = nearer(c, rows[row_of(k)].position, parameters[k], 2), u = 1 - t;
-      const dvec3 d = c.derivative(t), off = rows[row_of(k)].position - c.point(t);
-      const double speed = std::max(glm::dot(d, d), 1e-30);
-      const auto across = [&](dvec3 v) { return v - (glm::dot(v, d) / speed) * d; };
-      const dvec3 g0 = across(3 * t * u * u * ends.t0), g1 = across(-3 * t * t * u * ends.t3);
-      a00 += glm::dot(g0, g0), a01 += glm::dot(g0, g1), a11 += glm::dot(g1, g1);
-      x0 += glm::dot(g0, off), x1 += glm::dot(g1, off);
-      weight += 9 * t * t * u * u;
-    }
-    // Slight damping: on a straight the lengths have no effect and stay.
-    const double damping = 1e-7 * weight + 1e-12;
-    a00 += damping, a11 += damping;
-    const double determinant = a00 * a11 - a01 * a01;
-    const double limit = 0.2 * length;
-    const auto held = [&](double from, double by) {
-      return std::clamp(from + std::clamp(by, -limit, limit), low, high) - from;
-    };
-    // A handle that is held at its bound leaves the other one to fit the rows.
-    double out = held(h.out, (a11 * x0 - a01 * x1) / determinant);
-    const double in = held(h.in, (x1 - a01 * out) / a11);
-    out = held(h.out, (x0 - a01 * in) / a00);
-    h = {h.out + out, h.in + in};
-    if (std::max(std::abs(out), std::abs(in)) < 1e-4 * length) break;
-  }
-  return h;
-}
-
-// Returns the handles with which a short span has curvatures closest to `from` and `to` at its
-// ends, while its curvature stays within `limit` if possible. Searches from `start` in decreasing steps.
-Handles most_alike(const Ends& ends, double length, dvec3 from, dvec3 to, double limit, const Handles start) {
-  Handles h = start;
-  const auto cost = [&](Handles at) {
-    constexpr int kPlaces = 16;
-    const Curve c = curve_of(ends, at);
-    double most = 0;
-    for (int i = 0; i <= kPlaces; ++i) most = std::max(most, glm::length(bend_of(c, static_cast<double>(i) / kPlaces)));
-    const dvec2 off(glm::distance(bend_of(c, 0), from), glm::distance(bend_of(c, 1), to));
-    const double moved = std::abs(at.out - start.out) + std::abs(at.in - start.in);
-    return glm::length(off) + kBeyond * std::max(0.0, most - limit) + kStay * moved / length;
-  };
-  const double low = least_handle(length), high = most_handle(length);
-  double best = cost(h);
-  for (double step = 0.08 * length; step > 0.002 * length;) {
-    const Handles before = h;
-    for (const dvec2 way : {dvec2(1, 0), dvec2(-1, 0), dvec2(0, 1), dvec2(0, -1), dvec2(1, 1), dvec2(-1, -1)}) {
-      const Handles tried{std::clamp(before.out + step * way.x, low, high),
-                          std::clamp(before.in + step * way.y, low, high)};
-      if (const double found = cost(tried); found < best) best = found, h = tried;
-    }
-    if (h.out == before.out && h.in == before.in) step /= 2;
-  }
-  return h;
-}
 
 // Carries the frame along the curve from row to row, in steps of at most 1/32, and integrates the length.
 class Carrier {
@@ -174,7 +58,7 @@ class Carrier {
 // is too large. Fills rolls, parameters, fractions of the length, sines between the directions, and distances, by row
 // from `first`.
 bool follow_rows(std::span<const FitRow> rows, std::span<const double> distances, std::size_t first, std::size_t last,
-                 const Curve& c, const Ends& ends, const SpanBounds& bounds, SpanScratch& s) {
+                 const Curve& c, const SpanEnds& ends, const SpanBounds& bounds, SpanScratch& s) {
   const std::size_t count = last - first + 1;
   s.rolls.assign(count, 0), s.shares.assign(count, 0), s.fronts.assign(count, 0);
   s.places.assign(count, 0), s.misses.assign(count, dvec3(0));
@@ -210,12 +94,13 @@ bool follow_rows(std::span<const FitRow> rows, std::span<const double> distances
   return std::abs(s.rolls.back()) < kMostFitRoll;
 }
 
-// Returns true if riders feel over `bounds.felt` more or less on the curve than on the rows. The difference of their
-// accelerations is the second difference of the distance between the paths of their hearts, over kMoment on both sides.
-// Where rows are further apart, it follows from the difference of the curvatures, without a low-pass, so a larger one
-// is allowed.
-bool felt_wrong(std::span<const FitRow> rows, std::span<const double> distances, std::size_t first, std::size_t last,
-                const Curve& c, const Roll& roll, const SpanBounds& bounds, SpanScratch& s) {
+// Returns what riders feel more or less on the curve than on the rows, nothing if it is over `bounds.felt` somewhere.
+// The difference of their accelerations is the second difference of the distance between the paths of their hearts,
+// over kMoment on both sides. Where rows are further apart, it follows from the difference of the curvatures, without a
+// low-pass, so a larger one is allowed.
+std::optional<FeltMiss> felt_miss(std::span<const FitRow> rows, std::span<const double> distances, std::size_t first,
+                                  std::size_t last, const Curve& c, const Roll& roll, const SpanBounds& bounds,
+                                  SpanScratch& s) {
   const std::size_t count = last - first + 1;
   for (std::size_t i = 1; i + 1 < count; ++i) {
     const double lean = bounds.leans[first] - bounds.leans[first + i];
@@ -224,23 +109,28 @@ bool felt_wrong(std::span<const FitRow> rows, std::span<const double> distances,
   }
   const auto apart = [&](std::size_t a, std::size_t b) { return distances[first + b] - distances[first + a]; };
   std::size_t before = 0, after = 0;
+  FeltMiss felt;
   for (std::size_t i = 0; i < count; ++i) {
     if (bounds.free[first + i]) continue;
     const double v2 = bounds.speeds[first + i], moment = kMoment * std::sqrt(v2 * world::kGravity);
     while (before + 1 < i && apart(before + 1, i) >= moment) ++before;
     while (after + 1 < count && (after <= i || apart(i, after) < moment)) ++after;
-    if (apart(i > 0 ? i - 1 : 0, i > 0 ? i : 1) > moment) {
+    const double step = apart(i > 0 ? i - 1 : 0, i > 0 ? i : 1);
+    double miss = 0;  // g
+    if (step > moment) {
       const double lean = bounds.heartline * (roll.slope(s.shares[i] * s.length) - bounds.slopes[first + i]);
       const dvec3 right = glm::cross(rows[first + i].forward, rows[first + i].up);
-      const dvec3 sharp = bend_of(c, s.places[i]) - bounds.curvatures[first + i] + lean * right;
-      if (glm::length(sharp) * v2 > kSharp * bounds.felt) return true;
+      miss = glm::length(bend_of(c, s.places[i]) - bounds.curvatures[first + i] + lean * right) * v2 / kSharp;
     } else if (i > 0 && i + 1 < count) {
       const double back = std::max(apart(before, i), moment), ahead = std::max(apart(i, after), moment);
       const dvec3 turn = (s.misses[after] - s.misses[i]) / ahead - (s.misses[i] - s.misses[before]) / back;
-      if (glm::length(turn) / (0.5 * (back + ahead)) * v2 > bounds.felt) return true;
+      miss = glm::length(turn) / (0.5 * (back + ahead)) * v2;
     }
+    if (miss > bounds.felt) return std::nullopt;
+    const double seconds = step / std::sqrt(v2 * world::kGravity);
+    felt.squares += seconds * miss * miss, felt.seconds += seconds;
   }
-  return false;
+  return felt;
 }
 
 }  // namespace
@@ -248,7 +138,7 @@ bool felt_wrong(std::span<const FitRow> rows, std::span<const double> distances,
 SpanFit fit_span(std::span<const FitRow> rows, std::span<const double> distances, std::size_t first, std::size_t last,
                  double roll_low, double roll_high, const SpanBounds& bounds, SpanScratch& s) {
   const FitRow &from = rows[first], &to = rows[last];
-  const Ends ends{dvec3(glm::vec3(from.position)), from.forward, dvec3(glm::vec3(to.position)), to.forward};
+  const SpanEnds ends{dvec3(glm::vec3(from.position)), from.forward, dvec3(glm::vec3(to.position)), to.forward};
   Handles h = fit_handles(rows, distances, first, last, ends, s.parameters, s.stations);
   SpanFit fit;
   Roll roll;
@@ -259,7 +149,9 @@ SpanFit fit_span(std::span<const FitRow> rows, std::span<const double> distances
     roll = {s.length, fit.roll, bounds.spins[first], bounds.spins[last]};
     Roll smooth = roll;
     smooth.twist += bounds.leans[last] - bounds.leans[first];
-    return near && !felt_wrong(rows, distances, first, last, c, smooth, bounds, s);
+    const auto felt = near ? felt_miss(rows, distances, first, last, c, smooth, bounds, s) : std::nullopt;
+    if (felt) fit.felt = *felt;
+    return felt.has_value();
   };
   if (!good()) {
     // The rounding of rows close together hides their handles.

@@ -25,6 +25,11 @@ struct SpanBounds {
   std::span<const glm::dvec3> curvatures;  // per row: that of a smooth curve, 1/m
 };
 
+// What riders feel more or less than on the rows.
+struct FeltMiss {
+  double squares = 0, seconds = 0;  // g^2 s: its square over the time of the ride; the time
+};
+
 struct SpanFit {
   bool within = false;  // both bounds can be met; if false, only the handles are set
   // Between neighbouring rows: the bounds of curvature or forces are missed nevertheless.
@@ -33,6 +38,7 @@ struct SpanFit {
   // Radians by which the rows turn about the curve relative to its rotation-minimising frame, including whole turns.
   double roll = 0;
   RollWindow window;
+  FeltMiss felt;
 };
 
 // Memory reused by fits.

@@ -16,7 +16,8 @@ using glm::dvec3;
 
 // m: rows whose frames are not fitted; less than the reach that the report excludes.
 constexpr double kInnerReach = 0.45;
-constexpr int kMaxRounds = 12;  // rounds of halving spans that fail on the finished document
+constexpr double kFeltRoot = 0.085;  // g: root mean square of what riders feel more or less than on the rows
+constexpr int kMaxRounds = 12;       // rounds of halving spans that fail on the finished document
 
 // Chooses a roll for every knot, from the last to the first, so that each span keeps its frames within the bound: that
 // of the smooth roll, or as near to it as the bound allows. Beside other rolls a short span would turn quickly.
@@ -115,6 +116,21 @@ FitWork prepare(std::span<const FitRow> given, const FilledRows& filled, bool cl
   return w;
 }
 
+// Divides the rows into spans on which riders feel at most kFeltRoot more or less on average over the ride, too.
+void fit_all(FitWork& w) {
+  constexpr int kTries = 4;
+  constexpr double kLess = 0.95;  // of the bound that would suffice if errors scaled with it
+  for (int i = 0; i < kTries && !w.cancelled(); ++i) {
+    fit_spans(w);
+    if (!w.cancelled()) even_out(w);
+    FeltMiss all;
+    for (const Span& span : w.spans) all.squares += span.fit.felt.squares, all.seconds += span.fit.felt.seconds;
+    const double root = std::sqrt(all.squares / std::max(all.seconds, 1e-9));
+    if (root <= kFeltRoot) break;
+    w.felt_scale *= kLess * kFeltRoot / root;
+  }
+}
+
 }  // namespace
 
 FittedTrack fit_track(std::span<const FitRow> rows, bool closed, base::Progress* progress) {
@@ -122,8 +138,7 @@ FittedTrack fit_track(std::span<const FitRow> rows, bool closed, base::Progress*
   const FilledRows filled = fill_rows(rows, closed);
   FitWork w = prepare(rows, filled, closed);
   w.progress = progress;
-  fit_spans(w);
-  if (!w.cancelled()) even_out(w);
+  fit_all(w);
   if (w.cancelled()) return {};
   choose_rolls(w);
   if (closed && w.spans.size() == 1) {

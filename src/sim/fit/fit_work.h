@@ -33,7 +33,8 @@ struct FitWork {
   double doubt = 0;  // as in FitReport
   std::size_t doubt_row = 0;
   bool closed = false;
-  double scale = 1;  // relative to the bounds
+  double scale = 1;       // relative to the bounds
+  double felt_scale = 1;  // the same of what riders feel
   SpanScratch scratch;
   std::vector<Span> spans;
   std::vector<double> rolls;  // additional roll of a knot at each row, radians
@@ -49,7 +50,7 @@ struct FitWork {
 
   SpanBounds bounds() const {
     SpanBounds b;
-    b.distance *= scale, b.angle *= scale, b.felt *= scale;
+    b.distance *= scale, b.angle *= scale, b.felt *= scale * felt_scale;
     b.free = free, b.bends = bends, b.spins = row_rolls.spins, b.slopes = row_rolls.slopes, b.leans = row_rolls.leans;
     b.speeds = speeds, b.curvatures = curvatures;
     b.heartline = world::Document{}.heartline;

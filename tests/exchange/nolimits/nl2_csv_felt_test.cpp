@@ -252,6 +252,30 @@ TEST(nl2_csv_felt, quick_rolls_are_felt_as_closed_forms_say_though_rows_are_metr
     }
 }
 
+// Rolls to and fro all along a straight slope, at 38 degrees/m at most: every span would use up its bound, which alone
+// allows 0.14 g on average.
+TEST(nl2_csv_felt, rolls_without_end_are_felt_as_closed_forms_say_on_average_too) {
+  constexpr double kLength = 200, kSwing = 1.2, kWave = 2 * M_PI / 12;
+  const double heart = world::Document{}.heartline;
+  const dvec3 forward(std::cos(kSlope), -std::sin(kSlope), 0), upright(std::sin(kSlope), std::cos(kSlope), 0);
+  const auto curve = [&](double s) {
+    return Place{dvec3(3.3, 57.7, -8.1) + s * forward, forward,
+                 curve::rotate(upright, forward, kSwing * std::sin(kWave * s))};
+  };
+  std::vector<Moment> ride;
+  for (double s = 0; s < kLength;) {
+    const double roll = kSwing * std::sin(kWave * s), rate = kSwing * kWave * std::cos(kWave * s),
+                 change = -kWave * kWave * roll, v2 = v2_at(57.7, curve(s).place.y);
+    ride.push_back({curve(s).place,
+                    forward,
+                    v2,
+                    {std::cos(kSlope) * std::cos(roll) - heart * rate * rate * v2,
+                     std::cos(kSlope) * std::sin(roll) - heart * (change * v2 + rate * std::sin(kSlope))}});
+    s += std::sqrt(v2 * world::kGravity) / kRate;
+  }
+  expect_felt(rows_on(curve, kLength, 0.1, 11), ride, heart);
+}
+
 // A level straight that rolls by 90 degrees in 20 m and back, at an even rate that starts and stops at once: each time
 // the velocity of riders h above the rails changes by v h roll', which they feel as one impulse.
 TEST(nl2_csv_felt, rolls_that_start_at_once_throw_riders_as_hard_as_in_closed_form) {
