@@ -50,12 +50,9 @@ base::Result<world::Knot> make_knot(std::string_view name, const std::vector<Nlt
   if (comes && !goes && glm::length(in) > 0) out = in * (glm::length(out) / glm::length(in));
   const double a = glm::length(in), b = glm::length(out);
   dvec3 direction = a + b > 0 ? in + out : between_neighbours(records, i, closed);
-  if (!(glm::length(direction) > 0)) {
-    if (records.size() > 1)
-      return bad_nltrack(name, r.offset,
-                         fmt::format("knot {} has no direction: its handles cancel out or have no length", i + 1));
-    direction = {1, 0, 0};
-  }
+  if (!(glm::length(direction) > 0))
+    return bad_nltrack(name, r.offset,
+                       fmt::format("knot {} has no direction: its handles cancel out or have no length", i + 1));
   if (a > 0 && b > 0) {
     const double turn = base::arc_tangent(glm::length(glm::cross(in, out)), glm::dot(in, out));
     if (turn > kCorner)

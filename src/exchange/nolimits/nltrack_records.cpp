@@ -102,6 +102,7 @@ base::Result<std::vector<NltrackKnot>> read_records(const ChunkReader& reader, c
   if (count > room || count > world::kMaxKnots)
     return reader.fail(chunk.payload + 16,
                        fmt::format("expected at most {} knots, found {}", std::min(room, world::kMaxKnots), count));
+  if (count < 2) return reader.fail(chunk.payload + 16, fmt::format("expected at least 2 knots, found {}", count));
   std::vector<NltrackKnot> records;
   records.reserve(count);
   for (std::size_t i = 0; i < count; ++i) {
@@ -143,10 +144,7 @@ base::Result<NltrackRecords> read_nltrack_records(std::string_view bytes, std::s
   const auto mark = static_cast<unsigned char>(bytes[*place]);
   if (mark != 0 && mark != 0xff)
     return reader.fail(*place, fmt::format("expected the closed byte 0 or 255, found {}", mark));
-  const bool closed = mark == 0xff;
-  if (closed && knots->size() < 2)
-    return reader.fail(*place, fmt::format("a closed track has at least 2 knots, found {}", knots->size()));
-  return NltrackRecords{std::move(*knots), closed};
+  return NltrackRecords{std::move(*knots), mark == 0xff};
 }
 
 }  // namespace coaster::exchange

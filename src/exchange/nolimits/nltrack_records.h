@@ -27,7 +27,8 @@ struct NltrackRecords {
 base::Status bad_nltrack(std::string_view name, std::size_t offset, const std::string& message);
 
 // Returns the knots of chunk BEZR and the closed byte of chunk SEGM. Code::bad_file with the byte and the reason for
-// chunks that are missing or cut off, coordinates beyond world::kMaxCoordinate, and more than world::kMaxKnots knots.
+// chunks that are missing or cut off, coordinates beyond world::kMaxCoordinate, fewer than 2 knots, and more than
+// world::kMaxKnots.
 base::Result<NltrackRecords> read_nltrack_records(std::string_view bytes, std::string_view name);
 
 }  // namespace coaster::exchange

@@ -199,7 +199,11 @@ TEST(NoLimitsTrack, wrong_tags_sizes_and_counts_are_refused_before_anything_is_k
   bytes = encode(ring(), true);
   bytes.back() = 7;
   refused(bytes, std::to_string(bytes.size() - 1) + ":", "closed byte 0 or 255, found 7");
-  refused(encode({}, true), "", "at least 2 knots");
+  for (const bool closed : {false, true}) {
+    const std::string place = std::to_string(kCount) + ":";
+    refused(encode({}, closed), place, "expected at least 2 knots, found 0");
+    refused(encode({ring()[0]}, closed), place, "expected at least 2 knots, found 1");
+  }
 }
 
 TEST(NoLimitsTrack, numbers_that_are_none_or_too_large_are_refused) {
