@@ -76,4 +76,51 @@ std::vector<SplinePiece> round_corners(const std::vector<SplinePiece>& pieces, b
   return rounded;
 }
 
+namespace {
+
+// Returns the parameter where a curve is slowest: at a cusp the derivative vanishes.
+double slowest(const Bezier& b) {
+  constexpr int kSamples = 32, kHalvings = 40;
+  const auto speed = [&](double t) { return glm::length(slope(b, t)); };
+  double best = 0;
+  for (int k = 1; k <= kSamples; ++k)
+    if (const double t = static_cast<double>(k) / kSamples; speed(t) < speed(best)) best = t;
+  double step = 1.0 / kSamples;
+  for (int i = 0; i < kHalvings; ++i, step /= 2)
+    for (const double t : {std::max(best - step, 0.0), std::min(best + step, 1.0)})
+      if (speed(t) < speed(best)) best = t;
+  return best;
+}
+
+// Returns the direction of travel kCornerOff away from the point at t, towards the end 0 or 1; at that end if it is
+// nearer.
+dvec3 direction_beside(const Bezier& b, double t, double end) {
+  constexpr int kHalvings = 40;
+  const dvec3 here = point(b, t);
+  double near = t, far = end;
+  for (int i = 0; i < kHalvings && glm::distance(point(b, end), here) > kCornerOff; ++i) {
+    const double middle = 0.5 * (near + far);
+    (glm::distance(point(b, middle), here) > kCornerOff ? far : near) = middle;
+  }
+  if (far == 0) return start_direction(b);
+  return far == 1 ? end_direction(b) : glm::normalize(slope(b, far));
+}
+
+}  // namespace
+
+std::optional<Corner> find_fold(const std::vector<SplinePiece>& pieces, bool closed) {
+  for (std::size_t i = 0; i < pieces.size(); ++i) {
+    const SplinePiece &piece = pieces[i], &next = pieces[(i + 1) % pieces.size()];
+    const double t = slowest(piece.curve);
+    const double within =
+        curve::angle_between(direction_beside(piece.curve, t, 0), direction_beside(piece.curve, t, 1));
+    if (within > base::radians(kSharpest)) return Corner{piece.vertex, within, 0};
+    const double corner = curve::angle_between(end_direction(piece.curve), start_direction(next.curve));
+    if ((i + 1 == pieces.size() && !closed) || is_corner(piece.curve, next.curve, corner)) continue;
+    const double across = curve::angle_between(direction_beside(piece.curve, 1, 0), direction_beside(next.curve, 0, 1));
+    if (across > base::radians(kSharpest)) return Corner{next.vertex, across, 0};
+  }
+  return std::nullopt;
+}
+
 }  // namespace coaster::exchange

@@ -1,6 +1,8 @@
 // Rounds the corners of a NoLimits 2 element: a track of the document has one direction at every knot.
 #pragma once
 
+#include <optional>
+
 #include "exchange/nolimits/nl2_spline.h"
 
 namespace coaster::exchange {
@@ -20,5 +22,9 @@ struct Corner {
 // `corners`; those sharper than kSharpest are unchanged.
 std::vector<SplinePiece> round_corners(const std::vector<SplinePiece>& pieces, bool closed,
                                        std::vector<Corner>& corners);
+
+// Returns the first place where the curve turns by more than kSharpest within kCornerOff on either side, between
+// corners: a cusp, or nearly one. Vertices that lead back on one line make cusps.
+std::optional<Corner> find_fold(const std::vector<SplinePiece>& pieces, bool closed);
 
 }  // namespace coaster::exchange

@@ -39,12 +39,18 @@ bool halve(std::vector<SplinePiece>& pieces, double bound) {
 // Returns the curves between knots, corners rounded. Sets the error, or adds the warnings.
 std::vector<Bezier> curves_of(const ElementFile& file, ElementTrack& out) {
   std::vector<SplinePiece> pieces = spline_pieces(file.vertices);
-  for (const SplinePiece& piece : pieces)
-    for (const dvec3& direction : {start_direction(piece.curve), end_direction(piece.curve)})
-      if (direction == dvec3(0) && !out.error)
-        out.error = {piece.vertex, "a direction from vertex to vertex",
-                     fmt::format("none at vertex {}", piece.vertex + 1)};
-  if (out.error) return {};
+  std::erase_if(pieces, [](const SplinePiece& piece) {  // between vertices at one place
+    return start_direction(piece.curve) == dvec3(0) || end_direction(piece.curve) == dvec3(0);
+  });
+  if (pieces.empty()) {
+    out.error = {0, "vertices at different places", "all at one"};
+    return {};
+  }
+  if (const auto fold = find_fold(pieces, file.closed)) {
+    out.error = {fold->vertex, fmt::format("turns of at most {} degrees within {} cm", kSharpest, 200 * kCornerOff),
+                 fmt::format("one of {:.6g} degrees near vertex {}", base::degrees(fold->angle), fold->vertex + 1)};
+    return {};
+  }
   std::vector<Corner> corners;
   pieces = round_corners(pieces, file.closed, corners);
   for (const Corner& corner : corners) {

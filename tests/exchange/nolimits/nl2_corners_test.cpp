@@ -72,6 +72,45 @@ TEST(nl2_corners, corners_beyond_90_degrees_are_refused_with_their_vertex) {
   EXPECT_NE(hardly.status().message.find("found one of 90.006 degrees"), std::string::npos) << hardly.status().message;
 }
 
+// Through vertices on one line that lead back: the derivative vanishes at one place, in a run of three, four or more,
+// within a piece or between two. A hairpin less than 6 cm wide is as good as one, a wider one is not.
+TEST(nl2_corners, curves_that_turn_back_on_one_line_are_refused) {
+  const dvec3 start(3.3, 7.1, -4.7), along(0.6, 0.3, 0.74), side(0.78, 0, -0.63);
+  const auto made = [&](const std::vector<std::pair<double, double>>& places) {
+    std::vector<Vertex> vertices;
+    for (const auto& [far, aside] : places) vertices.push_back({start + far * along + aside * side});
+    return parse_nl2elem(encode(vertices), "x");
+  };
+  for (const double wide : {0.0, 1e-4, 0.02}) {
+    for (const auto& result : {made({{0, 0}, {20, 0}, {0, wide}}), made({{0, 0}, {20, 0}, {20, wide}, {5, wide}}),
+                               made({{0, 0}, {10, 0}, {20, 0.5 * wide}, {10, wide}, {0, wide}}),
+                               made({{0, 0}, {10, 0}, {20, 0}, {20, wide}, {10, wide}, {0, wide}})}) {
+      ASSERT_FALSE(result.ok()) << wide;
+      const std::string& message = result.status().message;
+      EXPECT_NE(message.find("s of at most 90 degrees"), std::string::npos) << message;
+      EXPECT_TRUE(message.find(" degrees near vertex ") != std::string::npos ||  // in a run
+                  message.find(" degrees at vertex ") != std::string::npos)      // where two pieces meet
+          << message;
+    }
+  }
+  EXPECT_NE(
+      made({{0, 0}, {20, 0}, {0, 0}})
+          .status()
+          .message.find("expected turns of at most 90 degrees within 6 cm, found one of 180 degrees near vertex 1"),
+      std::string::npos);
+  EXPECT_TRUE(made({{0, 0}, {10, 0}, {20, 0}, {20, 1}, {10, 1}, {0, 1}}).ok());
+  EXPECT_TRUE(made({{0, 0}, {10, 0}, {9, 0}, {20, 0}, {30, 0}}).ok()) << "the spline does not turn back";
+}
+
+TEST(nl2_corners, vertices_at_one_place_add_no_segment) {
+  const dvec3 a(3.3, 7.1, -4.7), b(13.3, 7.1, -4.7), c(23.3, 9.1, -4.7), d(33.3, 9.1, -2.7);
+  const auto once = parse_nl2elem(encode({{a}, {b, true}, {c}, {d}}), "x"),
+             twice = parse_nl2elem(encode({{a}, {b, true}, {b, true}, {c}, {d}}), "x");
+  ASSERT_TRUE(once && twice) << twice.status().message;
+  EXPECT_EQ(twice->document, once->document);
+  EXPECT_EQ(once->document.track.segments.size(), 3u) << "a line, a fillet and a parabola";
+}
+
 TEST(nl2_corners, a_polygon_of_strict_vertices_gets_a_fillet_at_each_and_20_warnings) {
   std::vector<Vertex> polygon;
   for (int i = 0; i < 40; ++i) polygon.push_back({{7.0 * i, 5 + (i % 2), 0.1 * i}, true});

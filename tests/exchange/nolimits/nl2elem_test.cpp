@@ -209,7 +209,7 @@ TEST(nl2elem, bad_files_are_refused_with_line_and_reason) {
        "x:6: error: expected a number within 1e+05 in <x>"},
       {with(vertex + "<vertex><x>5</x><y>2</y><z>3</z><strict>maybe</strict></vertex>"),
        "expected true or false in <strict>"},
-      {with(vertex + vertex), "x:3: error: expected a direction from vertex to vertex, found none at vertex 1"},
+      {with(vertex + vertex), "x:3: error: expected vertices at different places, found all at one"},
       {with(vertex + "<vertex><x>5</x>\n<y>2</y><z>3</z><weight>2</weight></vertex>"),
        "x:7: error: expected vertices without weights, found <weight> of \"2\""},
       {with(vertex + "<vertex><x>5</x><y>2</y><z>3</z><w>nan</w></vertex>"), "expected vertices without weights"},
