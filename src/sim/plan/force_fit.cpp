@@ -185,6 +185,8 @@ std::vector<std::size_t> evened(const ForceTask& task, const Attempt& now, std::
   return at;
 }
 
+constexpr std::size_t kEasing = 12'000;  // points of paths that easing may try: some 5 ms
+
 // Moves single knots near the span with the largest strain as long as that strain falls and spans fail. `budget`:
 // points of paths that may still be tried.
 void ease(const ForceTask& task, const ForcePath& path, Attempt& now, std::size_t& budget) {
@@ -220,8 +222,8 @@ void ease(const ForceTask& task, const ForcePath& path, Attempt& now, std::size_
 // Tries one span fewer, evened out over several rounds and eased, until that fails.
 void even_out(const ForceTask& task, const ForcePath& path, Attempt& best) {
   constexpr int kRounds = 5;
-  constexpr std::size_t kEased = 200;                              // points of the longest path that is eased
-  std::size_t budget = path.points.size() <= kEased ? 12'000 : 0;  // points: some 5 ms
+  constexpr std::size_t kEased = 200;  // points of the longest path that is eased
+  std::size_t budget = path.points.size() <= kEased ? kEasing : 0;
   for (bool better = true; better && best.errors.size() > 1;) {
     better = false;
     Attempt now = best, least;
@@ -255,6 +257,8 @@ Attempt best_places(const ForceTask& task, const ForcePath& path) {
     if (best->failing.empty()) break;
   }
   Attempt done = mended(task, path, std::move(*best));
+  std::size_t budget = kEasing;
+  ease(task, path, done, budget);
   if (done.failing.empty() && !quick) even_out(task, path, done);
   return done;
 }

@@ -124,7 +124,7 @@ TEST(force_fit, twenty_programs_are_felt_as_asked_for_on_spans_within_a_centimet
 // Track that climbs, banks, bends and rolls at random, up to 0.03 1/m and 0.08 rad/m: a fading roll swings riders
 // aside, so that the curvature changes within metres.
 class ForceStarts : public testing::TestWithParam<unsigned> {};
-INSTANTIATE_TEST_SUITE_P(seed, ForceStarts, testing::Values(3, 12));
+INSTANTIATE_TEST_SUITE_P(seed, ForceStarts, testing::Values(3, 11, 12, 14));
 
 TEST_P(ForceStarts, continue_bent_and_rolling_track) {
   test::RandomForces random(GetParam());
@@ -140,11 +140,10 @@ TEST_P(ForceStarts, continue_bent_and_rolling_track) {
     end.up = curve::rotate({-std::sin(pitch), std::cos(pitch), 0}, end.forward, bank);
     end.curvature = curve::rotate(bend * end.up, end.forward, way), end.spin = uniform(-0.08, 0.08);
     const ForcePlan plan = plan_force(task);
-    if (!plan.path.stopped.empty()) continue;
-    expect_continued(plan, i);
     missed += plan.fit.within ? 0 : 1;
+    if (plan.path.stopped.empty()) expect_continued(plan, i);
   }
-  EXPECT_LE(missed, 2) << "the plans say so";
+  EXPECT_EQ(missed, 0) << "halved spans alone are not enough for one or two of seeds 11 and 14";
 }
 
 // The spans of curvature are judged at 20 m/s, where 0.05 g are 0.00123 1/m, and by what the keys say of the angle.
