@@ -84,18 +84,30 @@ Status change_forces(Session& session, Change& change, Entity section, const For
   });
 }
 
+namespace {
+
+// Returns " at 20 m/s" if the section's spans are judged at that speed.
+std::string judged_text(const ForceProgram& program) {
+  return program.of == world::ForceOf::curvature ? fmt::format(" at {} m/s", base::to_text(world::kCurvatureSpeed))
+                                                 : "";
+}
+
+}  // namespace
+
+void report_missed(const sim::ForcePlan& plan, Change& change) {
+  if (plan.fit.within) return;
+  change.clamped.push_back(fmt::format("Riders feel up to {:.2f} g more or less than the keys say{}, at {:.1f} m.",
+                                       plan.fit.felt_error, judged_text(plan.task.program), plan.fit.felt_at));
+}
+
 void report_forces(const sim::ForcePlan& plan, Change& change) {
   if (const std::string stopped = sim::stop_text(plan); !stopped.empty())
     change.clamped.push_back(base::sentence(stopped));
-  const std::string at_speed = plan.task.program.of == world::ForceOf::curvature
-                                   ? fmt::format(" at {} m/s", base::to_text(world::kCurvatureSpeed))
-                                   : "";
-  if (!plan.fit.within)
-    change.clamped.push_back(fmt::format("Riders feel up to {:.2f} g more or less than the keys say{}, at {:.1f} m.",
-                                         plan.fit.felt_error, at_speed, plan.fit.felt_at));
+  report_missed(plan, change);
   if (change.clamped.empty())
-    change.note = fmt::format("Placed a force section: {:.1f} m, {} {}, felt g{} within {:.2f} g.", plan.length,
-                              plan.spans(), plan.spans() == 1 ? "span" : "spans", at_speed, plan.fit.felt_error);
+    change.note =
+        fmt::format("Placed a force section: {:.1f} m, {} {}, felt g{} within {:.2f} g.", plan.length, plan.spans(),
+                    plan.spans() == 1 ? "span" : "spans", judged_text(plan.task.program), plan.fit.felt_error);
 }
 
 Status add_force(Session& session, Change& change, ForceProgram program) {

@@ -7,6 +7,7 @@
 
 #include "curve/continuity.h"
 #include "curve/frames.h"
+#include "edit/perform/placing.h"
 #include "edit/perform/replan.h"
 #include "world/topology.h"
 
@@ -83,6 +84,7 @@ Status replan_force(Session& session, Change& change, Document& document, Entity
   if (const Status room = room_for_spans(session, document, run, plan.spans()); !room) return room;
   if (const std::string stopped = sim::stop_text(plan); !stopped.empty())
     change.clamped.push_back(base::sentence(stopped));
+  if (!session.history.in_gesture) report_missed(plan, change);
   if (task.held) {
     if (const std::string unmet = sim::unmet_text(plan); !unmet.empty() && !session.history.in_gesture)
       change.clamped.push_back(unmet);

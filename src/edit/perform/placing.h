@@ -16,6 +16,8 @@ world::Entity place(world::Document& document, const sim::ElementPlan& plan);
 void equip(world::Document& document, const sim::ElementPlan& plan, std::size_t first);
 // Does the same for a force section.
 world::Entity place_force(world::Document& document, const sim::ForcePlan& plan);
+// Warns of the largest difference from the keys if it is over the tolerance.
+void report_missed(const sim::ForcePlan& plan, Change& change);
 // Reports what was placed, or else its warnings.
 void report_forces(const sim::ForcePlan& plan, Change& change);
 // Plans a program at the open end for the speed there and adds it.

@@ -103,8 +103,14 @@ void force_parameters(Ui& ui, const Chosen& chosen) {
   if (plan == nullptr || !plan->refusal.empty()) return;
   if (const std::string stopped = sim::stop_text(*plan); !stopped.empty())
     paragraph(ui, "Stopped", base::sentence(stopped), palette().warning);
-  if (!program.hold) return;
   const bool bends = program.of == world::ForceOf::curvature;
+  if (!plan->fit.within) {
+    read_out(
+        ui, "Off by", plan->fit.felt_error, 2, "g",
+        "Most that riders feel more or less than the keys say; of curvature, at 20 m/s. It is over the tolerance.");
+    read_out(ui, "Off at", plan->fit.felt_at, 1, "m", "Where that is, from the section's start.");
+  }
+  if (!program.hold) return;
   read_out(ui, "Not met", plan->unmet, bends ? 4 : 2, bends ? "1/m" : "g",
            "Most that vertical or lateral is more or less than the keys say.");
   read_out(ui, "Not met at", plan->unmet_at, 1, world::unit_of(program.over),

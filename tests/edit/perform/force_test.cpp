@@ -197,6 +197,23 @@ TEST_F(Forces, bad_values_are_refused_with_a_clear_word) {
   refused("force.add over time length 500", "the length is 500 s");
 }
 
+// 5 g within a metre at some 24 m/s: no span of half a metre follows that within 0.02 g.
+TEST_F(Forces, each_change_that_misses_the_tolerance_says_by_how_much_and_where) {
+  drop_and_force();
+  good("force.tolerance @" + section + " to 0.02");
+  key("vertical key 1 at 20");
+  key("vertical key 6 at 21");
+  const sim::ForcePlan& missed = plan();
+  EXPECT_FALSE(missed.fit.within);
+  EXPECT_GT(missed.fit.felt_error, program().tolerance);
+  EXPECT_NEAR(missed.fit.felt_at, 20.5, 1.5);
+  EXPECT_EQ(session.notices.list.back().text,
+            fmt::format("Riders feel up to {:.2f} g more or less than the keys say, at {:.1f} m.",
+                        missed.fit.felt_error, missed.fit.felt_at));
+  good("force.tolerance @" + section + " to 0.5");
+  EXPECT_TRUE(plan().fit.within);
+}
+
 TEST_F(Forces, a_drag_changes_the_keys_that_it_began_with) {
   drop_and_force();
   key("vertical key 2 at 25");
