@@ -4,9 +4,14 @@
 // input (edit/perform/apply.cpp does).
 #pragma once
 
+#include <string_view>
+
 #include "world/document.h"
 
 namespace coaster::world {
+
+// Why nothing can be added at the end of a closed track.
+inline constexpr std::string_view kClosedTrack = "the track is closed: open it first (Closed in the Track panel)";
 
 // New entities get the next number of their kind.
 Entity add_cart(Document& document, Entity segment, double fraction);

@@ -113,7 +113,7 @@ void report_forces(const sim::ForcePlan& plan, Change& change) {
 Status add_force(Session& session, Change& change, ForceProgram program) {
   Document& document = session.document;
   const std::optional<sim::TrackEnd> end = sim::open_end(document);
-  if (!end) return refused("the track is closed: open it first");
+  if (!end) return refused(std::string(world::kClosedTrack));
   const std::optional<double> speed = speed_at(session, session.derived.length);
   program.speed = speed.value_or(sim::kAssumedSpeed);
   const sim::ForcePlan& plan = session.findings.memory.forces.plan(sim::force_task(document, *end, program));

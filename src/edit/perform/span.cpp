@@ -81,7 +81,7 @@ Status perform(Session& session, Change& change, const Duplicate& command) {
   const auto knots = knots_of(session, command.knots);
   if (!knots) return knots.status();
   world::Document& document = session.document;
-  if (document.track.closed) return refused("the track is closed: open it first");
+  if (document.track.closed) return refused(std::string(world::kClosedTrack));
   const std::vector<KnotRun> runs = runs_of(document, *knots);
   if (runs.size() != 1 || knots->size() < 2) return refused("expected two or more neighbouring knots");
   const std::size_t count = document.track.knots.size(), more = knots->size() - 1;

@@ -39,7 +39,7 @@ Status split_at(Session& session, Change& change, Entity segment, double t) {
 Status append_at(Session& session, Change& change, glm::vec3 position) {
   world::Document& document = session.document;
   const std::size_t knots = document.track.knots.size();
-  if (document.track.closed) return refused("the track is closed: open it first");
+  if (document.track.closed) return refused(std::string(world::kClosedTrack));
   const Status room = room_for(session, knots + 1, knots);
   if (!room) return room;
   const world::Knot knot = appended_knot(document, position);

@@ -10,6 +10,7 @@
 #include "curve/frames.h"
 #include "sim/plan/force_elements.h"
 #include "sim/plan/force_plan.h"
+#include "world/topology.h"
 
 namespace coaster::sim {
 namespace {
@@ -161,7 +162,7 @@ ElementPlan plan_element(const world::Element& element, const world::Document& d
   plan.element = element;
   clamp_values(plan.element, plan.lines);
   if (!end) {
-    plan.refusal = "the track is closed: open it first";
+    plan.refusal = world::kClosedTrack;
     return plan;
   }
   const world::Cart* const cart = document.entities.find<world::Cart>(world::first_cart(document));

@@ -272,7 +272,7 @@ const CircuitProposals& CircuitMemo::update(const world::Document& document, con
   if (!task) {
     task_.reset();
     found_ = {};
-    found_.refusal = document.track.closed ? "the track is closed: open it first" : "the track has no segment yet";
+    found_.refusal = document.track.closed ? world::kClosedTrack : "the track has no segment yet";
     return found_;
   }
   if (task_ == task && build_ == derived.last_build && order_ == derived.order) return found_;

@@ -5,6 +5,7 @@
 #include <variant>
 #include <vector>
 
+#include "base/text.h"
 #include "ui/actions/actions_parts.h"
 #include "ui/tools/fly_keys.h"
 
@@ -63,7 +64,7 @@ void run_keys(Act& act, const platform::Events& events, unsigned only) {
       if ((action.keys & only) != only) continue;
       if ((action.keys & kInDrag) == 0 && (act.tool.dragging() || act.ui.gesture.open)) continue;
       if (action.enabled.holds(act)) action.run(act);
-      else if (!press->repeat) act.ui.warn(std::string(action.enabled.otherwise));
+      else if (!press->repeat) act.ui.warn(base::sentence(std::string(action.enabled.otherwise)));
     }
   }
 }

@@ -10,6 +10,7 @@
 #include "ui/context/ways_home.h"
 #include "world/panels.h"
 #include "world/selection.h"
+#include "world/topology.h"
 
 namespace coaster::ui {
 namespace {
@@ -114,6 +115,10 @@ void place_element(Act& act) {
   else act.ui.emit(edit::PlaceElement{act.ui.session().settings.element});
 }
 
+constexpr Condition kAppendable{
+    [](const Act& act) { return on<&Aids::append_mode>(act) || !act.ui.session().document.track.closed; },
+    world::kClosedTrack};
+
 constexpr Condition kCompletable{[](const Act& act) { return completable(act.ui.session().document); },
                                  "Only an open track with a segment can be completed."};
 void complete_circuit(Act& act) { show_ways_home(act.ui); }
@@ -160,7 +165,7 @@ constexpr Action kEditActions[] = {
     {"Insert point", "Edit", key(Key::i), 0,
      "Insert a knot under the cursor or at the selected position. The shape is unchanged.", insert_point, kInsertable},
     {"Append points", "Edit", key(Key::a), 0, "Click on the ground to append knots to an open track.",
-     toggle<&Aids::append_mode>, kAlways, on<&Aids::append_mode>},
+     toggle<&Aids::append_mode>, kAppendable, on<&Aids::append_mode>},
     {"Place element", "Edit", key(Key::enter), 0,
      "Place the previewed element at the open end of the track, or the previewed way home. Without a preview: type in "
      "the selected row of the table of sections.",

@@ -97,12 +97,12 @@ constexpr std::string_view kByHand = "Draw knots";
 
 void by_hand_button(Ui& ui, const PaletteGrid& grid, int cell) {
   next_cell(cell, grid);
-  const bool on = ui.session().settings.aids->append_mode;
+  const bool on = ui.session().settings.aids->append_mode, usable = on || !ui.session().document.track.closed;
   const std::string help = fmt::format(
       "Draw track by hand: click on the ground to append knots to an open track. {} "
       "ends it.",
       ui.keys.shown("Cancel"));
-  if (face_button(ui, {kPencilIcon, std::string(kByHand), with_keys(ui.keys, help, "Append points"), on}, grid))
+  if (face_button(ui, {kPencilIcon, std::string(kByHand), with_keys(ui.keys, help, "Append points"), on, usable}, grid))
     ui.emit(edit::Set<&Aids::append_mode>{!on});
 }
 

@@ -120,7 +120,10 @@ void building(Ui& ui) {
     ui.emit(*to ? closing(session) : edit::SetClosed{false});
   const std::string help =
       fmt::format("Click on the ground to append a knot to an open track. {} ends it.", ui.keys.shown("Cancel"));
-  setting_box<&world::Aids::append_mode>(ui, "Append points", with_keys(ui.keys, help, "Append points"));
+  const bool appends = session.settings.aids->append_mode;
+  if (const auto on =
+          checkbox(ui, "Append points", appends, with_keys(ui.keys, help, "Append points"), appends || !closed))
+    ui.emit(edit::Set<&world::Aids::append_mode>{*on});
 
   const float width = pair_width();
   if (button(ui, "Add curve",

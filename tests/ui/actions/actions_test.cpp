@@ -110,6 +110,23 @@ TEST_F(ActionsTest, a_key_that_cannot_work_says_what_it_needs) {
   EXPECT_NE(host_->toast(), "Select a knot first.");
 }
 
+TEST_F(ActionsTest, nothing_is_appended_to_a_closed_track_and_each_way_to_do_it_says_so) {
+  ASSERT_TRUE(edit::apply(session_, files_, edit::SetClosed{true}));
+  ASSERT_TRUE(edit::apply(session_, files_, edit::Set<&world::Panels::workspace>{world::Workspace::build}));
+  frames(3);
+  key(platform::Key::a);
+  EXPECT_FALSE(session_.settings.aids->append_mode);
+  EXPECT_EQ(host_->toast(), "The track is closed: open it first (Closed in the Track panel).");
+  EXPECT_FALSE(find("Elements/Draw knots")->enabled);
+  EXPECT_FALSE(find("Track/Append points")->enabled);
+  ASSERT_TRUE(edit::apply(session_, files_, edit::Set<&world::Aids::append_mode>{true}));
+  frames(2);
+  EXPECT_TRUE(find("Elements/Draw knots")->enabled) << "to end it";
+  EXPECT_TRUE(find("Track/Append points")->enabled);
+  key(platform::Key::a);
+  EXPECT_FALSE(session_.settings.aids->append_mode);
+}
+
 TEST_F(ActionsTest, escape_closes_a_list_then_leaves_append_mode_then_deselects) {
   select(world::Kind::knot, 2);
   key(platform::Key::a);
