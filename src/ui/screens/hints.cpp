@@ -3,10 +3,10 @@
 
 #include <imgui.h>
 
-#include <array>
 #include <cmath>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -23,18 +23,48 @@
 namespace coaster::ui {
 namespace {
 
-// Returns the user's keys and what they do.
-std::array<std::pair<std::string, std::string>, 8> first_steps(const KeyMap& keys) {
+using Steps = std::vector<std::pair<std::string, std::string>>;
+
+// Return the user's keys and what they do in a workspace.
+Steps building_steps(const KeyMap& keys) {
   const auto k = [&](std::string_view action) { return keys.shown(action); };
   return {
-      {{"Palette", fmt::format("click an element; {} places it", k("Place element"))},
-       {"Drag", fmt::format("orbit; wheel zooms, {} frames all", k("Frame all"))},
-       {"Click", "select a section or a knot, then drag its handles"},
-       {fmt::format("{} {} {}", k("Move"), k("Rotate"), k("Scale")), "move, rotate, scale; then X, Y, Z or a number"},
-       {k("Play or pause"), fmt::format("ride; {} rider's view, {} orbit view", k("Ride camera"), k("Orbit camera"))},
-       {k("Laboratory"), "the laboratory: curves, errors, forces"},
-       {k("Undo"), "undo, any number of steps"},
-       {k("Command palette"), "find any action or command"}}};
+      {"Palette", fmt::format("click an element; {} places it", k("Place element"))},
+      {"Drag", fmt::format("orbit; wheel zooms, {} frames all", k("Frame all"))},
+      {"Click", "select a section or a knot, then drag its handles"},
+      {fmt::format("{} {} {}", k("Move"), k("Rotate"), k("Scale")), "move, rotate, scale; then X, Y, Z or a number"},
+      {k("Play or pause"), fmt::format("ride; {} rider's view, {} orbit view", k("Ride camera"), k("Orbit camera"))},
+      {k("Laboratory"), "the laboratory: curves, errors, forces"},
+      {k("Undo"), "undo, any number of steps"}};
+}
+Steps riding_steps(const KeyMap& keys) {
+  const auto k = [&](std::string_view action) { return keys.shown(action); };
+  return {{k("Play or pause"), fmt::format("play and pause; {} returns to the start", k("Reset"))},
+          {fmt::format("{} {} {}", k("Orbit camera"), k("Ride camera"), k("Chase camera")),
+           "orbit, rider's view, behind the train"},
+          {"Drag", fmt::format("orbit; wheel zooms, {} frames all", k("Frame all"))},
+          {k("Next track colours"), "colour the track by speed, g and more"},
+          {k("Panels"), "hide the bars"},
+          {k("Build workspace"), "build"}};
+}
+Steps laboratory_steps(const KeyMap& keys) {
+  const auto k = [&](std::string_view action) { return keys.shown(action); };
+  return {
+      {k("Next evaluator"), fmt::format("next evaluator; {} more steps, {} fewer", k("More steps"), k("Fewer steps"))},
+      {"Click", "select a segment: the pages show it"},
+      {fmt::format("{} {}", k("Probe back"), k("Probe on")), "move the probe along the curve"},
+      {"Drag", fmt::format("orbit; wheel zooms, {} frames all", k("Frame all"))},
+      {k("Next track colours"), "colour the track by curvature, error and more"},
+      {k("Build workspace"), "build"}};
+}
+
+Steps first_steps(const Ui& ui) {
+  const world::Workspace workspace = ui.session().settings.panels->workspace;
+  Steps steps = workspace == world::Workspace::ride         ? riding_steps(ui.keys)
+                : workspace == world::Workspace::laboratory ? laboratory_steps(ui.keys)
+                                                            : building_steps(ui.keys);
+  steps.emplace_back(ui.keys.shown("Command palette"), "find any action or command");
+  return steps;
 }
 
 constexpr float kHintsWidth = 398, kHintsHeight = 240, kMargin = 14;  // design px
@@ -44,6 +74,8 @@ bool hints_show(const Ui& ui, const view::Viewport& scene) {
   return ui.session().settings.aids->show_hints && ui.state.lesson == nullptr && !card_shows(ui.session()) &&
          scene.width >= (kHintsWidth + 2 * kMargin) * ui.scale && scene.height >= 2 * kHintsHeight * ui.scale;
 }
+
+}  // namespace
 
 std::string foot_text(const ViewportTool& tool, const edit::Session& session, const KeyMap& keys) {
   if (tool.transform().active())
@@ -55,14 +87,16 @@ std::string foot_text(const ViewportTool& tool, const edit::Session& session, co
   if (empty && session.settings.aids->show_element && !session.settings.aids->append_mode)
     return fmt::format("{} places the element, {} hides its preview", keys.shown("Place element"),
                        keys.shown("Cancel"));
+  const world::Workspace workspace = session.settings.panels->workspace;
+  if (empty && (workspace == world::Workspace::ride || workspace == world::Workspace::laboratory))
+    return fmt::format("{} shows the elements to build with. Or click on the ground to place the first knot",
+                       keys.shown("Build workspace"));
   if (empty) return "Choose an element, or click on the ground to place the first knot";
   if (session.settings.aids->append_mode && !session.document.track.closed)
     return fmt::format("Click on the ground to append knots; {} or {} ends it", keys.shown("Append points"),
                        keys.shown("Cancel"));
   return {};
 }
-
-}  // namespace
 
 view::Viewport beside_hints(const Ui& ui, const view::Viewport& scene, float width) {
   const float left = std::floor((kHintsWidth + kMargin) * ui.scale);
@@ -78,9 +112,10 @@ void draw_hints(Ui& ui, const view::Viewport& scene) {
   const Card card{.id = "##hints", .panel = "Hints", .at = foot, .pivot = {0, 1}, .width = width, .alpha = 0.88f};
   build_card(ui, card, [&] {
     ImGui::TextUnformatted("First steps");
-    for (const auto& [key, text] : first_steps(ui.keys)) {
+    for (const auto& [key, text] : first_steps(ui)) {
       const float start = ImGui::GetCursorPosX();
       tinted_line(key, palette().accent);
+      note_item(ui, key, "label", "", true, text);
       ImGui::SameLine(start + std::floor(58 * ui.scale));
       tinted_line(text, palette().dim);
     }

@@ -8,6 +8,8 @@ namespace coaster::ui {
 
 // Draws the title of the section under the mouse next to it; in Build.
 void draw_section_name(Ui& ui, const view::Viewport& scene);
+// Returns the hint at the bottom: the current transform, or what to click next; "" for none.
+std::string foot_text(const ViewportTool& tool, const edit::Session& session, const KeyMap& keys);
 // Draws the hint at the bottom: the current transform, or what to click next. It is behind all windows.
 void draw_foot_line(const Ui& ui, const ViewportTool& tool, const view::Viewport& scene);
 // Draws the first steps in the lower left corner while Aids::show_hints.
