@@ -167,7 +167,7 @@ void Host::Parts::lay_out(Ui& ui, const platform::Events& events, int width, int
   }
   draw_hints(ui, layout.scene);
   draw_lesson(ui, layout.scene, guide);
-  draw_score_card(ui, layout.scene);
+  const view::Viewport free = draw_score_card(ui, layout.scene);  // for hint and notice at the bottom
   draw_job(ui, layout.scene);
   draw_movie(ui, layout.scene);
   build_palette(act, palette);
@@ -180,10 +180,10 @@ void Host::Parts::lay_out(Ui& ui, const platform::Events& events, int width, int
   if (hovered.kind == view::PickKind::none) hovered = ui.pointed;
   follow_camera.update(ui, view, tool.dragging() || gesture.open || framed);
   if (ui.state.lesson == nullptr || tool.transform().active())
-    draw_foot_line(ui, tool, layout.scene);  // a lesson has its own hint
+    draw_foot_line(ui, tool, free);  // a lesson has its own hint
   draw_section_name(ui, layout.scene);
   draw_legend(ui, layout.scene);
-  toasts.draw(ui, beside_hints(ui, layout.scene, 400 * ui.scale));
+  toasts.draw(ui, beside_hints(ui, free, 400 * ui.scale));
   for (const edit::Command& command : ui.out.commands)
     if (command.is<edit::Load>() || command.is<edit::NewTrack>() || command.is<edit::StartChallenge>())
       frame_next = !edit::opens_link(command), start.hide();

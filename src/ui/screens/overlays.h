@@ -39,8 +39,8 @@ LessonLine lesson_line(const LessonBox& card, const LessonBox& target);
 // A card, and a ring around what it points at.
 void draw_lesson(Ui& ui, const view::Viewport& scene, const LessonGuide& guide);
 // Draws the score card at the end of a ride, a strip at the bottom: the result, the challenge's verdict, the main
-// values, and on request the others.
-void draw_score_card(Ui& ui, const view::Viewport& scene);
+// values, and on request the others. Returns the part of the scene above it.
+view::Viewport draw_score_card(Ui& ui, const view::Viewport& scene);
 // Draws the progress of a file import, with a cancel button. Escape also cancels.
 void draw_job(Ui& ui, const view::Viewport& scene);
 // Draws the progress of the movie being recorded, with a stop button. It is not in the movie.

@@ -141,18 +141,19 @@ void build(Ui& ui, const edit::Session& session) {
 
 }  // namespace
 
-void draw_score_card(Ui& ui, const view::Viewport& scene) {
+view::Viewport draw_score_card(Ui& ui, const view::Viewport& scene) {
   const edit::Session& session = ui.session();
-  if (!card_shows(session)) return;
-  const float margin = std::floor(14 * ui.scale), notice = std::floor(54 * ui.scale);
+  if (!card_shows(session)) return scene;
+  const float margin = std::floor(14 * ui.scale);
   const float width = std::min(std::floor(690 * ui.scale), scene.width - 2 * margin);
-  if (width < 240 * ui.scale || scene.height < 240 * ui.scale) return;
-  const ImVec2 foot(std::floor(scene.x + scene.width * 0.5f), std::floor(scene.y + scene.height - notice));
-  ImGui::SetNextWindowSizeConstraints({width, 0}, {width, scene.height - notice - margin});
+  if (width < 240 * ui.scale || scene.height < 240 * ui.scale) return scene;
+  const ImVec2 foot(std::floor(scene.x + scene.width * 0.5f), std::floor(scene.y + scene.height - margin));
+  ImGui::SetNextWindowSizeConstraints({width, 0}, {width, scene.height - 2 * margin});
   Card card{.id = "##score", .panel = "Score", .at = foot, .pivot = {0.5f, 1}, .width = width, .alpha = 0.9f};
   card.flags &= ~ImGuiWindowFlags_NoScrollbar;
   card.flags |= ImGuiWindowFlags_NoNav;
-  build_card(ui, card, [&] { build(ui, session); });
+  const float height = build_card(ui, card, [&] { build(ui, session); });
+  return {scene.x, scene.y, scene.width, scene.height - margin - height};
 }
 
 }  // namespace coaster::ui

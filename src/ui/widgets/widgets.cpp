@@ -136,7 +136,7 @@ bool begin_area(const char* id, ImVec2 at, ImVec2 size, ImGuiWindowFlags more) {
                           ImGuiWindowFlags_NoBringToFrontOnFocus | ImGuiWindowFlags_NoNav);
 }
 
-void build_card(WidgetFrame& ui, const Card& card, const std::function<void()>& content) {
+float build_card(WidgetFrame& ui, const Card& card, const std::function<void()>& content) {
   ImGui::SetNextWindowPos(card.at, ImGuiCond_Always, card.pivot);
   ImGui::SetNextWindowSize({card.width, 0});
   ImGui::SetNextWindowBgAlpha(card.alpha);
@@ -146,8 +146,10 @@ void build_card(WidgetFrame& ui, const Card& card, const std::function<void()>& 
     content();
     ui.panel.clear();
   }
+  const float height = ImGui::GetWindowHeight();
   ImGui::End();
   ImGui::PopStyleVar();
+  return height;
 }
 
 void begin_row(std::string_view label, float needed) {

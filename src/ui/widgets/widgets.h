@@ -110,7 +110,8 @@ struct Card {
   float alpha = 1;
   ImGuiWindowFlags flags = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoFocusOnAppearing;
 };
-void build_card(WidgetFrame& ui, const Card& card, const std::function<void()>& content);
+// Returns its height, px.
+float build_card(WidgetFrame& ui, const Card& card, const std::function<void()>& content);
 
 // Labels may be "Shown###Id" (widget_list.h). Returns true while open. `open`: initial state.
 bool header(WidgetFrame& ui, std::string_view name, std::string_view tooltip, bool open = true, bool open_now = false);

@@ -1,3 +1,5 @@
+#include <imgui.h>
+
 #include <algorithm>
 #include <filesystem>
 
@@ -73,6 +75,27 @@ TEST_F(ScoreCardTest, the_card_is_a_strip_at_the_foot_and_leaves_a_lesson_free) 
       if (widget.path.starts_with("Score/")) top = std::min(top, widget.y);
     EXPECT_GT(top, scene.y + scene.height - 170);
     EXPECT_GT(top, scene.y + 0.6f * scene.height) << "a lesson is at the top, and the track in the middle";
+  }
+}
+
+TEST_F(ScoreCardTest, notices_and_the_hint_of_a_transform_are_above_the_card) {
+  resize(1280, 720);
+  ASSERT_TRUE(edit::apply(session_, files_, edit::SetLosses{0.5f, 0}));
+  end_a_ride();
+  select(world::Kind::knot, 2);
+  key(platform::Key::g);
+  edit::notify(session_, edit::NoticeKind::warning, std::string(200, 'w') + " on several lines");
+  frames(3);
+  float top = static_cast<float>(height_);
+  for (const Widget& widget : host_->widgets())
+    if (widget.path.starts_with("Score/")) top = std::min(top, widget.y);
+  ASSERT_LT(top, static_cast<float>(height_));
+  // Both are drawn behind all windows, and nothing else is here.
+  const ImVector<ImDrawVert>& drawn = ImGui::GetBackgroundDrawList()->VtxBuffer;
+  ASSERT_GT(drawn.Size, 4 * 200);
+  for (const ImDrawVert& vertex : drawn) {
+    ASSERT_LE(vertex.pos.y, top);
+    ASSERT_GE(vertex.pos.y, last_.view.viewport.y);
   }
 }
 
