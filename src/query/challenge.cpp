@@ -137,8 +137,9 @@ std::string reason_of(const edit::Finder& find, const Rule& rule, const Finding&
       rule.query->name == "ride.envelope" ? find(edit::Want::overloads).overloads : std::span<const sim::RedSpan>();
   if (!overloads.empty()) {
     const sim::RedSpan& span = overloads.front();
-    return fmt::format("{:.2f} g {} at {:.1f} m; the limit for that duration is {:.2f} g", span.worst,
-                       base::row_of(span.axis).label, span.from_distance, span.allowed);
+    return fmt::format("{} {:.2f} g at {:.1f} m; the limit for that duration is {:.2f} g",
+                       base::row_of(span.axis).label, sim::signed_g(span.axis, span.worst), span.from_distance,
+                       sim::signed_g(span.axis, span.allowed));
   }
   return explain(rule, finding);
 }
@@ -210,6 +211,7 @@ Finding look_at(const edit::Finder& find, const Rule& rule) {
   const base::Result<bool> held = holds(rule.condition, *value);
   finding.holds = held && *held;
   finding.found = shown(*rule.query, *value);
+  if (rule.query->name == "ride.envelope") finding.found += finding.found == "1" ? " overload" : " overloads";
   if (const double* const number = std::get_if<double>(&*value)) finding.value = *number;
   // A train that does not complete the lap has no lap time.
   if (rule.query->name == "ride.lap_time" && finding.value && !(*finding.value > 0)) {

@@ -41,7 +41,7 @@ inline constexpr base::NameRow kSectionColumns[] = {
     {"speed_out", "Out", "Speed of the chosen seat where it ends."},
     {"g_most", "g max", "Largest vertical felt g of the chosen seat, not low-passed."},
     {"g_least", "g min", "Least vertical felt g of the chosen seat, not low-passed."},
-    {"g_side", "Side g", "Largest lateral felt g of the chosen seat, to either side, not low-passed."},
+    {"g_side", "Lateral", "Largest lateral felt g of the chosen seat, to either side, not low-passed."},
     {"equipment", "Equipment", "Equipment of its segments."}};
 constexpr std::span<const base::NameRow> rows_of(SectionColumn) { return kSectionColumns; }
 

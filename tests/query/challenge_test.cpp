@@ -213,6 +213,17 @@ TEST_F(ChallengeTest, a_failing_goal_is_told_with_its_value_place_and_unit) {
   EXPECT_EQ(session.game.challenge->last.reason, wanted);
 }
 
+TEST_F(ChallengeTest, overloads_are_told_with_the_sign_of_the_plots) {
+  const auto told = [](sim::ForceAxis axis) {
+    return fmt::format("{} {:.2f}", base::row_of(axis).label, sim::signed_g(axis, 1.5));
+  };
+  EXPECT_EQ(told(sim::ForceAxis::down), "Vertical 1.50");
+  EXPECT_EQ(told(sim::ForceAxis::lift), "Vertical -1.50");
+  EXPECT_EQ(told(sim::ForceAxis::side), "Lateral 1.50");
+  EXPECT_EQ(told(sim::ForceAxis::forward), "Longitudinal 1.50");
+  EXPECT_EQ(told(sim::ForceAxis::back), "Longitudinal -1.50");
+}
+
 TEST_F(ChallengeTest, a_train_that_is_too_slow_is_told_how_much_is_missing) {
   // Up a straight slope of 20 m from y = 4 with 12 m/s: it turns round at a height of v^2 / 2g over the start.
   good("new");

@@ -13,13 +13,17 @@ namespace coaster::sim {
 
 // The directions in which a rider is pressed or lifted, each with its own limit.
 enum class ForceAxis : std::uint8_t { down, lift, side, forward, back };  // +Gz, -Gz, +-Gy, +Gx, -Gx
-inline constexpr base::NameRow kForceAxisRows[] = {{"down", "into the seat (+Gz)"},
-                                                   {"lift", "out of the seat (-Gz)"},
-                                                   {"side", "to a side (Gy)"},
-                                                   {"forward", "forwards (+Gx)"},
-                                                   {"back", "backwards (-Gx)"}};
+inline constexpr base::NameRow kForceAxisRows[] = {{"down", "Vertical"},
+                                                   {"lift", "Vertical"},
+                                                   {"side", "Lateral"},
+                                                   {"forward", "Longitudinal"},
+                                                   {"back", "Longitudinal"}};
 constexpr std::span<const base::NameRow> rows_of(ForceAxis) { return kForceAxisRows; }
 inline constexpr std::size_t kForceAxes = std::size(kForceAxisRows);
+// Returns felt g with the sign that plots show, from a value in the direction of a limit: out of the seat is negative.
+constexpr double signed_g(ForceAxis axis, double g) {
+  return axis == ForceAxis::lift || axis == ForceAxis::back ? -g : g;
+}
 
 struct EnvelopePoint {
   double seconds, g;

@@ -57,8 +57,8 @@ std::string report_text(const Ghost& ghost, const Ratings& r, std::span<const Ri
   add(out, "  {:<22} {:8} (force limits by duration; not a compliance check)\n", "overloads", red.size());
   for (const RedSpan& span : red)
     add(out, "    car {:2}, {:<22} {:6.2f} g, limit {:.2f} g, {:.2f}..{:.2f} s, {:.1f}..{:.1f} m\n", span.car + 1,
-        base::row_of(span.axis).label, span.worst, span.allowed, span.from, span.to, span.from_distance,
-        span.to_distance);
+        base::row_of(span.axis).label, signed_g(span.axis, span.worst), signed_g(span.axis, span.allowed), span.from,
+        span.to, span.from_distance, span.to_distance);
   return out;
 }
 

@@ -88,7 +88,7 @@ void advice_rows(Ui& ui) {
   }
 }
 
-// `brief`: shows only the start of each span, and the short name of its force.
+// `brief`: shows only the start of each span.
 void red_table(Ui& ui, std::span<const sim::RedSpan> red, float height, bool brief) {
   const edit::Session& session = ui.session();
   if (ui.lab.red_chosen < static_cast<int>(red.size())) {
@@ -104,14 +104,14 @@ void red_table(Ui& ui, std::span<const sim::RedSpan> red, float height, bool bri
   if (!begin_table(ui, "Red spans", kRedColumns, height)) return;
   for (std::size_t i = 0; i < red.size(); ++i) {
     const sim::RedSpan& span = red[i];
-    const std::string from = digits(ui, span.from_distance, 1, "m");
-    const Cell cells[] = {
-        {brief ? from : fmt::format("{}..{}", from, digits(ui, span.to_distance, 1, "m"))},
-        {std::string(brief ? base::name_of(span.axis) : base::row_of(span.axis).label), kPlainColour, true},
-        {fixed(span.worst, 2), kBadColour},
-        {fixed(span.allowed, 2)}};
-    if (!table_row(ui, fmt::format("Span {}", i + 1), cells, ui.lab.red_chosen == static_cast<int>(i),
-                   fixed(span.worst, 2), "Click to move the train there."))
+    const std::string from = digits(ui, span.from_distance, 1, "m"),
+                      worst = fixed(sim::signed_g(span.axis, span.worst), 2);
+    const Cell cells[] = {{brief ? from : fmt::format("{}..{}", from, digits(ui, span.to_distance, 1, "m"))},
+                          {std::string(base::row_of(span.axis).label), kPlainColour, true},
+                          {worst, kBadColour},
+                          {fixed(sim::signed_g(span.axis, span.allowed), 2)}};
+    if (!table_row(ui, fmt::format("Span {}", i + 1), cells, ui.lab.red_chosen == static_cast<int>(i), worst,
+                   "Click to move the train there."))
       continue;
     ui.lab.red_chosen = static_cast<int>(i);
     ui.lab.advised = false;

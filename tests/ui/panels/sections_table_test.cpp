@@ -238,7 +238,7 @@ TEST_F(SectionsTable, the_workspace_all_has_it_as_a_panel_with_the_columns_that_
   click("Sections");
   ASSERT_TRUE(reach("Sections/q2"));
   EXPECT_NE(find("Sections/Table/Length"), nullptr);
-  EXPECT_EQ(find("Sections/Table/Side g"), nullptr);
+  EXPECT_EQ(find("Sections/Table/Lateral"), nullptr);
   click("Sections/q2");
   EXPECT_EQ(selected(), std::vector{section(2)});
 }
