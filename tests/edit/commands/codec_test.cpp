@@ -9,6 +9,7 @@
 #include "edit/commands/commands_document.h"
 #include "edit/commands/commands_operation.h"
 #include "edit/commands/commands_ride.h"
+#include "edit/commands/commands_sections.h"
 #include "edit/commands/commands_settings.h"
 #include "edit/commands/commands_shape.h"
 #include "edit/random_commands.h"
@@ -79,6 +80,8 @@ TEST(codec, the_history_says_in_words_what_commands_did) {
   EXPECT_EQ(done(MoveHandle{{k4, HandleEnd::in}, {1, 2, 3}}), "Moved the incoming handle of k4");
   EXPECT_EQ(done(SetRoll{Knots({k4, k5}), -12.5}), "Set the roll of 2 knots to -12.5\u00B0");
   EXPECT_EQ(done(SetJoint{k4, world::JointKind::automatic}), "Set the joint of k4 to automatic");
+  EXPECT_EQ(done(ChangeSection{{{world::Kind::section, 2}}, false, world::usual_element(world::ElementKind::climb)}),
+            "Changed q2 (climb)");
   EXPECT_EQ(done(SetClosed{true}), "Closed the track");
   EXPECT_EQ(done(SetClosed{false}), "Opened the track");
   EXPECT_EQ(done(SetName{"Comet"}), "Named the track \"Comet\"");
