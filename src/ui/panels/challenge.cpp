@@ -102,6 +102,15 @@ void buttons(Ui& ui, const edit::ActiveChallenge& challenge) {
     ui.emit(edit::LeaveChallenge{});
 }
 
+// Shows the hints so far, and scrolls to a new one: it is far below its button.
+void hints(Ui& ui, const edit::ActiveChallenge& challenge) {
+  for (int i = 0; i < challenge.hints; ++i)
+    paragraph(ui, fmt::format("Hint {}", i + 1), challenge.file.hints[static_cast<std::size_t>(i)], palette().text);
+  int* const seen = ImGui::GetStateStorage()->GetIntRef(ImGui::GetID("##hints"), challenge.hints);
+  if (*seen < challenge.hints) ImGui::SetScrollHereY(1);
+  *seen = challenge.hints;
+}
+
 // Of a challenge that is judged as you build, so without a score card: the medal, and the way on.
 void passed_row(Ui& ui, const edit::ActiveChallenge& challenge) {
   const float size = std::floor(24 * ui.scale);
@@ -136,13 +145,12 @@ void challenge_panel(Ui& ui) {
   medals(ui, challenge, std::max(challenge.medal, known_medal(ui, challenge.path)));
   medal_rules(ui, *rules);
   if (!challenge.last.reason.empty()) {
-    paragraph(ui, "Not passed", challenge.last.reason, palette().warning);
+    paragraph(ui, "Not passed", base::sentence(challenge.last.reason), palette().warning);
     if (challenge.last.place &&
         button(ui, "Show where", with_keys(ui.keys, "Go to the place and select the segment.", "Show where it failed")))
       show_place(ui, *challenge.last.place);
   }
-  for (int i = 0; i < challenge.hints; ++i)
-    paragraph(ui, fmt::format("Hint {}", i + 1), challenge.file.hints[static_cast<std::size_t>(i)], palette().text);
+  hints(ui, challenge);
   if (button(ui, "All challenges", "Choose another challenge.", true, ImGui::GetContentRegionAvail().x))
     ui.want = {Want::Kind::challenges};
 }

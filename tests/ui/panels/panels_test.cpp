@@ -3,6 +3,7 @@
 #include <set>
 
 #include "curve/evaluators.h"
+#include "edit/commands/commands_challenge.h"
 #include "edit/commands/commands_document.h"
 #include "edit/commands/commands_ride.h"
 #include "edit/commands/commands_settings.h"
@@ -170,6 +171,20 @@ TEST_F(PanelsTest, times_are_hidden_from_scripts) {
   frames(2);
   EXPECT_EQ(find("Statistics/Frames per second")->value, "-- fps");
   EXPECT_EQ(find("Statistics/Frame")->value, "-- ms");
+}
+
+TEST_F(PanelsTest, a_new_hint_of_a_challenge_comes_into_sight) {
+  const std::string path = COASTER_SOURCE_DIR "/challenges/01_first_hill.json";
+  ASSERT_TRUE(edit::apply(session_, files_, edit::StartChallenge{path}));
+  ASSERT_TRUE(edit::apply(session_, files_, edit::Set<&world::Panels::workspace>{world::Workspace::build}));
+  resize(1280, 720);
+  for (const char* hint : {"Challenge/Hint 1", "Challenge/Hint 2"}) {
+    EXPECT_EQ(find(hint), nullptr);
+    click("Challenge/Hint");
+    frames(4);
+    ASSERT_NE(find(hint), nullptr);
+    EXPECT_TRUE(find(hint)->visible) << hint;
+  }
 }
 
 TEST_F(PanelsTest, insert_point_needs_a_segment_and_splits_it_at_the_picked_place) {
