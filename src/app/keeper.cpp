@@ -236,9 +236,9 @@ void start_keeping(Program& program, const base::UserFolders& folders, const bas
     settings.window.reset();
     program.ui->reset_layout();
   }
-  if (settings.window)
-    program.surface->place({settings.window->x, settings.window->y, settings.window->width, settings.window->height,
-                            settings.window->maximised});
+  std::optional<exchange::WindowPlace>& at = settings.window;  // of the last window; --size selects another size
+  if (at && program.options.width > 0) *at = {at->x, at->y, program.options.width, program.options.height, false};
+  if (at) program.surface->place({at->x, at->y, at->width, at->height, at->maximised});
   keeper.state.settings = keeper.seen = settings;
   keeper.state.system.available = keeper.dialog.available();
   load_progress(program, keeper, problems);

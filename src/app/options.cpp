@@ -26,7 +26,7 @@ constexpr OptionRow kRows[] = {
     {"--script", "F", Word::script, "Run a script (.coaster)", &Options::script},
     {"--record", "F", Word::script, "Record the session as a script", &Options::record},
     {"--frames", "N", Word::other, "End after N frames, or N pictures of a movie", &Options::frames},
-    {"--size", "WxH", Word::other, "Picture size, WIDTHxHEIGHT", &Options::size},
+    {"--size", "WxH", Word::other, "Size of window or pictures, WIDTHxHEIGHT", &Options::size},
     {"--seed", "N", Word::other, "Seed for scripts that do not set one", &Options::seed},
     {"--out", "DIR", Word::folder, "Output folder of scripts and pictures", &Options::out},
     {"--camera", "NAME", Word::camera, "Camera: orbit, ride, chase or fly; default chase for a movie of a ride",

@@ -79,6 +79,16 @@ TEST_F(Keeping, the_next_start_has_the_settings_of_the_last) {
   EXPECT_EQ(surface(*next).at->height, 777);
 }
 
+TEST_F(Keeping, a_size_on_the_command_line_replaces_that_of_the_last_window) {
+  start();
+  surface(*program_).at = platform::Placement{31, 47, 1111, 777, true};
+  stop_keeping(*program_, true);
+  std::unique_ptr<Program> next = make();
+  next->options.width = 1600, next->options.height = 900;
+  start(*next);
+  EXPECT_EQ(surface(*next).at, (platform::Placement{31, 47, 1600, 900, false}));
+}
+
 TEST_F(Keeping, a_file_that_holds_no_settings_is_set_aside) {
   std::filesystem::create_directories(folder_ / "config");
   ASSERT_TRUE(program_->files.write_atomic(settings(), "{ this is no JSON").ok());
