@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
@@ -27,6 +28,10 @@ constexpr UnitRow kRows[] = {
     {{{{"1/m"}, {"1/m"}, {"1/ft", kFoot, 1}}}},
     {{{{"\u00B0/m"}, {"\u00B0/m"}, {"\u00B0/ft", kFoot, 1}}}},
 };
+
+// Units as scripts write them, and as panels do.
+constexpr std::pair<std::string_view, std::string_view> kSigns[] = {
+    {"deg", "\u00B0"}, {"deg/m", "\u00B0/m"}, {"deg/s", "\u00B0/s"}, {"deg/s^2", "\u00B0/s\u00B2"}, {"m^2", "m\u00B2"}};
 
 bool is_decimal(char c) { return c >= '0' && c <= '9'; }
 // True for letters, digits and characters that join them to one word.
@@ -98,6 +103,8 @@ Run run_at(std::string_view text) {
 }  // namespace
 
 ShownUnit shown_in(Units units, std::string_view metric) {
+  for (const auto& [ascii, sign] : kSigns)
+    if (metric == ascii) metric = sign;
   for (const UnitRow& row : kRows)
     if (row.in[0].name == metric) return row.in[static_cast<std::size_t>(units)];
   return {metric};

@@ -23,7 +23,8 @@ struct ShownUnit {
   double factor = 1;      // shown = factor * metric
   int more_decimals = 0;  // additional decimals that keep the precision of the metric value
 };
-// Returns the unit that shows values of a metric one: "m", "mm", "m/s", "1/m" and similar. Other units are unchanged.
+// Returns the unit that shows values of a metric one: "m", "mm", "m/s", "1/m" and similar. Units that scripts write in
+// ASCII, such as "deg/s^2", get their signs. Other units are unchanged.
 ShownUnit shown_in(Units units, std::string_view metric);
 
 // Returns the metric value of a shown one, rounded to 15 digits, so that 33 ft is 10.0584 m.

@@ -40,6 +40,17 @@ TEST(units, the_first_system_and_other_units_stay_as_they_are) {
     }
 }
 
+TEST(units, angles_and_areas_get_their_signs_in_every_system) {
+  for (const Units to : {Units::m_s, Units::kmh, Units::feet}) {
+    EXPECT_EQ(shown_in(to, "deg").name, "\u00B0");
+    EXPECT_EQ(shown_in(to, "deg/s").name, "\u00B0/s");
+    EXPECT_EQ(shown_in(to, "deg/s^2").name, "\u00B0/s\u00B2");
+    EXPECT_EQ(shown_in(to, "m^2").name, shown_in(to, "m\u00B2").name);
+    EXPECT_EQ(shown_in(to, "deg/m").name, shown_in(to, "\u00B0/m").name);
+    EXPECT_EQ(shown_in(to, "deg/m").factor, shown_in(to, "\u00B0/m").factor) << "0.3048 in feet";
+  }
+}
+
 TEST(units, what_is_typed_comes_back_as_it_is_written_in_metres) {
   const ShownUnit feet = shown_in(Units::feet, "m"), kmh = shown_in(Units::kmh, "m/s");
   EXPECT_EQ(metric_value(33, feet), 10.0584);
