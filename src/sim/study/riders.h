@@ -27,20 +27,21 @@ enum class RideValue : std::uint8_t {
 };
 struct RideValueRow {
   std::string_view name, label, unit, help;
+  double least_span;  // of a plot; less is noise
 };
 inline constexpr RideValueRow kRideValues[] = {
-    {"seat.g_up", "Vertical g", "g", "Felt g towards the rider's head, not low-passed; 1 at rest on level track."},
-    {"seat.g_side", "Lateral g", "g", "Felt g to the rider's left, not low-passed."},
-    {"seat.g_forward", "Longitudinal g", "g", "Felt g forwards, not low-passed."},
-    {"seat.jerk", "Jerk", "g/s", "Magnitude of the change of the low-passed felt g per second."},
-    {"seat.jerk_up", "Vertical jerk", "g/s", "Change of the low-passed vertical g per second."},
-    {"seat.jerk_side", "Lateral jerk", "g/s", "Change of the low-passed lateral g per second."},
-    {"seat.jerk_forward", "Longitudinal jerk", "g/s", "Change of the low-passed longitudinal g per second."},
+    {"seat.g_up", "Vertical g", "g", "Felt g towards the rider's head, not low-passed; 1 at rest on level track.", 0.5},
+    {"seat.g_side", "Lateral g", "g", "Felt g to the rider's left, not low-passed.", 0.5},
+    {"seat.g_forward", "Longitudinal g", "g", "Felt g forwards, not low-passed.", 0.5},
+    {"seat.jerk", "Jerk", "g/s", "Magnitude of the change of the low-passed felt g per second.", 1},
+    {"seat.jerk_up", "Vertical jerk", "g/s", "Change of the low-passed vertical g per second.", 1},
+    {"seat.jerk_side", "Lateral jerk", "g/s", "Change of the low-passed lateral g per second.", 1},
+    {"seat.jerk_forward", "Longitudinal jerk", "g/s", "Change of the low-passed longitudinal g per second.", 1},
     {"seat.roll_rate", "Roll rate", "deg/s",
-     "Rate at which the car rolls about the rails against the rotation-minimising frame. Positive to the right."},
-    {"seat.roll_acceleration", "Roll acceleration", "deg/s^2", "Change of the roll rate per second."},
-    {"seat.speed", "Speed", "m/s", "Speed along the track, negative backwards."},
-    {"seat.height", "Height", "m", "Height (y) of the rails under the car."}};
+     "Rate at which the car rolls about the rails against the rotation-minimising frame. Positive to the right.", 5},
+    {"seat.roll_acceleration", "Roll acceleration", "deg/s^2", "Change of the roll rate per second.", 20},
+    {"seat.speed", "Speed", "m/s", "Speed along the track, negative backwards.", 1},
+    {"seat.height", "Height", "m", "Height (y) of the rails under the car.", 1}};
 constexpr std::span<const RideValueRow> rows_of(RideValue) { return kRideValues; }
 inline constexpr std::size_t kRideValueCount = std::size(kRideValues);
 

@@ -35,7 +35,7 @@ void bend_plot(Ui& ui, const Probe& probe, const BendStudy& study, bool torsion,
   std::vector<Spot> spots;
   for (const double s : study.flips) spots.push_back({s, 0, kTangentColour, "flip"});
   const double length = probe.shape->arc.length();
-  PlotAxis y{torsion ? "torsion" : "curvature", "1/m"};
+  PlotAxis y{.title = torsion ? "torsion" : "curvature", .unit = "1/m", .least_span = 0.001};
   if (!torsion) y.low = 0;
   const auto drag = plot(ui, torsion ? "Torsion plot" : "Curvature plot",
                          {.x = {"s", "m", AxisScale::linear, 0, length > 0 ? length : 1},

@@ -85,6 +85,11 @@ view::Pick pick_at(const sim::Derived& derived, double distance) {
   return {view::PickKind::curve, derived.order[place.index], t, glm::vec3(curve::point(shape.key.cubic, t))};
 }
 
+PlotAxis y_axis(RideValue value, std::string_view title) {
+  const sim::RideValueRow& row = base::row_of(value);
+  return {.title = std::string(title), .unit = std::string(row.unit), .least_span = row.least_span};
+}
+
 }  // namespace
 
 // A component of the jerk has the colour of its g.
@@ -193,14 +198,14 @@ void RidePlots::plot(Ui& ui, RideValue value, std::string_view label, float widt
     }
   add_overloads(value, series);
   Plot picture{.x = {over_time_ ? "time" : "distance", over_time_ ? "s" : "m"},
-               .y = {std::string(row.label), std::string(row.unit)},
+               .y = y_axis(value, row.label),
                .series = series,
                .width = width,
                .height = height,
                .labels = small_size("-00.00").x};
   show(ui, label, picture, row.help);
   const ImVec2 low = ImGui::GetItemRectMin(), high(ImGui::GetItemRectMax().x, low.y + ImGui::GetTextLineHeight());
-  if (at) note(ui, fmt::format("{}/value", label), "label", "", true, shown_at(ui, value, *at), low, high);
+  if (at) note(ui, fmt::format("{}/value", label), "label", "", true, now, low, high);
 }
 
 void RidePlots::plot_all(Ui& ui, std::span<const RideValue> left, std::span<const RideValue> right,
@@ -213,8 +218,10 @@ void RidePlots::plot_all(Ui& ui, std::span<const RideValue> left, std::span<cons
   std::vector<std::vector<double>> in_user_units;
   in_user_units.reserve(right.size());
   std::string units;
+  double least_span = 0;
   for (const RideValue value : right) {
     const base::ShownUnit unit = base::shown_in(ui.units, base::row_of(value).unit);
+    least_span = std::max(least_span, base::row_of(value).least_span * unit.factor);
     Series series = curve(value, "");
     std::vector<double>& scaled = in_user_units.emplace_back(series.y.begin(), series.y.end());
     for (double& one : scaled) one *= unit.factor;
@@ -223,9 +230,9 @@ void RidePlots::plot_all(Ui& ui, std::span<const RideValue> left, std::span<cons
     units += fmt::format("{}{}", units.empty() ? "" : ", ", unit.name);
   }
   Plot picture{.x = {.unit = "m"},
-               .y = {.unit = left.empty() ? "" : std::string(base::row_of(left.front()).unit)},
+               .y = left.empty() ? PlotAxis{} : y_axis(left.front(), ""),
                .series = at_left,
-               .right = {.title = units},
+               .right = {.title = units, .least_span = least_span},
                .right_series = at_right,
                .labels = small_size("-0.0").x};
   show(ui, label, picture, "Forces, speed and height along the track.");

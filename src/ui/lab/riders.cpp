@@ -21,7 +21,7 @@ constexpr RideValue kPlots[] = {RideValue::vertical, RideValue::lateral,   RideV
 
 void largest(Ui& ui, std::string_view label, const sim::Extreme& extreme, RideValue value) {
   const sim::RideValueRow& row = base::row_of(value);
-  read_out(ui, label, fixed(std::abs(extreme.value), 2), row.unit,
+  read_out(ui, label, std::abs(extreme.value), 2, row.unit,
            fmt::format("Largest of the ride: car {} at {:.1f} m. {}", extreme.car + 1, extreme.distance, row.help));
 }
 

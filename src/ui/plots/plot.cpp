@@ -46,6 +46,7 @@ Data extent_of(const Plot& p) {
 
 AxisRange range_of(const PlotAxis& axis, Extent extent, double margin) {
   AxisRange range = fit(extent, axis.scale, margin);
+  if (axis.scale == AxisScale::linear) range = widened(range, axis.least_span);
   if (axis.low) range.low = *axis.low;
   if (axis.high) range.high = *axis.high;
   if (!(range.high > range.low)) range.high = axis.scale == AxisScale::logarithmic ? range.low * 10 : range.low + 1;
@@ -57,13 +58,8 @@ void make_square(PlotArea& area) {
   const double width = area.high.x - area.low.x, height = area.high.y - area.low.y;
   const double x_span = area.x.high - area.x.low, y_span = area.y.high - area.y.low;
   const double per_px = std::max(x_span / width, y_span / height);
-  const auto widen = [](AxisRange& axis, double span) {
-    const double middle = (axis.low + axis.high) / 2;
-    axis.low = middle - span / 2;
-    axis.high = middle + span / 2;
-  };
-  widen(area.x, per_px * width);
-  widen(area.y, per_px * height);
+  area.x = widened(area.x, per_px * width);
+  area.y = widened(area.y, per_px * height);
 }
 
 int most_ticks(float room, float each, int least) { return std::max(least, static_cast<int>(room / each)); }
@@ -203,8 +199,10 @@ std::optional<PlotDrag> plot(WidgetFrame& ui, std::string_view label, const Plot
                             : any            ? ""
                                              : std::string(p.empty);
   note(ui, label, "plot", any ? "" : tooltip, true, value, area.low, area.high);
-  note(ui, fmt::format("{}/axes", label), "label", tooltip, true, axis_title(p.y, area.y_unit), low,
-       {high.x, area.low.y});
+  std::string axes = axis_title(p.y, area.y_unit);
+  for (const double tick : area.y_ticks.major)
+    axes += " " + tick_text(scaled(area.y, area.y_unit.factor), area.y_ticks, tick, false);
+  note(ui, fmt::format("{}/axes", label), "label", tooltip, true, axes, low, {high.x, area.low.y});
   if (!held || !any || !moves_cursor) return std::nullopt;
   PlotDrag wanted = place_under(area, mouse);
   if (p.cursor) wanted.x = snapped(area, mouse.x);

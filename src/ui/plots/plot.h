@@ -54,6 +54,7 @@ struct PlotAxis {
   std::string title = {}, unit = {};
   AxisScale scale = AxisScale::linear;
   std::optional<double> low = {}, high = {};  // nothing: from the data
+  double least_span = 0;                      // of a linear axis from the data, so that no noise fills the plot
 };
 
 // The position of the mouse in a plot, in the units of its axes.

@@ -115,6 +115,12 @@ AxisRange fit(const Extent& extent, AxisScale scale, double margin) {
   return {low - air, high + air, scale};
 }
 
+AxisRange widened(const AxisRange& range, double span) {
+  if (range.high - range.low >= span) return range;
+  const double middle = (range.low + range.high) / 2;
+  return {middle - span / 2, middle + span / 2, range.scale};
+}
+
 double part_of(const AxisRange& axis, double value) {
   if (axis.scale == AxisScale::linear) return (value - axis.low) / (axis.high - axis.low);
   if (value == 0) return 0;

@@ -29,6 +29,8 @@ struct Extent {
 // extent gives 0..1, or 0.1..1 on a logarithmic axis.
 AxisRange fit(const Extent& extent, AxisScale scale, double margin = 0);
 inline constexpr double kMostDecades = 24;
+// Returns a linear range with the same middle that spans at least `span`.
+AxisRange widened(const AxisRange& range, double span);
 
 // Returns the position of a value: 0 at `low`, 1 at `high`, linear or logarithmic; outside the range below 0 or
 // above 1. On a logarithmic axis zero is at 0 (the lower edge). NaN for negative values and NaN.

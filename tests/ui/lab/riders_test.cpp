@@ -1,10 +1,12 @@
 #include <cstdlib>
+#include <sstream>
 
 #include "edit/commands/codec.h"
 #include "edit/commands/commands_ride.h"
 #include "sim/study/seat.h"
 #include "ui/stage.h"
 #include "world/lab_view.h"
+#include "world/look.h"
 #include "world/panels.h"
 
 namespace coaster::ui {
@@ -58,6 +60,49 @@ TEST_F(RidersTest, every_axis_has_a_plot_that_can_be_read) {
     EXPECT_GE(find(path)->height, 110) << path;  // of the data alone
     EXPECT_GE(find(path)->width, 280) << path;
   }
+}
+
+TEST_F(RidersTest, a_value_that_hardly_changes_is_a_flat_line_and_not_noise) {
+  run("new");
+  for (const char* line : {"append at 0 4 0", "append at 40 4.0003 0", "append at 80 4 0.0002", "add_cart @s1 at 0.1"})
+    run(line);
+  const auto least_step = [&](const char* plot) {
+    const std::string path = std::string("Laboratory/") + plot + " plot/axes";
+    EXPECT_TRUE(reach(path)) << path;
+    std::vector<double> ticks;
+    std::istringstream words(find(path)->value.substr(find(path)->value.rfind(')') + 1));
+    for (double tick; words >> tick;) ticks.push_back(tick);
+    EXPECT_GE(ticks.size(), 2u) << find(path)->value;
+    return ticks.size() < 2 ? 0 : ticks[1] - ticks[0];
+  };
+  EXPECT_GE(least_step("Vertical g"), 0.1);
+  EXPECT_GE(least_step("Lateral g"), 0.1);
+  EXPECT_GE(least_step("Jerk"), 0.2);
+  EXPECT_GE(least_step("Roll rate"), 1);
+  EXPECT_GE(least_step("Height"), 0.2);
+  run("start_speed 0.5");
+  set<&world::Look::units>(base::Units::feet);
+  EXPECT_GE(least_step("Height"), 0.5) << "1 m is 3.3 ft";
+}
+
+TEST_F(RidersTest, the_legend_has_the_value_at_the_train_with_its_unit) {
+  const auto value = [&](const char* plot) {
+    const std::string path = std::string("Laboratory/") + plot + "/value";
+    EXPECT_TRUE(reach(path)) << path;
+    return find(path)->value;
+  };
+  const auto ends = [](const std::string& text, std::string_view unit) { return text.ends_with(unit); };
+  EXPECT_PRED2(ends, value("Vertical g plot"), " g");
+  EXPECT_PRED2(ends, value("Jerk plot"), " g/s");
+  EXPECT_PRED2(ends, value("Roll rate plot"), " \u00B0/s");
+  EXPECT_PRED2(ends, value("Roll acceleration plot"), " \u00B0/s\u00B2");
+  EXPECT_PRED2(ends, value("Speed plot"), " m/s");
+  set<&world::Look::units>(base::Units::feet);
+  EXPECT_PRED2(ends, value("Speed plot"), " mph");
+  EXPECT_PRED2(ends, value("Height plot"), " ft");
+  set<&world::LabView::page>(world::LabPage::forces);
+  EXPECT_PRED2(ends, value("Left plot"), " g");
+  EXPECT_PRED2(ends, value("Right plot"), " mph");
 }
 
 TEST_F(RidersTest, dragging_in_a_plot_moves_the_train_so_that_the_seat_is_there) {

@@ -40,6 +40,12 @@ TEST(plot_ticks, there_are_two_or_more_because_one_does_not_tell_the_scale) {
   EXPECT_EQ(texts(linear(0.5, 1.9), 2), (std::vector<std::string>{"0.5", "1.5"}));
 }
 
+TEST(plot_ticks, a_range_is_widened_about_its_middle_to_the_least_span_and_never_narrowed) {
+  EXPECT_EQ(widened(linear(0.9998, 1.0002), 0.5), linear(0.75, 1.25));
+  EXPECT_EQ(widened(linear(-3, 5), 0.5), linear(-3, 5));
+  EXPECT_EQ(widened(linear(2, 3), 0), linear(2, 3));
+}
+
 TEST(plot_ticks, logarithmic_ticks_are_powers_of_ten) {
   EXPECT_EQ(texts(logarithmic(1e-12, 1e-3), 4), (std::vector<std::string>{"1e-12", "1e-9", "1e-6", "1e-3"}));
   EXPECT_EQ(texts(logarithmic(0.5, 200), 12),
