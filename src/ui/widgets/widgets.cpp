@@ -98,13 +98,18 @@ ImVec2 text_size(std::string_view text) { return ImGui::CalcTextSize(text.data()
 std::string shortened(std::string_view text, float room, bool keep_end) {
   if (text_size(text).x <= room) return std::string(text);
   constexpr std::string_view kCut = "\u2026";
-  room -= text_size(kCut).x;
-  while (!text.empty() && text_size(text).x > room) {
-    if (keep_end) text.remove_prefix(std::max<std::size_t>(1, base::utf8_length(text)));
-    else text = base::utf8_start(text, text.size() - 1);
+  const auto part = [&](std::size_t bytes) {
+    return keep_end ? text.substr(base::utf8_start(text, text.size() - bytes).size()) : base::utf8_start(text, bytes);
+  };
+  // Halves the range, because measuring a text takes as long as it is.
+  std::size_t fits = 0, too_long = text.size() + 1;
+  while (too_long - fits > 1) {
+    const std::size_t middle = (fits + too_long) / 2;
+    (text_size(part(middle)).x <= room - text_size(kCut).x ? fits : too_long) = middle;
   }
-  if (text.empty()) return {};
-  return keep_end ? fmt::format("{}{}", kCut, text) : fmt::format("{}{}", text, kCut);
+  const std::string_view kept = part(fits);
+  if (kept.empty()) return {};
+  return keep_end ? fmt::format("{}{}", kCut, kept) : fmt::format("{}{}", kept, kCut);
 }
 
 void draw_text(ImDrawList& list, ImVec2 at, std::uint32_t rgb, std::string_view text) {

@@ -2,6 +2,8 @@
 
 #include <imgui_internal.h>
 
+#include <ctime>
+
 #include "base/utf8.h"
 #include "edit/commands/commands_document.h"
 #include "edit/commands/set_setting.h"
@@ -56,6 +58,21 @@ TEST_F(WidgetsTest, a_text_too_long_for_its_room_keeps_as_much_as_fits_beside_do
       const std::string longer = end ? dots + text.substr(more) : text.substr(0, more) + dots;
       EXPECT_GE(text_size(longer).x, room) << "one more character does not fit; sizes are rounded up";
     }
+}
+
+TEST_F(WidgetsTest, a_very_long_text_is_shortened_in_little_time) {
+  frame();
+  const std::string text(100'000, 'x');
+  const auto seconds = [](const auto& work) {
+    const std::clock_t from = std::clock();
+    work();
+    return static_cast<double>(std::clock() - from) / CLOCKS_PER_SEC;
+  };
+  const double measured = seconds([&] {
+    for (int i = 0; i < 20; ++i) (void)text_size(text);
+  });
+  for (const bool end : {false, true})
+    EXPECT_LT(seconds([&] { (void)shortened(text, 300, end); }), 2 * measured + 0.01) << "as 40 times measuring it";
 }
 
 TEST_F(WidgetsTest, the_tooltip_of_a_text_that_is_cut_has_all_of_it) {
