@@ -65,7 +65,8 @@ void ImGuiInput::take_button(const platform::MouseButton& event) {
   const float reach = 2 * ImGui::GetIO().MouseDragThreshold;
   const auto button = static_cast<std::size_t>(event.button);
   Press& last = presses_[button];
-  const bool twice = event.down && !last.twice && time_ - last.time <= kSeconds &&
+  // The presses may be that much closer than the ends of their frames, and slow frames must not part a double click.
+  const bool twice = event.down && !last.twice && time_ - frame_seconds_ - last.time <= kSeconds &&
                      std::hypot(mouse_.x - last.at.x, mouse_.y - last.at.y) <= reach;
   if (event.down) last = {time_, mouse_, twice};
   waiting_.push_back({button, event.down, twice, mouse_, event.modifiers});
@@ -113,7 +114,8 @@ void ImGuiInput::feed(const platform::Events& events, int width, int height, boo
   if (!late_text_.empty()) take_text(std::exchange(late_text_, {}), false);
   for (const platform::Event& event : events)
     if (const auto* const tick = std::get_if<platform::Tick>(&event)) seconds += static_cast<float>(tick->dt);
-  time_ += static_cast<double>(seconds);
+  frame_seconds_ = static_cast<double>(seconds);
+  time_ += frame_seconds_;
   for (const platform::Event& event : events) {
     if (const auto* const move = std::get_if<platform::MouseMove>(&event))
       mouse_ = {move->x, move->y}, finger_ = move->finger;
