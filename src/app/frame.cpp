@@ -184,8 +184,9 @@ void play_frame(Program& program) {
   FrameClock& time = program.time;
   platform::Events events;
   const bool idle = is_idle(program);
-  if (program.surface->poll(events, idle ? kIdleWait : 0); idle && !has_input(events))
-    return pass_time(program, events);
+  program.surface->poll(events, idle ? kIdleWait : 0);
+  if (idle && !has_input(events)) return pass_time(program, events);
+  if (idle) time.last_frame = program.surface->clock();  // the wait is no part of a frame
   const std::uint64_t commands = program.commands;
   const platform::Events seen = events;
   // While a movie is recorded, time advances with its pictures, however long each takes.

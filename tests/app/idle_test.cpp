@@ -78,6 +78,16 @@ TEST_F(Idle, time_goes_on_but_an_idle_rest_is_no_long_frame) {
   EXPECT_LE(program_->session.tick - tick, 2u);
 }
 
+TEST_F(Idle, the_rate_of_frames_is_that_of_drawn_frames) {
+  play(10);
+  const double before = program_->stats.fps;
+  EXPECT_NEAR(before, 60, 1);
+  surface(*program_).now += 0.9;  // a mouse that moves at the end of a wait
+  surface(*program_).next = {platform::MouseMove{30, 20}};
+  play_frame(*program_);
+  EXPECT_GE(program_->stats.fps, before);
+}
+
 TEST_F(Idle, frames_that_are_counted_are_drawn) {
   play(10);
   program_->options.frames = 1000;
