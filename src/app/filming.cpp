@@ -41,7 +41,7 @@ void take_picture(Program& program) {
   filming.shown.frames = filming.movie->frames();
   program.stats.movie_frames = filming.shown.frames;
   if (filming.failed) return;
-  edit::notify(program.session, filming.failed);
+  if (!filming.by_hand) edit::notify(program.session, filming.failed);  // else follow_movie() does
   (void)stop_movie(program);
 }
 
@@ -178,7 +178,7 @@ void follow_movie(Program& program, ui::MovieWish wish) {
   const auto line = filming.encoder->poll();
   if (!line) return;
   if (filming.failed) edit::notify(program.session, edit::NoticeKind::info, *line);
-  else edit::notify(program.session, filming.failed);
+  else edit::notify(program.session, edit::NoticeKind::error, "The recording stopped. " + filming.failed.message);
   program.filming.reset();
 }
 

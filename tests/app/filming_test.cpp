@@ -128,6 +128,24 @@ TEST_F(FilmingTest, a_movie_by_hand_starts_with_the_ride_and_ends_with_its_lap) 
   EXPECT_EQ(pictures_in("untitled-movie-1"), 3u);
 }
 
+TEST_F(FilmingTest, a_movie_by_hand_that_cannot_be_written_says_so_once) {
+  build_track(*program_);
+  ::setenv("XDG_VIDEOS_DIR", folder_.c_str(), 1);
+  follow_movie(*program_, ui::MovieWish::start);
+  ::unsetenv("XDG_VIDEOS_DIR");
+  const std::size_t notices = program_->session.notices.list.size();
+  std::filesystem::create_directories(folder_ / "untitled-movie-1" / "frame-00002.png");  // in the way
+  for (int i = 0; i < 100 && program_->filming; ++i) {
+    if (recording(*program_)) (void)film(4);
+    follow_movie(*program_, ui::MovieWish::none);
+  }
+  EXPECT_FALSE(program_->filming);
+  EXPECT_EQ(program_->session.notices.list.size(), notices + 1);
+  const std::string said = last_notice(*program_);
+  EXPECT_TRUE(said.starts_with("The recording stopped. ")) << said;
+  EXPECT_NE(said.find("frame-00002.png"), std::string::npos) << said;
+}
+
 TEST_F(FilmingTest, a_movie_by_hand_can_be_stopped_before) {
   build_track(*program_);
   ::setenv("XDG_VIDEOS_DIR", folder_.c_str(), 1);
