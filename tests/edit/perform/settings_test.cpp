@@ -84,6 +84,10 @@ TEST_F(ChangingSettings, the_camera_is_clamped_and_yaw_wraps) {
   good("camera target 1 2 3 yaw 10 pitch 20 distance 30");
   good("camera distance 40 yaw 5");
   EXPECT_EQ(session.settings.camera, (world::Camera{{1, 2, 3}, 5, 20, 40})) << "the other values stay";
+  good("camera target 4 5 6");
+  EXPECT_EQ(session.settings.camera, (world::Camera{{4, 5, 6}, 5, 20, 40}));
+  good("camera pitch 7");
+  EXPECT_EQ(session.settings.camera, (world::Camera{{4, 5, 6}, 5, 7, 40}));
   refused(set_camera({{kNan, 0, 0}, 0, 0, 10}), "finite");
   refused(set_camera({{0, 0, 0}, kNan, 0, 10}), "finite");
   refused(set_camera({{0, 0, 0}, 0, kNan, 10}), "finite");
