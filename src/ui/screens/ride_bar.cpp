@@ -77,12 +77,15 @@ std::string ride_time(const Ui& ui) {
   return fmt::format("{} / {} s", fixed(std::min(seconds, ride->seconds()), 1), fixed(ride->seconds(), 1));
 }
 
+// Returns the room for a speed in the user's unit, design px: km/h have more digits.
+float speed_cell(const Ui& ui) { return std::max(64.0f, text_size(measured(ui, 99, 1, "m/s")).x / ui.scale); }
+
 void values(RideRow& row) {
   const auto shown = [&](std::string_view query, int decimals, std::string_view unit) {
     const auto number = number_of(row.ui, query);
     return number ? measured(row.ui, *number, decimals, unit) : "--";
   };
-  value(row, "Speed", shown("ride.speed", 1, "m/s"), 64, "Speed of the first train along the track.");
+  value(row, "Speed", shown("ride.speed", 1, "m/s"), speed_cell(row.ui), "Speed of the first train along the track.");
   value(row, kVertical, shown("ride.g_up", 2, "g"), 48, "Felt g towards the rider's head, not low-passed.");
   value(row, "Height", shown("ride.height", 1, "m"), 56, "Height of the first train above the ground.");
   value(row, "Time", ride_time(row.ui), 96, "Time since the start of the ride, and of the whole ride.");
@@ -132,7 +135,9 @@ constexpr float kSeatWidth = 164, kCameraWidth = 148;  // design px, with their 
 // Shows the lists, at most as wide as both fit in the row.
 void lists(RideRow& row) {
   Ui& ui = row.ui;
-  const float room = row.right - row.x - row.gap, seat = std::min(row.scaled(kSeatWidth), std::floor(0.575f * room));
+  constexpr float kSeatShare = 0.51f;  // both lists show their words whole
+  const float room = row.right - row.x - row.gap,
+              seat = std::min(row.scaled(kSeatWidth), std::floor(kSeatShare * room));
   const float camera = std::min(row.scaled(kCameraWidth), std::floor(room - seat));
   list_in(row, "##seat", seat, [&] {
     const world::Seat now = ui.session().settings.lab->seat;
@@ -162,8 +167,8 @@ float fixed_width(const RideRow& row, bool two_rows) {
   for (const std::string_view label :
        std::initializer_list<std::string_view>{"Speed", shown(kVertical), "Height", "Time"})
     labels += text_size(label).x + row.scaled(6) + row.gap;
-  return first + labels + row.scaled(64 + 48 + 56 + 96) + row.scaled(kSeatWidth) + row.scaled(kCameraWidth) +
-         2 * row.gap;
+  return first + labels + row.scaled(speed_cell(row.ui) + 48 + 56 + 96) + row.scaled(kSeatWidth) +
+         row.scaled(kCameraWidth) + 2 * row.gap;
 }
 
 }  // namespace

@@ -255,6 +255,7 @@ std::optional<int> combo(WidgetFrame& ui, std::string_view label, std::span<cons
     ImGui::EndCombo();
   }
   note(ui, label, "combo", tooltip, true, preview, low, high);
+  if (fitting != preview) ui.list.mark_cut();
   return chosen;
 }
 

@@ -9,6 +9,7 @@
 #include "edit/commands/commands_ride.h"
 #include "edit/commands/commands_session.h"
 #include "ui/stage.h"
+#include "ui/widgets/widgets.h"
 #include "world/aids.h"
 #include "world/look.h"
 #include "world/panels.h"
@@ -339,6 +340,19 @@ TEST_F(AreasTest, the_ride_bar_plays_scrubs_and_chooses_the_camera) {
   EXPECT_EQ(session_.settings.camera_mode, world::CameraMode::chase);
   click("Ride/Record");
   EXPECT_EQ(last_.movie, MovieWish::none) << "the wish is of one frame";
+}
+
+TEST_F(AreasTest, a_fast_speed_in_any_unit_keeps_off_its_label_in_the_ride_bar) {
+  ASSERT_TRUE(edit::apply(session_, files_, edit::SetStartSpeed{50}).ok());
+  go_to(Workspace::ride);
+  for (const base::Units units : {base::Units::m_s, base::Units::kmh, base::Units::feet})
+    for (const float scale : {1.0f, 1.5f}) {
+      set<&world::Look::units>(units);
+      window(1280, 720, scale);
+      frames(2);
+      const Widget& speed = *find("Ride/Speed");
+      EXPECT_GT(speed.width, text_size("Speed ").x + text_size(speed.value).x) << speed.value << " at " << scale;
+    }
 }
 
 TEST_F(AreasTest, the_status_bar_shows_evaluator_and_steps_in_every_workspace_and_opens_the_list) {
