@@ -85,18 +85,19 @@ void resolution(Ui& ui) {
 // Shows the chord error, because the rounding error says nothing about how well the polyline follows the curve. Next to
 // the last item if there is space.
 void chord_error(Ui& ui) {
-  if (beside_last(ui, "Chord error 1")) {
+  constexpr std::size_t kMost = 10'000;  // segments: 10 ms after each change
+  const std::size_t segments = ui.session().derived.order.size();
+  const std::string value = segments == 0 || segments > kMost
+                                ? "--"
+                                : digits(ui, 1e3 * ui.find(edit::Want::chord_error).chord_error, 2, "mm");
+  if (beside_last(ui, fmt::format("Chord error {}", value))) {
     // The label and its value need more than half of the row.
     const float free = ImGui::GetCursorScreenPos().x - ImGui::GetItemRectMax().x;
     const float earlier = std::floor(std::clamp(free - 5 * ui.scale, 0.0f, 9 * ui.scale));
     ImGui::SetCursorPos({ImGui::GetCursorPosX() - earlier, ImGui::GetCursorPosY() + ImGui::GetStyle().FramePadding.y});
   }
-  constexpr std::size_t kMost = 10'000;  // segments: 10 ms after each change
-  const std::size_t segments = ui.session().derived.order.size();
-  constexpr std::string_view kHelp =
-      "Largest distance of the curve from the polyline. More steps make it smaller. Up to 10,000 segments.";
-  if (segments == 0 || segments > kMost) return read_out(ui, "Chord error", "--", "mm", kHelp);
-  read_out(ui, "Chord error", 1e3 * ui.find(edit::Want::chord_error).chord_error, 2, "mm", kHelp);
+  read_out(ui, "Chord error", value, base::shown_in(ui.units, "mm").name,
+           "Largest distance of the curve from the polyline. More steps make it smaller. Up to 10,000 segments.");
 }
 
 }  // namespace
