@@ -19,9 +19,8 @@ namespace {
 // One claim: the paper's words and number, then the correct number and why.
 void claim_row(Ui& ui, const sim::Erratum& e) {
   const auto number = [&](double value, std::string_view unit) {
-    const std::string_view sign = unit == "m^2" ? "m\u00B2" : unit == "deg" ? "\u00B0" : unit;
-    const base::ShownUnit users = base::shown_in(ui.units, sign);
-    return fmt::format("{}{}{}", significant(value * users.factor, 4), sign.empty() ? "" : " ", users.name);
+    const base::ShownUnit users = base::shown_in(ui.units, unit);
+    return fmt::format("{}{}{}", significant(value * users.factor, 4), unit.empty() ? "" : " ", users.name);
   };
   const std::string wrong = number(e.wrong, e.wrong_unit), right = number(e.right, e.unit);
   ImGui::TableNextRow();
@@ -53,17 +52,19 @@ void errata_page(Ui& ui) {
       [&] { return sim::errata(ui.session().derived, probe->segment, speed, settings.evaluation->steps); });
   push_table_style(ui, 2);
   if (ImGui::BeginTable("##errata", 4, kTableFlags)) {
-    const std::pair<std::string, float> columns[] = {{"The paper says", 2.2f},
-                                                     {"By the paper", 0.9f},
-                                                     {"In truth, on " + world::to_text(probe->name), 0.9f},
-                                                     {"Why", 3.2f}};
+    const std::pair<std::string, float> columns[] = {{"The paper says", 2.1f},
+                                                     {"Its value", 0.95f},
+                                                     {"Truth on " + world::to_text(probe->name), 1.15f},
+                                                     {"Why", 3.0f}};
     for (const auto& [title, weight] : columns)
       ImGui::TableSetupColumn(title.c_str(), ImGuiTableColumnFlags_WidthStretch, weight);
     ImGui::TableSetupScrollFreeze(0, 1);
     ImGui::TableNextRow(ImGuiTableRowFlags_Headers);
     for (int i = 0; i < 4; ++i) {
       ImGui::TableSetColumnIndex(i);
-      ImGui::TextDisabled("%s", columns[i].first.c_str());
+      draw_text(*ImGui::GetWindowDrawList(), ImGui::GetCursorScreenPos(), palette().dim,
+                shortened(columns[i].first, ImGui::GetContentRegionAvail().x));
+      ImGui::Dummy({1, ImGui::GetTextLineHeight()});
     }
     for (const sim::Erratum& e : rows) claim_row(ui, e);
     ImGui::EndTable();

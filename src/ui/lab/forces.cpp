@@ -53,10 +53,10 @@ void side(Ui& ui, const sim::Ghost& ghost, const sim::Ratings& r, bool within_li
 }
 
 constexpr TableColumn kRedColumns[] = {
-    {"Where", "m", 1.1f, "Distance along the track. Click to move the train there."},
-    {"Force", "", 1.2f, "Direction of the force."},
-    {"Actual###Is", "g", 1.1f, "Low-pass filtered, where the limit is exceeded most."},
-    {"Limit###May", "g", 1.0f, "Limit for this duration by the envelope (command envelope). Not a compliance check."}};
+    {"Where", "m", 52, "Distance along the track. Click to move the train there."},
+    {"Force", "", 54, "Direction of the force."},
+    {"Actual###Is", "g", 52, "Low-pass filtered, where the limit is exceeded most."},
+    {"Limit###May", "g", 48, "Limit for this duration by the envelope (command envelope). Not a compliance check."}};
 
 // Returns the move in words: "Raise k7 by 0.25 m", "Move k7 by 0.25 m to the left".
 std::string move_text(const world::Document& document, const sim::Advice& advice) {
@@ -133,16 +133,22 @@ void forces_page(Ui& ui) {
   const float height = page.pictures(), room = ImGui::GetContentRegionAvail().x, gap = std::floor(12 * ui.scale);
   const int parts = room <= 340 * ui.scale ? 1 : red.empty() || room <= 560 * ui.scale ? 2 : 3;
   const float width = std::floor((room - gap * static_cast<float>(parts - 1)) / static_cast<float>(parts));
-  plots->plot(ui, ui.lab.force_plots[0], "Left plot", width, height);
-  if (parts > (red.empty() ? 1 : 2)) {  // else the table replaces the second plot
-    ImGui::SameLine(0, gap);
-    plots->plot(ui, ui.lab.force_plots[1], "Right plot", width, height);
-  }
-  if (red.empty()) return;
-  if (parts > 1) ImGui::SameLine(0, gap);
-  ImGui::BeginGroup();
-  red_table(ui, red, height, width < 440 * ui.scale);
-  ImGui::EndGroup();
+  const auto left = [&] { plots->plot(ui, ui.lab.force_plots[0], "Left plot", width, height); };
+  const auto right = [&] { plots->plot(ui, ui.lab.force_plots[1], "Right plot", width, height); };
+  const auto table = [&] {
+    ImGui::BeginGroup();
+    red_table(ui, red, height, width < 440 * ui.scale);
+    ImGui::EndGroup();
+  };
+  int drawn = 0;  // what does not fit in a row goes to the next one
+  const auto place = [&](const auto& part) {
+    if (drawn++ % parts > 0) ImGui::SameLine(0, gap);
+    part();
+  };
+  place(left);
+  if (parts != 2) place(right);
+  if (!red.empty()) place(table);
+  if (parts == 2) place(right);  // the table is beside the first plot
 }
 
 }  // namespace coaster::ui

@@ -47,16 +47,15 @@ const JointList& kept_joints(Ui& ui) {
 }
 
 constexpr TableColumn kJointColumns[] = {
-    {"Knot", "", 1.0f, "Knot of the joint. Click a row to select it."},
-    {"Shape", "", 0.9f, "Geometric continuity: G0 meets, G1 one tangent line, G2 one curvature too."},
-    {"Param.", "", 0.9f,
+    {"Knot", "", 52, "Knot of the joint. Click a row to select it."},
+    {"Shape", "", 50, "Geometric continuity: G0 meets, G1 one tangent line, G2 one curvature too."},
+    {"Param.", "", 56,
      "Parametric continuity: C1 has equal first derivatives, C2 equal second ones. More than G1, G2."},
-    {"Angle", "\u00B0", 1.1f, "Angle between the two tangents."},
-    {"Ratio", "", 1.0f, "|C'(0)| / |B'(1)|: 1 for C1."},
-    {"Jump", "1/m", 1.3f, "Length of the difference between the curvature vectors."},
-    {"g-step", "g", 1.2f,
-     "v\u00B2 |\u0394\u03BA| / g: jump of the force on a rider at the first train's current speed."},
-    {"Jolt", "g", 1.1f,
+    {"Angle", "\u00B0", 66, "Angle between the two tangents."},
+    {"Ratio", "", 54, "|C'(0)| / |B'(1)|: 1 for C1."},
+    {"Jump", "1/m", 76, "Length of the difference between the curvature vectors."},
+    {"g-step", "g", 72, "v\u00B2 |\u0394\u03BA| / g: jump of the force on a rider at the first train's current speed."},
+    {"Jolt", "g", 62,
      "Largest change of felt g by the jumps of curvature and roll, low-pass filtered, in the whole ride, all cars."},
 };
 

@@ -101,18 +101,18 @@ const LengthStudy& kept_lengths(Ui& ui, const Probe& probe) {
 }
 
 constexpr TableColumn kMethod{
-    "Method", "", 3.3f,
+    "Method", "", 150,
     "Arc-length methods, in the colours of the plot. Click a row to select the method of the displayed length."};
 constexpr TableColumn kOfSegment[] = {
-    {"Length", "m", 1.3f, "Length of the selected segment."},
-    {"Error", "m", 1.2f, "Difference from the reference, 40-node Gauss-Legendre in long double."},
-    {"Work", "", 0.8f, "Evaluations of |B'(t)| or chords: number of square roots."},
-    {"Time", "\u00B5s", 0.9f,
+    {"Length", "m", 76, "Length of the selected segment."},
+    {"Error", "m", 76, "Difference from the reference, 40-node Gauss-Legendre in long double."},
+    {"Work", "", 44, "Evaluations of |B'(t)| or chords: number of square roots."},
+    {"Time", "\u00B5s", 46,
      "Time of one measurement, the median of several, taken when the segment or the steps last changed."},
 };
 constexpr TableColumn kOfTrack[] = {
-    {"Track", "m", 1.4f, "Sum over all segments, with the same tolerance for each."},
-    {"Track error", "m", 1.3f, "Error of the track's length."},
+    {"Track", "m", 78, "Sum over all segments, with the same tolerance for each."},
+    {"Track error", "m", 82, "Error of the track's length."},
 };
 
 std::string signed_error(const Ui& ui, double metres) {
@@ -187,7 +187,8 @@ void lengths_page(Ui& ui) {
   const float room = ImGui::GetContentRegionAvail().x, height = ImGui::GetContentRegionAvail().y,
               gap = std::floor(14 * ui.scale);
   const bool both = room > 900 * ui.scale, beside = room > 500 * ui.scale;
-  const float table = beside ? std::floor(room * 0.66f) : room, picture = beside ? room - table - gap : room;
+  const float table = beside ? std::floor(room * (both ? 0.66f : 0.72f)) : room,
+              picture = beside ? room - table - gap : room;
   const float stacked = std::floor(150 * ui.scale);
   if (!both && !beside) choose_columns(ui);
   lengths_table(ui, study, both || !ui.lab.lengths_of_track, both || ui.lab.lengths_of_track, table,

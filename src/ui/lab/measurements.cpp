@@ -30,12 +30,12 @@ std::uint32_t heat(double value, const Extent& all) {
 
 void measured_table(Ui& ui, const sim::Measurement& m, bool time, float width, float height) {
   std::vector<TableColumn> columns{
-      {time ? "Time (ns per point) at steps" : "Worst error (mm) at steps", "", 2.9f,
+      {time ? "Time (ns per point) at steps" : "Worst error (mm) at steps", "", 150,
        time ? "Nanoseconds per point: the median of the rounds so far."
             : "Largest distance of a vertex from the exact point, over all curves of the track."}};
   std::vector<std::string> titles;
   for (const int steps : sim::kMeasuredSteps) titles.push_back(std::to_string(steps));
-  for (const std::string& title : titles) columns.push_back({title, "", 1.0f, "Steps per segment."});
+  for (const std::string& title : titles) columns.push_back({title, "", 52, "Steps per segment."});
   const base::ShownUnit millimetre = base::shown_in(ui.units, "mm");
   Extent all;
   for (const sim::MeasuredRow& row : m.rows)

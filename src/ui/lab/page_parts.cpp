@@ -92,8 +92,7 @@ float Page::pictures() {
   if (stacked_) return std::floor(kStacked * scale_);
   ImGui::EndChild();
   ImGui::SameLine(ImGui::GetWindowWidth() - ImGui::GetStyle().WindowPadding.x - pictures_width_);
-  ImGui::BeginChild("##pictures", {0, 0}, false,
-                    ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
+  ImGui::BeginChild("##pictures", {0, 0}, false, ImGuiWindowFlags_NoNav);
   return ImGui::GetContentRegionAvail().y;
 }
 

@@ -36,7 +36,7 @@ class Page {
   ~Page();
   Page(const Page&) = delete;
   Page& operator=(const Page&) = delete;
-  // Begins the second part and returns the height of its pictures, px.
+  // Begins the second part, which scrolls, and returns the height of its pictures, px.
   float pictures();
   // True if the parts are one below the other.
   bool stacked() const { return stacked_; }

@@ -13,7 +13,8 @@
 namespace coaster::ui {
 namespace {
 
-void draw_cell(const WidgetFrame& ui, const Cell& cell) {
+// Returns whether all of it fits.
+bool draw_cell(const WidgetFrame& ui, const Cell& cell) {
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const float room = ImGui::GetContentRegionAvail().x;
   ImDrawList& list = *ImGui::GetWindowDrawList();
@@ -26,6 +27,7 @@ void draw_cell(const WidgetFrame& ui, const Cell& cell) {
   }
   const std::string text = shortened(cell.text, at.x + room - left);
   draw_text(list, {cell.left ? left : at.x + room - text_size(text).x, at.y}, ink(cell.colour), text);
+  return text == cell.text;
 }
 
 }  // namespace
@@ -64,12 +66,14 @@ void heading_cell(WidgetFrame& ui, std::string_view label, const TableColumn& co
     draw_fold_mark(*ImGui::GetWindowDrawList(), {at.x + std::floor(6 * ui.scale), at.y + height * 0.5f}, ui.scale,
                    sorting->descending);
   if (sorts) ImGui::SetCursorScreenPos({at.x + mark, at.y});
-  draw_cell(ui, {words, sorts ? palette().text : palette().dim, index == 0 || column.words});
+  (void)draw_cell(ui, {words, sorts ? palette().text : palette().dim, index == 0 || column.words});
   ImGui::SetCursorScreenPos(at);
   if (!sorting) ImGui::Dummy({room, height});
   else if (ImGui::InvisibleButton(name.c_str(), {std::max(1.0f, room), height})) sorting->clicked = index;
+  const float right = std::min(at.x + room, ImGui::GetWindowDrawList()->GetClipRectMax().x);
+  if (right <= at.x) return;  // scrolled out sideways
   note(ui, fmt::format("{}/{}", label, name), sorting ? "button" : "label", tooltip, true,
-       sorts ? (sorting->descending ? "descending" : "ascending") : words, at, {at.x + room, at.y + height});
+       sorts ? (sorting->descending ? "descending" : "ascending") : words, at, {right, at.y + height});
 }
 
 }  // namespace
@@ -77,13 +81,17 @@ void heading_cell(WidgetFrame& ui, std::string_view label, const TableColumn& co
 bool begin_table(WidgetFrame& ui, std::string_view label, std::span<const TableColumn> columns, float height,
                  Sorting* sorting) {
   push_table_style(ui, 1.5f);
-  if (!ImGui::BeginTable(hidden(label).c_str(), static_cast<int>(columns.size()), kTableFlags, {0, height})) {
+  float width = 0;
+  for (const TableColumn& column : columns) width += std::floor(column.width * ui.scale);
+  const bool sideways = width > ImGui::GetContentRegionAvail().x;
+  if (!ImGui::BeginTable(hidden(label).c_str(), static_cast<int>(columns.size()),
+                         kTableFlags | (sideways ? ImGuiTableFlags_ScrollX : 0), {0, height}, sideways ? width : 0)) {
     pop_table_style();
     return false;
   }
   for (const TableColumn& column : columns)
-    ImGui::TableSetupColumn(std::string(column.title).c_str(), ImGuiTableColumnFlags_WidthStretch, column.weight);
-  ImGui::TableSetupScrollFreeze(0, 1);
+    ImGui::TableSetupColumn(std::string(column.title).c_str(), ImGuiTableColumnFlags_WidthStretch, column.width);
+  ImGui::TableSetupScrollFreeze(sideways ? 1 : 0, 1);
   ImGui::TableNextRow(ImGuiTableRowFlags_Headers);
   for (int i = 0; i < static_cast<int>(columns.size()); ++i) {
     ImGui::TableSetColumnIndex(i);
@@ -111,9 +119,10 @@ bool table_row(WidgetFrame& ui, std::string_view label, std::span<const Cell> ce
   ImGui::SetCursorPos(at);
   note(ui, label, "item", tooltip, true, std::move(value), low,
        {ImGui::GetCursorScreenPos().x + ImGui::GetContentRegionAvail().x, low.y + ImGui::GetTextLineHeight()});
-  draw_cell(ui, cells[0]);
+  (void)draw_cell(ui, cells[0]);
   for (std::size_t i = 1; i < cells.size(); ++i)
-    if (ImGui::TableSetColumnIndex(static_cast<int>(i))) draw_cell(ui, cells[i]);
+    if (ImGui::TableSetColumnIndex(static_cast<int>(i)) && !draw_cell(ui, cells[i]) && !cells[i].left)
+      ui.list.mark_cut();  // a number without its end is wrong
   return clicked;
 }
 

@@ -17,7 +17,7 @@ inline constexpr std::uint32_t kPlainColour = 0xE6E9EF, kGoodColour = 0x4FB477, 
 
 struct TableColumn {
   std::string_view title, unit;  // unit: metric. A heading too narrow for both has the unit in its tooltip.
-  float weight = 1;              // share of the width
+  float width = 60;              // design px, at least; the columns share what is left in proportion
   std::string_view tooltip;
   bool words = false;  // left-aligned text, as are its cells
 };
@@ -43,8 +43,8 @@ struct Sorting {
   std::optional<int> clicked;  // set by begin_table(): the heading that the user clicked
 };
 
-// Begins a table of `height` px with scrolling rows. Returns false if it is not visible; then do not call end_table().
-// With `sorting` its headings are buttons.
+// Begins a table of `height` px with scrolling rows; one that is too narrow for its columns scrolls sideways. Returns
+// false if it is not visible; then do not call end_table(). With `sorting` its headings are buttons.
 bool begin_table(WidgetFrame& ui, std::string_view label, std::span<const TableColumn> columns, float height,
                  Sorting* sorting = nullptr);
 // Adds a row, registered as "Panel/label" (kind "item") with `value`. Returns true if it is clicked. It is not

@@ -9,6 +9,7 @@
 #include "ui/stage.h"
 #include "ui/widgets/widgets.h"
 #include "world/lab_view.h"
+#include "world/look.h"
 #include "world/panels.h"
 
 namespace coaster::ui {
@@ -87,6 +88,40 @@ TEST_F(LaboratoryTest, pages_lie_in_the_strip_in_every_window_and_nothing_is_cut
         EXPECT_LE(w.x + w.width, scene.x + scene.width + 0.5f) << path << " at " << width;
       }
     }
+  }
+}
+
+TEST_F(LaboratoryTest, no_number_is_cut_in_a_small_window_at_a_large_scale) {
+  ASSERT_TRUE(edit::apply(session_, files_, edit::Set<&world::Panels::workspace>{world::Workspace::laboratory}).ok());
+  ASSERT_TRUE(edit::apply(session_, files_, edit::Set<&world::Panels::show_laboratory>{true}).ok());
+  select(world::Kind::segment, 1);
+  for (const float scale : {1.0f, 1.5f}) {
+    ASSERT_TRUE(edit::apply(session_, files_, edit::Set<&world::Look::ui_scale>{scale}).ok());
+    for (std::size_t page = 0; page < pages().size(); ++page) {
+      ASSERT_TRUE(
+          edit::apply(session_, files_, edit::Set<&world::LabView::page>{static_cast<world::LabPage>(page)}).ok());
+      frames(3);
+      for (const Widget& widget : host_->widgets()) EXPECT_FALSE(widget.cut) << widget.path << " at " << scale;
+    }
+  }
+}
+
+TEST_F(LaboratoryTest, every_plot_can_be_reached_in_a_small_window_at_a_large_scale) {
+  ASSERT_TRUE(edit::apply(session_, files_, edit::Set<&world::Panels::workspace>{world::Workspace::laboratory}).ok());
+  ASSERT_TRUE(edit::apply(session_, files_, edit::Set<&world::Panels::show_laboratory>{true}).ok());
+  ASSERT_TRUE(edit::apply(session_, files_, edit::Set<&world::Look::ui_scale>{1.5f}).ok());
+  const std::pair<world::LabPage, const char*> plots[] = {{world::LabPage::frames, "Laboratory/Curvature plot"},
+                                                          {world::LabPage::frames, "Laboratory/Torsion plot"},
+                                                          {world::LabPage::forces, "Laboratory/Left plot"},
+                                                          {world::LabPage::forces, "Laboratory/Right plot"}};
+  for (const auto& [page, plot] : plots) {
+    ASSERT_TRUE(edit::apply(session_, files_, edit::Set<&world::LabView::page>{page}).ok());
+    frames(3);
+    for (int i = 0; i < 20 && !find(plot)->visible; ++i) {
+      frame({platform::MouseMove{middle(*find(plot)).x, static_cast<float>(height_) - 80}, platform::Wheel{0, -1}});
+      frame();
+    }
+    EXPECT_TRUE(find(plot)->visible) << plot;
   }
 }
 
