@@ -53,10 +53,11 @@ RC_GTEST_PROP(text, a_quoted_text_reads_back, (const std::string& text)) {
 }
 
 TEST(text, the_nearest_word_is_suggested_and_far_ones_are_not) {
-  const std::vector<std::string> words{"evaluator", "resolution", "move", "remove"};
+  const std::vector<std::string> words{"evaluator", "resolution", "move", "remove", "log", "joint"};
   EXPECT_EQ(nearest("evalutor", words), "evaluator");
   EXPECT_EQ(nearest("mvoe", words), "move");
   EXPECT_EQ(nearest("xylophone", words), std::nullopt);
+  for (const char* const far : {"let", "for", "print", "u"}) EXPECT_EQ(nearest(far, words), std::nullopt);
   EXPECT_EQ(suggestion("resolutoin", words), "; did you mean \"resolution\"?");
 }
 
