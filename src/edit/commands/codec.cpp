@@ -226,14 +226,17 @@ base::Result<Command> parse(std::span<const base::Token> tokens, base::TextError
   base::Words words(tokens, error);
   words.take("a command");
   Command result = row->make();
-  for (const Field& field : fields_of(result))
-    if (!read_field(words, field)) return failed();
-  if (words.peek()) {
-    const base::Token& extra = *words.peek();
-    words.fail(extra.column, fmt::format("unexpected {}; usage: {}", base::quoted(extra.text), usage(*row)));
-    return failed();
-  }
-  return result;
+  const Fields fields = fields_of(result);
+  const bool read =
+      std::all_of(fields.begin(), fields.end(), [&](const Field& field) { return read_field(words, field); });
+  if (read && words.at_end()) return result;
+  if (read) words.fail(words.peek()->column, "unexpected " + base::quoted(words.peek()->text));
+  // Where no word was meant, the whole form helps, unless it is as long as that of an element.
+  constexpr std::size_t kLongestUsage = 120;
+  const std::string form = usage(*row);
+  const bool guessed = error.out_of_range || error.message.find("did you mean") != std::string::npos;
+  if (!guessed && form.size() <= kLongestUsage) error.message += "; usage: " + form;
+  return failed();
 }
 
 }  // namespace coaster::edit
