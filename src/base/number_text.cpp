@@ -77,6 +77,13 @@ std::optional<std::int64_t> parse_int(std::string_view text) {
   return value;
 }
 
+bool is_number(std::string_view text) {
+  double value = 0;
+  const char* const end = text.data() + text.size();
+  const auto [stopped, code] = fast_float::from_chars(text.data(), end, value);
+  return code != std::errc::invalid_argument && stopped == end;
+}
+
 std::string to_text(float value) { return print_number(value); }
 std::string to_text(double value) { return print_number(value); }
 

@@ -21,10 +21,11 @@ struct Token {
   friend bool operator==(const Token&, const Token&) = default;
 };
 
-// The error in a line that cannot be tokenised, and its column.
+// The error in a line, and its column.
 struct TextError {
   int column = 1;
   std::string message;
+  bool out_of_range = false;  // the line has the right form, but a number in it is not accepted
 };
 
 // Splits a line at blanks; `#` outside quotes starts a comment. On an unclosed quote or a control character returns
@@ -40,6 +41,8 @@ std::string quoted_start(std::string_view text);
 std::optional<double> parse_double(std::string_view text);
 std::optional<float> parse_float(std::string_view text);
 std::optional<std::int64_t> parse_int(std::string_view text);
+// True if the whole text is a number of any size; "inf" and "nan" are numbers, too.
+bool is_number(std::string_view text);
 
 // Returns the shortest text that parses back to the same number.
 std::string to_text(float value);

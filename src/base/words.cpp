@@ -51,7 +51,7 @@ std::optional<double> Words::number(std::string_view what) {
   std::string_view text = word->text;
   if (text.size() > 1 && text[0] == '+' && text[1] != '-') text.remove_prefix(1);
   const auto value = parse_double(text);
-  if (!value) reject(what);
+  if (!value) reject_number(what);
   return value;
 }
 
@@ -60,7 +60,7 @@ std::optional<std::int64_t> Words::whole(std::string_view what, std::int64_t low
   if (!word) return std::nullopt;
   const auto value = parse_int(word->text);
   if (value && *value >= low && *value <= high) return value;
-  reject(fmt::format("{} ({}..{})", what, low, high));
+  reject_number(fmt::format("{} ({}..{})", what, low, high));
   return std::nullopt;
 }
 
@@ -71,7 +71,7 @@ std::optional<glm::vec3> Words::vector(std::string_view what) {
     if (!word) return std::nullopt;
     const auto value = parse_float(word->text);
     if (!value) {
-      reject(what);
+      reject_number(what);
       return std::nullopt;
     }
     v[axis] = *value;
@@ -110,8 +110,14 @@ bool Words::reject(std::string_view what, std::string_view hint) {
   return fail(word.column, fmt::format("expected {}, found {}{}", what, base::quoted(word.text), hint));
 }
 
-bool Words::fail(int column, std::string message) {
-  if (!failed_) error_ = {column, std::move(message)};
+bool Words::reject_number(std::string_view what) {
+  reject(what);
+  error_.out_of_range = is_number(words_[next_ - 1].text);
+  return false;
+}
+
+bool Words::fail(TextError error) {
+  if (!failed_) error_ = std::move(error);
   failed_ = true;
   return false;
 }

@@ -5,6 +5,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include <glm/glm.hpp>
@@ -36,7 +37,10 @@ class Words {
   bool end();
   // Fails at the last word taken: "expected WHAT, found ...".
   bool reject(std::string_view what, std::string_view hint = {});
-  bool fail(int column, std::string message);
+  // The same; a number is out of range, another word is wrong.
+  bool reject_number(std::string_view what);
+  bool fail(int column, std::string message) { return fail({column, std::move(message)}); }
+  bool fail(TextError error);
   bool failed() const { return failed_; }
   int end_column() const;
 

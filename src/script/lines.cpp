@@ -43,7 +43,7 @@ bool parse_env(Words& words, Action& action) {
       constexpr std::string_view kDensity = "a density from 0.5 to 4";
       const auto density = words.number(kDensity);
       if (!density) return false;
-      if (!(*density >= 0.5 && *density <= 4)) return words.reject(kDensity);
+      if (!(*density >= 0.5 && *density <= 4)) return words.reject_number(kDensity);
       env.density = static_cast<float>(*density);
     } else if (*name == 4) {
       if (!take(words, "a folder below $OUT", env.home.emplace())) return false;
@@ -131,7 +131,7 @@ bool parse_camera(Words& words, Action& action) {
     line.insert(line.end(), rest.begin(), rest.end());
     base::TextError error;
     const auto command = edit::parse(line, error);
-    if (!command) return words.fail(error.column, error.message);
+    if (!command) return words.fail(error);
     action = RunCommand{*command};
     return true;
   }
@@ -175,8 +175,12 @@ bool parse_line(std::span<const base::Token> line, base::TextError& error, Actio
     return found->parse(words, action) && !words.failed();
   }
   if (!edit::is_command(first.text)) {
+    const std::vector<std::string>& known = statement_words();
+    const bool spans_lines = std::find(known.begin(), known.end(), first.text) != known.end();
     error = {first.column,
-             fmt::format("no command {}{}", base::quoted(first.text), base::suggestion(first.text, statement_words()))};
+             spans_lines
+                 ? fmt::format("expected a statement of one line, found {}", base::quoted(first.text))
+                 : fmt::format("no command {}{}", base::quoted(first.text), base::suggestion(first.text, known))};
     return false;
   }
   auto command = edit::parse(line, error);

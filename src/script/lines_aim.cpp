@@ -48,7 +48,8 @@ bool parse_entity(Words& words, const base::Token& word, AimPoint& point) {
   if (place.empty()) return true;
   const auto t = base::parse_double(place);
   if (!t || *t < 0 || *t > 1)
-    return words.fail(word.column, "expected a parameter from 0 to 1 after the colon, found " + base::quoted(place));
+    return words.fail({word.column, "expected a parameter from 0 to 1 after the colon, found " + base::quoted(place),
+                       base::is_number(place)});
   point.t = *t;
   return true;
 }

@@ -57,14 +57,13 @@ bool parse_error(Words& words, Action& action) {
     return true;
   }
   if (rest.empty()) return words.fail(words.end_column(), "expected a statement that must fail");
-  const std::vector<std::string>& known = statement_words();
-  if (std::find(known.begin(), known.end(), rest.front().text) == known.end())
-    return words.fail(rest.front().column, fmt::format("no command {}{}", base::quoted(rest.front().text),
-                                                       base::suggestion(rest.front().text, known)));
   Statement inner;
   inner.column = rest.front().column;
   base::TextError error;
-  if (!parse_line(rest, error, inner.action)) expect.parse_error = error.message;
+  if (!parse_line(rest, error, inner.action)) {
+    if (!error.out_of_range) return words.fail(error);
+    expect.out_of_range = error.message;
+  }
   expect.statement.push_back(std::move(inner));
   action = std::move(expect);
   return true;

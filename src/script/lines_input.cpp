@@ -84,11 +84,10 @@ bool parse_pad(Words& words, Action& action) {
   if (words.at_end()) return words.fail(words.end_column(), fmt::format("expected {}", kWanted));
   platform::GamepadAxes axes;
   const auto within = [&](const char* what, double low) -> std::optional<float> {
-    const int column = next_column(words);
     const auto value = words.number(what);
     if (!value) return std::nullopt;
     if (!(*value >= low && *value <= 1)) {
-      words.fail(column, fmt::format("expected {}, found {}", what, base::to_text(*value)));
+      words.reject_number(what);
       return std::nullopt;
     }
     return static_cast<float>(*value);

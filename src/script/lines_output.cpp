@@ -73,7 +73,7 @@ bool parse_log(Words& words, Action& action) {
     const std::size_t count = query && !query->argument.empty() ? 2 : 1;
     base::TextError error;
     Words part(words.rest().first(std::min(count, words.rest().size())), error);
-    if (!parse_condition(part, value)) return words.fail(error.column, error.message);
+    if (!parse_condition(part, value)) return words.fail(error);
     for (std::size_t i = 0; i < count; ++i) words.take("a query");
     log.parts.push_back({{}, value.query, value.argument, value.column});
   }
@@ -85,11 +85,9 @@ bool parse_movie_start(Words& words, Action& action) {
   StartMovie start;
   if (!take(words, "a folder below $OUT", start.folder)) return false;
   if (words.accept("fps")) {
-    const int column = next_column(words);
     const auto fps = words.whole("pictures a second", 1, world::kTicksPerSecond);
     if (!fps) return false;
-    if (!is_movie_rate(*fps))
-      return words.fail(column, fmt::format("expected {} pictures a second, found {}", kMovieRateWords, *fps));
+    if (!is_movie_rate(*fps)) return words.reject_number(fmt::format("{} pictures a second", kMovieRateWords));
     start.fps = static_cast<int>(*fps);
   }
   start.gif = words.accept("gif");

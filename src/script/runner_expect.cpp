@@ -86,7 +86,7 @@ Failure Runner::perform(const ExpectFile& expect) {
 }
 
 Failure Runner::perform(const ExpectError& expect) {
-  std::string message = expect.parse_error;
+  std::string message = expect.out_of_range;
   if (message.empty()) {
     const Statement& statement = expect.statement.front();
     const std::size_t depth = places_.size();

@@ -80,10 +80,10 @@ struct ExpectFile {
   std::optional<base::Token> same_as;
   bool negated = false;
 };
-// The statement must fail. `parse_error`: it failed to parse.
+// The statement must fail. `out_of_range`: the reason why it cannot run, a number in it.
 struct ExpectError {
   Block statement;
-  std::string parse_error;
+  std::string out_of_range;
   std::optional<std::string> contains;
 };
 

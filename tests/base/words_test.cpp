@@ -49,6 +49,18 @@ TEST(words, the_first_failure_is_kept_with_its_column) {
   EXPECT_FALSE(whole.words.whole("a count", 0, 9));
   EXPECT_EQ(whole.error.column, 3);
 
+  for (const char* const word : {"1e39", "-1e999", "inf", "nan", "-5", "2.5", "99999999999999999999"}) {
+    Line far(word);
+    EXPECT_FALSE(far.words.whole("a count", 0, 9));
+    EXPECT_TRUE(far.error.out_of_range) << word;
+  }
+  for (const char* const word : {"1,5", "x", "3x", "-", "1 2"}) {
+    const std::vector<Token> tokens{{word, 1, true}};
+    TextError error;
+    EXPECT_FALSE(Words(tokens, error).number("a length"));
+    EXPECT_FALSE(error.out_of_range) << word;
+  }
+
   Line left("on 1");
   EXPECT_EQ(left.words.on_off(), true);
   EXPECT_FALSE(left.words.end());

@@ -192,6 +192,19 @@ TEST(grammar, words_left_over_and_missing_ones_are_errors) {
                                  "focus maybe",
                                  "expect error",
                                  "expect error laod \"x\"",
+                                 "expect error move @k4",
+                                 "expect error move @k4 1 2 3",
+                                 "expect error move @k4 to 1 2",
+                                 "expect error move @k4 to 1 2 x",
+                                 "expect error move @k4 to 1 2 3 4",
+                                 "expect error frames_by bishop",
+                                 "expect error element.choose loop wide 3",
+                                 "expect error camera yaw west ~ \"number\"",
+                                 "expect error expect knotz == 3",
+                                 "expect error expect error new now",
+                                 "expect error end",
+                                 "expect error include \"a\"",
+                                 "expect error repeat 3",
                                  "expect length == 3 +-",
                                  "expect length == 3 +- -1",
                                  "camera",
@@ -213,6 +226,25 @@ TEST(grammar, words_left_over_and_missing_ones_are_errors) {
     const std::string text = line;
     if (text == "expect knots") continue;  // a value alone: that it is true
     EXPECT_EQ(parse_lines(text).errors.size(), 1u) << line;
+  }
+}
+
+TEST(grammar, of_a_line_that_must_fail_only_numbers_may_be_wrong) {
+  const ParsedScript wrong = parse_lines("expect error move @k4\nexpect error mvoe @k4 to 1 2 3 ~ \"command\"\n");
+  ASSERT_EQ(wrong.errors.size(), 2u);
+  EXPECT_EQ(wrong.errors[0],
+            "a.coaster:2:22: error: expected \"to\" at the end of the line; usage: move @knot to X Y Z\n"
+            "    expect error move @k4\n"
+            "                         ^");
+  EXPECT_EQ(wrong.errors[1],
+            "a.coaster:3:14: error: no command \"mvoe\"\n    expect error mvoe @k4 to 1 2 3 ~ \"command\"\n"
+            "                 ^ did you mean \"move\"?");
+  for (const char* const line :
+       {"move @k1 to 1e39 0 0", "move @k1 to 1e999 0 0", "move @k1 to nan -inf 0", "resolution 99999999999",
+        "resolution 2.5", "frames -1", "env density 5", "pad left 0 1.5", "aim.click @s2:1.5", "camera yaw 1e99",
+        "movie.start \"$OUT/m\" fps 25", "select @k99", "load \"no\"", "expect knots == 4", "ui.click \"no\""}) {
+    const ParsedScript parsed = parse_lines("expect error " + std::string(line));
+    EXPECT_TRUE(parsed.errors.empty()) << line << ": " << parsed.errors.front();
   }
 }
 

@@ -13,7 +13,7 @@ bool read_number(base::Words& words, std::string_view what, Parse parse, T& valu
   const base::Token* const word = words.take(what);
   if (!word) return false;
   const auto number = parse(word->text);
-  if (!number) return words.reject(what);
+  if (!number) return words.reject_number(what);
   value = static_cast<T>(*number);
   return true;
 }
