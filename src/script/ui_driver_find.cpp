@@ -80,6 +80,7 @@ Failure UiDriver::open_inner_menu(std::string_view path) {
   const WidgetState* const found = now(menu);
   if (!found || !is_on(*found) || found->path.find('/') == std::string::npos || found->kind != "menu") return {};
   const std::string outer = found->path;
+  missing_ = find_widget(widgets_, path).status();
   std::vector<std::string> inner;
   for (const WidgetState& widget : widgets_)
     if (is_inner_menu(widget) && widget.enabled && widget.path.starts_with(outer + '/')) inner.push_back(widget.path);
@@ -99,7 +100,7 @@ Failure UiDriver::open_inner_menu(std::string_view path) {
 
 // Looks for a missing widget in each other workspace, and returns to the present one. Returns the refusal that names
 // the first workspace that has it; `missing` if none has.
-Failure UiDriver::refuse_missing(std::string_view path, const base::Status& missing) {
+Failure UiDriver::refuse_missing(std::string_view path, base::Status missing) {
   using world::Workspace;
   const Workspace here = frames_.host().context().session.settings.panels->workspace;
   const auto go_to = [&](Workspace workspace) {
@@ -117,11 +118,13 @@ Failure UiDriver::refuse_missing(std::string_view path, const base::Status& miss
 
 Failure UiDriver::find(std::string_view path, WidgetState& widget) {
   if (const base::Status settled = frames_.settle_panels(); !settled) return failure(settled);
+  missing_ = {};
   if (Failure opened = open_way_to(path); !opened) return opened;
   widgets_ = frames_.host().widgets();
   const auto found = find_widget(widgets_, path);
-  if (!found)
-    return find_widgets(widgets_, path).empty() ? refuse_missing(path, found.status()) : failure(found.status());
+  if (!found && find_widgets(widgets_, path).empty())
+    return refuse_missing(path, missing_.ok() ? found.status() : missing_);
+  if (!found) return failure(found.status());
   widget = widgets_[*found];
   return {};
 }
