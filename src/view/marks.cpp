@@ -2,16 +2,58 @@
 
 #include <algorithm>
 
+#include <glm/common.hpp>
+#include <glm/vector_relational.hpp>
+
 #include "view/spin_ring.h"
 
 namespace coaster::view {
 namespace {
 
-constexpr float kLargestMark = 64;  // points, more than the radius and the reach of any mark
+constexpr double kLargestMark = 64;  // points, more than the radius and the reach of any mark
 
 bool is_handle(PickKind kind) {
   return kind == PickKind::handle_in || kind == PickKind::handle_out || kind == PickKind::spin;
 }
+
+// The square of the distance from the eye (m^2) or, in a parallel view, the depth: what orders marks.
+double distance_of(const View& view, const glm::dvec3& away) {
+  return view.parallel > 0 ? glm::dot(away, glm::dvec3(line_of_sight(view))) : glm::dot(away, away);
+}
+
+// Returns the least distance_of() the points of a box. Rounded in the same way, it is never more than that of a point.
+double least_distance(const View& view, const curve::Box& box) {
+  const glm::dvec3 low = glm::dvec3(box.low) - glm::dvec3(view.eye), high = glm::dvec3(box.high) - glm::dvec3(view.eye);
+  const glm::dvec3 nearest = view.parallel > 0
+                                 ? glm::mix(high, low, glm::greaterThan(glm::dvec3(line_of_sight(view)), glm::dvec3(0)))
+                                 : glm::max(glm::max(low, -high), glm::dvec3(0));
+  return distance_of(view, nearest);
+}
+
+// Keeps those marks of the ones offered that cover all others, behind those that a list has.
+class TopMarks {
+ public:
+  TopMarks(std::size_t most, std::vector<PlacedMark>& marks) : most_(most), marks_(marks), first_(marks.size()) {}
+
+  bool takes(double distance) const {
+    return marks_.size() < most_ || (first_ < marks_.size() && distance <= marks_[first_].distance);
+  }
+  void offer(const PlacedMark& mark) {
+    const auto heap = [this] { return marks_.begin() + static_cast<std::ptrdiff_t>(first_); };  // the farthest is first
+    if (marks_.size() >= most_) {
+      if (heap() == marks_.end() || !covers(mark, *heap())) return;
+      std::pop_heap(heap(), marks_.end(), covers);
+      marks_.pop_back();
+    }
+    marks_.push_back(mark);
+    std::push_heap(heap(), marks_.end(), covers);
+  }
+
+ private:
+  std::size_t most_;
+  std::vector<PlacedMark>& marks_;
+  std::size_t first_;
+};
 
 }  // namespace
 
@@ -59,44 +101,104 @@ std::optional<PlacedMark> placed_mark(const Projector& projector, const View& vi
   const glm::dvec2 first(view.viewport.x, view.viewport.y), size(view.viewport.width, view.viewport.height);
   const glm::dvec2 off = glm::max(first - *pixel, *pixel - first - size);
   if (std::max(off.x, off.y) > kLargestMark * view.density) return std::nullopt;
-  const glm::dvec3 away = glm::dvec3(position) - glm::dvec3(view.eye);
-  const double distance = view.parallel > 0 ? glm::dot(away, glm::dvec3(line_of_sight(view))) : glm::dot(away, away);
-  return PlacedMark{kind, knot, position, *pixel, distance, 0};
+  return PlacedMark{kind, knot, position, *pixel, distance_of(view, glm::dvec3(position) - glm::dvec3(view.eye)), 0};
 }
 
+Selected::Selected(const world::Settings& settings) : active_(settings.selected) {
+  for (const world::Entity e : settings.also) {
+    if (e.index >= also_.size()) also_.resize(e.index + 1, world::kNone);
+    also_[e.index] = e;
+  }
+}
+
+namespace {
+
+// The parts of marks_on_screen().
+class MarkSearch {
+ public:
+  MarkSearch(const world::Document& document, const world::Settings& settings, const View& view,
+             const Selected& selected, const MarkChoice& choice)
+      : document_(document),
+        settings_(settings),
+        view_(view),
+        selected_(selected),
+        choice_(choice),
+        projector_(view),
+        knots_(document.track.knots) {}
+
+  // Adds what shows at any distance: the marks of the active and of the hovered knot, and handles.
+  void add_near_and_far(std::vector<PlacedMark>& marks) const {
+    const auto add = [&](PickKind kind, world::Entity knot, glm::vec3 position, std::size_t order) {
+      const bool shows =
+          kind == PickKind::spin || choice_.all || selected_(knot) || choice_.hovered == Pick{kind, knot};
+      const auto mark = shows ? placed(kind, knot, position, order) : std::nullopt;
+      if (mark) marks.push_back(*mark);
+    };
+    const auto add_knot = [&](world::Entity e) {
+      const world::Knot* const knot = document_.entities.find<world::Knot>(e);
+      if (knot) add(PickKind::knot, e, knot->position, world::index_of(knots_, e).value_or(0));
+    };
+    add_knot(settings_.selected);
+    if (choice_.hovered.entity != settings_.selected) add_knot(choice_.hovered.entity);
+    for (const world::Entity e : knots_with_handles(document_, settings_)) {
+      const world::Knot& knot = world::knot(document_, e);
+      const std::size_t order = 2 * world::index_of(knots_, e).value_or(0);
+      add(PickKind::handle_in, e, world::in_handle(knot), order);
+      add(PickKind::handle_out, e, world::out_handle(knot), order + 1);
+    }
+    if (const auto ring = choice_.spin ? spin_ring_of(document_, settings_, view_) : std::nullopt)
+      add(PickKind::spin, ring->knot, glm::vec3(ring->handle()), 2 * knots_.size());
+  }
+
+  // Adds the nearest of all others.
+  void add_nearest(const sim::Derived& derived, MarksOnScreen& found) const {
+    TopMarks top(choice_.most, found.marks);
+    const auto offer = [&](std::size_t i, glm::vec3 position) {
+      const world::Entity e = knots_[i];
+      if (e == settings_.selected || e == choice_.hovered.entity || !(choice_.all || selected_(e))) return;
+      ++found.looked_at;
+      if (const auto mark = placed(PickKind::knot, e, position, i)) top.offer(*mark);
+    };
+    const std::vector<world::Knot>& made_from = derived.made.knots;  // the same knots, side by side
+    if (made_from.size() != knots_.size() || derived.order.empty()) {
+      for (std::size_t i = 0; i < knots_.size(); ++i) offer(i, world::knot(document_, knots_[i]).position);
+      return;
+    }
+    if (!derived.closed) offer(knots_.size() - 1, made_from.back().position);  // no segment begins there
+    const auto distance = [&](const curve::Box& box) {
+      const bool seen = projector_.may_show(box, kLargestMark * view_.density);
+      return seen ? std::optional(least_distance(view_, box)) : std::nullopt;
+    };
+    sim::all_by_key(
+        derived.tree, distance, [&](double least) { return top.takes(least); },
+        [&](std::size_t i) { offer(i, made_from[i].position); });
+  }
+
+ private:
+  std::optional<PlacedMark> placed(PickKind kind, world::Entity knot, glm::vec3 position, std::size_t order) const {
+    auto mark = placed_mark(projector_, view_, kind, knot, position);
+    if (mark) mark->order = order;
+    return mark;
+  }
+
+  const world::Document& document_;
+  const world::Settings& settings_;
+  const View& view_;
+  const Selected& selected_;
+  const MarkChoice& choice_;
+  Projector projector_;
+  const std::vector<world::Entity>& knots_;
+};
+
+}  // namespace
+
 MarksOnScreen marks_on_screen(const world::Document& document, const sim::Derived& derived,
-                              const world::Settings& settings, const View& view) {
-  const Projector projector(view);
+                              const world::Settings& settings, const View& view, const Selected& selected,
+                              const MarkChoice& choice) {
+  const MarkSearch search(document, settings, view, selected, choice);
   MarksOnScreen found;
-  const auto add = [&](PickKind kind, world::Entity knot, glm::vec3 position, std::size_t order) {
-    auto mark = placed_mark(projector, view, kind, knot, position);
-    if (!mark) return;
-    mark->order = order;
-    found.marks.push_back(*mark);
-  };
-  const std::vector<world::Entity>& knots = document.track.knots;
-  const auto add_knot = [&](std::size_t i, const world::Knot& knot) {
-    ++found.looked_at;
-    add(PickKind::knot, knots[i], knot.position, i);
-    return true;
-  };
-  const std::vector<world::Knot>& made_from = derived.made.knots;  // the same knots, side by side
-  if (made_from.size() != knots.size() || derived.order.empty()) {
-    for (std::size_t i = 0; i < knots.size(); ++i) add_knot(i, world::knot(document, knots[i]));
-  } else {
-    sim::all_within(
-        derived.tree, [&](const curve::Box& box) { return projector.may_show(box, kLargestMark * view.density); },
-        [&](std::size_t i) { return add_knot(i, made_from[i]); });
-    if (!derived.closed) add_knot(knots.size() - 1, made_from.back());  // no segment begins there
-  }
-  for (const world::Entity e : knots_with_handles(document, settings)) {
-    const world::Knot& knot = world::knot(document, e);
-    const std::size_t order = 2 * world::index_of(knots, e).value_or(0);
-    add(PickKind::handle_in, e, world::in_handle(knot), order);
-    add(PickKind::handle_out, e, world::out_handle(knot), order + 1);
-  }
-  if (const auto ring = spin_ring_of(document, settings, view))
-    add(PickKind::spin, ring->knot, glm::vec3(ring->handle()), 2 * knots.size());
+  search.add_near_and_far(found.marks);
+  if (choice.all || selected.several()) search.add_nearest(derived, found);
   return found;
 }
 

@@ -20,8 +20,7 @@ class Projector {
   Viewport viewport_;
 };
 
-// The largest number of marks that are drawn: of more, the nearest. All can be picked.
-inline constexpr std::ptrdiff_t kMostMarks = 2'500;
+inline constexpr std::size_t kMostMarks = 2'500;  // drawn marks; all can be picked
 
 struct PlacedMark {
   PickKind kind = PickKind::knot;
@@ -36,15 +35,36 @@ struct PlacedMark {
 std::optional<PlacedMark> placed_mark(const Projector& projector, const View& view, PickKind kind, world::Entity knot,
                                       glm::vec3 position);
 
+// The selection as a table, for fast lookup.
+class Selected {
+ public:
+  explicit Selected(const world::Settings& settings);
+  bool operator()(world::Entity e) const { return e == active_ || (e.index < also_.size() && also_[e.index] == e); }
+  bool several() const { return !also_.empty(); }
+
+ private:
+  world::Entity active_;
+  std::vector<world::Entity> also_;  // by index
+};
+
+// Which marks are drawn.
+struct MarkChoice {
+  bool all = true;                // false: only those of selected and hovered knots
+  bool spin = true;               // with the handle of the spin ring
+  Pick hovered;                   // shown at any distance, as is the active knot
+  std::size_t most = kMostMarks;  // of more, the nearest
+};
+
 struct MarksOnScreen {
   std::vector<PlacedMark> marks;
   std::size_t looked_at = 0;  // knots that were projected
 };
 
 // Returns the marks of knots and of the selection's handles, in no particular order. Finds the knots by the segment
-// tree, if `derived` is of this document.
+// tree from near to far, if `derived` is of this document.
 MarksOnScreen marks_on_screen(const world::Document& document, const sim::Derived& derived,
-                              const world::Settings& settings, const View& view);
+                              const world::Settings& settings, const View& view, const Selected& selected,
+                              const MarkChoice& choice);
 
 // True if `a` is drawn over `b`: handles over knots, then the nearer one, then the earlier in the track.
 bool covers(const PlacedMark& a, const PlacedMark& b);

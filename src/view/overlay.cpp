@@ -50,43 +50,12 @@ void add_polygons(const world::Document& document, const world::Settings& settin
   }
 }
 
-// The selection as a table, for fast lookup.
-class Selected {
- public:
-  explicit Selected(const world::Settings& settings) : active_(settings.selected) {
-    for (const world::Entity e : settings.also) {
-      if (e.index >= also_.size()) also_.resize(e.index + 1, world::kNone);
-      also_[e.index] = e;
-    }
-  }
-  bool operator()(world::Entity e) const { return e == active_ || (e.index < also_.size() && also_[e.index] == e); }
-
- private:
-  world::Entity active_;
-  std::vector<world::Entity> also_;  // by index
-};
-
-// Leaves out the farthest of very many knots, but neither the active nor the hovered one.
-void keep_nearest(std::vector<PlacedMark>& marks, const world::Settings& settings, const Pick& hovered) {
-  if (marks.size() <= kMostMarks) return;
-  const auto begin = marks.begin(), others = std::partition(begin, marks.end(), [&](const PlacedMark&placed) {
-                                      return placed.knot == settings.selected || placed.knot == hovered.entity;
-                                    });
-  std::nth_element(others, begin + kMostMarks, marks.end(), covers);
-  marks.resize(kMostMarks);
-}
-
 // Returns the marks to draw, far to near.
 std::vector<PlacedMark> shown_marks(const world::Document& document, const sim::Derived& derived,
                                     const world::Settings& settings, const View& view, const Pick& hovered,
                                     const Selected& selected, bool riding) {
-  const bool all = !riding && settings.lab->layers.has(world::Layer::knots);
-  std::vector<PlacedMark> marks = marks_on_screen(document, derived, settings, view).marks;
-  std::erase_if(marks, [&](const PlacedMark& placed) {
-    if (placed.kind == PickKind::spin) return riding;
-    return !all && !selected(placed.knot) && hovered != Pick{placed.kind, placed.knot};
-  });
-  keep_nearest(marks, settings, hovered);
+  const MarkChoice choice{!riding && settings.lab->layers.has(world::Layer::knots), !riding, hovered};
+  std::vector<PlacedMark> marks = marks_on_screen(document, derived, settings, view, selected, choice).marks;
   std::sort(marks.begin(), marks.end(), [](const PlacedMark& a, const PlacedMark& b) { return covers(b, a); });
   return marks;
 }

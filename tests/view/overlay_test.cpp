@@ -257,9 +257,11 @@ TEST(overlay, marks_of_very_many_knots_are_those_of_the_nearest_and_of_the_activ
   const auto far = [&](world::Entity e) { return glm::distance(world::knot(d, e).position, view.eye); };
   std::vector<world::Entity> by_distance = d.track.knots;
   std::sort(by_distance.begin(), by_distance.end(), [&](auto a, auto b) { return far(a) < far(b); });
-  ASSERT_EQ(marks_on_screen(d, {}, settings, view).marks.size(), by_distance.size()) << "all are on screen";
+  const MarkChoice every{true, true, {}, by_distance.size()};
+  ASSERT_EQ(marks_on_screen(d, {}, settings, view, Selected(settings), every).marks.size(), by_distance.size())
+      << "all are on screen";
   const Overlay overlay = build_overlay(d, {}, settings, view, {});
-  ASSERT_EQ(overlay.marks.size(), static_cast<std::size_t>(kMostMarks));
+  ASSERT_EQ(overlay.marks.size(), kMostMarks);
   const float border = far(by_distance[kMostMarks]);
   for (const Mark& mark : overlay.marks) EXPECT_LE(glm::distance(mark.position, view.eye), border * 1.0001f);
   EXPECT_TRUE(std::is_sorted(overlay.marks.begin(), overlay.marks.end(), [&](const Mark& a, const Mark& b) {

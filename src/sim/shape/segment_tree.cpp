@@ -88,15 +88,9 @@ void put_box(TreeNode& node, int lane, const curve::Box& box) {
   for (int a = 0; a < 3; ++a) node.bounds[a][lane] = box.low[a], node.bounds[3 + a][lane] = box.high[a];
 }
 
-curve::Box box_of(const TreeNode& node, int lane) {
-  curve::Box box;
-  for (int a = 0; a < 3; ++a) box.low[a] = node.bounds[a][lane], box.high[a] = node.bounds[3 + a][lane];
-  return box;
-}
-
 curve::Box box_of(const TreeNode& node) {
   curve::Box box = box_of(node, 0);
-  for (int lane = 1; node.lanes >> lane != 0; ++lane) box = joined(box, box_of(node, lane));
+  for (std::size_t lane = 1; node.lanes >> lane != 0; ++lane) box = joined(box, box_of(node, lane));
   return box;
 }
 

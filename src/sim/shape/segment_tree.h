@@ -5,7 +5,11 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
+#include <optional>
+#include <queue>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include <glm/vector_relational.hpp>
@@ -36,6 +40,11 @@ struct alignas(64) TreeNode {
 // Largest depth for any arrangement of the segments, for far more of them than a document may have.
 inline constexpr int kMaxTreeDepth = 48;
 
+inline curve::Box box_of(const TreeNode& node, std::size_t lane) {
+  const auto row = [&](std::size_t i) { return node.bounds[i][lane]; };
+  return {{row(0), row(1), row(2)}, {row(3), row(4), row(5)}};
+}
+
 struct SegmentTree {
   std::vector<curve::Cubic> cubics;  // in track order
   std::vector<SegmentBlock> blocks;  // segment i is in blocks[i / 4]
@@ -61,8 +70,7 @@ bool all_within(const SegmentTree& tree, const Meets& meets, const Visit& visit)
   while (waiting > 0) {
     const TreeNode& node = tree.nodes[static_cast<std::size_t>(stack[--waiting])];
     for (std::size_t lane = 0; lane < 4 && (node.lanes >> lane & 1u) != 0; ++lane) {
-      const auto row = [&](std::size_t i) { return node.bounds[i][lane]; };
-      if (!meets(curve::Box{{row(0), row(1), row(2)}, {row(3), row(4), row(5)}})) continue;
+      if (!meets(box_of(node, lane))) continue;
       if (node.child[lane] >= 0) {
         stack[waiting++] = node.child[lane];
         continue;
@@ -84,6 +92,32 @@ bool all_near(const SegmentTree& tree, const curve::Box& box, const Visit& visit
         return glm::all(glm::lessThanEqual(other.low, box.high)) && glm::all(glm::lessThanEqual(box.low, other.high));
       },
       visit);
+}
+
+// Calls visit(index in the track) for the segments of each block, blocks in ascending order of key(box), while
+// goes_on(key) is true for the next block. Boxes without a key are left out with all that they contain; a box has no
+// smaller key than one that contains it.
+template <class Key, class GoesOn, class Visit>
+void all_by_key(const SegmentTree& tree, const Key& key, const GoesOn& goes_on, const Visit& visit) {
+  using Waiting = std::pair<double, std::int32_t>;  // the key of a node, or of a block (the complement of its index)
+  std::priority_queue<Waiting, std::vector<Waiting>, std::greater<>> waiting;
+  const auto add_children = [&](const TreeNode& node) {
+    for (std::size_t lane = 0; lane < 4 && (node.lanes >> lane & 1u) != 0; ++lane) {
+      const std::optional<double> of_child = key(box_of(node, lane));
+      if (of_child) waiting.emplace(*of_child, node.child[lane]);
+    }
+  };
+  if (!tree.nodes.empty()) add_children(tree.nodes.front());
+  while (!waiting.empty() && goes_on(waiting.top().first)) {
+    const std::int32_t next = waiting.top().second;
+    waiting.pop();
+    if (next >= 0) {
+      add_children(tree.nodes[static_cast<std::size_t>(next)]);
+      continue;
+    }
+    const SegmentBlock& block = tree.blocks[static_cast<std::size_t>(~next)];
+    for (std::int32_t i = 0; i < block.count; ++i) visit(static_cast<std::size_t>(block.first + i));
+  }
 }
 
 // Returns the bounding box of a curve's control points after two subdivisions: it contains the curve, and is too large

@@ -15,7 +15,6 @@ inline curve::Box joined(const curve::Box& a, const curve::Box& b) {
 curve::Box fill_block(const SegmentTree& tree, SegmentBlock& block);
 
 void put_box(TreeNode& node, int lane, const curve::Box& box);
-curve::Box box_of(const TreeNode& node, int lane);
 curve::Box box_of(const TreeNode& node);  // of all its children, at least one
 
 }  // namespace coaster::sim

@@ -202,5 +202,32 @@ TEST(segment_tree, follows_what_is_derived_and_keeps_its_nodes_while_knots_move)
   EXPECT_TRUE(derived.tree.nodes.empty());
 }
 
+TEST(segment_tree, blocks_are_visited_by_their_key_until_told_to_stop) {
+  Random random(5);
+  for (const std::size_t count : {0u, 1u, 3u, 4u, 5u, 2'001u}) {
+    SegmentTree tree;
+    build_tree(random_cubics(random, count), tree);
+    const auto least_x = [](const curve::Box& box) { return std::optional<double>(box.low.x); };
+    std::vector<double> keys;
+    std::vector<int> met(count);
+    all_by_key(
+        tree, least_x, [&](double key) { return keys.push_back(key), true; }, [&](std::size_t i) { ++met[i]; });
+    EXPECT_TRUE(std::is_sorted(keys.begin(), keys.end()));
+    EXPECT_EQ(std::count(met.begin(), met.end(), 1), static_cast<std::ptrdiff_t>(count)) << "each once";
+    // Up to a plane, and only on one side of another.
+    std::vector<bool> found(count);
+    all_by_key(
+        tree, [&](const curve::Box& box) { return box.high.y < 8 ? std::nullopt : std::optional<double>(box.low.x); },
+        [](double key) { return key <= 31; }, [&](std::size_t i) { found[i] = true; });
+    for (std::size_t i = 0; i < count; ++i) {
+      const curve::Box box = tight_box(tree.cubics[i]);
+      EXPECT_TRUE(found[i] || box.low.x > 31 || box.high.y < 8);
+    }
+    if (count > 1'000) {
+      EXPECT_LT(std::count(found.begin(), found.end(), true), 1'900) << "some are left out";
+    }
+  }
+}
+
 }  // namespace segment_tree_test
 }  // namespace coaster::sim
