@@ -87,7 +87,7 @@ class Simulation {
   }
 
  private:
-  double gravity(double at) const { return -world::kGravity * landscape_.slope(at - round_); }
+  double gravity(double at) { return -world::kGravity * landscape_.slope(at - round_); }
   // Updates the gravity after each move, which is used several times, and the start of the train's lap.
   void settle() {
     if (rails_.closed && !(moving_.x >= round_ && moving_.x < round_ + rails_.length))

@@ -12,19 +12,22 @@
 namespace coaster::sim {
 
 // The train's mean slope as a function of its first car's position, on a uniform grid. Within a cell the slope is the
-// derivative of a cubic Hermite height, so that the ride's gains and losses of energy add up to the heights.
+// derivative of a cubic Hermite height, so that the ride's gains and losses of energy add up to the heights. Cells are
+// computed in blocks when first needed: a ride on a very long track reaches few of them. Refers to its arguments.
 class Landscape {
  public:
   Landscape(const RailTables& tables, std::span<const SegmentTable* const> segments, int cars, double spacing);
 
   // On a closed track `at` may be up to one lap outside.
-  double slope(double at) const {
+  double slope(double at) {
     if (closed_ && at >= length_) at -= length_;
     if (closed_ && at < 0) at += length_;
     const double place = at * per_metre_;
     const std::int64_t i = place > 0 ? std::min(static_cast<std::int64_t>(place), last_) : 0;
     const double u = std::clamp(place - static_cast<double>(i), 0.0, 1.0);
-    const Cell& cell = cells_[static_cast<std::size_t>(i)];
+    const std::vector<Cell>& cells = blocks_[static_cast<std::size_t>(i) / kBlock];
+    if (cells.empty()) fill(static_cast<std::size_t>(i) / kBlock);
+    const Cell& cell = cells[static_cast<std::size_t>(i) % kBlock];
     return cell.a + u * (cell.b + u * cell.c);
   }
 
@@ -32,13 +35,28 @@ class Landscape {
   struct Cell {
     double a, b, c;
   };
-  void add_car(const RailTables& tables, std::span<const SegmentTable* const> segments, double back,
-               std::vector<RailPoint>& sums) const;
+  // A car on the grid: at grid point i it is at step * i + offsets[k] in the k-th segment from `first` on, m. The
+  // offsets are known as far as they were needed.
+  struct Car {
+    std::size_t first;
+    std::vector<double> offsets;
+  };
+  static constexpr std::size_t kBlock = 256;  // cells
 
+  void fill(std::size_t block);
+  void add_car(Car& car, std::size_t point, std::span<RailPoint> sums) const;
+  // True if the car is behind its k-th segment at a grid point and another one follows.
+  bool is_past(const Car& car, std::size_t k, std::size_t point) const;
+  std::size_t segment(const Car& car, std::size_t k) const { return (car.first + k) % segments_.size(); }
+  double length_of(std::size_t segment) const { return tables_.start(segment + 1) - tables_.start(segment); }
+
+  const RailTables& tables_;
+  std::span<const SegmentTable* const> segments_;
   bool closed_;
   double length_, step_ = 0, per_metre_ = 0;
-  std::vector<Cell> cells_;
-  std::int64_t last_ = 0;  // signed: converts faster to and from double
+  std::vector<Car> cars_;
+  std::vector<std::vector<Cell>> blocks_;  // empty: not computed yet
+  std::int64_t last_ = 0;                  // signed: converts faster to and from double
 };
 
 typedef float Float4 __attribute__((vector_size(16)));

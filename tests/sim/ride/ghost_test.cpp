@@ -3,7 +3,10 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <random>
 
+#include "sim/ride/ghost_tables.h"
 #include "sim/ride/ride.h"
 #include "sim/study/ratings.h"
 #include "sim/tracks.h"
@@ -43,6 +46,51 @@ world::Document helix_document(double radius, double drop, int turns, int per_tu
     world::orthonormalise(k);
   }
   return d;
+}
+
+// A train's mean slope from each car's own place on the rails, by the cubic Hermite between two points of the grid.
+double mean_slope(const RailTables& tables, int cars, double spacing, double step, double at) {
+  const auto mean = [&](double front) {
+    RailPoint sum{0, 0};
+    for (int car = 0; car < cars; ++car) {
+      std::size_t index = 0;
+      const double s = tables.locate(front - car * spacing, index);
+      const RailPoint rail = rail_at(tables.segment(index), s);
+      sum.height += rail.height / cars, sum.slope += rail.slope / cars;
+    }
+    return sum;
+  };
+  const double first = step * std::floor(at / step), u = (at - first) / step;
+  const RailPoint a = mean(first), b = mean(first + step);
+  const double rise = (b.height - a.height) / step;
+  return a.slope + u * (6 * rise - 4 * a.slope - 2 * b.slope) + u * u * (3 * a.slope + 3 * b.slope - 6 * rise);
+}
+
+TEST(ghost, slopes_are_those_of_all_cars_in_any_order_of_the_places) {
+  std::mt19937 bits(3);
+  for (const bool closed : {true, false})
+    for (const int cars : {1, 2, 7}) {
+      world::Document d = test::ring_document(150, 300, 20);
+      world::set_closed(d, closed);
+      RailTables tables;
+      tables.update(test::derived_of(d), d.heartline);
+      std::vector<const SegmentTable*> segments;
+      for (std::size_t i = 0; i < tables.size(); ++i) segments.push_back(&tables.segment(i));
+      constexpr double kSpacing = 3.3;
+      const double step = tables.length() / std::ceil(tables.length() / tables.largest_step());
+      Landscape forwards(tables, segments, cars, kSpacing), leaping(tables, segments, cars, kSpacing);
+      std::vector<double> places;
+      for (double at = 0.3; at < tables.length(); at += 0.77) places.push_back(at);
+      std::vector<double> slopes;
+      for (const double at : places) slopes.push_back(forwards.slope(at));
+      for (int i = 0; i < 3'000; ++i) {
+        const std::size_t k = bits() % places.size();
+        EXPECT_EQ(leaping.slope(places[k]), slopes[k]);
+        if (!closed && places[k] < cars * kSpacing + step) continue;
+        EXPECT_NEAR(slopes[k], mean_slope(tables, cars, kSpacing, step, places[k]), 1e-7) << places[k];
+        EXPECT_NEAR(leaping.slope(places[k] - (closed ? tables.length() : 0)), slopes[k], 1e-7);
+      }
+    }
 }
 
 TEST(ghost, the_felt_acceleration_in_a_vertical_circle_is_that_of_the_textbook) {
