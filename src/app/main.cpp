@@ -1,9 +1,11 @@
 // The entry point: parses the command line, runs, returns the exit code. Everything else is in the other files of this
 // room.
 #include <csignal>
+#include <string>
 
 #include "app/modes.h"
 #include "base/console.h"
+#include "base/crash_guard.h"
 #include "base/memory_guard.h"
 
 namespace {
@@ -20,6 +22,10 @@ int run(int argc, char** argv) {
 
 int main(int argc, char** argv) {
   coaster::base::hold_streams();
+  if (const std::string problem = coaster::base::stack_problem(); !problem.empty()) {
+    coaster::base::print_error(problem);
+    return coaster::base::kMemoryExitCode;
+  }
   coaster::base::guard_memory();
   (void)std::signal(SIGXFSZ, SIG_IGN);  // a file over the size limit is then an error like a full disk
   const int code = run(argc, argv);

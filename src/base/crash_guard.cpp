@@ -1,6 +1,8 @@
 #include "base/crash_guard.h"
 
+#include <fmt/format.h>
 #include <sys/mman.h>
+#include <sys/resource.h>
 #include <unistd.h>
 
 #include <array>
@@ -44,6 +46,13 @@ extern "C" void crashed(int signal) {
 }
 
 }  // namespace
+
+std::string stack_problem() {
+  rlimit limit{};
+  if (getrlimit(RLIMIT_STACK, &limit) != 0 || limit.rlim_cur >= kLeastStack) return {};
+  return fmt::format("The stack is limited to {} kB. coaster needs {} kB (ulimit -s {}).", limit.rlim_cur >> 10,
+                     kLeastStack >> 10, kLeastStack >> 10);
+}
 
 void guard_crashes() {
   (void)explanation();  // a handler may not make it

@@ -9,6 +9,12 @@ namespace coaster::base {
 
 inline constexpr std::size_t kLeastSpace = 64u << 20;  // bytes of address space; less counts as out of memory
 
+inline constexpr std::size_t kLeastStack = 256u << 10;  // bytes, of the program and of each of its threads
+
+// Returns what to print if the stack is limited to less than kLeastStack; empty if it is not. With less the program
+// crashes.
+std::string stack_problem();
+
 // Installs handlers: a crash (SIGSEGV, SIGBUS, SIGABRT, SIGFPE, SIGILL) prints "Out of memory." and ends the program
 // with kMemoryExitCode if less than kLeastSpace is left. Other crashes go to the previous handlers.
 void guard_crashes();

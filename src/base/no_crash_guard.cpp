@@ -5,6 +5,7 @@
 
 namespace coaster::base {
 
+std::string stack_problem() { return {}; }
 void guard_crashes() {}
 void explain_crashes(const std::string&, int) {}
 void end_if_out_of_memory() {}

@@ -152,6 +152,23 @@ log \"the end\""
   [ "$ended" -gt 0 ] || fail "the script never ended"
 fi
 
+# A small stack is enough for the program and its threads; a smaller one is refused.
+script ride "load \"$SOURCE/tracks/loop.json\"
+ride.start
+wait ride.lap == 1
+
+shot \"\$OUT/ride.png\""
+stack() {
+  (
+    ulimit -s "$1"
+    "$COASTER" --headless --script "$OUT/ride.coaster" --out "$OUT/run" >"$OUT/stdout" 2>"$OUT/stderr"
+  )
+  check_code $? "$2" "ulimit -s $1"
+}
+[ -z "$limited" ] || stack 256 0
+stack 255 70
+expect_text stderr "The stack is limited to 255 kB. coaster needs 256 kB (ulimit -s 256)."
+
 # A file over the size limit is an error like a full disk, and the old file stays.
 script save "load \"$TRACK\"
 save \"\$OUT/own.json\""
