@@ -81,19 +81,21 @@ void add(CLI::App& cli, const OptionRow& row, Options& options) {
   CLI::Option* const option = std::visit(
       [&]<class T>(T Options::*member) {
         if constexpr (std::is_same_v<T, bool>) return cli.add_flag(name, options.*member, help);
-        else if constexpr (!std::is_same_v<T, std::optional<std::int64_t>>)
-          return cli.add_option(name, options.*member, help);
-        else return cli.add_option(name, options.*member, help)->check(CLI::NonNegativeNumber);
+        else return cli.add_option(name, options.*member, help);
       },
       row.member);
   if (!row.value.empty()) option->option_text(std::string(row.value));
 }
+
+constexpr std::int64_t kMostFrames = 10'000'000;
 
 // Returns the first conflict between options, "" if there is none.
 std::string trouble(Options& o) {
   if (!o.size.empty() && !base::parse_size(o.size, o.width, o.height))
     return "--size: expected WIDTHxHEIGHT such as 1280x720, up to 7680x4320, found " + o.size;
   if (o.validate && o.file.empty() && o.script.empty()) return "--validate needs a FILE or a --script";
+  if (o.frames && (*o.frames < 0 || *o.frames > kMostFrames))
+    return fmt::format("--frames: expected 0 to {}, found {}", kMostFrames, *o.frames);
   if (!script::is_movie_rate(o.fps)) return fmt::format("--fps: expected {}, found {}", script::kMovieRateWords, o.fps);
   if (!o.camera.empty() && !base::value_named<world::CameraMode>(o.camera))
     return fmt::format("--camera: expected {}, found {}", base::alternatives_of<world::CameraMode>(), o.camera);

@@ -72,7 +72,8 @@ TEST(Options, what_cannot_be_is_told_and_ends_with_2) {
   } cases[] = {
       {{"--sise", "1x1"}, "--sise"},
       {{"--script"}, "--script"},
-      {{"--frames", "-1"}, "--frames"},
+      {{"--frames", "-1"}, "--frames: expected 0 to 10000000, found -1"},
+      {{"--frames", "99999999999999999999"}, "--frames"},
       {{"--frames", "many"}, "--frames"},
       {{"a.json", "b.json"}, "b.json"},
       {{"--size", "1280"}, "expected WIDTHxHEIGHT such as 1280x720, up to 7680x4320, found 1280"},
