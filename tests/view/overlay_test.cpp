@@ -6,6 +6,7 @@
 #include "view/marks.h"
 #include "world/aids.h"
 #include "world/look.h"
+#include "world/panels.h"
 #include "world/sections.h"
 #include "world/topology.h"
 
@@ -224,6 +225,17 @@ TEST(overlay_riding, only_the_chosen_knot_is_marked_while_the_eye_rides) {
   world::Settings settings;
   settings.selected = d.track.knots[3];
   EXPECT_EQ(build_overlay(d, derived, settings, view, {}, findings).marks.size(), 3u);  // with its handles
+}
+
+TEST(overlay_riding, knots_that_are_neither_chosen_nor_hovered_show_in_every_workspace_but_ride) {
+  Scene scene;
+  for (const world::Workspace one :
+       {world::Workspace::all, world::Workspace::build, world::Workspace::ride, world::Workspace::laboratory}) {
+    scene.settings.panels->workspace = one;
+    EXPECT_EQ(scene.overlay().marks.size(), one == world::Workspace::ride ? 0u : 5u);
+  }
+  scene.settings.panels->workspace = world::Workspace::ride;
+  EXPECT_EQ(scene.overlay({PickKind::knot, scene.document.track.knots[3]}).marks.size(), 1u);
 }
 
 TEST(overlay_failure, a_failed_ride_is_marked_where_it_failed_and_one_that_goes_on_is_not) {
