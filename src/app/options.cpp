@@ -92,7 +92,7 @@ constexpr std::int64_t kMostFrames = 10'000'000;
 // Returns the first conflict between options, "" if there is none.
 std::string trouble(Options& o) {
   if (!o.size.empty() && !base::parse_size(o.size, o.width, o.height))
-    return "--size: expected WIDTHxHEIGHT such as 1280x720, up to 7680x4320, found " + o.size;
+    return fmt::format("--size: expected {}, found {}", base::kSizeWords, o.size);
   if (o.validate && o.file.empty() && o.script.empty()) return "--validate needs a FILE or a --script";
   if (o.frames && (*o.frames < 0 || *o.frames > kMostFrames))
     return fmt::format("--frames: expected 0 to {}, found {}", kMostFrames, *o.frames);

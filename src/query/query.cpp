@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include <fmt/format.h>
 
@@ -13,7 +14,10 @@ namespace coaster::query {
 
 std::string to_text(const Value& value) {
   struct Visitor {
-    std::string operator()(double v) const { return base::to_text(v); }
+    // A count of 100000 is not "1e+05".
+    std::string operator()(double v) const {
+      return v == std::trunc(v) && std::abs(v) < 1e15 ? fmt::format("{:.0f}", v + 0.0) : base::to_text(v);
+    }
     std::string operator()(const std::string& v) const { return v; }
     std::string operator()(const Ranked& v) const { return v.text; }
     std::string operator()(glm::dvec3 v) const {

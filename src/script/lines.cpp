@@ -29,7 +29,8 @@ bool parse_env(Words& words, Action& action) {
       if (!size) return false;
       int width = 0, height = 0;
       if (!base::parse_size(size->text, width, height))
-        return words.fail(size->column, "expected WIDTHxHEIGHT such as 640x360, found " + base::quoted(size->text));
+        return words.fail(size->column,
+                          fmt::format("expected {}, found {}", base::kSizeWords, base::quoted(size->text)));
       env.width = width, env.height = height;
     } else if (*name == 1) {
       const auto seed = words.whole("a seed", 0, std::numeric_limits<std::int64_t>::max());

@@ -126,7 +126,7 @@ bool parse_resize(Words& words, Action& action) {
   if (!words.at_end() && text.find_first_of("xX") == std::string::npos) text += "x" + words.take("a height")->text;
   platform::Resize size;
   if (!base::parse_size(text, size.width, size.height))
-    return words.fail(first->column, "expected WIDTHxHEIGHT such as 640x360, found " + base::quoted(text));
+    return words.fail(first->column, fmt::format("expected {}, found {}", base::kSizeWords, base::quoted(text)));
   return finish(words, action, {{{size}}});
 }
 

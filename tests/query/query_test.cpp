@@ -51,6 +51,14 @@ std::string_view sample_argument(const Query& query) {
   return query.argument.substr(query.argument.rfind('|') + 1);
 }
 
+TEST(values, whole_numbers_are_printed_as_people_write_them) {
+  EXPECT_EQ(to_text(100'000.0), "100000");
+  EXPECT_EQ(to_text(-2'000'000.0), "-2000000");
+  EXPECT_EQ(to_text(-0.0), "0");
+  EXPECT_EQ(to_text(0.25), "0.25");
+  EXPECT_EQ(to_text(1e300), "1e+300");
+}
+
 TEST_F(QueryTest, every_row_has_a_value_on_a_track_and_on_an_empty_one) {
   for (const Query& query : queries()) {
     const auto value = query.evaluate({session, stats, toast, title}, sample_argument(query));

@@ -138,7 +138,7 @@ TEST(grammar, errors_name_what_was_expected_and_what_was_found) {
       "env density 5\nresize 80 now\nresize 8x6 now\nshot \"a.jpg\"\nwait knots == 3 max 1 ms\n"
       "wait knots == 3 max 0.5 seconds\n");
   const std::vector<std::string> wanted{"expected a density from 0.5 to 4, found \"5\"",
-                                        "expected WIDTHxHEIGHT such as 640x360, found \"80xnow\"",
+                                        "expected WIDTHxHEIGHT such as 1280x720, up to 7680x4320, found \"80xnow\"",
                                         "unexpected \"now\" after the end of the statement",
                                         "expected a file below $OUT ending in .png, found \"a.jpg\"",
                                         "expected ticks, frames or seconds, found \"ms\"",

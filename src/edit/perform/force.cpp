@@ -205,7 +205,9 @@ Status perform(Session& session, Change& change, const CopyForceKeys& command) {
 
 Status perform(Session& session, Change& change, const PasteForceKeys& command) {
   auto copied = exchange::parse_keys(command.text.empty() ? session.copied : command.text);
-  if (!copied) return refused((command.text + session.copied).empty() ? "nothing was copied" : copied.status().message);
+  if (!copied)
+    return refused((command.text + session.copied).empty() ? "nothing was copied: copy keys first"
+                                                           : copied.status().message);
   return with_program(session, change, command.section, false, [&](ForceProgram& program) -> Status {
     if (program.over != copied->over)
       return refused(fmt::format("the copied keys count in {}, those of the section in {}",

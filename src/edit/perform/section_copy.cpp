@@ -177,7 +177,7 @@ Status perform(Session& session, Change& change, const CopySection& command) {
 
 Status perform(Session& session, Change& change, const PasteSections& command) {
   const std::string& text = command.text.empty() ? session.copied : command.text;
-  if (text.empty()) return refused("nothing was copied");
+  if (text.empty()) return refused("nothing was copied: copy sections first");
   if (const Status may = may_move(session.document, 0); !may) return may;
   const auto loaded = exchange::parse_track(text, "clipboard");
   if (!loaded) return refused(loaded.status().message);

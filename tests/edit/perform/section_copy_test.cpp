@@ -98,7 +98,9 @@ TEST_F(SectionCopy, several_go_on_from_one_another_in_the_order_of_the_track) {
   refused("section.copy none", "expected a section");
 }
 
-TEST_F(SectionCopy, without_a_copy_there_is_nothing_to_paste) { refused("section.paste", "nothing was copied"); }
+TEST_F(SectionCopy, without_a_copy_there_is_nothing_to_paste) {
+  refused("section.paste", "nothing was copied: copy sections first");
+}
 
 }  // namespace section_copy_test
 }  // namespace coaster::edit
