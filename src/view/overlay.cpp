@@ -13,8 +13,7 @@
 #include "view/overlay_section.h"
 #include "view/section_handle.h"
 #include "view/spin_ring.h"
-#include "world/lab_view.h"
-#include "world/panels.h"
+#include "view/workspace.h"
 #include "world/selection.h"
 
 namespace coaster::view {
@@ -55,8 +54,7 @@ void add_polygons(const world::Document& document, const world::Settings& settin
 std::vector<PlacedMark> shown_marks(const world::Document& document, const sim::Derived& derived,
                                     const world::Settings& settings, const View& view, const Pick& hovered,
                                     const Selected& selected, bool riding) {
-  const bool builds = settings.panels->workspace != world::Workspace::ride;
-  const MarkChoice choice{!riding && builds && settings.lab->layers.has(world::Layer::knots), !riding, hovered};
+  const MarkChoice choice{!riding && shows_knots(settings), !riding, hovered};
   std::vector<PlacedMark> marks = marks_on_screen(document, derived, settings, view, selected, choice).marks;
   std::sort(marks.begin(), marks.end(), [](const PlacedMark& a, const PlacedMark& b) { return covers(b, a); });
   return marks;

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "sim/shape/rails.h"
-#include "world/panels.h"
+#include "view/workspace.h"
 #include "world/sections.h"
 #include "world/selection.h"
 
@@ -35,7 +35,7 @@ void add_run(const sim::Derived& derived, const world::SectionRun& run, std::siz
 
 // Returns the section to mark under the mouse, or kNone.
 Entity hovered_section(const world::Document& document, const world::Settings& settings, const Pick& hovered) {
-  if (settings.panels->workspace != world::Workspace::build) return world::kNone;
+  if (!selects_sections(settings)) return world::kNone;
   Entity section;
   if (const auto* const segment = document.entities.find<world::Segment>(hovered.entity)) section = segment->section;
   if (!section.valid() || world::is_free(document, section) || world::is_selected(settings, section))

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "world/panels.h"
+#include "view/workspace.h"
 #include "world/sections.h"
 
 namespace coaster::view {
@@ -44,7 +44,7 @@ std::optional<SectionHandle> section_handle(const world::Document& document, con
 }
 
 bool section_handles_show(const world::Settings& settings) {
-  return settings.panels->workspace == world::Workspace::build && settings.also.empty();
+  return selects_sections(settings) && settings.also.empty();
 }
 
 std::optional<double> value_under(const SectionHandle& handle, const Ray& ray) {

@@ -48,7 +48,7 @@ TEST_F(Frame, sections_are_copied_from_one_program_to_another_as_text) {
 
 TEST_F(Frame, what_was_copied_here_is_pasted_where_the_clipboard_holds_something_else) {
   press(*program_, platform::Key::v);
-  EXPECT_EQ(last_notice(*program_), "Nothing was copied.");
+  EXPECT_EQ(last_notice(*program_), "Nothing was copied: copy sections first.");
   place(*program_, world::ElementKind::straight);
   ASSERT_TRUE(apply(*program_, edit::Select{{{world::Kind::section, 1}}}).ok());
   press(*program_, platform::Key::c);

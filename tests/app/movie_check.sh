@@ -116,7 +116,7 @@ ride_script outside 'movie.start "elsewhere"'
 run_script 2 outside
 ride_script rate 'movie.start "$OUT/m" fps 25'
 expect_code 2 --validate "$OUT/rate.coaster"
-expect_text stderr "found 25"
+expect_text stderr 'found "25"'
 ride_script twice 'movie.start "$OUT/m"
 expect error movie.start "$OUT/n" ~ "already"'
 movie none 0 twice
