@@ -134,8 +134,7 @@ Status perform(Session& session, Change& change, const LoadEnvelope& command) {
   session.limits.envelope = std::move(loaded->envelope), session.limits.name = std::move(loaded->name);
   ++session.limits.serial;
   warn(session, loaded->warnings);
-  change.note =
-      fmt::format("Forces are compared with the limits of {}. This is not a compliance check.", session.limits.name);
+  change.note = fmt::format("Force limits: {}. Not a compliance check.", session.limits.name);
   return {};
 }
 Status perform(Session& session, Change& change, const RecoverTrack& command) {
