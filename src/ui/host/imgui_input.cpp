@@ -65,8 +65,7 @@ void ImGuiInput::take_button(const platform::MouseButton& event) {
   const float reach = 2 * ImGui::GetIO().MouseDragThreshold;
   const auto button = static_cast<std::size_t>(event.button);
   Press& last = presses_[button];
-  // The presses may be that much closer than the ends of their frames, and slow frames must not part a double click.
-  const bool twice = event.down && !last.twice && time_ - frame_seconds_ - last.time <= kSeconds &&
+  const bool twice = event.down && !last.twice && time_ - last.time <= kSeconds &&
                      std::hypot(mouse_.x - last.at.x, mouse_.y - last.at.y) <= reach;
   if (event.down) last = {time_, mouse_, twice};
   waiting_.push_back({button, event.down, twice, mouse_, event.modifiers});
@@ -114,8 +113,7 @@ void ImGuiInput::feed(const platform::Events& events, int width, int height, boo
   if (!late_text_.empty()) take_text(std::exchange(late_text_, {}), false);
   for (const platform::Event& event : events)
     if (const auto* const tick = std::get_if<platform::Tick>(&event)) seconds += static_cast<float>(tick->dt);
-  frame_seconds_ = static_cast<double>(seconds);
-  time_ += frame_seconds_;
+  time_ += static_cast<double>(seconds);
   for (const platform::Event& event : events) {
     if (const auto* const move = std::get_if<platform::MouseMove>(&event))
       mouse_ = {move->x, move->y}, finger_ = move->finger;

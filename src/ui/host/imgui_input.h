@@ -44,7 +44,7 @@ class ImGuiInput {
     bool twice = false;  // second press of a double click
   };
 
-  double time_ = 0, frame_seconds_ = 0;  // s, the sum of the ticks, and those of this frame
+  double time_ = 0;  // s, the sum of the ticks
   std::deque<Change> waiting_;
   std::array<Press, 3> presses_;
   ImVec2 mouse_{-FLT_MAX, -FLT_MAX};  // ImGui's value for "no mouse"
