@@ -139,7 +139,7 @@ class Hands(Page):
             self.click(256, 180 + 9)
             self.assertEqual(self.value("selected"), "none", f"9 points below a knot, {ratio} pixels per point")
             self.click(256, 180 + 4)
-            self.assertEqual(self.value("selected"), "k2", f"4 points below it, {ratio} pixels per point")
+            self.until(lambda: self.value("selected") == "k2", f"4 points below it, {ratio} pixels per point", 20)
             widths.append(self.js_async(ORANGE, self.page.get_screenshot_as_base64()))
         self.assertIn(widths[0], (10, 11), "the knot under the mouse without its rim: 10.5 points")
         self.assertIn(widths[1], (20, 21, 22))
