@@ -92,7 +92,7 @@ int run_script(const Options& options) {
   script::RunOptions run;
   run.out = *out;
   run.update_goldens = options.update_goldens;
-  run.environment.seed = options.seed;
+  run.environment.seed = static_cast<std::uint64_t>(options.seed);
   if (options.width > 0) run.environment.width = options.width, run.environment.height = options.height;
   const platform::Size size{run.environment.width, run.environment.height};
   auto program = make_program(options, size, 0);

@@ -96,6 +96,7 @@ std::string trouble(Options& o) {
   if (o.validate && o.file.empty() && o.script.empty()) return "--validate needs a FILE or a --script";
   if (o.frames && (*o.frames < 0 || *o.frames > kMostFrames))
     return fmt::format("--frames: expected 0 to {}, found {}", kMostFrames, *o.frames);
+  if (o.seed < 0) return fmt::format("--seed: expected a whole number from 0, found {}", o.seed);
   if (!script::is_movie_rate(o.fps)) return fmt::format("--fps: expected {}, found {}", script::kMovieRateWords, o.fps);
   if (!o.camera.empty() && !base::value_named<world::CameraMode>(o.camera))
     return fmt::format("--camera: expected {}, found {}", base::alternatives_of<world::CameraMode>(), o.camera);

@@ -19,9 +19,9 @@ struct Options {
   std::optional<std::int64_t> frames;
   std::string size;           // as written
   int width = 0, height = 0;  // 0: the default of the mode
-  std::uint64_t seed = 0;
-  std::string camera;  // a name of world::CameraMode; empty: the default of the mode
-  std::string movie;   // folder; empty: none
+  std::int64_t seed = 0;      // not negative
+  std::string camera;         // a name of world::CameraMode; empty: the default of the mode
+  std::string movie;          // folder; empty: none
   int fps = script::kUsualMovieRate;
   bool gif = false;
   bool update_goldens = false, validate = false, json = false, hash_log = false, report = false;
@@ -39,7 +39,7 @@ struct OptionRow {
   std::string_view value;  // its value as shown in help; "" for a switch
   Word word;               // kind of the value; nothing for a switch
   std::string_view help;   // one sentence, without a full stop
-  std::variant<bool Options::*, std::string Options::*, int Options::*, std::uint64_t Options::*,
+  std::variant<bool Options::*, std::string Options::*, int Options::*, std::int64_t Options::*,
                std::optional<std::int64_t> Options::*>
       member;
 };

@@ -58,10 +58,10 @@ TEST(Options, each_row_sets_its_own_member_and_no_other_row_s) {
 }
 
 TEST(Options, numbers_are_those_that_are_written) {
-  const Options options = parse({"--size", "640x360", "--seed", "18446744073709551615", "--frames", "0"}).options;
+  const Options options = parse({"--size", "640x360", "--seed", "9223372036854775807", "--frames", "0"}).options;
   EXPECT_EQ(options.width, 640);
   EXPECT_EQ(options.height, 360);
-  EXPECT_EQ(options.seed, 18446744073709551615u);
+  EXPECT_EQ(options.seed, 9223372036854775807);
   EXPECT_EQ(options.frames, 0);
 }
 
@@ -75,6 +75,7 @@ TEST(Options, what_cannot_be_is_told_and_ends_with_2) {
       {{"--frames", "-1"}, "--frames: expected 0 to 10000000, found -1"},
       {{"--frames", "99999999999999999999"}, "--frames"},
       {{"--frames", "many"}, "--frames"},
+      {{"--seed", "-1"}, "--seed: expected a whole number from 0, found -1"},
       {{"a.json", "b.json"}, "b.json"},
       {{"--size", "1280"}, "expected WIDTHxHEIGHT such as 1280x720, up to 7680x4320, found 1280"},
       {{"--size", "16384x16384"}, "found 16384x16384"},
