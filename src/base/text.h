@@ -26,6 +26,7 @@ struct TextError {
   int column = 1;
   std::string message;
   bool out_of_range = false;  // the line has the right form, but a number in it is not accepted
+  bool suggests = false;      // the message names the word that was probably meant
 };
 
 // Splits a line at blanks; `#` outside quotes starts a comment. On an unclosed quote or a control character returns

@@ -31,6 +31,12 @@ bool parse_size(std::string_view text, int& width, int& height) {
   return true;
 }
 
+TextError size_error(int column, std::string_view text) {
+  const std::size_t x = std::min(text.find_first_of("xX"), text.size());
+  const bool numbers = x < text.size() && is_number(text.substr(0, x)) && is_number(text.substr(x + 1));
+  return {column, fmt::format("expected {}, found {}", kSizeWords, quoted(text)), numbers};
+}
+
 bool Words::accept(std::string_view word) {
   const Token* const next = peek();
   if (!next || next->quoted || next->text != word) return false;
@@ -107,7 +113,8 @@ bool Words::end() {
 
 bool Words::reject(std::string_view what, std::string_view hint) {
   const Token& word = words_[next_ - 1];
-  return fail(word.column, fmt::format("expected {}, found {}{}", what, base::quoted(word.text), hint));
+  const std::string message = fmt::format("expected {}, found {}{}", what, base::quoted(word.text), hint);
+  return fail({word.column, message, false, !hint.empty()});
 }
 
 bool Words::reject_number(std::string_view what) {

@@ -53,10 +53,12 @@ class Words {
 
 // Parses "on", "true", "yes" and their opposites; nothing for other words.
 std::optional<bool> parse_switch(std::string_view word);
-// Parses "WIDTHxHEIGHT": sides of 1 to 16384, at most kMaxPixels together.
 inline constexpr std::int64_t kMaxPixels = 7680 * 4320;  // 1.4 GB of framebuffer with 4 samples
-inline constexpr std::string_view kSizeWords = "WIDTHxHEIGHT such as 1280x720, up to 7680x4320";
+// Parses "WIDTHxHEIGHT": sides of 1 to 16384, at most kMaxPixels together.
 bool parse_size(std::string_view text, int& width, int& height);
+// What parse_size() accepts, and the error for a text that it does not.
+inline constexpr std::string_view kSizeWords = "WIDTHxHEIGHT such as 1280x720, up to 7680x4320";
+TextError size_error(int column, std::string_view text);
 std::string lower(std::string_view text);
 
 }  // namespace coaster::base

@@ -28,9 +28,7 @@ bool parse_env(Words& words, Action& action) {
       const base::Token* const size = words.take("WIDTHxHEIGHT");
       if (!size) return false;
       int width = 0, height = 0;
-      if (!base::parse_size(size->text, width, height))
-        return words.fail(size->column,
-                          fmt::format("expected {}, found {}", base::kSizeWords, base::quoted(size->text)));
+      if (!base::parse_size(size->text, width, height)) return words.fail(base::size_error(size->column, size->text));
       env.width = width, env.height = height;
     } else if (*name == 1) {
       const auto seed = words.whole("a seed", 0, std::numeric_limits<std::int64_t>::max());

@@ -125,8 +125,7 @@ bool parse_resize(Words& words, Action& action) {
   std::string text = first->text;
   if (!words.at_end() && text.find_first_of("xX") == std::string::npos) text += "x" + words.take("a height")->text;
   platform::Resize size;
-  if (!base::parse_size(text, size.width, size.height))
-    return words.fail(first->column, fmt::format("expected {}, found {}", base::kSizeWords, base::quoted(text)));
+  if (!base::parse_size(text, size.width, size.height)) return words.fail(base::size_error(first->column, text));
   return finish(words, action, {{{size}}});
 }
 

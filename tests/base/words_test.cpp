@@ -74,6 +74,10 @@ TEST(words, the_first_failure_is_kept_with_its_column) {
   const std::vector<std::string> names{"begin", "end"};
   EXPECT_FALSE(name.words.one_of("a name", names));
   EXPECT_NE(name.error.message.find("begin"), std::string::npos) << name.error.message;
+  EXPECT_TRUE(name.error.suggests);
+  Line far_off("xyzzy");
+  EXPECT_FALSE(far_off.words.one_of("a name", names));
+  EXPECT_FALSE(far_off.error.suggests) << far_off.error.message;
 }
 
 TEST(words, switches_and_sizes_read_as_people_write_them) {

@@ -198,6 +198,7 @@ TEST(grammar, words_left_over_and_missing_ones_are_errors) {
                                  "expect error move @k4 to 1 2 x",
                                  "expect error move @k4 to 1 2 3 4",
                                  "expect error frames_by bishop",
+                                 "expect error resize 800xnow",
                                  "expect error element.choose loop wide 3",
                                  "expect error camera yaw west ~ \"number\"",
                                  "expect error expect knotz == 3",

@@ -126,6 +126,7 @@ TEST(runner, expect_error_wants_a_failure_and_its_words) {
           .ok());
   EXPECT_EQ(run_lines(fake, "expect error new\n").code, base::Code::expectation);
   EXPECT_TRUE(run_lines(fake, "expect error pad left 2 0 ~ \"-1 to 1\"\n").ok());
+  EXPECT_TRUE(run_lines(fake, "expect error resize 99999x99999 ~ \"up to 7680x4320\"\n").ok());
   EXPECT_EQ(run_lines(fake, "expect error pad left 2 0 ~ \"0 to 1\"\n").code, base::Code::expectation);
   EXPECT_EQ(run_lines(fake, "expect error load \"not-there.json\" ~ \"unlikely words\"\n").code,
             base::Code::expectation);

@@ -234,8 +234,7 @@ base::Result<Command> parse(std::span<const base::Token> tokens, base::TextError
   // Where no word was meant, the whole form helps, unless it is as long as that of an element.
   constexpr std::size_t kLongestUsage = 120;
   const std::string form = usage(*row);
-  const bool guessed = error.out_of_range || error.message.find("did you mean") != std::string::npos;
-  if (!guessed && form.size() <= kLongestUsage) error.message += "; usage: " + form;
+  if (!error.out_of_range && !error.suggests && form.size() <= kLongestUsage) error.message += "; usage: " + form;
   return failed();
 }
 
