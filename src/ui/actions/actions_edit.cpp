@@ -8,6 +8,7 @@
 #include "edit/commands/commands_session.h"
 #include "ui/actions/actions_parts.h"
 #include "ui/context/ways_home.h"
+#include "ui/tools/places.h"
 #include "world/panels.h"
 #include "world/selection.h"
 #include "world/topology.h"
@@ -115,9 +116,8 @@ void place_element(Act& act) {
   else act.ui.emit(edit::PlaceElement{act.ui.session().settings.element});
 }
 
-constexpr Condition kAppendable{
-    [](const Act& act) { return on<&Aids::append_mode>(act) || !act.ui.session().document.track.closed; },
-    world::kClosedTrack};
+constexpr Condition kAppendable{[](const Act& act) { return append_mode_switches(act.ui.session()); },
+                                world::kClosedTrack};
 
 constexpr Condition kCompletable{[](const Act& act) { return completable(act.ui.session().document); },
                                  "Only an open track with a segment can be completed."};

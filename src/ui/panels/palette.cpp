@@ -12,6 +12,7 @@
 #include "edit/commands/commands_elements.h"
 #include "edit/commands/set_setting.h"
 #include "ui/context/ways_home.h"
+#include "ui/tools/places.h"
 #include "ui/widgets/icons.h"
 #include "ui/widgets/theme.h"
 #include "world/aids.h"
@@ -97,7 +98,7 @@ constexpr std::string_view kByHand = "Draw knots";
 
 void by_hand_button(Ui& ui, const PaletteGrid& grid, int cell) {
   next_cell(cell, grid);
-  const bool on = ui.session().settings.aids->append_mode, usable = on || !ui.session().document.track.closed;
+  const bool on = ui.session().settings.aids->append_mode, usable = append_mode_switches(ui.session());
   const std::string help = fmt::format(
       "Draw track by hand: click on the ground to append knots to an open track. {} "
       "ends it.",

@@ -120,9 +120,8 @@ void building(Ui& ui) {
     ui.emit(*to ? closing(session) : edit::SetClosed{false});
   const std::string help =
       fmt::format("Click on the ground to append a knot to an open track. {} ends it.", ui.keys.shown("Cancel"));
-  const bool appends = session.settings.aids->append_mode;
-  if (const auto on =
-          checkbox(ui, "Append points", appends, with_keys(ui.keys, help, "Append points"), appends || !closed))
+  if (const auto on = checkbox(ui, "Append points", session.settings.aids->append_mode,
+                               with_keys(ui.keys, help, "Append points"), append_mode_switches(session)))
     ui.emit(edit::Set<&world::Aids::append_mode>{*on});
 
   const float width = pair_width();

@@ -30,7 +30,6 @@ Steps building_steps(const KeyMap& keys) {
   const auto k = [&](std::string_view action) { return keys.shown(action); };
   return {
       {"Palette", fmt::format("click an element; {} places it", k("Place element"))},
-      {"Drag", fmt::format("orbit; wheel zooms, {} frames all", k("Frame all"))},
       {"Click", "select a section or a knot, then drag its handles"},
       {fmt::format("{} {} {}", k("Move"), k("Rotate"), k("Scale")), "move, rotate, scale; then X, Y, Z or a number"},
       {k("Play or pause"), fmt::format("ride; {} rider's view, {} orbit view", k("Ride camera"), k("Orbit camera"))},
@@ -42,10 +41,9 @@ Steps riding_steps(const KeyMap& keys) {
   return {{k("Play or pause"), fmt::format("play and pause; {} returns to the start", k("Reset"))},
           {fmt::format("{} {} {}", k("Orbit camera"), k("Ride camera"), k("Chase camera")),
            "orbit, rider's view, behind the train"},
-          {"Drag", fmt::format("orbit; wheel zooms, {} frames all", k("Frame all"))},
           {k("Next track colours"), "colour the track by speed, g and more"},
           {k("Panels"), "hide the bars"},
-          {k("Build workspace"), "build"}};
+          {k("Build workspace"), "the workspace Build"}};
 }
 Steps laboratory_steps(const KeyMap& keys) {
   const auto k = [&](std::string_view action) { return keys.shown(action); };
@@ -53,9 +51,8 @@ Steps laboratory_steps(const KeyMap& keys) {
       {k("Next evaluator"), fmt::format("next evaluator; {} more steps, {} fewer", k("More steps"), k("Fewer steps"))},
       {"Click", "select a segment: the pages show it"},
       {fmt::format("{} {}", k("Probe back"), k("Probe on")), "move the probe along the curve"},
-      {"Drag", fmt::format("orbit; wheel zooms, {} frames all", k("Frame all"))},
       {k("Next track colours"), "colour the track by curvature, error and more"},
-      {k("Build workspace"), "build"}};
+      {k("Build workspace"), "the workspace Build"}};
 }
 
 Steps first_steps(const Ui& ui) {
@@ -63,6 +60,9 @@ Steps first_steps(const Ui& ui) {
   Steps steps = workspace == world::Workspace::ride         ? riding_steps(ui.keys)
                 : workspace == world::Workspace::laboratory ? laboratory_steps(ui.keys)
                                                             : building_steps(ui.keys);
+  // In every workspace.
+  steps.insert(steps.begin() + 1,
+               {"Drag", fmt::format("orbit; wheel zooms, {} frames all", ui.keys.shown("Frame all"))});
   steps.emplace_back(ui.keys.shown("Command palette"), "find any action or command");
   return steps;
 }

@@ -47,6 +47,10 @@ bool rideable(const edit::Session& session) {
   return session.document.entities.pool<world::Cart>().size() > 0 && !session.document.track.segments.empty();
 }
 
+bool append_mode_switches(const edit::Session& session) {
+  return session.settings.aids->append_mode || !session.document.track.closed;
+}
+
 bool card_shows(const edit::Session& session) {
   return session.settings.aids->show_card && session.game.show_result && session.game.result;
 }

@@ -10,6 +10,8 @@ namespace coaster::ui {
 
 // True if a track has carts.
 bool rideable(const edit::Session& session);
+// True if append mode can be switched: on where the track is open, off anywhere.
+bool append_mode_switches(const edit::Session& session);
 // True if the score card of the last ride is open.
 bool card_shows(const edit::Session& session);
 // Returns where the last ride or its challenge failed, m along the track; nothing if the failure has no position.

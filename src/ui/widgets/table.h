@@ -17,7 +17,7 @@ inline constexpr std::uint32_t kPlainColour = 0xE6E9EF, kGoodColour = 0x4FB477, 
 
 struct TableColumn {
   std::string_view title, unit;  // unit: metric. A heading too narrow for both has the unit in its tooltip.
-  float width = 60;              // design px, at least; the columns share what is left in proportion
+  float width = 60;              // design px, the least; columns share the remaining room in this proportion
   std::string_view tooltip;
   bool words = false;  // left-aligned text, as are its cells
 };
