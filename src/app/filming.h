@@ -18,9 +18,9 @@ struct Program;
 struct Filming {
   std::unique_ptr<Movie> movie;           // null once all pictures are taken
   std::unique_ptr<MovieEncoder> encoder;  // null until all pictures are taken
-  bool scene_alone =
-      false;             // without panels and selection, in the size of the first picture even if the window changes
-  bool by_hand = false;  // started in a window: panels show it, and it ends with the lap
+  // Without panels and selection, in the size of the first picture even if the window changes.
+  bool scene_alone = false;
+  bool by_hand = false;        // started in a window: panels show it, and it ends with the lap
   std::int64_t lap_ticks = 0;  // expected ticks of a lap; 0: unknown
   base::Status failed;         // why it ended early
   ui::MovieState shown;        // shown by panels

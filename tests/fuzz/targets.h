@@ -10,8 +10,8 @@
 namespace coaster::fuzz {
 
 struct Target {
-  std::string_view
-      name;  // a format's extension without the dot; also of its folder in tests/fuzz/corpus, if it has one
+  // A format's extension without the dot; also of its folder in tests/fuzz/corpus, if it has one.
+  std::string_view name;
   void (*reader)(std::string_view bytes) = nullptr;
   const exchange::Format* format = nullptr;  // instead of a reader
 

@@ -31,8 +31,8 @@ struct StepText {
 // One undo step.
 struct HistoryStep {
   StepText text;
-  world::Difference
-      change;  // on the undo stack: to the document before the step; on the redo stack: to the one after it
+  // On the undo stack: to the document before the step; on the redo stack: to the one after it.
+  world::Difference change;
 };
 
 inline constexpr std::size_t kMaxHistoryBytes = 256u << 20;

@@ -18,12 +18,12 @@ struct Extreme {
 };
 
 struct Ratings {
-  bool complete = false;           // completed the lap, or reached the end of an open track
-  double seconds = 0, length = 0;  // of the lap; m of track
-  Extreme top_speed;               // m/s
-  Extreme highest, lowest;         // m, of the rails under the first car
-  Extreme up_most, up_least, side_most, forward_most,
-      back_most;                                    // g, low-passed; side: absolute; back: backwards, positive
+  bool complete = false;                            // completed the lap, or reached the end of an open track
+  double seconds = 0, length = 0;                   // of the lap; m of track
+  Extreme top_speed;                                // m/s
+  Extreme highest, lowest;                          // m, of the rails under the first car
+  Extreme up_most, up_least, side_most;             // g, low-passed; side: absolute
+  Extreme forward_most, back_most;                  // g, low-passed; both positive
   Extreme road_most, up_stop_most, side_load_most;  // kN, of a car's wheels of that kind together, low-passed
   Extreme jolt_most;                                // g (jolt.h)
   double mean_speed = 0;                            // m/s

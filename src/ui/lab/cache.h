@@ -87,8 +87,8 @@ struct LabCache {
   // Keyed by the segment's build, evaluator and steps.
   base::Kept<std::tuple<std::uint64_t, int, int>, ErrorStudy> error, other_error;
   base::Kept<std::tuple<std::uint64_t, int>, LengthStudy> lengths;  // by the segment's build and steps
-  base::Kept<std::tuple<std::uint64_t, std::vector<world::Entity>, int>, TrackLengths>
-      track_lengths;  // by the last build, order and steps
+  // By the last build, order and steps.
+  base::Kept<std::tuple<std::uint64_t, std::vector<world::Entity>, int>, TrackLengths> track_lengths;
   bool lengths_of_track = false;
   bool show_errors = false;  // where there is no space for both: errors instead of times
   std::string csv = "measurements.csv";

@@ -134,8 +134,8 @@ TEST(rail_tables, an_edit_refills_its_two_segments_alone) {
   const std::uint64_t serial = tables.serial();
   tables.update(derived, 1.1);
   EXPECT_EQ(tables.serial(), serial);
-  std::vector<const double*>
-      before;  // where the entries are: a refill of another size or of a new segment may move them
+  // Where the entries are: a refill of another size or of a new segment may move them.
+  std::vector<const double*> before;
   std::vector<std::uint64_t> builds;
   for (std::size_t i = 0; i < tables.size(); ++i) builds.push_back(tables.segment(i).build);
   d.entities.get<world::Knot>(d.track.knots[5]).position.y += 1.3f;
