@@ -230,12 +230,9 @@ if ('serviceWorker' in navigator && location.protocol.startsWith('http')) {
     };
   };
   navigator.serviceWorker.register('worker.js').then((worker) => {
-    if (worker.waiting) offer(worker.waiting);
-    worker.addEventListener('updatefound', () => {
-      const coming = worker.installing;
-      coming.addEventListener('statechange', () => {
-        if (coming.state === 'installed' && navigator.serviceWorker.controller) offer(coming);
-      });
-    });
+    // At the first visit the only worker may wait, too, for a moment.
+    const offerUpdate = () => { if (worker.waiting && worker.active) offer(worker.waiting); };
+    offerUpdate();
+    worker.addEventListener('updatefound', () => worker.installing.addEventListener('statechange', offerUpdate));
   }, () => {});
 }

@@ -68,6 +68,14 @@ const [done] = arguments;
 navigator.serviceWorker.ready.then(() => caches.keys()).then((all) => done(all.length === 1));
 """
 OLD_VERSION = "document.querySelector('meta[name=version]') === null"
+# The page hears of its worker when that is installed, as it may in Firefox. The blank page before has none.
+LATE_REGISTRATION = """
+if ('serviceWorker' in navigator) {
+  const register = navigator.serviceWorker.register;
+  navigator.serviceWorker.register = (file) => register.call(navigator.serviceWorker, file).then((worker) =>
+    new Promise((done) => worker.installing.addEventListener('statechange', () => done(worker), { once: true })));
+}
+"""
 NO_UPDATE = "document.getElementById('update').hidden"
 
 
@@ -173,6 +181,12 @@ class Limits(Page):
         self.open()
         self.assertEqual(self.note(), "")
         self.assertFalse(self.stores(document))
+
+    def test_the_first_visit_offers_no_new_version(self):
+        self.before_load(LATE_REGISTRATION)
+        self.open()
+        self.until_worker_is_ready()
+        self.assertTrue(self.js(NO_UPDATE))
 
     def test_a_new_version_is_offered(self):
         folder = self.folder()
