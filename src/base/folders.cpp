@@ -46,6 +46,15 @@ std::filesystem::path data_folder() {
   return {};
 }
 
+bool is_installed(const std::filesystem::path& file) {
+  const std::filesystem::path data = data_folder();
+  std::error_code error;
+  if (data.empty() || data == std::filesystem::path(COASTER_SOURCE_DIR)) return false;
+  const std::filesystem::path way =
+      std::filesystem::weakly_canonical(file, error).lexically_relative(std::filesystem::weakly_canonical(data, error));
+  return !error && !way.empty() && *way.begin() != "..";
+}
+
 Status make_folders(const std::filesystem::path& folder, unsigned mode) {
   std::error_code error;
   if (std::filesystem::is_directory(folder, error)) return {};

@@ -23,6 +23,9 @@ UserFolders user_folders();
 // of the build, and /usr/share/coaster. Empty without any.
 std::filesystem::path data_folder();
 
+// True if a file was installed with the program: it is below data_folder(), and that is not the source tree.
+bool is_installed(const std::filesystem::path& file);
+
 // Creates a folder and its parents with `mode` less the process's mask; by default for the owner alone. Code::io with
 // the reason.
 Status make_folders(const std::filesystem::path& folder, unsigned mode = 0700);

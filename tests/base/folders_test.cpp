@@ -55,6 +55,18 @@ TEST_F(folders, data_are_where_the_variable_says_else_in_the_source_tree) {
   EXPECT_TRUE(fs::exists(data_folder() / "tracks" / "loop.json"));
 }
 
+TEST_F(folders, installed_files_are_those_below_the_data_but_not_the_source_tree_s) {
+  EXPECT_FALSE(is_installed(fs::path(COASTER_SOURCE_DIR) / "tracks" / "loop.json"));
+  ASSERT_TRUE(make_folders(folder / "share" / "tracks"));
+  fs::create_directory_symlink(folder / "share", folder / "link");
+  const Variable named("COASTER_DATA", (folder / "link").c_str());
+  EXPECT_TRUE(is_installed(folder / "share" / "tracks" / "loop.json"));
+  EXPECT_TRUE(is_installed(folder / "link" / "tracks" / "loop.json"));
+  EXPECT_FALSE(is_installed(folder / "share.json"));
+  EXPECT_FALSE(is_installed(folder / "share" / ".." / "loop.json"));
+  EXPECT_FALSE(is_installed(""));
+}
+
 TEST_F(folders, a_folder_is_made_with_those_above_it) {
   ASSERT_TRUE(make_folders(folder / "a" / "b"));
   EXPECT_EQ(fs::status(folder / "a" / "b").permissions() & fs::perms::all, fs::perms(0700));

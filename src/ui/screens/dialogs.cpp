@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "base/file_lock.h"
+#include "base/folders.h"
 #include "edit/commands/commands_challenge.h"
 #include "edit/commands/commands_sections.h"
 #include "edit/commands/commands_session.h"
@@ -15,13 +16,15 @@
 namespace coaster::ui {
 namespace {
 
-// Returns the folder shown first: the document's, else that of the file used last.
+// Returns the folder shown first: the document's, else that of the file used last; never one of the program's
+// own folders.
 std::filesystem::path first_folder(const Ui& ui) {
-  const edit::Session& session = ui.session();
-  if (!session.file.path.empty()) return base::canonical_path(session.file.path).parent_path();
-  if (ui.state.kept != nullptr && !ui.state.kept->settings.recent.empty())
-    return std::filesystem::path(ui.state.kept->settings.recent.front()).parent_path();
-  return ".";
+  std::vector<std::filesystem::path> files;
+  if (const auto& own = ui.session().file.path; !own.empty()) files.push_back(base::canonical_path(own));
+  if (ui.state.kept != nullptr)
+    files.insert(files.end(), ui.state.kept->settings.recent.begin(), ui.state.kept->settings.recent.end());
+  const auto theirs = std::find_if_not(files.begin(), files.end(), base::is_installed);
+  return theirs == files.end() ? "." : theirs->parent_path();
 }
 
 }  // namespace
@@ -97,6 +100,10 @@ void Dialogs::save(Ui& ui) {
   if (ui.session().file.path.empty()) return browse(ui, FileBrowser::Mode::save);
   if (const UserState* const kept = ui.state.kept; kept != nullptr && !kept->holder.empty()) {
     ui.warn("This file is open in " + kept->holder + ". Save under another name.");
+    return browse(ui, FileBrowser::Mode::save);
+  }
+  if (base::is_installed(ui.session().file.path)) {
+    ui.warn("This track belongs to the program. Save under another name.");
     return browse(ui, FileBrowser::Mode::save);
   }
   chosen_ = ui.session().file.path;

@@ -163,6 +163,25 @@ TEST_F(DialogsTest, a_file_in_use_elsewhere_is_saved_under_another_name) {
   EXPECT_EQ(all<edit::Save>()[0].path, (folder / "b.json").string());
 }
 
+// Installed tracks are often not writable, and a page forgets what is saved beside them.
+TEST_F(DialogsTest, a_track_of_the_program_is_saved_under_another_name) {
+  const std::filesystem::path data = folder / "data", before = std::filesystem::current_path();
+  ASSERT_TRUE(std::filesystem::create_directory(data));
+  ASSERT_TRUE(edit::apply(session_, files_, edit::Save{(data / "sample.json").string()}));
+  std::filesystem::current_path(folder);
+  ASSERT_EQ(setenv("COASTER_DATA", data.c_str(), 1), 0);
+  commands_.clear();
+  key(Key::s, {.ctrl = true});
+  frames(2);
+  EXPECT_TRUE(all<edit::Save>().empty());
+  type("Save as/Name", "mine");
+  frame();
+  unsetenv("COASTER_DATA");
+  std::filesystem::current_path(before);
+  ASSERT_EQ(all<edit::Save>().size(), 1u);
+  EXPECT_EQ(all<edit::Save>()[0].path, (std::filesystem::canonical(folder) / "mine.json").string());
+}
+
 // Save and Save as to the document's own file ask if another program changed it; each answer has its effect.
 TEST_F(DialogsTest, a_file_that_another_program_changed_is_asked_about) {
   const std::string own = (folder / "a.json").string();
