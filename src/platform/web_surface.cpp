@@ -196,8 +196,9 @@ class WebSurface final : public Surface {
     const std::string_view typed = event.key;
     const bool is_character = typed.size() == 1 || (!typed.empty() && (typed[0] & 0x80) != 0);
     if (down && is_character && !held.ctrl && !held.alt) pending_.push_back(TextInput{std::string(typed)});
+    // The browser's: reload, and Ctrl+Shift+I, its tools.
     const std::string_view code = event.code;
-    return code != "F12" && code != "F5";
+    return code != "F5" && !(code == "KeyI" && held.ctrl && (held.shift || held.alt));
   }
   void listen() {
     const auto on_mouse = [](int type, const EmscriptenMouseEvent* e, void* w) {
