@@ -57,7 +57,11 @@ Failure Runner::advance() {
   if (here.again-- > 0) return here.next = 0, Failure{};
   const bool gesture = here.gesture;
   places_.pop_back();
-  return gesture ? failure(frames_.apply(edit::EndGesture{})) : Failure{};
+  if (!gesture) return {};
+  failed_at_ = &(*places_.back().block)[places_.back().next - 1];  // the line that began it
+  if (!frames_.apply(edit::EndGesture{}))
+    return wrong("a command up to end ended the gesture, as undo, load and new do: write it outside");
+  return {};
 }
 
 base::Status Runner::error_of(const Failure& result) {

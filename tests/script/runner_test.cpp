@@ -1,6 +1,7 @@
 // The effects of statements on a program without GL.
 #include "script/runner.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "script/fake_host.h"
@@ -37,6 +38,16 @@ TEST(runner, repeat_runs_its_lines_that_many_times_and_gesture_is_one_step_of_un
                           "gesture\nmove @k1 to 0 1 0\nmove @k1 to 0 2 0.5\nend\nexpect position @k1 == 0 2 0.5\nundo\n"
                           "expect position @k1 == -3.25 1.5 2.75\n");
   EXPECT_TRUE(status.ok()) << status.message;
+}
+
+TEST(runner, a_gesture_that_a_command_inside_has_ended_fails_at_its_line) {
+  for (const char* const line : {"undo", "new", "gesture.cancel"}) {
+    FakeHost fake;
+    const base::Status status = run_lines(fake, fmt::format("{}gesture\nmove @k1 to 0 1 0\n{}\nend\n", kTrack, line));
+    EXPECT_EQ(status.code, base::Code::usage);
+    EXPECT_EQ(status.message.rfind("test.coaster:5:1: error: a command up to end ended the gesture", 0), 0u)
+        << status.message;
+  }
 }
 
 TEST(runner, a_signal_ends_ticks_and_waits_early) {
