@@ -89,6 +89,12 @@ std::string quoted_start(std::string_view text) {
   return base::quoted(text.size() > kShownBytes ? std::string(text.substr(0, kShownBytes)) + "..." : std::string(text));
 }
 
+std::string quoted_number(std::string_view text) {
+  std::string point(text);
+  if (const std::size_t comma = point.find(','); comma != std::string::npos) point[comma] = '.';
+  return quoted_start(text) + (point != text && parse_double(point) ? ": decimals follow a point, not a comma" : "");
+}
+
 std::string quoted(std::string_view text) {
   std::string out = "\"";
   for (char c : text) {

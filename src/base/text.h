@@ -37,6 +37,8 @@ bool tokenise(std::string_view line, std::vector<Token>& tokens, TextError& erro
 std::string quoted(std::string_view text);
 // Returns quoted text for messages, truncated to 40 bytes, followed by "...".
 std::string quoted_start(std::string_view text);
+// The same of a text that is not a number, for messages; says so if the reason may be a decimal comma.
+std::string quoted_number(std::string_view text);
 
 // Parses the whole text as a finite number (rejects "1e39" as float, nan and inf, blanks and a leading '+').
 std::optional<double> parse_double(std::string_view text);

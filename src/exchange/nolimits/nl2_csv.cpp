@@ -21,13 +21,21 @@ constexpr auto& kColumns = kNl2Columns;
 using Cells = std::array<std::string_view, kColumns.size()>;
 constexpr double kSquare = 0.01;     // tolerance for unit and perpendicular frames
 constexpr double kSamePlace = 2e-6;  // m: rounding of printed positions
-constexpr double kReversed = 0.75;   // of the steps against Front: the rows are reversed
+constexpr double kWrong = 0.75;      // of the steps against Front or off it: the rows are refused
+constexpr double kOff = 30;          // degrees between a step and Front, beyond what a bend explains
 constexpr double kDoubt = 0.4;       // g: what riders may feel more or less before it is reported
 constexpr double kGap = 3;           // times the usual spacing: longer steps are reported
 
 std::string_view trimmed(std::string_view text) {
   text.remove_prefix(std::min(text.find_first_not_of(' '), text.size()));
   return text.substr(0, text.find_last_not_of(' ') + 1);
+}
+
+// Returns a cell's text without blanks and quotes around it.
+std::string_view content(std::string_view cell) {
+  cell = trimmed(cell);
+  const bool in_quotes = cell.size() >= 2 && cell.front() == '"' && cell.back() == '"';
+  return in_quotes ? trimmed(cell.substr(1, cell.size() - 2)) : cell;
 }
 
 // Iterates over the lines of a text, numbered from 1, without line endings.
@@ -67,7 +75,7 @@ std::size_t split(std::string_view line, char separator, Cells& cells) {
   std::size_t count = 0;
   for (;;) {
     const std::size_t end = line.find(separator);
-    if (count < cells.size()) cells[count] = trimmed(line.substr(0, end));
+    if (count < cells.size()) cells[count] = content(line.substr(0, end));
     ++count;
     if (end == std::string_view::npos || count > cells.size()) return count;
     line.remove_prefix(end + 1);
@@ -118,10 +126,7 @@ bool read_header(Reader& r) {
   Cells cells;
   const std::size_t count = split(line, r.separator.mark, cells);
   for (std::size_t i = 0; i < kColumns.size() && i < count; ++i) {
-    std::string_view cell = cells[i];
-    if (cell.size() >= 2 && cell.front() == '"' && cell.back() == '"') cell = trimmed(cell.substr(1, cell.size() - 2));
-    if (i == 0 && same_word(cell, "No")) cell = kColumns[0];
-    if (!same_word(cell, kColumns[i]))
+    if (!same_word(cells[i], kColumns[i]) && !(i == 0 && same_word(cells[i], "No")))
       return r.fail(fmt::format("column {} of the header to be \"{}\"", i + 1, kColumns[i]),
                     base::quoted_start(cells[i]));
   }
@@ -136,7 +141,7 @@ bool read_vector(Reader& r, const Cells& cells, std::size_t first, double limit,
     const std::size_t i = first + static_cast<std::size_t>(axis);
     const auto number = base::parse_double(cells[i]);
     const auto expected = [&](std::string_view what) { return fmt::format("{} in column {}", what, kColumns[i]); };
-    if (!number) return r.fail(expected("a finite number"), base::quoted_start(cells[i]));
+    if (!number) return r.fail(expected("a finite number"), base::quoted_number(cells[i]));
     if (!(std::abs(*number) <= limit))
       return r.fail(expected(fmt::format("a number within {}", static_cast<int>(limit))), base::quoted_start(cells[i]));
     v[axis] = *number;
@@ -160,7 +165,7 @@ bool read_frame(Reader& r, const Cells& cells, sim::FitRow& row) {
   if (std::abs(cosine) > kSquare)
     return r.fail("Up perpendicular to Front", fmt::format("a cosine of {} between them", base::to_text(cosine)));
   const double off = glm::distance(glm::cross(front, left), up);
-  if (off > 2 * kSquare) return r.fail("Up = Front x Left", fmt::format("a vector that is {} off", base::to_text(off)));
+  if (off > 2 * kSquare) return r.fail("Up = Front x Left", fmt::format("a vector that is {:.3g} off", off));
   row.forward = glm::normalize(front);
   row.up = curve::perpendicular(row.forward, up);
   return true;
@@ -203,23 +208,42 @@ bool read_row(Reader& r, std::string_view line) {
   return true;
 }
 
+// Returns the angle between the step from one row to the next and the mean of their directions, degrees; 0 if it is at
+// most kOff more than half the angle between these. The chord of an arc has the mean of the directions at its ends.
+double off_deg(const sim::FitRow& a, const sim::FitRow& b) {
+  const auto angle = [](dvec3 u, dvec3 v) {
+    return glm::degrees(std::atan2(glm::length(glm::cross(u, v)), glm::dot(u, v)));
+  };
+  const double off = angle(b.position - a.position, a.forward + b.forward);
+  return off > kOff + angle(a.forward, b.forward) / 2 ? off : 0;
+}
+
 // Checks that rows follow each other in the direction of Front; warns of steps that do not, of gaps and of jumps.
 bool check_steps(Reader& r) {
   std::vector<double> lengths;
-  std::vector<std::size_t> against;  // rows whose step from the previous one is against both directions
+  std::vector<int> against, off;  // lines of rows whose step from the previous one is against, or off, both directions
   for (std::size_t i = 1; i < r.rows.size(); ++i) {
-    const dvec3 step = r.rows[i].position - r.rows[i - 1].position;
+    const sim::FitRow &a = r.rows[i - 1], &b = r.rows[i];
+    const dvec3 step = b.position - a.position;
     lengths.push_back(glm::length(step));
-    if (glm::dot(step, r.rows[i].forward) < 0 && glm::dot(step, r.rows[i - 1].forward) < 0) against.push_back(i);
+    if (glm::dot(step, a.forward) < 0 && glm::dot(step, b.forward) < 0) against.push_back(r.row_lines[i]);
+    if (const double degrees = off_deg(a, b); degrees > 0) {
+      off.push_back(r.row_lines[i]);
+      r.warn(off.back(), fmt::format("the step from the previous row is {:.0f} degrees off Front", degrees));
+    }
   }
-  if (against.size() > kReversed * static_cast<double>(lengths.size())) {
-    r.error = fmt::format(
-        "{}:{}: error: expected rows in the direction of Front, found {} of {} steps against it: reverse the order of "
-        "the rows, or Front and Left",
-        r.name, r.row_lines[against[0]], against.size(), lengths.size());
+  const auto refuse = [&](const std::vector<int>& lines, std::string_view expected, std::string_view remedy) {
+    r.error = fmt::format("{}:{}: error: expected {}, found {} of {} steps {}", r.name, lines[0], expected,
+                          lines.size(), lengths.size(), remedy);
     return false;
-  }
-  for (const std::size_t i : against) r.warn(r.row_lines[i], "the step from the previous row is against Front");
+  };
+  if (against.size() > kWrong * static_cast<double>(lengths.size()))
+    return refuse(against, "rows in the direction of Front",
+                  "against it: reverse the order of the rows, or Front and Left");
+  if (off.size() > kWrong * static_cast<double>(lengths.size()))
+    return refuse(
+        off, "steps from row to row along Front",
+        fmt::format("over {} degrees off it: check axes and columns; Y and Z may be swapped in positions alone", kOff));
   std::vector<double> sorted = lengths;
   const auto middle = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2);
   std::nth_element(sorted.begin(), middle, sorted.end());

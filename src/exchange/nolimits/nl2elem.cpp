@@ -48,7 +48,7 @@ bool read_number(XmlReader& r, const XMLElement& parent, const char* tag, double
   const std::string_view text = text_of(*element);
   const auto number = base::parse_double(text);
   if (!number || !std::isfinite(*number))
-    return r.fail(element->GetLineNum(), "a finite number in " + what, base::quoted_start(text));
+    return r.fail(element->GetLineNum(), "a finite number in " + what, base::quoted_number(text));
   if (!(std::abs(*number) <= limit))
     return r.fail(element->GetLineNum(), fmt::format("a number within {} in {}", base::to_text(limit), what),
                   base::quoted_start(text));

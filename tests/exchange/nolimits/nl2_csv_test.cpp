@@ -72,7 +72,7 @@ TEST(nl2_csv, errors_name_the_line_what_was_expected_and_what_was_found) {
   expect_error(head, "t.csv:1: error: expected at least 2 rows at different positions, found 0");
   expect_error(rows(1), "t.csv:2: error: expected at least 2 rows at different positions, found 1");
   expect_error(replaced(two, "PosY", "PosW"),
-               "t.csv:1: error: expected column 3 of the header to be \"PosY\", found \"\\\"PosW\\\"\"");
+               "t.csv:1: error: expected column 3 of the header to be \"PosY\", found \"PosW\"");
   expect_error(replaced(two, "\t\"UpZ\"", ""),
                "t.csv:1: error: expected a header of 13 columns, separated by tabs, found 12");
   expect_error(replaced(two, "\"UpZ\"", "\"UpZ\"\t\"Speed\""),
@@ -82,7 +82,7 @@ TEST(nl2_csv, errors_name_the_line_what_was_expected_and_what_was_found) {
   expect_error(two + row(4, 9), "t.csv:4: error: expected the row's number 3, found \"4\"");
   expect_error(replaced(two, "12.345678", "twelve"),
                "t.csv:2: error: expected a finite number in column PosY, found \"twelve\"");
-  for (const std::string bad : {"nan", "inf", "-inf", "1e999", "", "0x10", "1,5", "1.0.0", "+1"})
+  for (const std::string bad : {"nan", "inf", "-inf", "1e999", "", "0x10", "1.0.0", "+1"})
     expect_error(replaced(two, "12.345678", bad),
                  "t.csv:2: error: expected a finite number in column PosY, found " + base::quoted(bad));
   expect_error(replaced(two, "12.345678", "100000.1"),
@@ -152,7 +152,58 @@ TEST(nl2_csv, rows_against_front_are_refused_and_single_steps_reported) {
   const auto loaded = parse_nl2_csv(rows_at({1, 1.5, 2, 1.9, 2.4, 2.9}, kAhead), "t.csv");
   ASSERT_TRUE(loaded.ok()) << loaded.status().message;
   EXPECT_EQ(loaded->warnings,
-            std::vector<std::string>{"t.csv:5: warning: the step from the previous row is against Front"});
+            std::vector<std::string>{"t.csv:5: warning: the step from the previous row is 180 degrees off Front"});
+}
+
+// A level ring of radius 8 m with rows every `turn` radians, and one of them moved by (x, y, z).
+std::string ring_with(double turn, int count, int moved, glm::dvec3 by) {
+  std::string text(kNl2Header);
+  for (int i = 0; i < count; ++i) {
+    const double a = i * turn, c = std::cos(a), s = std::sin(a);
+    const glm::dvec3 at = glm::dvec3(8 * s, 4, -8 * c) + (i == moved ? by : glm::dvec3(0));
+    text += fmt::format("{}\t{:.6f}\t{:.6f}\t{:.6f}\t{:.6f}\t0\t{:.6f}\t{:.6f}\t0\t{:.6f}\t0\t1\t0\n", i + 1, at.x,
+                        at.y, at.z, c, s, s, -c);
+  }
+  return text;
+}
+
+TEST(nl2_csv, a_row_beside_the_track_is_reported_and_a_bend_is_not) {
+  // One row 0.2 m above the others, which are 0.24 m apart: atan(0.2 / 0.24) = 40 degrees.
+  const auto spike = parse_nl2_csv(ring_with(0.03, 40, 20, {0, 0.2, 0}), "t.csv");
+  ASSERT_TRUE(spike.ok()) << spike.status().message;
+  EXPECT_EQ(spike->warnings,
+            (std::vector<std::string>{"t.csv:22: warning: the step from the previous row is 40 degrees off Front",
+                                      "t.csv:23: warning: the step from the previous row is 40 degrees off Front"}));
+  for (const double turn : {0.03, 0.5, 1.0}) {
+    const auto ring = parse_nl2_csv(ring_with(turn, 6, -1, {}), "t.csv");
+    ASSERT_TRUE(ring.ok()) << ring.status().message;
+    for (const std::string& warning : ring->warnings)
+      EXPECT_EQ(warning.find("off Front"), std::string::npos) << warning;
+  }
+}
+
+TEST(nl2_csv, positions_with_other_axes_than_front_are_refused) {
+  const std::string z_up = "0.6\t0\t0.8\t0.8\t0\t-0.6\t0\t1\t0\n";  // steps along (0.6, 0.8, 0): 50 degrees off
+  std::string text(kNl2Header);
+  for (int i = 0; i < 5; ++i) text += fmt::format("{}\t{}\t{}\t2.5\t{}", i + 1, 0.6 * i, 0.8 * i, z_up);
+  expect_error(text,
+               "t.csv:3: error: expected steps from row to row along Front, found 4 of 4 steps over 30 degrees off it: "
+               "check axes and columns; Y and Z may be swapped in positions alone");
+}
+
+TEST(nl2_csv, quoted_numbers_are_read_and_decimal_commas_named) {
+  const std::string text = rows(5);
+  const std::uint64_t expected = world::hash(parse_nl2_csv(text, "t.csv")->document);
+  const std::string body = text.substr(std::string(kNl2Header).size());
+  const std::string quoted = replaced(replaced("\"" + body, "\t", "\"\t\""), "\n", "\"\n\"");
+  const auto loaded = parse_nl2_csv(std::string(kNl2Header) + quoted.substr(0, quoted.size() - 1), "t.csv");
+  ASSERT_TRUE(loaded.ok()) << loaded.status().message;
+  EXPECT_EQ(world::hash(loaded->document), expected);
+  expect_error(replaced(rows(2), "12.345678", "12,345678"),
+               "t.csv:2: error: expected a finite number in column PosY, found \"12,345678\": decimals follow a point, "
+               "not a comma");
+  expect_error(replaced(rows(2), "12.345678", "1,112.3"),
+               "t.csv:2: error: expected a finite number in column PosY, found \"1,112.3\"");
 }
 
 TEST(nl2_csv, gaps_and_jumps_of_the_frame_are_reported_with_their_lines) {
