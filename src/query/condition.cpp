@@ -94,7 +94,7 @@ std::optional<double> number_of(std::string_view text) {
 }
 
 base::Result<bool> holds_number(const Condition& c, double found) {
-  if (c.values.size() != 1) return mismatch("expected one number");
+  if (c.values.size() != 1) return mismatch("expected one number, found " + base::quoted(joined(c.values)));
   if (*c.op == Op::contains && !c.tolerance)
     return lower(base::to_text(found)).find(lower(c.values[0].text)) != std::string::npos;
   const auto wanted = number_of(c.values[0].text);
@@ -132,7 +132,7 @@ base::Result<bool> holds_ranked(const Condition& c, const Ranked& found) {
 base::Result<bool> holds_vector(const Condition& c, glm::dvec3 found) {
   if (*c.op != Op::equal && *c.op != Op::not_equal && *c.op != Op::contains)
     return mismatch("a vector can be compared only with == and !=");
-  if (c.values.size() != 3) return mismatch("expected three numbers");
+  if (c.values.size() != 3) return mismatch("expected three numbers, found " + base::quoted(joined(c.values)));
   bool same = true;
   for (int axis = 0; axis < 3; ++axis) {
     const auto wanted = number_of(c.values[static_cast<std::size_t>(axis)].text);
@@ -142,6 +142,26 @@ base::Result<bool> holds_vector(const Condition& c, glm::dvec3 found) {
         same && ordered(Op::equal, found[axis], *wanted, c.tolerance.value_or(0), whole(found[axis]) && whole(*wanted));
   }
   return (*c.op == Op::not_equal) != same;
+}
+
+// Checks what the query alone says about the values: they are among its words, or numbers where it has a unit; "none"
+// is always possible.
+bool check_values(Words& words, const Query& query, const Condition& c) {
+  const std::string all = joined(c.values);
+  const int column = c.values.front().column;
+  if (c.op == Op::contains || all == "none") return true;
+  if (query.words) {
+    const std::vector<std::string> names = query.words();
+    if (std::find(names.begin(), names.end(), all) != names.end()) return true;
+    return words.fail(column, fmt::format("expected {}, found {}{}", base::alternatives(names), base::quoted(all),
+                                          base::suggestion(all, names)));
+  }
+  if (query.unit.empty()) return true;
+  for (const base::Token& value : c.values)
+    if (!number_of(value.text))
+      return words.fail(value.column,
+                        fmt::format("expected a number ({}), found {}", query.unit, base::quoted_number(value.text)));
+  return true;
 }
 
 bool is_true(const Value& value) {
@@ -180,7 +200,8 @@ bool parse_condition(Words& words, Condition& condition, std::string_view stop) 
   if (stops()) return true;
   const base::Token* const op = words.take("an operator");
   condition.op = op_of(*op);
-  if (!condition.op) return words.fail(op->column, "expected == != < <= > >= or ~, found " + base::quoted(op->text));
+  if (!condition.op)
+    return words.fail(op->column, "expected == != < <= > >= or ~ (contains), found " + base::quoted(op->text));
   condition.text += " " + op->text;
   while (!stops() && !tolerance_in(*words.peek())) {
     const base::Token* const value = words.take("a value");
@@ -191,6 +212,7 @@ bool parse_condition(Words& words, Condition& condition, std::string_view stop) 
     condition.values.pop_back();
   if (condition.values.empty())
     return words.fail(words.at_end() ? words.end_column() : words.peek()->column, "expected a value");
+  if (!check_values(words, *query, condition)) return false;
   if (!stops() && !parse_tolerance(words, condition)) return false;
   if (condition.tolerance) condition.text += " +-" + base::to_text(*condition.tolerance);
   return true;

@@ -7,6 +7,7 @@
 #include <string>
 #include <string_view>
 #include <variant>
+#include <vector>
 
 #include <glm/glm.hpp>
 
@@ -31,6 +32,7 @@ struct Query {
   std::string_view unit;      // "m/s", "" if none
   std::string_view text;
   base::Result<Value> (*evaluate)(const Context& context, std::string_view argument);
+  std::vector<std::string> (*words)() = nullptr;  // the words that it can be, besides none; null: any text or number
 };
 
 std::span<const Query> queries();

@@ -66,7 +66,7 @@ Answer circuit_refusal(const Context& c, View) {
 }
 
 constexpr std::array kElementRows{
-    Query{"element", "", "", "The palette's element, such as loop.", element},
+    Query{"element", "", "", "The palette's element, such as loop.", element, base::names_of<world::ElementKind>},
     Query{"element.side", "", "", "left or right; none for an element without a side.", side},
     Query{"element.value",
           "length|roll|radius|angle|bank|speed|ramp|turns|height|top|shift|hops|brakes|station|equipment|acceleration|"

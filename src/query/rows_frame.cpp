@@ -38,7 +38,7 @@ constexpr std::array kMoreRows{
     Query{"chord_error", "", "m", "Largest distance of the curve from the polyline's chords.", chord_error},
     Query{"drawn_by", "", "",
           "Where the polylines were evaluated: processor, vertex_shader, geometry_shader or tessellation_shader.",
-          drawn_by},
+          drawn_by, base::names_of<curve::EvaluatedBy>},
     Query{"ns_per_point", "", "ns", "Time of evaluators per vertex in the last frame that evaluated anything.",
           ns_per_point},
 };

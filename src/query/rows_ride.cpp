@@ -86,7 +86,8 @@ constexpr std::string_view kWheelSetWords = "car|front|rear|left|right|front_lef
 
 constexpr std::array kRideRows{
     Query{"carts", "", "", "Number of trains.", carts},
-    Query{"ride.state", "", "", "stopped, running, paused, ended or failed; none without a train.", state},
+    Query{"ride.state", "", "", "stopped, running, paused, ended or failed; none without a train.", state,
+          base::names_of<world::RideState>},
     Query{"ride.speed", "", "m/s", "Speed along the track, negative backwards.", of_motion<&world::CartMotion::speed>},
     Query{"ride.height", "", "m", "Height (y) of the rails under the train.", cart_height},
     Query{"ride.distance", "", "m", "Distance of the train along the track.",

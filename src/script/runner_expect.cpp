@@ -9,6 +9,15 @@
 #include "script/widgets.h"
 
 namespace coaster::script {
+namespace {
+
+// Returns the column of a condition that cannot be checked: of the query without a value, else of what it is compared
+// with.
+int column_of(const Condition& condition, const std::string& found) {
+  return found.empty() || condition.values.empty() ? condition.column : condition.values.front().column;
+}
+
+}  // namespace
 
 base::Result<bool> Runner::check(const Condition& condition, std::string& found) {
   const query::Query* const query = query::find_query(condition.query);
@@ -24,7 +33,7 @@ Failure Runner::perform(const Expect& expect) {
   const Condition& condition = expect.condition;
   std::string found;
   const base::Result<bool> result = check(condition, found);
-  if (!result) return failure(result.status(), condition.column);
+  if (!result) return failure(result.status(), column_of(condition, found));
   if (*result) return {};
   return failed(fmt::format("{}{}, found {}", condition.negated ? "expected not " : "expected ", condition.text, found),
                 condition.column);
@@ -34,7 +43,7 @@ Failure Runner::perform(const Wait& wait) {
   std::string found;
   for (std::int64_t i = 0;; ++i) {
     const base::Result<bool> result = check(wait.condition, found);
-    if (!result) return failure(result.status(), wait.condition.column);
+    if (!result) return failure(result.status(), column_of(wait.condition, found));
     if (*result) return {};
     if (i == wait.most || frames_.interrupted()) break;
     if (!wait.frames) frames_.advance(1);

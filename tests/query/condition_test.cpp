@@ -7,7 +7,7 @@ namespace coaster::query {
 namespace condition_test {
 
 // The condition "QUERY rest" held against a value; -1: refused.
-int holds_for(const std::string& rest, const query::Value& value, const std::string& query = "length") {
+int holds_for(const std::string& rest, const query::Value& value, const std::string& query = "name") {
   std::vector<base::Token> tokens;
   base::TextError error;
   EXPECT_TRUE(base::tokenise(query + " " + rest, tokens, error));
@@ -55,6 +55,33 @@ TEST(condition, texts_compare_and_contain) {
   EXPECT_EQ(holds_for("== 5a1c09e27733d0b1", std::string("5a1c09e27733d0b1")), 1);
   EXPECT_EQ(holds_for("== 1234567890123456", std::string("1234567890123457")), 0) << "hashes are texts, never numbers";
   EXPECT_EQ(holds_for("< b", std::string("a")), -1);
+}
+
+// The error of a condition that cannot be parsed; empty if it can.
+std::string parse_error(const std::string& line) {
+  std::vector<base::Token> tokens;
+  base::TextError error;
+  EXPECT_TRUE(base::tokenise(line, tokens, error));
+  base::Words words(tokens, error);
+  Condition condition;
+  return parse_condition(words, condition) ? "" : std::to_string(error.column) + ": " + error.message;
+}
+
+TEST(condition, values_that_a_query_never_has_are_refused_when_parsed) {
+  EXPECT_EQ(parse_error("camera_mode != rid"),
+            "16: expected orbit, ride, chase or fly, found \"rid\"; did you mean \"ride\"?");
+  EXPECT_EQ(parse_error("ride.state == Running"),
+            "15: expected stopped, running, paused, ended or failed, found \"Running\"; did you mean \"running\"?");
+  EXPECT_EQ(parse_error("joint @k3 == smoth"),
+            "14: expected smooth, aligned or automatic, found \"smoth\"; did you mean \"smooth\"?");
+  EXPECT_EQ(parse_error("length == abc"), "11: expected a number (m), found \"abc\"");
+  EXPECT_EQ(parse_error("length > 1,5"),
+            "10: expected a number (m), found \"1,5\": decimals follow a point, not a comma");
+  EXPECT_EQ(parse_error("position @k3 == 1 2 z"), "21: expected a number (m), found \"z\"");
+  for (const char* const fine : {"camera_mode == ride", "camera_mode ~ rid", "ride.ghost_end == ran off the open end",
+                                 "ride.state == none", "equipment @s1 != none", "fold.at == none", "length == 3 m",
+                                 "length ~ 3", "position @k3 == 1 2 +3 +- 0.1", "name == abc", "knots == 3"})
+    EXPECT_EQ(parse_error(fine), "") << fine;
 }
 
 TEST(condition, continuity_compares_by_rank) {
