@@ -67,6 +67,10 @@ bool parse_count(Words& words, Action& action) {
 
 bool parse_wait(Words& words, Action& action) {
   Wait wait;
+  if (const base::Token* const first = words.peek(); first && base::is_number(first->text))
+    return words.fail(first->column, fmt::format("expected a query such as ride.lap, found {}; ticks N or frames N "
+                                                 "advances time without a condition",
+                                                 base::quoted(first->text)));
   if (!parse_condition(words, wait.condition, "max")) return false;
   if (words.accept("max")) {
     static const std::vector<std::string> kUnits{"ticks", "frames", "tick", "frame", "s", "seconds"};
@@ -162,6 +166,20 @@ std::vector<std::string> line_words() {
   return words;
 }
 
+namespace {
+
+// Returns what the message about an unknown first word ends with: the word that was probably meant, else one with the
+// same last part (click: ui.click), else where all are listed.
+std::string near_words(std::string_view word) {
+  const std::vector<std::string>& known = statement_words();
+  if (std::string near = base::suggestion(word, known); !near.empty()) return near;
+  const std::string end = fmt::format(".{}", word);
+  const auto found = std::find_if(known.begin(), known.end(), [&](const std::string& k) { return k.ends_with(end); });
+  return found != known.end() ? base::suggestion(*found, known) : "; coaster --help-script lists all";
+}
+
+}  // namespace
+
 bool parse_line(std::span<const base::Token> line, base::TextError& error, Action& action) {
   const base::Token& first = line.front();
   const LineRow* found = nullptr;
@@ -176,10 +194,9 @@ bool parse_line(std::span<const base::Token> line, base::TextError& error, Actio
   if (!edit::is_command(first.text)) {
     const std::vector<std::string>& known = statement_words();
     const bool spans_lines = std::find(known.begin(), known.end(), first.text) != known.end();
-    error = {first.column,
-             spans_lines
-                 ? fmt::format("expected a statement of one line, found {}", base::quoted(first.text))
-                 : fmt::format("no command {}{}", base::quoted(first.text), base::suggestion(first.text, known))};
+    error = {first.column, spans_lines
+                               ? fmt::format("expected a statement of one line, found {}", base::quoted(first.text))
+                               : fmt::format("no command {}{}", base::quoted(first.text), near_words(first.text))};
     return false;
   }
   auto command = edit::parse(line, error);

@@ -68,6 +68,22 @@ TEST(grammar, all_errors_are_reported_with_place_line_caret_and_nearest_word) {
   EXPECT_EQ(parsed.errors[3].find("a.coaster:6:1: error: \"end\" without"), 0u) << parsed.errors[3];
 }
 
+TEST(grammar, words_of_other_programs_lead_to_what_to_write) {
+  const auto message = [](const std::string& line) {
+    const ParsedScript parsed = parse_lines(line + "\n");
+    return parsed.errors.size() == 1 ? parsed.errors[0] : "";
+  };
+  const auto ends = [&](const std::string& line, const std::string& end) {
+    EXPECT_TRUE(message(line).ends_with(end)) << line << ": " << message(line);
+  };
+  ends("click \"Track/Add curve\"", "^ did you mean \"ui.click\"?");
+  ends("paste", "^ did you mean \"section.paste\"?");
+  EXPECT_NE(message("sleep 1").find("no command \"sleep\"; coaster --help-script lists all"), std::string::npos);
+  EXPECT_NE(
+      message("wait 100").find(":2:6: error: expected a query such as ride.lap, found \"100\"; ticks N or frames N"),
+      std::string::npos);
+}
+
 TEST(grammar, the_header_is_required_and_newer_versions_are_refused) {
   EXPECT_EQ(parse("frames 1\n").errors.size(), 1u);
   EXPECT_EQ(parse("").errors.size(), 1u);
