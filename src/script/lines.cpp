@@ -178,6 +178,16 @@ std::string near_words(std::string_view word) {
   return found != known.end() ? base::suggestion(*found, known) : "; coaster --help-script lists all";
 }
 
+// The goal of a search must be a condition: parsed here, so that its errors have their place and are found before the
+// script runs.
+bool check_goal(std::span<const base::Token> line, base::TextError& error) {
+  const auto by =
+      std::find_if(line.begin(), line.end(), [](const base::Token& t) { return t.text == "by" && !t.quoted; });
+  Words goal(line.subspan(1, static_cast<std::size_t>(by - line.begin()) - 1), error);
+  Condition condition;
+  return parse_condition(goal, condition) && goal.end();
+}
+
 }  // namespace
 
 bool parse_line(std::span<const base::Token> line, base::TextError& error, Action& action) {
@@ -200,7 +210,7 @@ bool parse_line(std::span<const base::Token> line, base::TextError& error, Actio
     return false;
   }
   auto command = edit::parse(line, error);
-  if (!command) return false;
+  if (!command || (first.text == "seek" && !check_goal(line, error))) return false;
   action = RunCommand{*command};
   return true;
 }

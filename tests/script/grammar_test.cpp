@@ -84,6 +84,17 @@ TEST(grammar, words_of_other_programs_lead_to_what_to_write) {
       std::string::npos);
 }
 
+TEST(grammar, the_goal_of_a_search_is_parsed_before_the_script_runs) {
+  const auto place = [](const std::string& line) {
+    const ParsedScript parsed = parse_lines(line + "\n");
+    return parsed.errors.empty() ? "" : parsed.errors[0].substr(0, parsed.errors[0].find('\n'));
+  };
+  EXPECT_EQ(place("seek ride.lap_time == 40 by height of @k3..@k9"), "");
+  EXPECT_EQ(place("seek ride.lap_tim == 40 by height of @k3"), "a.coaster:2:6: error: no query \"ride.lap_tim\"");
+  EXPECT_EQ(place("expect error seek ride.lap_time == x by height of @k3"),
+            "a.coaster:2:36: error: expected a number (s), found \"x\"");
+}
+
 TEST(grammar, the_header_is_required_and_newer_versions_are_refused) {
   EXPECT_EQ(parse("frames 1\n").errors.size(), 1u);
   EXPECT_EQ(parse("").errors.size(), 1u);
