@@ -16,6 +16,7 @@ using platform::MouseButton;
 using platform::MouseMove;
 
 constexpr int kDragSteps = 6;
+constexpr float kShortestDrag = 3;  // points; a shorter one is a click (ui/host/host.cpp)
 
 std::string name_of(const world::Document& document, const view::Pick& pick) {
   const std::string label = "@" + world::label_of(document, pick.entity);
@@ -65,6 +66,12 @@ Failure Runner::perform(const AimAction& aim) {
     const base::Result<glm::vec2> to = frames_.host().pixel_of(destination);
     if (!to) return at_target(to.status());
     end = *to;
+    const float length = glm::distance(glm::floor(end), glm::floor(*pixel)) / environment_.density;
+    if (length < kShortestDrag)
+      return failed(
+          fmt::format("the drag is {:.1f} pixels long, and shorter than {} is a click: move the camera nearer", length,
+                      kShortestDrag),
+          aim.target_column);
   }
   if (const base::Status status = frames_.frame({MouseMove{pixel->x, pixel->y}}); !status) return failure(status);
   if (Failure covered = check_hover(frames_, aim); !covered) return covered;

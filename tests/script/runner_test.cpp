@@ -190,6 +190,17 @@ TEST(runner, aim_drag_presses_moves_at_least_four_times_and_releases) {
   EXPECT_FLOAT_EQ(last.y, 100 - 10 * 6.25f);
 }
 
+TEST(runner, a_drag_too_short_to_begin_fails_before_it_presses) {
+  FakeHost fake;  // 10 pixels a metre
+  const base::Status status = run_lines(fake, std::string(kTrack) + "aim.drag @k2 by 0.2 0.1 0\n");
+  EXPECT_EQ(status.code, base::Code::expectation);
+  EXPECT_NE(status.message.find("the drag is 2.2 pixels long, and shorter than 3 is a click: move the camera nearer"),
+            std::string::npos)
+      << status.message;
+  for (const auto& [events, ticks] : fake.frames)
+    for (const platform::Event& event : events) EXPECT_FALSE(std::holds_alternative<platform::MouseButton>(event));
+}
+
 TEST(runner, snap_looks_for_its_golden_beside_the_script) {
   FakeHost fake;
   ASSERT_TRUE(run_lines(fake, "snap \"apex\"\n").ok());
