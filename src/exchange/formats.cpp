@@ -89,6 +89,14 @@ base::Result<world::Document> rails_of(const world::Document& document, const Fo
   return std::move(switched->document);
 }
 
+// Returns what a file is by its first bytes, and what to do, if it is no track but may hold one; "" for others.
+std::string_view wrapping(std::string_view bytes) {
+  if (bytes.starts_with("PK\x03\x04")) return "a zip archive: unpack it first";
+  if (bytes.starts_with("\x1f\x8b")) return "a gzip archive: unpack it first";
+  if (bytes.starts_with("\xff\xfe") || bytes.starts_with("\xfe\xff")) return "UTF-16 text: save it as UTF-8";
+  return {};
+}
+
 base::Status print_to(base::Files& files, const std::filesystem::path& path, const Format& format,
                       const world::Document& document, std::uint64_t* content) {
   if (format.check)
@@ -130,6 +138,9 @@ base::Result<LoadedTrack> load_track(base::Files& files, const std::filesystem::
   base::Result<LoadedTrack> loaded = progress && format->parse_watched
                                          ? format->parse_watched(*bytes, path.string(), progress)
                                          : format->parse(*bytes, path.string());
+  if (const std::string_view found = wrapping(*bytes); !loaded && !found.empty())
+    return base::Status{base::Code::bad_file, fmt::format("{}: error: expected the format {}, found {}", path.string(),
+                                                          format->label, found)};
   if (loaded) warn_of_odd(*loaded, path.string());
   if (loaded) loaded->content = base::content_hash(*bytes);
   if (loaded && !format->whole) equip(*loaded);

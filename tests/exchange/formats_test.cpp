@@ -37,6 +37,26 @@ TEST(formats, messages_name_every_ending_once) {
             std::count_if(formats().begin(), formats().end(), [](const Format& f) { return f.parse != nullptr; }));
 }
 
+TEST(formats, archives_and_utf_16_are_named_with_what_to_do) {
+  const test::ScratchFolder scratch;
+  const std::filesystem::path& folder = scratch.path();
+  base::Files files;
+  const auto error = [&](const std::string& name, const std::string& bytes) {
+    EXPECT_TRUE(files.write_atomic(folder / name, bytes).ok());
+    const auto loaded = load_track(files, folder / name);
+    EXPECT_EQ(loaded.status().code, base::Code::bad_file) << name;
+    return loaded.status().message.substr(std::min((folder / name).string().size(), loaded.status().message.size()));
+  };
+  EXPECT_EQ(error("a.json", "PK\x03\x04..."),
+            ": error: expected the format coaster track, found a zip archive: unpack it first");
+  EXPECT_EQ(error("a.nltrack", "\x1f\x8b\x08..."),
+            ": error: expected the format NoLimits 1 track, found a gzip archive: unpack it first");
+  const std::string utf_16 =
+      ": error: expected the format NoLimits 2 track spline, found UTF-16 text: save it as UTF-8";
+  EXPECT_EQ(error("a.csv", std::string("\xff\xfeN\0o\0", 6)), utf_16);
+  EXPECT_EQ(error("a.csv", std::string("\xfe\xff\0N\0o", 6)), utf_16);
+}
+
 // The shape that comes back is within a centimetre at the knots, where one whole format keeps every bit.
 TEST(formats, what_a_format_prints_and_reads_is_the_same_track) {
   const world::Document sample = test::sample_document();
