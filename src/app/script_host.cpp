@@ -16,8 +16,10 @@
 #include "view/camera.h"
 #include "view/gizmo.h"
 #include "view/pick.h"
+#include "view/section_handle.h"
 #include "view/spin_ring.h"
 #include "world/look.h"
+#include "world/sections.h"
 
 namespace coaster::app {
 namespace {
@@ -77,7 +79,15 @@ base::Result<glm::vec3> position_of(const Program& program, const AimPoint& aim)
       return base::Status{base::Code::refused, fmt::format("{} has no spin ring: select it alone", label)};
     return glm::vec3(ring->handle());
   }
+  const bool handle = view::is_section_handle(aim.kind);
+  if (handle && (!view::section_handles_show(session.settings) || session.settings.selected != entity))
+    return base::Status{base::Code::refused,
+                        fmt::format("{} shows no handles: select it alone, in the workspace build", label)};
   const auto position = view::position_of(session.document, session.derived, session.motion, aim.kind, entity, aim.t);
+  if (!position && handle)
+    return base::Status{base::Code::refused,
+                        label + " has no such handle: its kind is " +
+                            std::string(world::kind_name(world::section(session.document, entity)))};
   if (!position) return base::Status{base::Code::refused, label + " has no place on the screen"};
   return *position;
 }
