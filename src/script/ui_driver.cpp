@@ -23,6 +23,14 @@ std::optional<double> number_shown(const std::string& text) {
   return std::nullopt;
 }
 
+// Fails with the widget's kind if that is none of `kinds`.
+Failure expect_kind(const WidgetState& widget, std::initializer_list<std::string_view> kinds,
+                    std::string_view expected) {
+  if (std::find(kinds.begin(), kinds.end(), widget.kind) != kinds.end()) return {};
+  return wrong(fmt::format("{} is a {}, expected a {}", base::quoted(widget.path),
+                           widget.kind == "item" ? "menu item" : widget.kind, expected));
+}
+
 }  // namespace
 
 Failure UiDriver::reach(std::string_view path) {
@@ -67,6 +75,8 @@ Failure UiDriver::click(std::string_view path, int clicks) {
 
 Failure UiDriver::check(std::string_view path, bool on) {
   if (Failure reached = reach(path); !reached) return reached;
+  if (Failure other = expect_kind(widget_, {"checkbox", "radio", "item", "header"}, "checkbox or radio button"); !other)
+    return other;
   if (is_on(widget_) == on) return {};
   if (!on && widget_.kind == "radio")
     return failed(base::quoted(widget_.path) + " is a radio button: it turns off when another one is selected");
@@ -75,6 +85,8 @@ Failure UiDriver::check(std::string_view path, bool on) {
 
 Failure UiDriver::type(std::string_view path, std::string_view text) {
   if (Failure reached = reach(path); !reached) return reached;
+  if (Failure other = expect_kind(widget_, {"text", "number", "slider", "cell"}, "field, slider or cell"); !other)
+    return other;
   const platform::Modifiers ctrl{false, true, false};
   const bool plain = widget_.kind == "text" || widget_.kind == "cell";
   if (Failure opened = press_and_release(plain ? platform::Modifiers{} : ctrl); !opened) return opened;
@@ -125,8 +137,7 @@ Failure UiDriver::drag_to(std::string_view path, double value) {
 
 Failure UiDriver::open(std::string_view path, bool open) {
   if (Failure reached = reach(path); !reached) return reached;
-  if (widget_.kind != "header" && widget_.kind != "combo" && widget_.kind != "menu")
-    return wrong(fmt::format("{} is a {}, expected a header, combo or menu", base::quoted(widget_.path), widget_.kind));
+  if (Failure other = expect_kind(widget_, {"header", "combo", "menu"}, "header, combo or menu"); !other) return other;
   if (widget_.kind == "header" && is_closed_header(widget_) != open) return {};
   return press_and_release({});
 }
@@ -135,8 +146,7 @@ Failure UiDriver::open(std::string_view path, bool open) {
 Failure UiDriver::menu(std::string_view path) {
   const std::string in_bar = path.starts_with("Menu/") ? std::string(path) : "Menu/" + std::string(path);
   if (Failure clicked = click(in_bar); !clicked) return clicked;
-  if (widget_.kind == "menu" || widget_.kind == "item") return {};
-  return wrong(fmt::format("{} is a {}, expected a menu item", base::quoted(widget_.path), widget_.kind));
+  return expect_kind(widget_, {"menu", "item"}, "menu item");
 }
 
 Failure UiDriver::scroll(std::string_view path, double notches) {

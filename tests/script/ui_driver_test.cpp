@@ -126,5 +126,22 @@ TEST(ui_driver, typing_opens_the_field_selects_all_types_and_enters) {
   EXPECT_EQ(seen, "ctrl+press Ctrl+A -7.5 Enter ");
 }
 
+TEST(ui_driver, a_widget_of_another_kind_is_refused_before_it_is_pressed) {
+  FakeHost fake;
+  fake.widgets = {widget("A/box", "checkbox", "on"), widget("A/name", "text", "x"), widget("A/go", "button")};
+  const std::string lines[][2] = {
+      {"ui.type \"A/box\" \"x\"", "\"A/box\" is a checkbox, expected a field, slider or cell"},
+      {"ui.type \"A/go\" \"x\"", "\"A/go\" is a button, expected a field, slider or cell"},
+      {"ui.check \"A/name\" on", "\"A/name\" is a text, expected a checkbox or radio button"},
+      {"ui.check \"A/go\" on", "\"A/go\" is a button, expected a checkbox or radio button"}};
+  for (const auto& [line, expected] : lines) {
+    const base::Status status = run_lines(fake, line + "\n");
+    EXPECT_EQ(status.code, base::Code::usage) << line;
+    EXPECT_NE(status.message.find(expected), std::string::npos) << status.message;
+  }
+  for (const auto& [events, ticks] : fake.frames)
+    for (const platform::Event& event : events) EXPECT_FALSE(std::holds_alternative<platform::MouseButton>(event));
+}
+
 }  // namespace ui_driver_test
 }  // namespace coaster::script
