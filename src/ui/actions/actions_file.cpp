@@ -25,8 +25,8 @@ constexpr Condition kFilmable{[](const Act& act) { return filming(act) || kRidea
 void record_movie(Act& act) { act.ui.out.movie = filming(act) ? MovieWish::stop : MovieWish::start; }
 
 constexpr Action kFileActions[] = {
-    {"New", "File", ctrl(Key::n), 0, "Start an empty track.", want<Want::Kind::fresh>},
-    {"Open", "File", ctrl(Key::o), 0, "Choose a track file to open.", want<Want::Kind::browse>},
+    {"New", "File", ctrl(Key::n), kOnStart, "Start an empty track.", want<Want::Kind::fresh>},
+    {"Open", "File", ctrl(Key::o), kOnStart, "Choose a track file to open.", want<Want::Kind::browse>},
     {"Save", "File", ctrl(Key::s), 0, "Save the track to its file.", want<Want::Kind::save>},
     {"Save as", "File", ctrl_shift(Key::s), 0, "Save to another file or export. The file extension selects the format.",
      want<Want::Kind::save_as>},
@@ -38,12 +38,14 @@ constexpr Action kFileActions[] = {
      want<Want::Kind::open_sections>},
     {"Start screen", "File", kNoKey, 0, "Recent tracks, samples, challenges and the tutorial.",
      want<Want::Kind::start_screen>},
-    {"Tutorial", "File", kNoKey, 0, "Build and ride your first coaster, step by step.", want<Want::Kind::tutorial>},
-    {"Challenges", "File", ctrl(Key::h), 0, "Choose a challenge with a goal and three medals.",
+    {"Tutorial", "File", kNoKey, kOnStart, "Build and ride your first coaster, step by step.",
+     want<Want::Kind::tutorial>},
+    {"Challenges", "File", ctrl(Key::h), kOnStart, "Choose a challenge with a goal and three medals.",
      want<Want::Kind::challenges>},
     {"Leave challenge", "File", kNoKey, 0, "Leave the challenge. The track stays as it is.", emit<edit::LeaveChallenge>,
      kInChallenge},
-    {"Settings", "File", ctrl(Key::comma), 0, "Scale, theme, sound, autosave and keys.", want<Want::Kind::settings>},
+    {"Settings", "File", ctrl(Key::comma), kOnStart, "Scale, theme, sound, autosave and keys.",
+     want<Want::Kind::settings>},
     {"Screenshot", "File", key(Key::f12), kInDrag, "Save a picture of the scene, without panels and selection.",
      photo<PhotoWish::scene>},
     {"Screenshot with panels", "File", ctrl(Key::f12), kInDrag, "Save a picture of the whole window.",
@@ -51,7 +53,7 @@ constexpr Action kFileActions[] = {
     {"Record movie", "File", shift(Key::f12), kInDrag,
      "Record one lap as pictures and, where ffmpeg is installed, as a movie. Again to stop.", record_movie, kFilmable,
      filming},
-    {"Quit", "File", ctrl(Key::q), 0, "Quit coaster.", want<Want::Kind::quit>},
+    {"Quit", "File", ctrl(Key::q), kOnStart, "Quit coaster.", want<Want::Kind::quit>},
 };
 
 }  // namespace

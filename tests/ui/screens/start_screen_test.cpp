@@ -30,7 +30,27 @@ TEST_F(StartScreenTest, a_track_that_nobody_has_named_is_called_by_its_file) {
   EXPECT_EQ(shown("second"), "Red");
 }
 
-TEST_F(StartScreenTest, leaves_only_full_screen_of_all_keys) {
+TEST_F(StartScreenTest, its_buttons_have_their_keys) {
+  ASSERT_TRUE(edit::apply(session_, files_, edit::NewTrack{}).ok());  // nothing to ask about
+  for (const auto& [letter, dialog] : {std::pair{platform::Key::o, "Open"}, {platform::Key::h, "Challenges"}}) {
+    host_->show_start();
+    frames(2);
+    ASSERT_NE(find("Start/New track"), nullptr);
+    key(letter, {.ctrl = true});
+    frames(2);
+    EXPECT_EQ(find("Start/New track"), nullptr) << dialog;
+    EXPECT_NE(find(std::string(dialog) + "/Cancel"), nullptr) << dialog;
+    key(platform::Key::escape);
+    frames(2);
+    EXPECT_NE(find("Start/New track"), nullptr) << "after " << dialog;
+  }
+  key(platform::Key::n, {.ctrl = true});
+  EXPECT_EQ(all<edit::NewTrack>().size(), 1u);
+  frames(2);
+  EXPECT_EQ(find("Start/New track"), nullptr);
+}
+
+TEST_F(StartScreenTest, leaves_other_keys_to_the_track) {
   host_->show_start();
   frames(2);
   const std::size_t before = commands_.size();
