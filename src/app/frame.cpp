@@ -127,7 +127,7 @@ void draw(Program& program, const ui::Output& output, const Look& look, const ed
   const gfx::DrawStats drawn = draw_scene(program, look, found, size);
   if (!look.unseen) program.ui->draw(size.width, size.height);
   times.drew = program.surface->clock();
-  program.surface->present(program.renderer->framebuffer());
+  if (!look.unseen) program.surface->present(program.renderer->framebuffer());
   base::explain_crashes("", 0);  // the driver works
   fill_stats(program, drawn, size, times);
   set_title(program);
@@ -162,7 +162,8 @@ void run_frame(Program& program, const platform::Events& events, int ticks) {
     edit::advance_measurement(program.session);
     // Uses the trains' present positions: an eye from the frame's start would lag by this frame's ticks.
     program.picture.view = view::view_of(program.picture.rig.eye, output->view.viewport, output->view.density);
-    const bool unseen = !program.surface->is_window() && output->photo == ui::PhotoWish::none;
+    const bool opening = program.stats.frame == 0;  // a window's first frame is before its track is open
+    const bool unseen = (opening || !program.surface->is_window()) && output->photo == ui::PhotoWish::none;
     const Look look{program.session.settings, program.picture.view, output->hovered, false, unseen};
     const edit::Findings& found = find_seen(program, look);
     times.found = program.surface->clock();

@@ -46,6 +46,15 @@ TEST_F(Frame, sections_are_copied_from_one_program_to_another_as_text) {
   EXPECT_EQ(last_kind(*program_), "loop");
 }
 
+TEST_F(Frame, a_window_shows_nothing_before_its_track_is_open) {
+  surface(*program_).window = true;
+  run_frame(*program_, {platform::Tick{0}}, 0);
+  EXPECT_EQ(surface(*program_).presented, 0);
+  EXPECT_GT(program_->picture.view.viewport.width, 0) << "known to the camera that frames the track";
+  run_frame(*program_, {platform::Tick{1.0 / 60}}, 0);
+  EXPECT_EQ(surface(*program_).presented, 1);
+}
+
 TEST_F(Frame, what_was_copied_here_is_pasted_where_the_clipboard_holds_something_else) {
   press(*program_, platform::Key::v);
   EXPECT_EQ(last_notice(*program_), "Nothing was copied: copy sections first.");

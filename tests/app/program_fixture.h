@@ -24,6 +24,7 @@ class FakeSurface final : public platform::Surface {
 
   platform::Events next;  // of the next poll
   double longest_wait = 0;
+  int presented = 0;  // frames shown
 
   void poll(platform::Events& events, double wait) override {
     longest_wait = std::max(longest_wait, wait);
@@ -32,7 +33,10 @@ class FakeSurface final : public platform::Surface {
   platform::Size size() const override { return memory_->size(); }
   float content_scale() const override { return 1; }
   void* gl_proc(const char* name) override { return memory_->gl_proc(name); }
-  void present(unsigned framebuffer) override { memory_->present(framebuffer); }
+  void present(unsigned framebuffer) override {
+    ++presented;
+    memory_->present(framebuffer);
+  }
   double clock() const override { return now; }
   void set_title(const std::string&) override {}
   void resize(platform::Size size) override { memory_->resize(size); }
