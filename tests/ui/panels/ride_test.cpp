@@ -1,4 +1,4 @@
-// The wheel loads in the Ride panel.
+// The wheel loads in the Ride panel, and the numbers of a ride without a train.
 #include "edit/commands/commands_operation.h"
 #include "edit/commands/commands_session.h"
 #include "ui/panels/panels.h"
@@ -29,6 +29,23 @@ TEST_F(PanelRideTest, wheels_of_a_train_at_rest_on_the_flat_carry_a_quarter_of_i
     EXPECT_EQ(loads(row), "4.9 0.0 0.0");
     EXPECT_TRUE(reach(row)) << row;
   }
+}
+
+TEST_F(PanelRideTest, without_a_train_nothing_of_the_ride_has_a_number) {
+  const auto shown = [&](world::Workspace workspace, const char* path) {
+    EXPECT_TRUE(edit::apply(session_, files_, edit::Set<&world::Panels::workspace>{workspace}).ok());
+    frames(2);
+    const Widget* const widget = find(path);
+    return widget != nullptr ? widget->value : "no such widget";
+  };
+  EXPECT_NE(shown(world::Workspace::build, "Status/Speed"), "--");
+  ASSERT_TRUE(edit::apply(session_, files_, edit::NewTrack{}).ok());
+  EXPECT_EQ(shown(world::Workspace::build, "Status/Speed"), "--");
+  EXPECT_EQ(shown(world::Workspace::build, "Status/g"), "--");
+  EXPECT_EQ(shown(world::Workspace::build, "Status/Length").substr(0, 3), "0.0");
+  EXPECT_EQ(shown(world::Workspace::ride, "Ride/Speed"), "--");
+  EXPECT_EQ(shown(world::Workspace::all, "Ride/Energy"), "-- J/kg");
+  EXPECT_EQ(shown(world::Workspace::all, "Ride/State"), "none");
 }
 
 }  // namespace panel_ride_test
