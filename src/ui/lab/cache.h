@@ -20,12 +20,12 @@ namespace coaster::ui {
 struct JointRow {
   world::Entity knot;
   world::Name name;
-  std::size_t index;  // index of the knot in the track
   curve::Joint joint;
+  double jolt = 0;  // g, in the whole ride
 };
 struct JointList {
   std::vector<JointRow> rows;        // in track order
-  std::vector<std::size_t> by_jump;  // indices of rows, largest curvature jump first
+  std::vector<std::size_t> by_jolt;  // indices of rows, largest jolt first
 };
 
 // Curvature and torsion of one segment by arc length.
@@ -93,9 +93,10 @@ struct LabCache {
   bool show_errors = false;  // where there is no space for both: errors instead of times
   std::string csv = "measurements.csv";
 
-  // Keyed by the last build, the order of the segments and whether the track is closed.
-  base::Kept<std::tuple<std::uint64_t, std::vector<world::Entity>, bool>, JointList> joints;
-  bool joints_by_jump = true;
+  // Keyed by the last build, the order of the segments, whether the track is closed, the ride's serial (0 without one)
+  // and the cutoff.
+  base::Kept<std::tuple<std::uint64_t, std::vector<world::Entity>, bool, std::uint64_t, double>, JointList> joints;
+  bool joints_by_jolt = true;
   // Keyed by the segment's build, the last build of all, steps and speed (m/s).
   base::Kept<std::tuple<std::uint64_t, std::uint64_t, int, double>, std::array<sim::Erratum, sim::kErrata.size()>>
       errata;

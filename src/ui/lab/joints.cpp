@@ -4,7 +4,10 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <span>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -20,29 +23,39 @@ namespace coaster::ui {
 namespace {
 
 // Returns every joint of the track in track order: the start of each segment that has one before it.
-std::vector<JointRow> joints_of(const edit::Session& session) {
+std::vector<JointRow> joints_of(const edit::Session& session, std::span<const sim::Jolt> jolts) {
   const sim::Derived& derived = session.derived;
   std::vector<JointRow> rows;
   const std::size_t count = derived.order.size();
   for (std::size_t i = derived.closed ? 0 : 1; i < count; ++i) {
     const world::Entity before = derived.order[(i + count - 1) % count], after = derived.order[i];
     const world::Entity knot = world::segment(session.document, after).from;
-    rows.push_back({knot, world::name_of(session.document, knot), i,
-                    curve::joint(derived.shape(before).key.cubic, derived.shape(after).key.cubic)});
+    rows.push_back({knot, world::name_of(session.document, knot),
+                    curve::joint(derived.shape(before).key.cubic, derived.shape(after).key.cubic),
+                    i < jolts.size() ? jolts[i].total : 0});
   }
   return rows;
 }
 
+// Returns the indices of the rows, largest jolt first. Without a ride curvature decides.
+std::vector<std::size_t> by_jolt(const std::vector<JointRow>& rows) {
+  std::vector<std::size_t> order(rows.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  const auto size = [&](std::size_t i) { return std::pair(rows[i].jolt, rows[i].joint.curvature_jump); };
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return size(a) > size(b); });
+  return order;
+}
+
 const JointList& kept_joints(Ui& ui) {
-  const sim::Derived& derived = ui.session().derived;
-  return ui.lab.joints.get({derived.last_build, derived.order, derived.closed}, [&] {
-    JointList list{joints_of(ui.session()), {}};
-    list.by_jump.resize(list.rows.size());
-    std::iota(list.by_jump.begin(), list.by_jump.end(), std::size_t{0});
-    std::stable_sort(list.by_jump.begin(), list.by_jump.end(), [&](std::size_t a, std::size_t b) {
-      return list.rows[a].joint.curvature_jump > list.rows[b].joint.curvature_jump;
-    });
-    return list;
+  const edit::Session& session = ui.session();
+  const sim::Derived& derived = session.derived;
+  const edit::Findings& found = ui.find(edit::Want::jolts);
+  const std::uint64_t ride = found.ride != nullptr ? found.ride->serial : 0;
+  const double cutoff = session.limits.envelope.cutoff;
+  return ui.lab.joints.get({derived.last_build, derived.order, derived.closed, ride, cutoff}, [&] {
+    std::vector<JointRow> rows = joints_of(session, found.jolts);
+    std::vector<std::size_t> order = by_jolt(rows);
+    return JointList{std::move(rows), std::move(order)};
   });
 }
 
@@ -61,19 +74,18 @@ constexpr TableColumn kJointColumns[] = {
 
 std::uint32_t tint_of(double g) { return g > sim::kJoltLimit ? kBadColour : g > 0.3 ? kPolygonColour : kPlainColour; }
 
-void row_of(Ui& ui, const JointRow& row, double speed, std::span<const sim::Jolt> jolts) {
+void row_of(Ui& ui, const JointRow& row, double speed) {
   const bool selected = ui.session().settings.selected == row.knot;
   const double step = sim::g_step(row.joint.curvature_jump, speed);
   const std::string name = world::to_text(row.name);
   const std::uint32_t tint = row.joint.geometric == curve::Geometric::g2   ? kGoodColour
                              : row.joint.geometric == curve::Geometric::g1 ? kPlainColour
                                                                            : kBadColour;
-  const double jolt = row.index < jolts.size() ? jolts[row.index].total : 0;
   const std::string geometric(base::name_of(row.joint.geometric)), parametric(base::name_of(row.joint.parametric));
   const Cell cells[] = {{name, kPlainColour, true},        {geometric, tint, true},
                         {parametric, kPlainColour, true},  {fixed(base::degrees(row.joint.angle), 3)},
                         {fixed(row.joint.speed_ratio, 3)}, {digits(ui, row.joint.curvature_jump, 5, "1/m")},
-                        {fixed(step, 2), tint_of(step)},   {fixed(jolt, 2), tint_of(jolt)}};
+                        {fixed(step, 2), tint_of(step)},   {fixed(row.jolt, 2), tint_of(row.jolt)}};
   if (table_row(ui, "Joint " + name, cells, selected, fmt::format("{} {} {} g", geometric, parametric, fixed(step, 2)),
                 "Click to select the knot.") &&
       !selected)
@@ -97,15 +109,16 @@ void side(Ui& ui, const JointList& list, double speed) {
     ui.emit(edit::MakeAllG2{});
   const auto smooth = std::count_if(list.rows.begin(), list.rows.end(),
                                     [](const JointRow& row) { return row.joint.geometric >= curve::Geometric::g2; });
-  const double largest = list.rows.empty() ? 0 : list.rows[list.by_jump.front()].joint.curvature_jump;
+  double largest = 0;
+  for (const JointRow& row : list.rows) largest = std::max(largest, double{row.joint.curvature_jump});
   read_out(ui, "All joints", std::to_string(list.rows.size()), "", "Number of joints between segments.");
   read_out(ui, "G2 joints###Of them G2", std::to_string(smooth), "", "Joints with continuous curvature.");
   read_out(ui, "Speed", speed, 2, "m/s", "Current speed of the first train. The g-steps use it.");
   read_out(ui, "Largest g-step", fixed(sim::g_step(largest, speed), 2), "g",
            "Largest g-step of the track at this speed.");
   read_query(ui, "Largest jolt", "ride.jolt_max", "Largest jolt of the whole ride.");
-  choose_side(ui, ui.lab.joints_by_jump, {"Track order", "List the joints in track order."},
-              {"Largest first###Hardest first", "List the joints by g-step, largest first."});
+  choose_side(ui, ui.lab.joints_by_jolt, {"Track order", "List the joints in track order."},
+              {"Largest first###Hardest first", "List the joints by jolt, largest first."});
 }
 
 }  // namespace
@@ -115,7 +128,6 @@ void joints_page(Ui& ui) {
   const double speed = std::abs(number_of(ui, "ride.speed").value_or(0));
   Page page(ui, 230);
   side(ui, list, speed);
-  const std::span<const sim::Jolt> jolts = ui.find(edit::Want::jolts).jolts;
   const float height = page.pictures();
   if (list.rows.empty()) return small_note("No joints yet. A joint connects two segments.");
   if (!begin_table(ui, "Joints table", kJointColumns, height)) return;
@@ -124,7 +136,7 @@ void joints_page(Ui& ui) {
   while (clipper.Step())
     for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i) {
       const std::size_t at = static_cast<std::size_t>(i);
-      row_of(ui, list.rows[ui.lab.joints_by_jump ? list.by_jump[at] : at], speed, jolts);
+      row_of(ui, list.rows[ui.lab.joints_by_jolt ? list.by_jolt[at] : at], speed);
     }
   end_table();
 }

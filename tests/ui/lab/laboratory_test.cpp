@@ -179,6 +179,28 @@ TEST_F(LaboratoryTest, a_row_of_the_joints_selects_its_knot_and_the_button_mends
   EXPECT_EQ(all<edit::MakeG2>().size(), 1u);
 }
 
+TEST_F(LaboratoryTest, joints_are_listed_by_their_jolts_though_the_train_stands) {
+  // A slow joint whose curvature jumps more, at the top, and a fast one that jumps less, at the bottom.
+  ASSERT_TRUE(edit::apply(session_, files_, edit::NewTrack{}).ok());
+  for (const glm::vec3 place : {glm::vec3(-11, 31, 3), {1, 30, 3}, {40, 3, 3}, {90, 4, 3}, {140, 5, 3}})
+    ASSERT_TRUE(edit::apply(session_, files_, edit::AppendKnot{place}).ok());
+  const auto lengths = [&](std::uint32_t knot, float in, float out) {
+    const edit::Target target{{world::Kind::knot, knot}};
+    ASSERT_TRUE(edit::apply(session_, files_, edit::SetJoint{target, world::JointKind::aligned}).ok());
+    ASSERT_TRUE(edit::apply(session_, files_, edit::SetLengths{target, in, out}).ok());
+  };
+  lengths(2, 2, 6);
+  lengths(3, 9, 18);
+  open("Joints");
+  EXPECT_EQ(session_.motion.state, world::RideState::stopped);
+  const Widget *const slow = find("Laboratory/Joint k2"), *const fast = find("Laboratory/Joint k3");
+  ASSERT_TRUE(slow != nullptr && fast != nullptr);
+  EXPECT_LT(fast->y, slow->y);
+  click("Laboratory/Track order");
+  frames(2);
+  EXPECT_GT(find("Laboratory/Joint k3")->y, find("Laboratory/Joint k2")->y);
+}
+
 TEST_F(LaboratoryTest, without_a_segment_pages_say_what_to_do) {
   ASSERT_TRUE(edit::apply(session_, files_, edit::NewTrack{}).ok());
   for (const std::string& page : pages()) {
