@@ -193,20 +193,21 @@ FileBrowser::Answer FileBrowser::draw_buttons(Ui& ui, const Entries& entries, bo
   Answer answer = Answer::none;
   if (const auto on = checkbox(ui, "Show all files", all_, "Also show hidden files and files of unknown formats."))
     all_ = *on, read_at_ = -1;
-  if (button(ui, "New folder", "Create a folder here.")) answer = Answer::make_folder;
+  const bool saving = mode_ == Mode::save;
+  if (saving && button(ui, "New folder", "Create a folder here.")) answer = Answer::make_folder;
   if (system) {
-    ImGui::SameLine();
+    if (saving) ImGui::SameLine();
     if (button(ui, "System dialog", "Use the desktop's file dialog.")) answer = Answer::system;
   }
   const float width = std::floor(110 * ui.scale), gap = ImGui::GetStyle().ItemSpacing.x;
-  ImGui::SameLine(ImGui::GetWindowContentRegionMax().x - 2 * width - gap);
+  const float right = ImGui::GetWindowContentRegionMax().x - 2 * width - gap;
+  saving || system ? ImGui::SameLine(right) : ImGui::SetCursorPosX(right);
   if (button(ui, "Cancel", "Cancel. Key Escape.", true, width)) answer = Answer::cancel;
   ImGui::SameLine();
-  const bool can = mode_ == Mode::save ? !words_.empty()
-                                       : !marked_.empty() || is_path(words_) || exchange::is_link(words_) ||
-                                             (!words_.empty() && !entries.empty());
-  if (button(ui, mode_ == Mode::save ? "Save" : "Open", "Use the selected file or the name above. Key Enter.", can,
-             width))
+  const bool can = saving ? !words_.empty()
+                          : !marked_.empty() || is_path(words_) || exchange::is_link(words_) ||
+                                (!words_.empty() && !entries.empty());
+  if (button(ui, saving ? "Save" : "Open", "Use the selected file or the name above. Key Enter.", can, width))
     answer = confirm(entries);
   return answer;
 }

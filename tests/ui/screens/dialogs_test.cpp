@@ -95,6 +95,19 @@ TEST_F(DialogsTest, saving_first_quits_only_when_it_was_saved) {
   EXPECT_FALSE(edit::dirty(session_));
 }
 
+TEST_F(DialogsTest, only_a_dialog_that_saves_makes_folders) {
+  session_.file.path = (folder / "own.json").string();
+  key(Key::s, {.shift = true, .ctrl = true});
+  frames(2);
+  EXPECT_NE(find("Save as/New folder"), nullptr);
+  key(Key::escape);
+  ASSERT_TRUE(edit::apply(session_, files_, edit::NewTrack{}).ok());
+  key(Key::o, {.ctrl = true});
+  frames(2);
+  ASSERT_NE(find("Open/Cancel"), nullptr);
+  EXPECT_EQ(find("Open/New folder"), nullptr);
+}
+
 TEST_F(DialogsTest, a_clean_track_is_left_without_a_question) {
   ASSERT_TRUE(edit::apply(session_, files_, edit::Save{(folder / "a.json").string()}));
   EXPECT_TRUE(frame({platform::CloseRequest{}}).quit);
