@@ -32,13 +32,17 @@ struct FieldType {
   std::string (*print)(const void* value);
   bool (*read)(base::Words& words, void* value);
   std::string (*usage)(const void* value);  // null: a target, whose words depend on the command
-  std::string (*words)(const void* value);  // in words, for sentences
+  std::string (*words)(const void* value, const world::Document& document);  // in words, for sentences
 };
 template <class T>
 constexpr FieldType field_type() {
   FieldType type{};
   type.print = [](const void* value) { return print_value(*static_cast<const T*>(value)); };
-  type.words = [](const void* value) { return words_of(*static_cast<const T*>(value)); };
+  type.words = [](const void* value, const world::Document& document) {
+    const T& typed = *static_cast<const T*>(value);
+    if constexpr (requires { words_of(typed, document); }) return words_of(typed, document);
+    else return words_of(typed);
+  };
   type.read = [](base::Words& words, void* value) { return read_value(words, *static_cast<T*>(value)); };
   if constexpr (!std::is_same_v<T, Target>)
     type.usage = [](const void* value) { return usage_of(*static_cast<const T*>(value)); };
@@ -123,13 +127,13 @@ bool read_field(base::Words& words, const Field& field) {
 }
 
 // Returns the text for "{KEYWORD}" or "{KEYWORD?on|off}" in CommandInfo::done.
-std::string done_part(const Fields& fields, std::string_view part) {
+std::string done_part(const Fields& fields, std::string_view part, const world::Document& document) {
   const std::size_t choice = part.find('?');
   const std::string_view keyword = part.substr(0, choice);
   const auto found =
       std::find_if(fields.begin(), fields.end(), [&](const Field& f) { return f.keyword.word == keyword; });
   if (found == fields.end()) return {};
-  std::string words = found->type->words(found->value);
+  std::string words = found->type->words(found->value, document);
   if (choice == std::string_view::npos) return words;
   const std::size_t other = part.find('|', choice);
   return std::string(words == "on" ? part.substr(choice + 1, other - choice - 1) : part.substr(other + 1));
@@ -180,7 +184,7 @@ std::string print(const Command& command) {
   return text;
 }
 
-std::string done(const Command& command) {
+std::string done(const Command& command, const world::Document& document) {
   Command copy = command;
   const Fields fields = fields_of(copy);
   std::string text;
@@ -190,7 +194,7 @@ std::string done(const Command& command) {
     text += left.substr(0, from);
     if (from == std::string_view::npos) return text;
     const std::size_t to = left.find('}', from);
-    text += done_part(fields, left.substr(from + 1, to - from - 1));
+    text += done_part(fields, left.substr(from + 1, to - from - 1), document);
     left.remove_prefix(to + 1);
   }
 }

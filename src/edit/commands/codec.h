@@ -7,12 +7,14 @@
 
 #include "base/text.h"
 #include "edit/commands/command.h"
+#include "world/document.h"
 
 namespace coaster::edit {
 
 std::string print(const Command& command);
-// Returns what a command that changes the document did, as a sentence without a full stop: "Moved k4".
-std::string done(const Command& command);
+// Returns what a command that changes the document does, as a sentence without a full stop: "Moved k4". Sections have
+// their titles in `document`, the one before the command.
+std::string done(const Command& command, const world::Document& document);
 
 // One row per kind of command, for help, completion and the command palette: "move @knot to X Y Z".
 struct CommandHelp {

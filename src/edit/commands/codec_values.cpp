@@ -5,6 +5,8 @@
 
 #include <fmt/format.h>
 
+#include "world/sections.h"
+
 namespace coaster::edit {
 namespace {
 
@@ -18,14 +20,20 @@ bool read_number(base::Words& words, std::string_view what, Parse parse, T& valu
   return true;
 }
 
+std::string words_of_name(world::Name name, const world::Document& document) {
+  const auto* const section = document.entities.find<world::Section>(world::find(document, name));
+  return section ? world::title_of(*section) : world::to_text(name);
+}
+
 template <class Several>
-std::string words_of_several(const Several& value, std::string_view kind) {
+std::string words_of_several(const Several& value, std::string_view kind, const world::Document& document) {
   if (value.which == Knots::Which::all) return fmt::format("all {}", kind);
   if (value.which == Knots::Which::selected) return fmt::format("the selected {}", kind);
   if (value.which == Knots::Which::range)
-    return fmt::format("{} to {}", world::to_text(value.names.front()), world::to_text(value.names.back()));
+    return fmt::format("{} to {}", words_of_name(value.names.front(), document),
+                       words_of_name(value.names.back(), document));
   if (value.names.size() != 1) return fmt::format("{} {}", value.names.size(), kind);
-  return world::to_text(value.names.front());
+  return words_of_name(value.names.front(), document);
 }
 
 }  // namespace
@@ -48,16 +56,26 @@ std::string print_value(glm::vec3 v) {
 std::string print_value(bool value) { return value ? "on" : "off"; }
 std::string print_value(const std::string& value) { return base::quoted(value); }
 
-std::string words_of(const Target& value) { return value.name.number == 0 ? "nothing" : world::to_text(value.name); }
+std::string words_of(const Target& value, const world::Document& document) {
+  return value.name.number == 0 ? "nothing" : words_of_name(value.name, document);
+}
 std::string words_of(const HandleTarget& value) {
   return fmt::format("the {} handle of {}", value.end == HandleEnd::in ? "incoming" : "outgoing",
                      world::to_text(value.knot));
 }
-std::string words_of(const Knots& value) { return words_of_several(value, "knots"); }
-std::string words_of(const Sections& value) { return words_of_several(value, "sections"); }
-std::string words_of(const KnotsOrSections& value) {
+std::string words_of(const Knots& value, const world::Document& document) {
+  return words_of_several(value, "knots", document);
+}
+std::string words_of(const Sections& value, const world::Document& document) {
+  return words_of_several(value, "sections", document);
+}
+std::string words_of(const KnotsOrSections& value, const world::Document& document) {
   const bool sections = !value.names.empty() && value.names.front().kind == world::Kind::section;
-  return words_of_several(value, sections ? "sections" : value.which == Knots::Which::all ? "knots" : "places");
+  return words_of_several(value,
+                          sections                           ? "sections"
+                          : value.which == Knots::Which::all ? "knots"
+                                                             : "places",
+                          document);
 }
 std::string words_of(glm::vec3 v) { return fmt::format("({:.6g}, {:.6g}, {:.6g})", v.x, v.y, v.z); }
 std::string words_of(const world::Element& value) { return words_of(value.kind); }

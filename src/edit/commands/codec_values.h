@@ -14,6 +14,7 @@
 #include "edit/commands/command.h"
 #include "sim/ride/ride.h"
 #include "sim/shape/frame_methods.h"
+#include "world/document.h"
 
 namespace coaster::edit {
 
@@ -37,12 +38,12 @@ inline std::string print_value(std::integral auto value) { return std::to_string
 
 inline std::string print_value(const Flag&) { return {}; }  // its keyword says it all
 
-// The same in words for sentences: "k4", "28 knots", "the outgoing handle of k3".
-std::string words_of(const Target& value);
+// The same in words for sentences: "k4", "28 knots", "the outgoing handle of k3", a section's title in the document.
+std::string words_of(const Target& value, const world::Document& document);
 std::string words_of(const HandleTarget& value);
-std::string words_of(const Knots& value);
-std::string words_of(const Sections& value);
-std::string words_of(const KnotsOrSections& value);
+std::string words_of(const Knots& value, const world::Document& document);
+std::string words_of(const Sections& value, const world::Document& document);
+std::string words_of(const KnotsOrSections& value, const world::Document& document);
 inline std::string words_of(const Phrase& value) { return value.text; }
 inline std::string words_of(const CameraChange& value) { return print_value(value); }
 std::string words_of(glm::vec3 value);

@@ -42,7 +42,7 @@ struct ChangeSection {
   COASTER_COMMAND(ChangeSection, "section.change",
                   "Plan a section again as an element with these parameters; the track that follows moves with its "
                   "end. Parameters that are not named get their defaults.",
-                  Effect::document, "Changed {} ({to})");
+                  Effect::document, "Changed {}");
   COASTER_FIELDS(visit("", self.section), visit("from_start?|anew", self.from_start), visit("to", self.to))
 };
 struct EquipSection {

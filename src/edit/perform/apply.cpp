@@ -79,9 +79,13 @@ Status document_command(Session& session, const C& command, Change& change) {
   const sim::SegmentShape* const split = session.derived.segments.find(change.motion.first);
   follow_document(session, change, split ? split->roll : sim::Roll{});
   if (follow_speeds(session, change)) follow_document(session, Change{change.files}, {});
-  const auto text = [&] { return StepText{print(command), done(command)}; };
-  if (history.in_gesture) history.gesture_text = text();
-  else if (!(*before == session.document)) record(history, text(), std::move(*before), session.document);
+  const auto text = [&](const world::Document& from) { return StepText{print(command), done(command, from)}; };
+  if (history.in_gesture) {
+    history.gesture_text = text(history.gesture_start);
+  } else if (!(*before == session.document)) {
+    StepText step = text(*before);
+    record(history, std::move(step), std::move(*before), session.document);
+  }
   return {};
 }
 

@@ -26,7 +26,7 @@ base::Result<Entity> force_section(const Session& session, Target target) {
   const auto section = require(session, target, world::Kind::section);
   if (!section) return section.status();
   if (world::section(session.document, *section).kind == world::SectionKind::force) return *section;
-  return refused(fmt::format("@{} is no force section", world::label_of(session.document, *section)));
+  return refused(world::title_of(world::section(session.document, *section)) + " is no force section");
 }
 
 // Changes a section's program by `edit`, which returns an error if it cannot, and plans it again.

@@ -21,9 +21,9 @@ base::Result<world::SectionRun> run_of_all(const Document& document, const std::
   for (std::size_t i = 1; i < in_track_order.size(); ++i) {
     const world::SectionRun next = world::run_of(document, in_track_order[i]);
     if (next.first != run.end())
-      return refused(fmt::format("@{} does not follow @{}: expected neighbouring sections",
-                                 world::label_of(document, next.section),
-                                 world::label_of(document, in_track_order[i - 1])));
+      return refused(fmt::format("{} does not follow {}: expected neighbouring sections",
+                                 world::title_of(world::section(document, next.section)),
+                                 world::title_of(world::section(document, in_track_order[i - 1]))));
     run.count += next.count;
   }
   return run;

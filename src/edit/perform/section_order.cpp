@@ -151,12 +151,11 @@ Status perform(Session& session, Change& change, const MoveSection& command) {
   const std::vector<SectionRun> runs = world::sections_of(next);
   const auto at = std::find(runs.begin(), runs.end(), world::run_of(next, *section));
   const bool earlier = command.to == Neighbour::before;
+  const auto title = [&](const SectionRun& run) { return world::title_of(world::section(next, run.section)); };
   if (earlier ? at == runs.begin() : at + 1 == runs.end())
-    return refused(
-        fmt::format("there is no section {} @{}", earlier ? "before" : "after", world::label_of(next, *section)));
+    return refused(fmt::format("there is no section {} {}", earlier ? "before" : "after", title(*at)));
   const auto first = earlier ? at - 1 : at;
   if (const Status may = may_move(next, (first + 1)->end()); !may) return may;
-  const auto title = [&](const SectionRun& run) { return world::title_of(world::section(next, run.section)); };
   change.note =
       fmt::format("Moved {} {} {}.", title(*at), earlier ? "before" : "after", title(earlier ? *first : *(at + 1)));
   if (const Status swapped = swap_runs(next, *first, *(first + 1)); !swapped) return swapped;

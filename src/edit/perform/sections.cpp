@@ -65,7 +65,7 @@ Status perform(Session& session, Change& change, const JoinSections& command) {
   const std::vector<SectionRun> runs = world::sections_of(document);
   const SectionRun run = world::run_of(document, *section);
   if (run.end() == document.track.segments.size())
-    return refused(fmt::format("there is no section after @{}", world::label_of(document, *section)));
+    return refused("there is no section after " + world::title_of(world::section(document, *section)));
   const SectionRun next = world::run_of(document, world::segment(document, document.track.segments[run.end()]).section);
   std::string title = world::section(document, *section).title;
   if (title.empty()) title = world::section(document, next.section).title;
@@ -103,7 +103,7 @@ Status perform(Session& session, Change&, const UnequipSection& command) {
   const std::size_t before = equipment.size();
   for (std::size_t i = run.first; i < run.end(); ++i) equipment.erase(session.document.track.segments[i]);
   if (equipment.size() == before)
-    return refused("there is no equipment on @" + world::label_of(session.document, *section));
+    return refused("there is no equipment on " + world::title_of(world::section(session.document, *section)));
   name_equipment(session.document.entities.get<world::Section>(*section), nullptr);
   return {};
 }

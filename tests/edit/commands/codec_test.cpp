@@ -61,7 +61,7 @@ TEST(codec, the_history_says_in_words_what_commands_did) {
   test::RandomCommands random(815);
   for (std::size_t kind = 0; kind < Commands::size; ++kind) {
     const Command command = random.of_kind(kind);
-    const std::string name(info(command).name), full = done(command);
+    const std::string name(info(command).name), full = done(command, {});
     const std::size_t quoted = full.find('"');  // text of the user's own
     const std::string text = quoted == std::string::npos ? full : full.substr(0, quoted) + "TEXT";
     if (info(command).effect != Effect::document) {
@@ -75,18 +75,20 @@ TEST(codec, the_history_says_in_words_what_commands_did) {
     EXPECT_NE(text.back(), ' ') << text;
     EXPECT_FALSE(text.starts_with(name + " ")) << text;
   }
+  const world::Document document;
   const world::Name k4{world::Kind::knot, 4}, k5{world::Kind::knot, 5};
-  EXPECT_EQ(done(MoveKnot{{k4}, {1, 2, 3}}), "Moved k4");
-  EXPECT_EQ(done(MoveHandle{{k4, HandleEnd::in}, {1, 2, 3}}), "Moved the incoming handle of k4");
-  EXPECT_EQ(done(SetRoll{Knots({k4, k5}), -12.5}), "Set the roll of 2 knots to -12.5\u00B0");
-  EXPECT_EQ(done(SetJoint{k4, world::JointKind::automatic}), "Set the joint of k4 to automatic");
-  EXPECT_EQ(done(ChangeSection{{{world::Kind::section, 2}}, false, world::usual_element(world::ElementKind::climb)}),
-            "Changed q2 (climb)");
-  EXPECT_EQ(done(SetClosed{true}), "Closed the track");
-  EXPECT_EQ(done(SetClosed{false}), "Opened the track");
-  EXPECT_EQ(done(SetName{"Comet"}), "Named the track \"Comet\"");
-  EXPECT_EQ(done(Smooth{Knots(Knots::Which::all)}), "Smoothed all knots");
-  EXPECT_EQ(done(SetRollbackFails{false}), "Rollbacks no longer end the ride");
+  EXPECT_EQ(done(MoveKnot{{k4}, {1, 2, 3}}, document), "Moved k4");
+  EXPECT_EQ(done(MoveHandle{{k4, HandleEnd::in}, {1, 2, 3}}, document), "Moved the incoming handle of k4");
+  EXPECT_EQ(done(SetRoll{Knots({k4, k5}), -12.5}, document), "Set the roll of 2 knots to -12.5\u00B0");
+  EXPECT_EQ(done(SetJoint{k4, world::JointKind::automatic}, document), "Set the joint of k4 to automatic");
+  EXPECT_EQ(done(ChangeSection{{{world::Kind::section, 2}}, false, world::usual_element(world::ElementKind::climb)},
+                 document),
+            "Changed q2");
+  EXPECT_EQ(done(SetClosed{true}, document), "Closed the track");
+  EXPECT_EQ(done(SetClosed{false}, document), "Opened the track");
+  EXPECT_EQ(done(SetName{"Comet"}, document), "Named the track \"Comet\"");
+  EXPECT_EQ(done(Smooth{Knots(Knots::Which::all)}, document), "Smoothed all knots");
+  EXPECT_EQ(done(SetRollbackFails{false}, document), "Rollbacks no longer end the ride");
 }
 
 TEST(codec, commands_read_as_documented) {

@@ -48,7 +48,7 @@ TEST_F(PerformSections, are_split_and_joined) {
   refused("section.split @k3", "not inside a section");
   refused("section.split @k1", "not inside a section");
   refused("section.split @k5", "not inside a section");
-  refused("section.join @q2", "there is no section after @q2");
+  refused("section.join @q2", "there is no section after Hand-shaped");
   good("section.title @q2 to \"Way home\"");
   good("section.join @q1");
   EXPECT_EQ(sections(), "q1:4 free");
@@ -101,7 +101,7 @@ TEST_F(PerformSections, are_equipped_in_one_step) {
   good("undo");
   good("section.unequip @q1");
   EXPECT_EQ(spans().size(), 1u);
-  refused("section.unequip @q1", "there is no equipment on @q1");
+  refused("section.unequip @q1", "there is no equipment on Hand-shaped");
   refused("section.equip @q9 as lift", "there is no section @q9");
   clamped("section.equip @q1 as lift speed 999", "speed");
 }
