@@ -27,6 +27,7 @@ struct PaletteLine {
   const Action* action = nullptr;
   std::string_view command;  // its first word
   bool typed = false;
+  bool enabled = true;  // otherwise `help` says why not
   int score = 0;
 };
 
@@ -38,19 +39,26 @@ std::optional<edit::Command> parsed(const char* line) {
   return command ? std::optional(*command) : std::nullopt;
 }
 
+// Returns what matches the words, best first; of equals what can run now.
 std::vector<PaletteLine> entries(Act& act, const char* words) {
   std::vector<PaletteLine> list;
   for (const Action& action : actions())
-    if (const int score = match(words, action.name, action.help);
-        score > 0 && action.enabled.holds(act) && action.name != "Command palette")
-      list.push_back(
-          {std::string(action.name), act.ui.keys.shown(action.name), action.help, &action, {}, false, score + 1});
+    if (const int score = match(words, action.name, action.help); score > 0 && action.name != "Command palette") {
+      const bool enabled = action.enabled.holds(act);
+      list.push_back({.name = std::string(action.name),
+                      .keys = act.ui.keys.shown(action.name),
+                      .help = enabled ? action.help : action.enabled.otherwise,
+                      .action = &action,
+                      .enabled = enabled,
+                      .score = score + (enabled ? 1 : 0)});
+    }
   for (const edit::CommandHelp& command : edit::command_table())
     if (const int score = match(words, command.info.name, command.info.help); score > 0)
-      list.push_back({command.usage, "", command.info.help, nullptr, command.info.name, false, score});
+      list.push_back({.name = command.usage, .help = command.info.help, .command = command.info.name, .score = score});
   std::stable_sort(list.begin(), list.end(),
                    [](const PaletteLine& a, const PaletteLine& b) { return a.score > b.score; });
-  if (parsed(words)) list.insert(list.begin(), PaletteLine{words, "Enter", "Run this command.", nullptr, {}, true, 0});
+  if (parsed(words))
+    list.insert(list.begin(), PaletteLine{.name = words, .keys = "Enter", .help = "Run this command.", .typed = true});
   return list;
 }
 
@@ -64,7 +72,10 @@ void run_command(Ui& ui, const edit::Command& command) {
 }
 
 void choose(Act& act, CommandPalette& palette, const PaletteLine& entry) {
-  if (entry.action) {
+  if (!entry.enabled) {
+    act.ui.warn(base::sentence(std::string(entry.help)));
+    palette.filled = true;
+  } else if (entry.action) {
     palette.open = false;
     entry.action->run(act);
   } else if (entry.typed) {
@@ -96,12 +107,12 @@ bool draw_row(Ui& ui, const PaletteLine& entry, bool chosen) {
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const float room = ImGui::GetContentRegionAvail().x;
   const bool pressed = ImGui::Selectable(hidden(entry.name).c_str(), chosen);
-  note_item(ui, entry.name, "item", entry.help, true, entry.keys);
+  note_item(ui, entry.name, "item", entry.help, entry.enabled, entry.keys);
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const float gap = 14 * ui.scale, keys = entry.keys.empty() ? 0 : text_size(entry.keys).x + gap;
   const std::string name = shortened(entry.name, room - keys);
   const float help = text_size(name).x + gap;
-  draw_text(list, at, palette().text, name);
+  draw_text(list, at, entry.enabled ? palette().text : palette().dim, name);
   draw_text(list, {at.x + help, at.y}, palette().dim, shortened(entry.help, room - keys - help));
   draw_text(list, {at.x + room - text_size(entry.keys).x, at.y}, palette().accent, entry.keys);
   return pressed;
@@ -164,6 +175,7 @@ void build_palette(Act& act, CommandPalette& palette) {
         choose(act, palette, line);
     if (count == 0) heading(ui, "No matches.###Nothing is called that.", "");
     if (entered && count > 0) choose(act, palette, list[static_cast<std::size_t>(palette.row)]);
+    else if (entered) palette.filled = true;
     // Escape, or a click elsewhere.
     const bool elsewhere = !palette.appearing && ImGui::IsMouseClicked(ImGuiMouseButton_Left) &&
                            !ImGui::IsWindowHovered(ImGuiHoveredFlags_ChildWindows);

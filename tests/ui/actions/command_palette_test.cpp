@@ -29,6 +29,29 @@ TEST_F(CommandPaletteTest, a_key_pressed_right_after_it_opens_is_text_and_no_sho
   EXPECT_EQ(world::hash(session_.document), before) << "C adds a knot";
 }
 
+TEST_F(CommandPaletteTest, what_cannot_run_now_says_why_and_words_without_a_match_can_be_typed_on) {
+  const auto text = [&](const char* words) {
+    frame({TextInput{words}});
+    frames(3);
+  };
+  key(Key::p, {.ctrl = true});
+  frames(4);
+  text("mirror section");
+  const Widget* const line = find("Palette/Mirror section");
+  ASSERT_NE(line, nullptr) << "no section is selected";
+  EXPECT_FALSE(line->enabled);
+  key(Key::enter);
+  frames(3);
+  EXPECT_EQ(find("Palette/Text")->value, "mirror section") << "still open";
+  EXPECT_NE(host_->toast().find("elect"), std::string::npos) << host_->toast();
+  text("xyz");
+  key(Key::enter);
+  frames(3);
+  text("c");
+  EXPECT_EQ(find("Palette/Text")->value, "mirror sectionxyzc");
+  EXPECT_TRUE(commands_.empty());
+}
+
 TEST_F(CommandPaletteTest, a_camera_line_keeps_the_values_that_it_does_not_give) {
   ASSERT_TRUE(edit::apply(session_, files_, edit::set_camera({{1, 2, 3}, 40, 20, 60})).ok());
   key(Key::p, {.ctrl = true});
