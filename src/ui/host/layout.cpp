@@ -61,7 +61,7 @@ float height_of(const PaletteGrid& grid, float scale) {
 
 // Returns the grid in a column of `width` px above the parameters: with labels if the parameters keep a legible height.
 PaletteGrid grid_above(float width, float height, float scale, const LayoutWish& wish) {
-  constexpr float kParameters = 130;  // design px
+  constexpr float kParameters = 110;  // design px
   const float gap = kGap * scale;
   if (const auto columns = static_cast<int>((width + gap) / (wish.label_width + gap)); columns > 0) {
     const PaletteGrid labelled = grid_of(columns, true, width, scale, wish.elements);
@@ -102,7 +102,7 @@ void lay_out_graph(Layout& layout, float width, float height, float scale, float
 
 // Palette and parameters share a column at the left; when the parameters are folded, the palette has a narrow column.
 void lay_out_build(Layout& layout, float width, float height, float scale, float bar, const LayoutWish& wish) {
-  constexpr float kRoomy = 1000;
+  constexpr float kRoomy = 850;  // the column takes at most 27 % of the width
   lay_out_graph(layout, width, height, scale, bar, wish);
   Viewport& scene = layout.scene;
   const bool roomy = width >= kRoomy * scale, open = wish.parameters.value_or(roomy);

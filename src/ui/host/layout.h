@@ -47,8 +47,8 @@ struct LayoutWish {
 //   them: a bar while folded; open, its share, else the larger of 190 design pixels and a quarter of the window, but at
 //   most half the height between menu and status bar. It stays folded where that is too low.
 // - Build: palette and, below it, parameters in a column of 228 design pixels; the graph over the whole width.
-//   Parameters fold below 1000 design pixels of width, the graph below 600 of height. The palette's buttons have labels
-//   where parameters keep 130 design pixels of height or, folded, where the column is no wider.
+//   Parameters fold below 850 design pixels of width, the graph below 600 of height. The palette's buttons have labels
+//   where parameters keep 110 design pixels of height or, folded, where the column is no wider.
 // - Ride: a bar over the whole width, of two rows below 1240 design pixels.
 // - Laboratory: the right column and the strip, which begins at the left edge.
 Layout make_layout(int width, int height, float scale, float bar, const LayoutWish& wish);

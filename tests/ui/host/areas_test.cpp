@@ -283,7 +283,7 @@ TEST_F(AreasTest, curves_hide_by_a_click_on_their_value) {
 }
 
 TEST_F(AreasTest, drawers_open_by_click_and_by_key_where_there_is_little_room) {
-  window(1280, 720, 1.5f);
+  window(1250, 720, 1.5f);
   go_to(Workspace::build);
   EXPECT_EQ(find("Parameters")->value, "closed");
   EXPECT_EQ(find("Track"), nullptr);
