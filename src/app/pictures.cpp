@@ -50,7 +50,8 @@ std::filesystem::path user_folder(const char* variable, const char* name) {
 std::filesystem::path picture_folder(const Program& program) {
   if (program.files.root().limited()) return program.files.root().folder();
   const std::filesystem::path folder = user_folder("XDG_PICTURES_DIR", "Pictures");
-  return folder.empty() ? "." : folder;
+  std::error_code failed;
+  return folder.empty() ? std::filesystem::current_path(failed) : folder;
 }
 
 // Returns letters and digits of a track's name in lower case, joined by "-".
@@ -64,11 +65,14 @@ std::string file_stem(std::string_view name) {
   return stem.empty() ? "track" : stem;
 }
 
-// Returns "red-comet-movie-1" for the kind "-movie": the track's name with the first unused number.
+// Returns "red-comet-movie-1" for the kind "-movie": the track's name, or its file's where nobody has named it, with
+// the first unused number.
 std::filesystem::path free_path(const Program& program, const std::filesystem::path& folder, const char* kind,
                                 const char* ending) {
   constexpr int kMostNumbers = 10'000;
-  const std::string stem = file_stem(program.session.document.name);
+  const std::string& name = program.session.document.name;
+  const std::filesystem::path file = program.session.file.path;
+  const std::string stem = file_stem(name == world::Document{}.name && !file.empty() ? file.stem().string() : name);
   std::filesystem::path path;
   std::error_code failed;
   for (int i = 1; i < kMostNumbers; ++i)

@@ -12,8 +12,8 @@ namespace coaster::app {
 base::Status write_picture(Program& program, const std::filesystem::path& path);
 
 // Saves the scene, or with `panels` the whole last frame, as NAME-1.png or with the first unused number, where NAME is
-// the track's name: in the user's picture folder ($XDG_PICTURES_DIR, else ~/Pictures, else the current folder), in a
-// script's $OUT. A notice gives the path or the error.
+// the track's name, or its file's where nobody has named it: in the user's picture folder ($XDG_PICTURES_DIR, else
+// ~/Pictures, else the current folder), in a script's $OUT. A notice gives the path or the error.
 void take_photo(Program& program, bool panels);
 
 // Combines PNG files into one, optionally each at half its size. Code::bad_file if one is not a picture.

@@ -3,6 +3,7 @@
 #include <cstdlib>
 #include <optional>
 
+#include "app/pictures.h"
 #include "app/program_fixture.h"
 #include "gfx/image.h"
 #include "script/movie_rates.h"
@@ -101,6 +102,17 @@ TEST_F(FilmingTest, pictures_keep_the_first_one_s_size) {
     EXPECT_EQ(image->width, 64) << number;
     EXPECT_EQ(image->height, 48) << number;
   }
+}
+
+TEST_F(FilmingTest, a_movie_is_named_by_the_track_or_its_file_and_its_folder_by_the_whole_path) {
+  const char* const home = std::getenv("HOME");
+  ::setenv("HOME", folder_.c_str(), 1);  // without Videos and Pictures
+  EXPECT_EQ(movie_folder(*program_), std::filesystem::current_path() / "untitled-movie-1");
+  program_->session.file.path = "rides/Wild_Mouse.json";
+  EXPECT_EQ(movie_folder(*program_).filename(), "wild-mouse-movie-1");
+  program_->session.document.name = "Red Comet";
+  EXPECT_EQ(movie_folder(*program_).filename(), "red-comet-movie-1");
+  home != nullptr ? ::setenv("HOME", home, 1) : ::unsetenv("HOME");
 }
 
 TEST_F(FilmingTest, a_folder_that_cannot_be_made_is_refused) {
