@@ -36,7 +36,8 @@ void select_section(Act& act) {
 
 constexpr Condition kHasSections{[](const Act& act) { return !act.ui.session().document.track.segments.empty(); },
                                  "The track has no sections."};
-// Steps from the active section, else from the one with something selected; without one to the first or the last.
+// Steps from the active section, else from the one with something selected; without one to the first or the last. A
+// closed track goes on at its other end.
 void step_section(Act& act, bool on, bool adds) {
   const edit::Session& session = act.ui.session();
   const std::vector<world::SectionRun> runs = world::sections_of(session.document);
@@ -47,8 +48,10 @@ void step_section(Act& act, bool on, bool adds) {
       std::find_if(runs.begin(), runs.end(), [&](const world::SectionRun& run) { return run.section == from; });
   auto to = on ? runs.begin() : runs.end() - 1;
   if (at != runs.end()) {
-    if (on ? at + 1 == runs.end() : at == runs.begin()) return;
-    to = on ? at + 1 : at - 1;
+    const bool at_end = on ? at + 1 == runs.end() : at == runs.begin();
+    if (at_end && !session.document.track.closed)
+      return act.ui.warn(on ? "This is the last section." : "This is the first section.");
+    if (!at_end) to = on ? at + 1 : at - 1;
   }
   std::vector<Entity> sections;
   if (adds) sections = world::selected_sections(session.document, session.settings);

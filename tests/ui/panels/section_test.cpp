@@ -174,6 +174,26 @@ TEST_F(SectionPanel, keys_do_everything) {
   EXPECT_EQ(run(2).end(), run(3).first);
 }
 
+TEST_F(SectionPanel, behind_the_last_section_is_the_first_of_a_closed_track_and_a_word_on_an_open_one) {
+  const auto chosen = [&] { return session_.settings.selected; };
+  key(Key::page_up);
+  const world::Entity last = world::sections_of(session_.document).back().section;
+  EXPECT_EQ(chosen(), last);
+  key(Key::page_down);
+  EXPECT_EQ(chosen(), last);
+  EXPECT_EQ(host_->toast(), "This is the last section.");
+  choose({1});
+  key(Key::page_up);
+  EXPECT_EQ(chosen(), section(1));
+  EXPECT_EQ(host_->toast(), "This is the first section.");
+  ASSERT_TRUE(edit::apply(session_, files_, edit::SetClosed{true}).ok());
+  const world::Entity home = world::sections_of(session_.document).back().section;
+  key(Key::page_up);
+  EXPECT_EQ(chosen(), home);
+  key(Key::page_down);
+  EXPECT_EQ(chosen(), section(1));
+}
+
 TEST_F(SectionPanel, a_segment_and_knots_get_equipment_in_one_click_too) {
   select(world::Kind::segment, 2);
   click("Operation/Equipment/Launch");
