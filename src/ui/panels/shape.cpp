@@ -39,21 +39,26 @@ glm::vec3 middle_of(const edit::Session& session, const edit::Knots& knots) {
   return count > 0 ? glm::vec3(sum / count) : glm::vec3(0);
 }
 
-// Buttons in rows of two or three.
+// Buttons in rows of `columns`, or fewer where the widest label does not fit.
 struct Buttons {
   Ui& ui;
   int columns;
+  std::string_view widest;
   int placed = 0;
   float width = 0;
   // A button for the command of that name, which a challenge may lock.
   bool operator()(std::string_view label, std::string_view tooltip, bool enabled = true,
                   std::string_view command = {}) {
     const LockedWidgets locked(ui, command);
-    const float gap = ImGui::GetStyle().ItemSpacing.x;
+    if (placed == 0) fit();
     if (placed++ % columns != 0) ImGui::SameLine();
-    else
-      width = (ImGui::GetContentRegionAvail().x - gap * static_cast<float>(columns - 1)) / static_cast<float>(columns);
-    return button(ui, label, tooltip, enabled, std::floor(width));
+    return button(ui, label, tooltip, enabled, width);
+  }
+  void fit() {
+    const float gap = ImGui::GetStyle().ItemSpacing.x, room = ImGui::GetContentRegionAvail().x + gap;
+    const float least = text_size(widest).x + 2 * ImGui::GetStyle().FramePadding.x;
+    columns = std::clamp(static_cast<int>(room / (least + gap)), 1, columns);
+    width = std::floor(room / static_cast<float>(columns) - gap);
   }
 };
 
@@ -78,7 +83,7 @@ void whole_track(Ui& ui) {
   const edit::Session& session = ui.session();
   const world::Track& track = session.document.track;
   const std::size_t chosen = world::selected_knots(session.document, session.settings).size();
-  Buttons next{ui, 3};
+  Buttons next{ui, 3, "Duplicate"};
   if (next("Reverse", "Reverse the direction of travel. The shape is unchanged.", !track.segments.empty()))
     ui.emit(edit::Reverse{});
   if (next("Duplicate",
@@ -102,7 +107,7 @@ void shape_panel(Ui& ui) {
            fmt::format("The selected knots, or all when none is selected. Shift+click adds a knot, Ctrl+click adds all "
                        "up to it, {} draws a box, {} selects all.",
                        ui.keys.shown("Box select"), ui.keys.shown("Select all")));
-  Buttons next{ui, 2};
+  Buttons next{ui, 2, "Equalise handles"};
   if (next("Smooth", "Fit the natural C2 spline through the knots: curvature is continuous at every joint.",
            on_track > 1, edit::Smooth::kInfo.name))
     ui.emit(edit::Smooth{knots});
@@ -112,7 +117,7 @@ void shape_panel(Ui& ui) {
     ui.emit(edit::Straighten{knots});
   if (next("Drop to ground", "Move the knots to the ground and level them.", any)) ui.emit(edit::DropToGround{knots});
   constexpr std::array<std::string_view, 3> kMirrors{"Mirror X", "Mirror Y", "Mirror Z"};
-  Buttons mirrors{ui, 3};
+  Buttons mirrors{ui, 3, kMirrors[1]};
   for (int i = 0; i < 3; ++i)
     if (mirrors(kMirrors[static_cast<std::size_t>(i)],
                 "Mirror across the plane through the centre of the knots, normal to the axis.", any)) {

@@ -77,7 +77,8 @@ void note_item(WidgetFrame& ui, std::string_view label, std::string_view kind, s
 }
 
 void note_if_cut(WidgetFrame& ui, std::string_view label) {
-  if (text_size(shown(label)).x > ImGui::GetItemRectSize().x) ui.list.mark_cut();
+  const float left = ImGui::GetStyle().FramePadding.x;  // a label that is too wide begins there
+  if (left + text_size(shown(label)).x > ImGui::GetItemRectSize().x) ui.list.mark_cut();
 }
 
 std::string digits(const WidgetFrame& ui, double value, int decimals, std::string_view metric) {
