@@ -139,7 +139,8 @@ std::int64_t SweptTrack::write(Id& id) {
   Segment& segment = segments_[id];
   const bool was_far = segment.far;
   measure(segment);
-  if (was_far || segment.far) grouped_ = false;
+  if (was_far && segment.far) widen_part(segment);
+  else if (was_far || segment.far) grouped_ = false;
   std::int64_t written = 0;
   for (std::size_t kind = 0; kind < kKinds; ++kind) {
     put(rows_[kind], segment.pieces[kind], staged_[kind]);

@@ -101,6 +101,7 @@ class SweptTrack {
   void put(Row& row, Range range, std::vector<Piece>& pieces);
   void sort();
   void group();
+  void widen_part(const Segment& segment);
   void gather(Runs& runs, const auto& shows_far) const;
   void choose(const Reach& reach);
   void draw(const Runs& runs) const;

@@ -1,5 +1,6 @@
 // Chooses the pieces of the track that a picture and a shadow map draw.
 #include <algorithm>
+#include <iterator>
 #include <utility>
 
 #include "gfx/swept_track.h"
@@ -52,6 +53,17 @@ void SweptTrack::group() {
       part.low = glm::min(part.low, low), part.high = glm::max(part.high, high);
     }
   }
+}
+
+// Makes the part of a far segment contain it. A group() makes it smaller again.
+void SweptTrack::widen_part(const Segment& segment) {
+  std::vector<Part>& parts = parts_[kFarTubes];
+  const auto first = [](const Part& part) { return part.place.first; };
+  const auto after = std::ranges::upper_bound(parts, segment.pieces[kFarTubes].first, {}, first);
+  if (after == parts.begin()) return;
+  Part& part = *std::prev(after);
+  part.low = glm::min(part.low, segment.middle - segment.radius);
+  part.high = glm::max(part.high, segment.middle + segment.radius);
 }
 
 std::size_t SweptTrack::part_count() const {

@@ -64,6 +64,26 @@ TEST_F(Swept, far_segments_of_a_very_long_track_cost_a_choice_little) {
   EXPECT_EQ(triangles_after(kSegments / 2), triangles);
 }
 
+TEST_F(Swept, a_far_segment_that_moves_casts_its_shadow_where_it_is) {
+  constexpr int kSegments = 24'000;
+  constexpr std::size_t kKnot = kSegments / 2;
+  Track track(test::ring_document(kSegments, 2.0f * kSegments), 2);
+  TrackCache cache(gl_);
+  cache.look_from({world::knot(track.document, track.document.track.knots[0]).position, 0.01f, 100}, 0);
+  cache.sync(track.derived, {});
+  const glm::vec3 place =
+      world::knot(track.document, track.document.track.knots[kKnot]).position + glm::vec3(0, 450, 0);
+  const auto cast_there = [&] {  // in a cube of 4 m
+    glm::mat4 light(0.5f);
+    light[3] = glm::vec4(-0.5f * place, 1);
+    return cache.swept().cast(light, 100, true).triangles;
+  };
+  EXPECT_EQ(cast_there(), 0);
+  track.move(kKnot, {0, 450, 0});
+  cache.sync(track.derived, {});
+  EXPECT_GT(cast_there(), 0);
+}
+
 // A straight of 200 m in one segment that begins 10 m ahead of the eye: its middle is 110 m off.
 TEST_F(Swept, a_long_segment_is_as_near_as_its_nearest_part) {
   const Track track(test::straight_document({10, 9, 0}, {210, 9, 0}));

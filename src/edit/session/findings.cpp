@@ -74,9 +74,7 @@ void find_jolts(Session& session) {
   const double cutoff = session.limits.envelope.cutoff;
   found.jolts = {};
   if (found.ride != nullptr)
-    found.jolts = found.memory.jolts.get({found.ride->serial, cutoff}, [&] {
-      return sim::jolts(*found.ride, session.document.track.knots.size(), cutoff);
-    });
+    found.jolts = found.memory.jolts.get({found.ride->serial, cutoff}, [&] { return sim::jolts(*found.ride, cutoff); });
 }
 
 // Requires the riders.

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "base/check.h"
 #include "sim/ride/ride_parts.h"
@@ -96,7 +97,8 @@ void settle_on(const Derived& derived, TrackPlace front, world::CartMotion& cart
 }
 
 void reset(const world::Document& document, const Derived& derived, world::Motion& motion) {
-  motion = {};
+  motion.carts.keep_those_of(world::Pool<world::Cart>{});  // empties it and keeps its memory
+  motion = {.carts = std::move(motion.carts)};
   const auto& pool = document.entities.pool<world::Cart>();
   const Order order(derived, pool.size());
   for (std::size_t i = 0; i < pool.size(); ++i)

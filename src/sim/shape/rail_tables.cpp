@@ -4,6 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include "base/bits.h"
+
 namespace coaster::sim {
 namespace {
 
@@ -51,10 +53,9 @@ FeltEntry felt_entry(const SegmentShape& shape, double s, double t, const curve:
 }
 
 void RailTables::update(const Derived& derived, double heartline) {
-  bool changed = closed_ != derived.closed || starts_ != derived.starts || order_ != derived.order;
   const double largest_step = detail_of(derived).table_step;
   auto changes = derived.changes_since(std::exchange(last_build_, derived.last_build));
-  if (order_ != derived.order || largest_step_ != largest_step || heartline_ != heartline) changes.reset();
+  if (largest_step_ != largest_step || heartline_ != heartline) changes.reset();
   heartline_ = heartline, largest_step_ = largest_step;
   std::vector<std::size_t> stale;
   const auto look_at = [&](std::size_t i) {
@@ -76,10 +77,13 @@ void RailTables::update(const Derived& derived, double heartline) {
     for (std::size_t k = begin; k < end; ++k)
       fill(derived.shape_at(stale[k]), heartline, largest_step, tables_.get(derived.order[stale[k]]));
   });
-  if (!changed && stale.empty()) return;
+  const bool reordered = !changes && !base::same_bits(order_, derived.order);
+  if (!reordered && stale.empty() && closed_ == derived.closed && starts_ == derived.starts) return;
   ++serial_;
-  tables_.keep_those_of(derived.segments);
-  order_ = derived.order;
+  if (reordered) {
+    tables_.keep_those_of(derived.segments);
+    order_ = derived.order;
+  }
   starts_ = derived.starts;
   closed_ = derived.closed;
 }

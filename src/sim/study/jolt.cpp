@@ -150,10 +150,14 @@ std::vector<Jolt> passage_jolts(const Ghost& ghost, double cutoff) {
   return found;
 }
 
-std::vector<Jolt> jolts(const Ghost& ghost, std::size_t knots, double cutoff) {
-  std::vector<Jolt> found(knots);
+std::vector<Jolt> jolts(const Ghost& ghost, double cutoff) {
+  std::vector<Jolt> found;
   const std::vector<Jolt> passages = passage_jolts(ghost, cutoff);
-  for (std::size_t i = 0; i < passages.size(); ++i) take(passages[i], found.at(ghost.passages[i].knot));
+  for (std::size_t i = 0; i < passages.size(); ++i) {
+    const std::size_t knot = ghost.passages[i].knot;
+    if (knot >= found.size()) found.resize(knot + 1);
+    take(passages[i], found[knot]);
+  }
   return found;
 }
 

@@ -28,8 +28,8 @@ Jolt jolt_of(const Passage& passage, double cutoff);
 // if that is less: their steps and impulses, and how felt g changes between them.
 std::vector<Jolt> passage_jolts(const Ghost& ghost, double cutoff);
 
-// Returns the jolt of each knot, by its index in the track: 0 at the ends of an open track and where the ride does not
-// arrive.
-std::vector<Jolt> jolts(const Ghost& ghost, std::size_t knots, double cutoff);
+// Returns the jolts of the knots, by index in the track, up to the last knot that the ride passes. 0 at knots that it
+// does not pass, as at the first knot of an open track.
+std::vector<Jolt> jolts(const Ghost& ghost, double cutoff);
 
 }  // namespace coaster::sim

@@ -20,8 +20,8 @@ double WayJolts::worst(const CircuitProposals& found, std::size_t index, const w
     derive(document, settings, {}, closed_);
     const Ghost* const ride = rides_.ride(document, closed_, cart);
     if (ride == nullptr) return 0.0;
-    const std::vector<Jolt> all = jolts(*ride, document.track.knots.size(), cutoff);
-    double most = all.front().total;
+    const std::vector<Jolt> all = jolts(*ride, cutoff);
+    double most = all.empty() ? 0.0 : all.front().total;
     for (std::size_t k = end; k < all.size(); ++k) most = std::max(most, all[k].total);
     return most;
   });

@@ -91,10 +91,10 @@ void joint_list(Ui& ui, const edit::Knots& knots, const world::Knot& knot, std::
 }
 
 void jolt(Ui& ui, Entity knot) {
-  const std::span<const sim::Jolt> jolts = ui.find(edit::Want::jolts).jolts;
+  const edit::Findings& findings = ui.find(edit::Want::jolts);
   const auto index = world::index_of(ui.session().document.track.knots, knot);
-  if (!index || *index >= jolts.size()) return;  // no ride
-  const sim::Jolt& found = jolts[*index];
+  if (!index || findings.ride == nullptr) return;
+  const sim::Jolt found = *index < findings.jolts.size() ? findings.jolts[*index] : sim::Jolt{};
   read_out(ui, "Jolt", fixed(found.total, 2), "g",
            fmt::format("Largest change of felt g by the jumps of curvature and roll here, low-pass filtered: "
                        "vertical {}, lateral {}, longitudinal {} g. Worst in car {}, at {} m/s.",

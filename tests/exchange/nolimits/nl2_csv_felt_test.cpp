@@ -309,7 +309,7 @@ TEST(nl2_csv_felt, rolls_that_start_at_once_throw_riders_as_hard_as_in_closed_fo
     sim::GhostMemo memo;
     const sim::Ghost* const ghost = memo.ride(document, derived, world::first_cart(document));
     double most = 0;
-    for (const sim::Jolt& jolt : sim::jolts(*ghost, document.track.knots.size(), 5)) most = std::max(most, jolt.total);
+    for (const sim::Jolt& jolt : sim::jolts(*ghost, 5)) most = std::max(most, jolt.total);
     EXPECT_LT(most, (spacing < 0.1 ? 1.2 : 3) * 2.40 * 5 * heart * kRate90 * kSpeed / world::kGravity);
   }
 }

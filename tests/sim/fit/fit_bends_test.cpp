@@ -100,7 +100,7 @@ double largest_jolt(world::Document document) {
   GhostMemo memo;
   const Ghost* const ghost = memo.ride(document, derived, world::first_cart(document));
   double most = 0;
-  for (const Jolt& jolt : jolts(*ghost, document.track.knots.size(), 5)) most = std::max(most, jolt.total);
+  for (const Jolt& jolt : jolts(*ghost, 5)) most = std::max(most, jolt.total);
   return most;
 }
 
