@@ -49,15 +49,19 @@ endforeach()
 
 # The command line: exit codes, recordings that replay to the same hashes, files validated without running.
 set(failing_new)
-if(NOT COASTER_SANITIZE)  # sanitizers have their own allocator
+set(failing_threads)
+if(NOT COASTER_SANITIZE)  # sanitizers have their own allocator and pthread_create
   add_library(failing_new MODULE ${CMAKE_CURRENT_SOURCE_DIR}/app/failing_new.cpp)
   set(failing_new $<TARGET_FILE:failing_new>)
+  add_library(failing_threads MODULE ${CMAKE_CURRENT_SOURCE_DIR}/app/failing_threads.cpp)
+  set(failing_threads $<TARGET_FILE:failing_threads>)
 endif()
 file(GLOB checks CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/app/*_check.sh)
 foreach(check ${checks})
   cmake_path(GET check STEM name)
   coaster_script_test(${name} ${CMAKE_COMMAND} -E env COASTER=$<TARGET_FILE:coaster>
                       OUT=${CMAKE_CURRENT_BINARY_DIR}/out/${name} SOURCE=${CMAKE_SOURCE_DIR} BUILD=${CMAKE_BINARY_DIR}
-                      CMAKE=${CMAKE_COMMAND} FAILING_NEW=${failing_new} bash ${check})
+                      CMAKE=${CMAKE_COMMAND} FAILING_NEW=${failing_new} FAILING_THREADS=${failing_threads}
+                      bash ${check})
   set_tests_properties(script.${name} PROPERTIES COST 20)  # the longest tests start first
 endforeach()

@@ -118,12 +118,15 @@ base::Status Movie::add(gfx::Image picture) {
   ++frames_;
   if (page_) return failed_ = page_->add(picture.width, picture.height, picture.rgba);
   collect(most_writers_ - 1);
-  auto write = [root = order_.root, path = order_.folder / picture_name(frames_ - 1), image = std::move(picture)] {
+  const auto write = [root = order_.root, path = order_.folder / picture_name(frames_ - 1),
+                      image = std::move(picture)] {
     base::Files files(root);  // pictures bypass the program's file handling: injected faults are meant for documents
     return files.write_atomic(path, gfx::encode_png(image));
   };
-  const auto policy = base::has_threads() ? std::launch::async : std::launch::deferred;
-  writers_.push_back(std::async(policy, std::move(write)));
+  // Where the system refuses a thread, collect() writes the picture. std::async then needs `write` again: it may not
+  // be moved.
+  const auto policy = base::has_threads() ? std::launch::async | std::launch::deferred : std::launch::deferred;
+  writers_.push_back(std::async(policy, write));
   return failed_;
 }
 

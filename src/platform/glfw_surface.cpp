@@ -10,6 +10,7 @@
 
 #include <fmt/format.h>
 
+#include "platform/driver_threads.h"
 #include "platform/lost_display.h"
 #include "platform/surface.h"
 
@@ -268,6 +269,7 @@ base::Result<std::unique_ptr<Surface>> make_window(const SurfaceOptions& options
   // By default GLFW tries Wayland first, whose library prints a line if there is no compositor.
   if (!set("WAYLAND_DISPLAY")) glfwInitHint(GLFW_PLATFORM, GLFW_PLATFORM_X11);
 #endif
+  spare_driver_threads();
   if (!glfwInit())
     return base::Status{base::Code::graphics, fmt::format("no window system: {}; use --headless", last_error())};
   glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "platform/driver_threads.h"
 #include "platform/offscreen_context.h"
 #include "platform/surface.h"
 
@@ -67,6 +68,7 @@ base::Result<std::unique_ptr<Surface>> make_offscreen(const SurfaceOptions& opti
   // Mesa's software renderer optimises its shaders for longer than most off-screen runs take to draw. Its first context
   // reads this once.
   setenv("GALLIVM_PERF", "nopt", 0);
+  spare_driver_threads();
   const char* const named = std::getenv("COASTER_HEADLESS");
   const std::string wanted = options.headless.empty() && named ? named : options.headless;
   std::string reasons;
