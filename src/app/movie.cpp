@@ -100,7 +100,9 @@ void Movie::collect(std::size_t room) {
   while (writers_.size() > room) {
     const base::Status wrote = writers_.front().get();
     writers_.pop_front();
-    if (failed_ && !wrote) failed_ = {base::Code::io, wrote.message};
+    if (!failed_ || wrote) continue;
+    failed_ = {base::Code::io, wrote.message};
+    frames_ -= static_cast<int>(writers_.size()) + 1;  // those before it are saved
   }
 }
 
@@ -115,11 +117,10 @@ base::Status Movie::add(gfx::Image picture) {
     failed_ = {base::Code::refused, fmt::format("a movie has at most {} pictures", kMost)};
   if (!failed_) return failed_;
   wait_ = ticks_a_frame();
-  ++frames_;
-  if (page_) return failed_ = page_->add(picture.width, picture.height, picture.rgba);
+  if (page_) return ++frames_, failed_ = page_->add(picture.width, picture.height, picture.rgba);
   collect(most_writers_ - 1);
-  const auto write = [root = order_.root, path = order_.folder / picture_name(frames_ - 1),
-                      image = std::move(picture)] {
+  if (!failed_) return failed_;
+  const auto write = [root = order_.root, path = order_.folder / picture_name(frames_++), image = std::move(picture)] {
     base::Files files(root);  // pictures bypass the program's file handling: injected faults are meant for documents
     return files.write_atomic(path, gfx::encode_png(image));
   };

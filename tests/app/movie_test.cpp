@@ -64,6 +64,16 @@ TEST_F(MovieFiles, a_gif_keeps_a_lower_rate) {
   EXPECT_NE(arguments().find("-frames:v\n20\n-filter_complex\nfps=20,"), std::string::npos) << arguments();
 }
 
+TEST_F(MovieFiles, pictures_after_one_that_cannot_be_written_do_not_count) {
+  const auto movie = Movie::start({.folder = scratch_.path() / "movie", .fps = 30, .gif = false, .root = {}});
+  ASSERT_TRUE(movie) << movie.status().message;
+  std::filesystem::create_directory(scratch_.path() / "movie" / Movie::picture_name(2));
+  for (int i = 0; i < 40 && (*movie)->add({.width = 1, .height = 1, .rgba = {1, 2, 3, 4}}); ++i)
+    (*movie)->pass((*movie)->wait());
+  EXPECT_FALSE((*movie)->finish());
+  EXPECT_EQ((*movie)->frames(), 2);
+}
+
 // Another program puts a link in place of each new file while it is written.
 TEST_F(MovieFiles, a_link_in_place_of_a_new_file_leads_nothing_outside) {
   const std::filesystem::path outside = scratch_.path() / "outside";
