@@ -19,6 +19,8 @@ void watch_signals() {
   action.sa_flags = static_cast<int>(SA_RESETHAND | SA_RESTART);
   sigemptyset(&action.sa_mask);
   for (const int number : {SIGTERM, SIGINT, SIGHUP}) (void)::sigaction(number, &action, nullptr);
+  action.sa_flags = SA_RESTART;  // each line printed to a closed pipe is another one
+  (void)::sigaction(SIGPIPE, &action, nullptr);
 }
 
 int pending_signal() { return came; }

@@ -1,10 +1,11 @@
-// Requests by the system to end: SIGTERM, SIGINT (Ctrl+C) and SIGHUP (the terminal closed).
+// Requests by the system to end: SIGTERM, SIGINT (Ctrl+C), SIGHUP (the terminal closed) and SIGPIPE (what reads the
+// output ended).
 #pragma once
 
 namespace coaster::platform {
 
 // Makes these signals only set a flag from now on; a second signal of the same kind ends the program at once, with the
-// default action.
+// default action, but any number of SIGPIPE only sets the flag.
 void watch_signals();
 
 // Returns the signal received, 0 if none. The flag stays set.

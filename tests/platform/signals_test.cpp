@@ -23,5 +23,16 @@ TEST(signals_test, the_first_is_noted_and_the_second_ends_the_program) {
         << number;
 }
 
+TEST(signals_test, a_closed_pipe_is_noted_however_often_it_is_written_to) {
+  EXPECT_EXIT(
+      {
+        watch_signals();
+        std::raise(SIGPIPE);
+        std::raise(SIGPIPE);
+        _exit(pending_signal());
+      },
+      testing::ExitedWithCode(SIGPIPE), "");
+}
+
 }  // namespace signals_test
 }  // namespace coaster::platform
