@@ -53,7 +53,8 @@ TEST_F(Goals, that_cannot_be_read_say_why) {
   unreadable("lap_tim == 3", "no query");
   unreadable("ride.lap_time", "a number");
   unreadable("ride.lap_time != 3", "a number");
-  unreadable("ride.lap_time == fast", "one number");
+  unreadable("ride.lap_time == fast", "expected a number (s), found \"fast\"");
+  unreadable("ride.lap_time == 1 2", "one number");
   unreadable("fps == 60", "does not follow from track and ride");
   unreadable("length == 60", "does not follow");
 }
