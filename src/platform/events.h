@@ -38,6 +38,7 @@ enum class Key : int {
 };
 // Returns a key's name in scripts and settings; empty for codes that are not keys.
 std::string_view name_of(Key key);
+std::vector<std::string> key_names();  // of all keys
 
 struct Modifiers {
   bool shift = false, ctrl = false, alt = false;

@@ -15,7 +15,11 @@ std::optional<platform::Chord> take_chord(Words& words) {
   const base::Token* const word = words.take("a key such as F or Ctrl+Z");
   if (!word) return std::nullopt;
   const auto chord = platform::parse_chord(word->text);
-  if (!chord) words.fail(word->column, "expected a key such as F, Escape or Ctrl+Z, found " + base::quoted(word->text));
+  if (!chord) {
+    const std::string key = word->text.substr(word->text.rfind('+') + 1);
+    words.fail(word->column, fmt::format("expected a key such as F, Escape, Left or Ctrl+Z, found {}{}",
+                                         base::quoted(word->text), base::suggestion(key, platform::key_names())));
+  }
   return chord;
 }
 

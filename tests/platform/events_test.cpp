@@ -9,6 +9,8 @@ TEST(events, chords_read_in_any_case_and_print_in_one) {
   EXPECT_EQ(parse_chord("ctrl+shift+z"), (Chord{Key::z, {true, true, false}}));
   EXPECT_EQ(parse_chord("F"), (Chord{Key::f, {}}));
   EXPECT_EQ(parse_chord("Esc"), parse_chord("Escape"));
+  EXPECT_EQ(parse_chord("ArrowLeft"), parse_chord("Left"));
+  EXPECT_EQ(parse_chord("Cmd+Option+S"), parse_chord("Ctrl+Alt+S"));
   EXPECT_EQ(to_text(*parse_chord("CTRL+z")), "Ctrl+Z");
   EXPECT_EQ(to_text(*parse_chord("f12")), "F12");
 }
@@ -30,6 +32,16 @@ TEST(events, every_named_key_reads_back) {
     const auto chord = parse_chord(text);
     ASSERT_TRUE(chord) << text;
     EXPECT_EQ(to_text(*chord), text);
+  }
+}
+
+TEST(events, each_key_has_one_name_that_reads_back) {
+  const std::vector<std::string> names = key_names();
+  EXPECT_GT(names.size(), 80u);
+  for (const std::string& name : names) {
+    const auto chord = parse_chord(name);
+    ASSERT_TRUE(chord) << name;
+    EXPECT_EQ(to_text(*chord), name);
   }
 }
 
