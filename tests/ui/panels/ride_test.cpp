@@ -1,4 +1,5 @@
-// The wheel loads in the Ride panel, and the numbers of a ride without a train.
+// The wheel loads in the Ride panel, and numbers of a ride without a train or a lap.
+#include "edit/commands/commands_document.h"
 #include "edit/commands/commands_operation.h"
 #include "edit/commands/commands_session.h"
 #include "ui/panels/panels.h"
@@ -46,6 +47,18 @@ TEST_F(PanelRideTest, without_a_train_nothing_of_the_ride_has_a_number) {
   EXPECT_EQ(shown(world::Workspace::ride, "Ride/Speed"), "--");
   EXPECT_EQ(shown(world::Workspace::all, "Ride/Energy"), "-- J/kg");
   EXPECT_EQ(shown(world::Workspace::all, "Ride/State"), "none");
+}
+
+TEST_F(PanelRideTest, a_lap_that_is_not_completed_has_no_time) {
+  ASSERT_TRUE(edit::apply(session_, files_, edit::Load{COASTER_SOURCE_DIR "/tracks/loop.json"}).ok());
+  ASSERT_TRUE(reach("Goal"));
+  click("Goal");
+  frames(2);
+  ASSERT_NE(find("Goal/Now"), nullptr);
+  EXPECT_NE(find("Goal/Now")->value, "-- s");
+  ASSERT_TRUE(edit::apply(session_, files_, edit::SetClosed{false}).ok());
+  frames(2);
+  EXPECT_EQ(find("Goal/Now")->value, "-- s");
 }
 
 }  // namespace panel_ride_test
