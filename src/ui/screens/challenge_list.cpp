@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "base/folders.h"
 #include "exchange/challenge_file.h"
@@ -79,7 +80,10 @@ std::optional<std::filesystem::path> draw_challenge_list(Ui& ui, std::span<const
                                                          int& current, float height) {
   std::optional<std::filesystem::path> chosen;
   const int count = static_cast<int>(challenges.size());
-  const int step = ImGui::IsKeyPressed(ImGuiKey_UpArrow) ? -1 : ImGui::IsKeyPressed(ImGuiKey_DownArrow) ? 1 : 0;
+  int step = 0;
+  for (const auto& [key, by] :
+       {std::pair{ImGuiKey_UpArrow, -1}, {ImGuiKey_DownArrow, 1}, {ImGuiKey_Home, -count}, {ImGuiKey_End, count}})
+    if (ImGui::IsKeyPressed(key)) step = by;
   if (count > 0) current = std::clamp(current + step, 0, count - 1);
   const bool seen = ImGui::BeginChild("##challenges", {0, height});
   if (seen && count == 0) ImGui::TextUnformatted("No challenges found.");

@@ -4,6 +4,7 @@
 #include <imgui_internal.h>
 
 #include "base/scratch_folder.h"
+#include "edit/commands/commands_challenge.h"
 #include "edit/commands/commands_document.h"
 #include "edit/commands/commands_session.h"
 #include "ui/stage.h"
@@ -174,6 +175,21 @@ TEST_F(DialogsTest, a_file_in_use_elsewhere_is_saved_under_another_name) {
   frame();
   ASSERT_EQ(all<edit::Save>().size(), 1u);
   EXPECT_EQ(all<edit::Save>()[0].path, (folder / "b.json").string());
+}
+
+TEST_F(DialogsTest, home_and_end_go_to_the_first_and_the_last_challenge) {
+  ASSERT_TRUE(edit::apply(session_, files_, edit::NewTrack{}).ok());  // nothing to ask about
+  for (const auto& [to, name] : {std::pair{Key::end, "08_tired_train.json"}, {Key::home, "01_first_hill.json"}}) {
+    key(Key::h, {.ctrl = true});
+    frames(2);
+    key(Key::down);
+    key(to);
+    commands_.clear();
+    key(Key::enter);
+    frames(2);
+    ASSERT_EQ(all<edit::StartChallenge>().size(), 1u) << name;
+    EXPECT_EQ(std::filesystem::path(all<edit::StartChallenge>()[0].path).filename(), name);
+  }
 }
 
 // Installed tracks are often not writable, and a page forgets what is saved beside them.
