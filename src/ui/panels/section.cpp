@@ -14,6 +14,7 @@
 #include "ui/panels/equipment_rows.h"
 #include "ui/panels/section_changes.h"
 #include "ui/tools/selecting.h"
+#include "ui/widgets/button_rows.h"
 #include "ui/widgets/theme.h"
 #include "world/sections.h"
 #include "world/selection.h"
@@ -154,7 +155,7 @@ std::vector<world::Name> names_of(const Chosen& chosen) {
   return names;
 }
 
-// Buttons in pairs: what is done with whole sections.
+// What is done with whole sections.
 void section_buttons(Ui& ui, const Chosen& chosen) {
   const edit::Session& session = ui.session();
   const auto movable = [&](std::size_t knot) {
@@ -163,13 +164,9 @@ void section_buttons(Ui& ui, const Chosen& chosen) {
   const std::size_t end = chosen.runs.back().end();
   const bool first = chosen.runs.front().first == 0,
              last = chosen.runs.back().end() == chosen.document.track.segments.size();
-  const float gap = ImGui::GetStyle().ItemSpacing.x;
-  const float width = std::floor((ImGui::GetContentRegionAvail().x - gap) / 2);
-  bool left = true;
+  ButtonRows rows{ui, 2, "Move before"};
   const auto pressed = [&](std::string_view label, std::string_view help, std::string_view action, bool enabled) {
-    if (!left) ImGui::SameLine();
-    left = !left;
-    return button(ui, label, with_keys(ui.keys, std::string(help), action), enabled, width);
+    return rows(label, with_keys(ui.keys, std::string(help), action), enabled);
   };
   const auto each = [&](const auto& make) {
     ui.emit_each(chosen.runs, [&](const world::SectionRun& run) { ui.emit(make(chosen.name(run))); });

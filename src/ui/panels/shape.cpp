@@ -11,6 +11,7 @@
 #include "edit/commands/commands_shape.h"
 #include "ui/context/ui.h"
 #include "ui/tools/selecting.h"
+#include "ui/widgets/button_rows.h"
 #include "world/selection.h"
 
 namespace coaster::ui {
@@ -39,26 +40,15 @@ glm::vec3 middle_of(const edit::Session& session, const edit::Knots& knots) {
   return count > 0 ? glm::vec3(sum / count) : glm::vec3(0);
 }
 
-// Buttons in rows of `columns`, or fewer where the widest label does not fit.
+// Buttons for commands that a challenge may lock.
 struct Buttons {
   Ui& ui;
-  int columns;
-  std::string_view widest;
-  int placed = 0;
-  float width = 0;
-  // A button for the command of that name, which a challenge may lock.
+  ButtonRows rows;
+  Buttons(Ui& of, int columns, std::string_view widest) : ui(of), rows{of, columns, widest} {}
   bool operator()(std::string_view label, std::string_view tooltip, bool enabled = true,
                   std::string_view command = {}) {
     const LockedWidgets locked(ui, command);
-    if (placed == 0) fit();
-    if (placed++ % columns != 0) ImGui::SameLine();
-    return button(ui, label, tooltip, enabled, width);
-  }
-  void fit() {
-    const float gap = ImGui::GetStyle().ItemSpacing.x, room = ImGui::GetContentRegionAvail().x + gap;
-    const float least = text_size(widest).x + 2 * ImGui::GetStyle().FramePadding.x;
-    columns = std::clamp(static_cast<int>(room / (least + gap)), 1, columns);
-    width = std::floor(room / static_cast<float>(columns) - gap);
+    return rows(label, tooltip, enabled);
   }
 };
 

@@ -11,20 +11,12 @@
 #include "ui/context/rows.h"
 #include "ui/context/setting_rows.h"
 #include "ui/tools/places.h"
+#include "ui/widgets/button_rows.h"
 
 namespace coaster::ui {
 namespace {
 
 using world::Kind;
-
-// Returns the width of a button of a pair: side by side if the longest label fits, else one below the other.
-float pair_width() {
-  const float room = ImGui::GetContentRegionAvail().x, half = (room - ImGui::GetStyle().ItemSpacing.x) * 0.5f;
-  return text_size("Insert point").x + 2 * ImGui::GetStyle().FramePadding.x <= half ? half : room;
-}
-void beside(float width) {
-  if (width < ImGui::GetContentRegionAvail().x) ImGui::SameLine();
-}
 
 // Returns a position where a new cart touches no other at the start of the ride: the start or middle of a segment,
 // searched from `first` on. The start of `first` if there is none.
@@ -124,26 +116,23 @@ void building(Ui& ui) {
                                with_keys(ui.keys, help, "Append points"), append_mode_switches(session)))
     ui.emit(edit::Set<&world::Aids::append_mode>{*on});
 
-  const float width = pair_width();
-  if (button(ui, "Add curve",
-             with_keys(ui.keys, "Split the longest segment at half its length. The shape is unchanged.", "Add curve"),
-             true, width))
+  ButtonRows pressed{ui, 2, "Insert point"};
+  if (pressed("Add curve",
+              with_keys(ui.keys, "Split the longest segment at half its length. The shape is unchanged.", "Add curve")))
     ui.emit(edit::AddCurve{});
-  beside(width);
-  if (button(ui, "Insert point",
-             with_keys(ui.keys,
-                       "Insert a knot at the selected position without changing the shape (de Casteljau). Or "
-                       "double-click the curve.",
-                       "Insert point"),
-             on_segment, width))
+  if (pressed("Insert point",
+              with_keys(ui.keys,
+                        "Insert a knot at the selected position without changing the shape (de Casteljau). Or "
+                        "double-click the curve.",
+                        "Insert point"),
+              on_segment))
     ui.emit(edit::SplitSegment{{*selected}, session.settings.selected_t});
-  if (button(ui, "Delete", with_keys(ui.keys, "Delete the selected knot or train.", "Delete"), removable, width))
+  if (pressed("Delete", with_keys(ui.keys, "Delete the selected knot or train.", "Delete"), removable))
     ui.emit(edit::RemoveKnot{{*selected}});
-  beside(width);
   const auto& segments = session.document.track.segments;
-  if (button(ui, "Add train###Add cart",
-             "Add a train at the first free place from the start of the selected segment, or of the track.",
-             !segments.empty(), width))
+  if (pressed("Add train###Add cart",
+              "Add a train at the first free place from the start of the selected segment, or of the track.",
+              !segments.empty()))
     ui.emit(free_place(session, on_segment ? session.settings.selected : segments.front()));
 }
 
