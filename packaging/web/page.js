@@ -230,7 +230,7 @@ if ('serviceWorker' in navigator && location.protocol.startsWith('http')) {
     };
   };
   navigator.serviceWorker.register('worker.js').then((worker) => {
-    // At the first visit the only worker may wait, too, for a moment.
+    // At the first visit the only worker may itself be waiting for a moment.
     const offerUpdate = () => { if (worker.waiting && worker.active) offer(worker.waiting); };
     offerUpdate();
     worker.addEventListener('updatefound', () => worker.installing.addEventListener('statechange', offerUpdate));

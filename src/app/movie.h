@@ -38,7 +38,7 @@ class Movie {
   static base::Result<std::unique_ptr<Movie>> start_in_page(const std::string& name);
 
   const MovieOrder& order() const { return order_; }  // its root is the folder
-  int frames() const { return frames_; }              // pictures taken; not those from one on that cannot be written
+  int frames() const { return frames_; }              // pictures taken; up to the first that could not be written
   int ticks_a_frame() const { return world::kTicksPerSecond / order_.fps; }
   int wait() const { return wait_; }        // ticks until the next picture is due; 0: now
   void pass(int ticks) { wait_ -= ticks; }  // at most wait()

@@ -9,6 +9,7 @@
 #include "app/scene.h"
 #include "base/words.h"
 #include "gfx/image.h"
+#include "world/track_name.h"
 
 namespace coaster::app {
 namespace {
@@ -70,9 +71,7 @@ std::string file_stem(std::string_view name) {
 std::filesystem::path free_path(const Program& program, const std::filesystem::path& folder, const char* kind,
                                 const char* ending) {
   constexpr int kMostNumbers = 10'000;
-  const std::string& name = program.session.document.name;
-  const std::filesystem::path file = program.session.file.path;
-  const std::string stem = file_stem(name == world::Document{}.name && !file.empty() ? file.stem().string() : name);
+  const std::string stem = file_stem(world::track_name(program.session.document.name, program.session.file.path));
   std::filesystem::path path;
   std::error_code failed;
   for (int i = 1; i < kMostNumbers; ++i)

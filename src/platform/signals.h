@@ -1,5 +1,5 @@
-// Requests by the system to end: SIGTERM, SIGINT (Ctrl+C), SIGHUP (the terminal closed) and SIGPIPE (what reads the
-// output ended).
+// Requests by the system to end: SIGTERM, SIGINT (Ctrl+C), SIGHUP (the terminal closed) and SIGPIPE (the reader of the
+// output has exited).
 #pragma once
 
 namespace coaster::platform {

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "platform/drag_threshold.h"
 #include "query/context.h"
 #include "script/runner.h"
 #include "view/gizmo.h"
@@ -16,7 +17,6 @@ using platform::MouseButton;
 using platform::MouseMove;
 
 constexpr int kDragSteps = 6;
-constexpr float kShortestDrag = 3;  // points; a shorter one is a click (ui/host/host.cpp)
 
 std::string name_of(const world::Document& document, const view::Pick& pick) {
   const std::string label = "@" + world::label_of(document, pick.entity);
@@ -67,10 +67,10 @@ Failure Runner::perform(const AimAction& aim) {
     if (!to) return at_target(to.status());
     end = *to;
     const float length = glm::distance(glm::floor(end), glm::floor(*pixel)) / environment_.density;
-    if (length < kShortestDrag)
+    if (length < platform::kDragThreshold)
       return failed(
           fmt::format("the drag is {:.1f} pixels long, and shorter than {} is a click: move the camera nearer", length,
-                      kShortestDrag),
+                      platform::kDragThreshold),
           aim.target_column);
   }
   if (const base::Status status = frames_.frame({MouseMove{pixel->x, pixel->y}}); !status) return failure(status);

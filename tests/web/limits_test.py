@@ -68,7 +68,7 @@ const [done] = arguments;
 navigator.serviceWorker.ready.then(() => caches.keys()).then((all) => done(all.length === 1));
 """
 OLD_VERSION = "document.querySelector('meta[name=version]') === null"
-# The page hears of its worker when that is installed, as it may in Firefox. The blank page before has none.
+# The page learns of its worker only once that is installed, as can happen in Firefox. The blank page has none.
 LATE_REGISTRATION = """
 if ('serviceWorker' in navigator) {
   const register = navigator.serviceWorker.register;

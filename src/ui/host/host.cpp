@@ -12,6 +12,7 @@
 #include "edit/commands/commands_challenge.h"
 #include "edit/commands/commands_session.h"
 #include "edit/commands/commands_settings.h"
+#include "platform/drag_threshold.h"
 #include "ui/actions/actions.h"
 #include "ui/actions/command_palette.h"
 #include "ui/actions/gamepad.h"
@@ -179,8 +180,7 @@ void Host::Parts::lay_out(Ui& ui, const platform::Events& events, int width, int
   hovered = tool.update(ui, view);
   if (hovered.kind == view::PickKind::none) hovered = ui.pointed;
   follow_camera.update(ui, view, tool.dragging() || gesture.open || framed);
-  if (ui.state.lesson == nullptr || tool.transform().active())
-    draw_foot_line(ui, tool, free);  // a lesson has its own hint
+  if (ui.state.lesson == nullptr || tool.transform().active()) draw_foot_line(ui, tool, free);  // a lesson has its own
   draw_section_name(ui, layout.scene);
   draw_legend(ui, layout.scene);
   toasts.draw(ui, beside_hints(ui, free, 400 * ui.scale));
@@ -219,7 +219,7 @@ Output Host::build(const platform::Events& polled, const State& state, int width
   Parts& p = *parts_;
   ImGui::SetCurrentContext(p.context);
   const float scale = fitted_scale(width, height, state.session.settings.look->ui_scale, state.content_scale);
-  ImGui::GetIO().MouseDragThreshold = 3 * state.content_scale;  // of drags in the view, too
+  ImGui::GetIO().MouseDragThreshold = platform::kDragThreshold * state.content_scale;  // of drags in the view, too
   p.restyle(state.session.settings.look->theme, scale);
   p.follow_session(state);
   const bool field_opens = p.palette.open || p.wish.id != 0 || !p.wish.panel.empty();

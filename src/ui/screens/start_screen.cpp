@@ -14,6 +14,7 @@
 #include "ui/screens/dialogs.h"
 #include "ui/widgets/medals.h"
 #include "ui/widgets/theme.h"
+#include "world/track_name.h"
 
 namespace coaster::ui {
 namespace {
@@ -41,12 +42,6 @@ void draw_title(const Ui& ui) {
   ImGui::PopFont();
   tinted_line("Build it, measure it, ride it.", palette().dim);
   ImGui::Dummy({0, std::floor(8 * ui.scale)});
-}
-
-// The track's name; that of its file where nobody has named it.
-std::string name_of(const TrackPicture& picture, const std::filesystem::path& file) {
-  static const std::string kUnnamed = world::Document{}.name;
-  return picture.name.empty() || picture.name == kUnnamed ? file.stem().string() : picture.name;
 }
 
 }  // namespace
@@ -92,7 +87,9 @@ bool StartScreen::draw(Ui& ui, const Card& card, float width) {
   const bool hot = ImGui::IsItemHovered();
   if (!card.picture.empty() && ImGui::IsItemVisible()) ui.out.wanted_pictures.push_back(card.picture);
   ui.out.picture_width = static_cast<int>(width);
-  const std::string name = !card.name.empty() ? card.name : picture != nullptr ? name_of(*picture, card.picture) : "";
+  const std::string name = !card.name.empty()   ? card.name
+                           : picture != nullptr ? world::track_name(picture->name, card.picture)
+                                                : "";
   note_item(ui, card.label, "button", picture != nullptr && !picture->problem.empty() ? picture->problem : card.help,
             true, name);
   ImDrawList& list = *ImGui::GetWindowDrawList();
