@@ -76,8 +76,8 @@ TEST_F(Density, the_mouse_reaches_as_many_points_far) {
   std::set<PickKind> found;
   for (const char* selected : {"q4", "q3", "k3", "s4"}) {
     session.settings.selected = entity(selected);
-    for (float y = 32.3f; y < 510; y += 3)
-      for (float x = 58.3f; x < 696; x += 3) {
+    for (float y = 32.3f; y < 510; y += 5)
+      for (float x = 58.3f; x < 696; x += 5) {
         const Pick ordinary = at({x, y}, 1);
         found.insert(ordinary.kind);
         ASSERT_EQ(at({x, y}, 2), ordinary) << selected << " " << x << " " << y;
