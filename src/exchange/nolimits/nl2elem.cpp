@@ -73,16 +73,21 @@ bool read_strict(XmlReader& r, const XMLElement& parent, bool& strict) {
          r.fail(element->GetLineNum(), "true or false in <strict>", base::quoted_start(text));
 }
 
-// Vertices of NoLimits 2 can have a weight, but no public source names its tag. Any tag that may be one is rejected
-// unless it is 1, the weight of a vertex without a tag.
+// Vertices of NoLimits 2 can have a weight, but no public source names its tag. Any tag or attribute that may be one is
+// rejected unless it is 1, the weight of a vertex without one.
 bool check_weight(XmlReader& r, const XMLElement& vertex) {
-  for (const XMLElement* e = vertex.FirstChildElement(); e; e = e->NextSiblingElement()) {
-    const std::string tag = base::lower(e->Name());
-    if (tag != "w" && tag.find("weight") == std::string::npos) continue;
-    if (base::parse_double(text_of(*e)) != 1.0)
-      return r.fail(e->GetLineNum(), "vertices without weights",
-                    fmt::format("<{}> of {}", e->Name(), base::quoted_start(text_of(*e))));
-  }
+  const auto accepted = [](const char* name, std::string_view value) {
+    const std::string lower = base::lower(name);
+    return (lower != "w" && lower.find("weight") == std::string::npos) || base::parse_double(value) == 1.0;
+  };
+  const auto fail = [&](int line, const std::string& what, std::string_view value) {
+    return r.fail(line, "vertices without weights", fmt::format("{} of {}", what, base::quoted_start(value)));
+  };
+  for (const tinyxml2::XMLAttribute* a = vertex.FirstAttribute(); a; a = a->Next())
+    if (const std::string_view value = without_blanks(a->Value()); !accepted(a->Name(), value))
+      return fail(a->GetLineNum(), fmt::format("the attribute {}", a->Name()), value);
+  for (const XMLElement* e = vertex.FirstChildElement(); e; e = e->NextSiblingElement())
+    if (!accepted(e->Name(), text_of(*e))) return fail(e->GetLineNum(), fmt::format("<{}>", e->Name()), text_of(*e));
   return true;
 }
 

@@ -213,6 +213,8 @@ TEST(nl2elem, bad_files_are_refused_with_line_and_reason) {
       {with(vertex + "<vertex><x>5</x>\n<y>2</y><z>3</z><weight>2</weight></vertex>"),
        "x:7: error: expected vertices without weights, found <weight> of \"2\""},
       {with(vertex + "<vertex><x>5</x><y>2</y><z>3</z><w>nan</w></vertex>"), "expected vertices without weights"},
+      {with(vertex + "<vertex\nWeight=' 2'><x>5</x><y>2</y><z>3</z></vertex>"),
+       "x:7: error: expected vertices without weights, found the attribute Weight of \"2\""},
       {with(vertex + other + "<roll>" + frame + "</roll>"), "x:7: error: expected <coord> in <roll>, found none"},
       {with(vertex + other + "<roll>" + frame + "<coord>1.5</coord></roll>"), "expected a number within 1 in <coord>"},
       {with(vertex + other + "<roll>" + frame + "<coord>-0.5</coord></roll>"), "expected a <coord> from 0 to 1"},
@@ -233,6 +235,7 @@ TEST(nl2elem, bad_files_are_refused_with_line_and_reason) {
   }
   // A weight of 1 is no weight.
   EXPECT_TRUE(parse_nl2elem(with(vertex + "<vertex><x>5</x><y>2</y><z>3</z><Weight>1.0</Weight></vertex>"), "x"));
+  EXPECT_TRUE(parse_nl2elem(with(vertex + "<vertex w='1'><x>5</x><y>2</y><z>3</z></vertex>"), "x"));
   // Cut anywhere: refused or, within the end tags alone, an XML error all the same; never a crash.
   const std::string whole = with(vertex + other + "<roll>" + frame + "<coord>0</coord></roll>\n");
   ASSERT_TRUE(parse_nl2elem(whole, "x"));
