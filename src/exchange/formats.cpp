@@ -43,6 +43,9 @@ constexpr std::array kFormats{
     Format{".svg", "drawing", nullptr, print_svg, false, false, nullptr, base::kMaxFileBytes, nullptr, true},
 };
 
+// m: no coaster is half as long, from its lowest to its highest point a third as high.
+constexpr double kMostLength = 20'000, kMostHeight = 600;
+
 // Returns "a.txt: error: expected a file ending in .json"; names a format that works only in the other direction.
 std::string unfit_ending(const std::filesystem::path& path, const Format* format, Direction direction) {
   const std::string_view other = direction == Direction::read ? "written" : "read";
@@ -64,6 +67,21 @@ void equip(LoadedTrack& loaded) {
     loaded.warnings.push_back(
         fmt::format("No start speed up to {} m/s completes the ride.", base::to_text(world::kMaxSpeed)));
   }
+}
+
+// Warns of an import that is too large for a coaster: its positions may have another unit. Forces are no sign of that:
+// without losses they are the same at every scale.
+void warn_of_unit(LoadedTrack& loaded, const std::string& name) {
+  const world::Document& document = loaded.document;
+  if (document.track.knots.empty()) return;
+  const auto height = [&](world::Entity e) { return world::knot(document, e).position.y; };
+  const auto [low, high] = std::ranges::minmax(document.track.knots, {}, height);
+  const double length = world::exact_length(document), rise = height(high) - height(low);
+  if (length > kMostLength || rise > kMostHeight)
+    loaded.warnings.push_back(
+        fmt::format("{}: warning: the track is {:.1f} km long and {:.0f} m high. Positions are in metres: if the file "
+                    "has another unit, scale its positions and open it again",
+                    name, length / 1000, rise));
 }
 
 // Warns of a document that is valid but probably not intended.
@@ -143,7 +161,7 @@ base::Result<LoadedTrack> load_track(base::Files& files, const std::filesystem::
                                                           format->label, found)};
   if (loaded) warn_of_odd(*loaded, path.string());
   if (loaded) loaded->content = base::content_hash(*bytes);
-  if (loaded && !format->whole) equip(*loaded);
+  if (loaded && !format->whole) warn_of_unit(*loaded, path.string()), equip(*loaded);
   return loaded;
 }
 

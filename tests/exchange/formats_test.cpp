@@ -133,7 +133,28 @@ TEST(formats, an_import_gets_a_train_and_a_start_speed_that_completes_its_ride) 
   ASSERT_TRUE(save_track(files, high, test::straight_document({0, 0, 0}, {90, 1160, 0}, 40)).ok());
   const auto loaded = load_track(files, high);
   ASSERT_TRUE(loaded) << loaded.status().message;
-  EXPECT_EQ(loaded->warnings, std::vector<std::string>{"No start speed up to 150 m/s completes the ride."});
+  EXPECT_EQ(loaded->warnings,
+            (std::vector<std::string>{
+                high.string() + ": warning: the track is 1.2 km long and 1160 m high. Positions are in metres: if the "
+                                "file has another unit, scale its positions and open it again",
+                "No start speed up to 150 m/s completes the ride."}));
+}
+
+TEST(formats, an_import_in_millimetres_is_warned_of_and_none_in_metres) {
+  const test::ScratchFolder scratch;
+  base::Files files;
+  const auto warned = [&](const std::string& name, const world::Document& document) {
+    EXPECT_TRUE(save_track(files, scratch.path() / name, document).ok());
+    const auto loaded = load_track(files, scratch.path() / name);
+    EXPECT_TRUE(loaded) << loaded.status().message;
+    return loaded && !loaded->warnings.empty() && loaded->warnings[0].find("another unit") != std::string::npos;
+  };
+  // 21 m and 19 m in millimetres, 590 m high in metres; files of the program are what they are.
+  EXPECT_TRUE(warned("long.nl2elem", test::straight_document({-10'000, 2, 3}, {11'000, 2, 3}, 40)));
+  EXPECT_FALSE(warned("short.nl2elem", test::straight_document({-10'000, 2, 3}, {9'000, 2, 3}, 40)));
+  EXPECT_TRUE(warned("high.nl2elem", test::straight_document({0, -5, 3}, {9'000, 605, 3}, 40)));
+  EXPECT_FALSE(warned("low.nl2elem", test::straight_document({0, -5, 3}, {9'000, 585, 3}, 40)));
+  EXPECT_FALSE(warned("long.json", test::straight_document({-10'000, 2, 3}, {11'000, 2, 3}, 40)));
 }
 
 }  // namespace formats_test
