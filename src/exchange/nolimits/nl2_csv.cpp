@@ -22,8 +22,9 @@ using Cells = std::array<std::string_view, kColumns.size()>;
 constexpr double kSquare = 0.01;     // tolerance for unit and perpendicular frames
 constexpr double kSamePlace = 2e-6;  // m: rounding of printed positions
 constexpr double kWrong = 0.75;      // of the steps against Front or off it: the rows are refused
-constexpr double kOff = 30;          // degrees between a step and Front, beyond what a bend explains
 constexpr double kDoubt = 0.4;       // g: what riders may feel more or less before it is reported
+constexpr double kNoisySpan = 1;     // m a span on average: smooth rows of a whole track never need so many
+constexpr int kNoisyKnots = 20;      // the least number of knots for that
 constexpr double kGap = 3;           // times the usual spacing: longer steps are reported
 
 std::string_view trimmed(std::string_view text) {
@@ -208,16 +209,6 @@ bool read_row(Reader& r, std::string_view line) {
   return true;
 }
 
-// Returns the angle between the step from one row to the next and the mean of their directions, degrees; 0 if it is at
-// most kOff more than half the angle between these. The chord of an arc has the mean of the directions at its ends.
-double off_deg(const sim::FitRow& a, const sim::FitRow& b) {
-  const auto angle = [](dvec3 u, dvec3 v) {
-    return glm::degrees(std::atan2(glm::length(glm::cross(u, v)), glm::dot(u, v)));
-  };
-  const double off = angle(b.position - a.position, a.forward + b.forward);
-  return off > kOff + angle(a.forward, b.forward) / 2 ? off : 0;
-}
-
 // Checks that rows follow each other in the direction of Front; warns of steps that do not, of gaps and of jumps.
 bool check_steps(Reader& r) {
   std::vector<double> lengths;
@@ -227,7 +218,7 @@ bool check_steps(Reader& r) {
     const dvec3 step = b.position - a.position;
     lengths.push_back(glm::length(step));
     if (glm::dot(step, a.forward) < 0 && glm::dot(step, b.forward) < 0) against.push_back(r.row_lines[i]);
-    if (const double degrees = off_deg(a, b); degrees > 0) {
+    if (const double degrees = sim::off_deg(a, b); degrees > 0) {
       off.push_back(r.row_lines[i]);
       r.warn(off.back(), fmt::format("the step from the previous row is {:.0f} degrees off Front", degrees));
     }
@@ -243,7 +234,8 @@ bool check_steps(Reader& r) {
   if (off.size() > kWrong * static_cast<double>(lengths.size()))
     return refuse(
         off, "steps from row to row along Front",
-        fmt::format("over {} degrees off it: check axes and columns; Y and Z may be swapped in positions alone", kOff));
+        fmt::format("over {} degrees off it: check axes and columns; Y and Z may be swapped in positions alone",
+                    sim::kOffForward));
   std::vector<double> sorted = lengths;
   const auto middle = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2);
   std::nth_element(sorted.begin(), middle, sorted.end());
@@ -290,6 +282,12 @@ base::Result<LoadedTrack> parse_nl2_csv(std::string_view text, std::string_view 
         fmt::format("the rows are too far apart for the roll here: riders may feel {:.1f} g more or less than on the "
                     "track they were taken from",
                     report.doubt));
+  const double span = world::exact_length(loaded.document) / report.knots;
+  if (report.knots >= kNoisyKnots && span < kNoisySpan)
+    r.warn(r.row_lines[0],
+           fmt::format("the rows are noisy: the fit needs {} knots, one every {:.2f} m, and riders feel "
+                       "the noise; smooth positions and Front alike",
+                       report.knots, span));
   loaded.warnings = std::move(r.warnings);
   if (r.more_warnings > 0) loaded.warnings.push_back(fmt::format("{}: {} more warnings", name, r.more_warnings));
   loaded.import = ImportReport{report.max_error,  report.frame_error,      report.knots,

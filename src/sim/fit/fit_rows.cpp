@@ -23,6 +23,15 @@ double jump_deg(const FitRow& a, const FitRow& b) {
   return angle > kJumpAngle && angle > kJumpRate * glm::distance(a.position, b.position) ? angle : 0;
 }
 
+double off_deg(const FitRow& a, const FitRow& b) {
+  const auto angle = [](dvec3 u, dvec3 v) {
+    return glm::degrees(std::atan2(glm::length(glm::cross(u, v)), glm::dot(u, v)));
+  };
+  // The chord of an arc has the mean of the directions at its ends.
+  const double off = angle(b.position - a.position, a.forward + b.forward);
+  return off > kOffForward + angle(a.forward, b.forward) / 2 ? off : 0;
+}
+
 std::vector<double> bend_limits(std::span<const FitRow> rows, bool closed) {
   const auto count = static_cast<std::ptrdiff_t>(rows.size()), steps = closed ? count : count - 1;
   std::vector<double> starts{0}, bends, limits;

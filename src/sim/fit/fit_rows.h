@@ -25,6 +25,11 @@ double frame_angle_deg(const curve::Frame& a, const curve::Frame& b);
 // Returns the angle by which the frame jumps from one row to the next, degrees; 0 if it does not jump.
 double jump_deg(const FitRow& a, const FitRow& b);
 
+// Returns the angle between the step from one row to the next and the mean of their directions, degrees; 0 if it is at
+// most kOffForward more than half the angle between these: what a bend explains.
+inline constexpr double kOffForward = 30;  // degrees
+double off_deg(const FitRow& a, const FitRow& b);
+
 // True if the last row leads back to the first: a step no longer than the others, forwards and in about the same
 // direction.
 bool rows_close(std::span<const FitRow> rows);

@@ -254,6 +254,27 @@ TEST(nl2_csv, a_last_row_that_repeats_the_first_closes_the_track_however_long_it
   }
 }
 
+// 200 rows 0.1 m apart on a straight, up to `noise` m to its left or right; Front does not follow.
+TEST(nl2_csv, noisy_positions_are_told_with_the_number_of_knots_they_take) {
+  const auto loaded = [](double noise) {
+    std::mt19937 bits(7);
+    std::string text(kNl2Header);
+    for (int i = 0; i < 200; ++i) {
+      const double aside = noise * (bits() / 2147483648.0 - 1);
+      text += fmt::format("{}\t{:.6f}\t4.0\t{:.6f}\t1.0\t0.0\t0.0\t0.0\t0.0\t-1.0\t0.0\t1.0\t0.0\n", i + 1,
+                          3.1 + 0.1 * i, 2.7 + aside);
+    }
+    return parse_nl2_csv(text, "t.csv");
+  };
+  EXPECT_TRUE(loaded(0.0001)->warnings.empty());
+  const auto noisy = loaded(0.005);
+  ASSERT_EQ(noisy->warnings.size(), 1u);
+  EXPECT_EQ(noisy->warnings[0].find(
+                fmt::format("t.csv:2: warning: the rows are noisy: the fit needs {} knots", noisy->import->knots)),
+            0u)
+      << noisy->warnings[0];
+}
+
 TEST(nl2_csv, a_file_that_is_cut_within_a_row_is_refused) {
   const std::string text = rows(4);
   std::size_t whole = 0;
