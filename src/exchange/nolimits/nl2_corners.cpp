@@ -27,7 +27,7 @@ Fillet fillet_of(const Bezier& before, const Bezier& after, const curve::ArcLeng
   const Bezier in = part(before, 0, fillet.leaves), out = part(after, fillet.joins, 1);
   const double handle = 2 * reach / 3;
   fillet.curve = {in[3], in[3] + handle * end_direction(in), out[0] - handle * start_direction(out), out[0]};
-  constexpr int kSamples = 8;
+  constexpr int kSamples = 32;
   for (int k = 1; k < kSamples; ++k) {
     const double t = static_cast<double>(k) / kSamples, beyond = (2 * t - 1) * reach;
     const dvec3 old = beyond < 0 ? point(before, leaves(-beyond)) : point(after, arc_after.parameter(beyond));

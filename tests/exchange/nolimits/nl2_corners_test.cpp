@@ -60,6 +60,31 @@ TEST(nl2_corners, a_corner_becomes_a_fillet_within_3_cm_and_is_reported) {
   EXPECT_LT(hardly->import->max_error, 1e-4);
 }
 
+// Beside the corner the parabola before it bends tightly, so the fillet is farthest off away from its middle.
+TEST(nl2_corners, a_fillet_beside_a_tight_bend_is_within_3_cm_everywhere) {
+  const std::vector<Vertex> vertices{{{5.545388, 12.998060, 3}},
+                                     {{3.777317, 11.553183, -0.588025}},
+                                     {{3.472357, 11.748708, -0.984257}, true},
+                                     {{-6.390274, 17.659572, -12.285961}},
+                                     {{-6.842315, 17.859530, -12.499640}},
+                                     {{-13.709963, 18.229418, -25.835135}},
+                                     {{-22.580084, 16.410224, -37.931454}, true}};
+  const auto loaded = parse_nl2elem(encode(vertices), "x");
+  ASSERT_TRUE(loaded) << loaded.status().message;
+  std::vector<dvec3> legs;
+  const std::vector<test::RuleSpan> spans = test::rule_spans(vertices);
+  for (std::size_t span = 0; span < 2; ++span)
+    for (int i = 0; i <= 5000; ++i) legs.push_back(spans[span].at(i / 5000.0));
+  const curve::Cubic fillet = world::cubic_of(loaded->document, loaded->document.track.segments[1]);
+  double off = 0;
+  for (int k = 0; k <= 100; ++k) {
+    double nearest = 1e9;
+    for (const dvec3& place : legs) nearest = std::min(nearest, glm::distance(curve::point(fillet, k / 100.0), place));
+    off = std::max(off, nearest);
+  }
+  EXPECT_LT(off, 0.0301);
+}
+
 TEST(nl2_corners, corners_beyond_90_degrees_are_refused_with_their_vertex) {
   for (const double degrees : {90.1, 120.0, 180.0}) {
     const auto loaded = parse_nl2elem(encode(corner(degrees)), "x");
