@@ -45,6 +45,25 @@ Entity section_after(const Document& document, const SectionRun& run) {
   return world::segment(document, segments[run.end() % segments.size()]).section;
 }
 
+// Changes of speed up to this leave a section as it is.
+constexpr double kSameSpeed = 0.002;  // m/s
+
+// Returns the speed at which the train will come to the force section behind a plan's: from its start the train gains
+// and loses the same energy as in the session's document, but for the heights. 0 if the sections are new.
+double speed_behind(const Session& session, const sim::ForcePlan& plan, Entity section, Entity next) {
+  const Document& former = session.document;
+  const auto energy = [](double speed, double height) { return speed * speed + 2 * world::kGravity * height; };
+  const auto known = [&](Entity e) -> std::optional<double> {
+    const auto* const value = former.entities.find<world::Section>(e);
+    if (value == nullptr || value->kind != SectionKind::force) return std::nullopt;
+    return energy(value->force.speed, nth_knot(former, world::run_of(former, e).first).position.y);
+  };
+  const std::optional<double> from = known(section), to = known(next);
+  if (!from || !to) return 0;
+  const double now = energy(plan.task.program.speed, plan.task.end.position.y) + *to - *from;
+  return std::sqrt(std::max(now - energy(0, plan.fit.spans.knots.back().position.y), 0.0));
+}
+
 // Gives the section the fit's shape and its last knot the fit's spin; the following track does not move.
 void put_end(Document& document, const SectionRun& run, const sim::ElementFit& fit) {
   reshape(document, run.section, fit, SectionEnd::moves);
@@ -56,7 +75,7 @@ void put_end(Document& document, const SectionRun& run, const sim::ElementFit& f
 }  // namespace
 
 Status put_and_follow(Session& session, Change& change, Document& document, const SectionRun& run,
-                      const sim::ElementFit& fit) {
+                      const sim::ElementFit& fit, const sim::ForcePlan* plan) {
   const Entity next = section_after(document, run);
   const auto home = world::completing(document, run.end());
   if (home && home->first == run.end()) return put_end(document, run, fit), Status{};
@@ -71,6 +90,11 @@ Status put_and_follow(Session& session, Change& change, Document& document, cons
     return put_in_place(document, run, fit);
   }
   change.planned.push_back(next);
+  if (kind == SectionKind::force && plan != nullptr)
+    if (const double speed = speed_behind(session, *plan, run.section, next); speed >= world::kSlowestForce)
+      if (double& planned = document.entities.get<world::Section>(next).force.speed;
+          std::abs(speed - planned) > kSameSpeed)
+        planned = speed;
   return kind == SectionKind::element
              ? replan(session, change, document, next, world::section(document, next).element, Following::planned)
              : replan_force(session, change, document, next);
@@ -90,12 +114,11 @@ Status replan_force(Session& session, Change& change, Document& document, Entity
       change.clamped.push_back(unmet);
     return reshape(document, section, plan.fit.spans, SectionEnd::stays), Status{};
   }
-  const sim::ElementFit fit = plan.fit.spans;  // the memory may move while what follows is planned
-  return put_and_follow(session, change, document, run, fit);
+  const sim::ForcePlan planned = plan;  // the memory may move while what follows is planned
+  return put_and_follow(session, change, document, run, planned.fit.spans, &planned);
 }
 
 bool follow_speeds(Session& session, Change& change) {
-  constexpr double kSame = 0.002;  // m/s
   std::vector<Entity> sections;
   const auto& all = session.document.entities.pool<world::Section>().items();
   const auto count = std::count_if(all.begin(), all.end(), [](const auto& s) { return s.kind == SectionKind::force; });
@@ -109,7 +132,7 @@ bool follow_speeds(Session& session, Change& change) {
     const SectionRun run = world::run_of(session.document, section);
     world::ForceProgram program = value.force;
     const std::optional<double> speed = speed_at(session, session.derived.starts[run.first]);
-    if (speed && !(std::abs(*speed - program.speed) <= kSame)) program.speed = *speed;
+    if (speed && !(std::abs(*speed - program.speed) <= kSameSpeed)) program.speed = *speed;
     const sim::ForceTask task = sim::force_task(session.document, run, program);
     if (session.findings.memory.forces.has(task)) continue;
     Document next = session.document;

@@ -95,6 +95,30 @@ TEST_F(Forces, many_keep_their_plans) {
   EXPECT_EQ(edit::force_plan(session, first())->serial, planned);
 }
 
+// The speed at each follows from the one before it, so none is planned for a speed that the train no longer has.
+TEST_F(Forces, neighbours_are_planned_once_each_when_the_train_comes_faster) {
+  for (const char* const line : {"start_speed 38", "element straight length 10", "element climb height 30"}) good(line);
+  for (int i = 3; i <= 5; ++i) {
+    good("force.add length 50");
+    section = fmt::format("q{}", i);
+    key("vertical key 1 at 0"), key("vertical key 1.8 at 14"), key("vertical key 0.2 at 30");
+    key("vertical key 1.3 at 48"), key("roll key 0.8 at 15"), key("roll key -0.8 at 35");
+  }
+  for (const char* const cars : {"1", "6"}) {
+    good(std::string("train @c1 cars ") + cars);
+    const std::uint64_t before = plan().serial;
+    good(std::string("start_speed ") + (*cars == '1' ? "38.03" : "38.06"));
+    EXPECT_EQ(plan().serial, before + 3) << cars << " cars";
+    for (const char* const name : {"q3", "q4", "q5"}) {
+      section = name;
+      const std::size_t first = world::run_of(session.document, entity(name)).first;
+      EXPECT_NEAR(program().speed, *edit::speed_at(session, session.derived.starts[first]), 0.002) << name;
+      EXPECT_LT(missed(), 0.06) << name;
+    }
+    expect_g2();
+  }
+}
+
 TEST_F(Forces, its_own_equipment_counts_in_its_speed) {
   drop_and_force();
   key("vertical key 1 at 0"), key("vertical key 2.4 at 20"), key("vertical key 0.8 at 45");
