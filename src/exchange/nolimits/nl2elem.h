@@ -18,8 +18,8 @@ namespace coaster::exchange {
 // world::kMaxKnots, corners beyond kSharpest, and vertices at which the track has no direction.
 base::Result<LoadedTrack> parse_nl2elem(std::string_view text, std::string_view name);
 
-// Checks that the track can be written: it has a segment, is at most kMaxNl2ElemLength long, and its handles
-// are within world::kMaxCoordinate, as a file's vertices must be.
+// Checks that the track can be written and read again: it has a segment, is at most kMaxNl2ElemLength long, its handles
+// are within world::kMaxCoordinate, and it does not fold (find_fold()).
 base::Status check_nl2elem(const world::Document& document);
 inline constexpr std::size_t kMaxNl2ElemBytes = 4u
                                                 << 20;  // 25,000 vertices; the tree of its XML takes 70 times as much

@@ -5,7 +5,9 @@
 #include <fmt/format.h>
 
 #include "base/check.h"
+#include "base/portable_math.h"
 #include "base/text.h"
+#include "exchange/nolimits/nl2_corners.h"
 #include "exchange/nolimits/nl2_rolls.h"
 #include "exchange/nolimits/nl2elem.h"
 
@@ -48,13 +50,21 @@ base::Status check_nl2elem(const world::Document& document) {
   if (const double length = world::exact_length(document); !(length <= kMaxNl2ElemLength && length > 0.01))
     return {base::Code::refused, fmt::format("error: expected a track of 0.01 to {} m, found {} m",
                                              base::to_text(kMaxNl2ElemLength), base::to_text(length))};
+  std::vector<SplinePiece> pieces;
   for (const world::Entity e : document.track.segments) {
     const curve::Cubic cubic = world::cubic_of(document, e);
+    pieces.push_back({{dvec3(cubic.p0), dvec3(cubic.p1), dvec3(cubic.p2), dvec3(cubic.p3)}, pieces.size()});
     for (const glm::vec3& handle : {cubic.p1, cubic.p2})
       if (!(std::max({std::abs(handle.x), std::abs(handle.y), std::abs(handle.z)}) <= world::kMaxCoordinate))
         return {base::Code::refused, fmt::format("error: expected handles within {} m of the origin, found one beyond",
                                                  base::to_text(world::kMaxCoordinate))};
   }
+  if (const auto fold = find_fold(pieces, document.track.closed))
+    return {base::Code::refused,
+            fmt::format("error: expected turns of at most {} degrees within {} cm, found one of {:.6g} degrees behind "
+                        "knot {}; a file with it could not be read",
+                        kSharpest, 200 * kCornerOff, base::degrees(fold->angle),
+                        world::label_of(document, document.track.knots[fold->vertex]))};
   return {};
 }
 

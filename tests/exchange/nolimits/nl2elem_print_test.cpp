@@ -146,5 +146,16 @@ TEST(nl2elem_print, tracks_without_segments_or_with_handles_beyond_the_limits_ar
   EXPECT_FALSE(check_nl2elem(far).ok());
 }
 
+// With handles 2.5 times as long as its straight the train turns back twice on the same line.
+TEST(nl2elem_print, a_track_that_turns_back_within_6_cm_is_refused_because_it_could_not_be_read) {
+  world::Document line = test::straight_document({3, 5, 1}, {33, 9, 7}, 3);
+  EXPECT_TRUE(check_nl2elem(line).ok());
+  line.entities.get<world::Knot>(line.track.knots[1]).out_length = 26;
+  line.entities.get<world::Knot>(line.track.knots[2]).in_length = 26;
+  EXPECT_EQ(check_nl2elem(line).message,
+            "error: expected turns of at most 90 degrees within 6 cm, found one of 180 degrees behind knot k2; a file "
+            "with it could not be read");
+}
+
 }  // namespace nl2elem_print_test
 }  // namespace coaster::exchange
