@@ -54,6 +54,9 @@ std::optional<std::string> broken(const ForceProgram& program) {
       return fmt::format("{} has {} keys, the limit is {}", base::name_of(channel), keys.size(), kMostForceKeys);
     for (std::size_t i = 0; i < keys.size(); ++i) {
       if (auto wrong = broken_key(program, channel, keys[i])) return wrong;
+      if (i > 0 && keys[i].at < keys[i - 1].at)
+        return fmt::format("the keys of {} do not ascend: {:.6g} {} follows {:.6g}", base::name_of(channel), keys[i].at,
+                           unit, keys[i - 1].at);
       if (i > 0 && !(keys[i].at - keys[i - 1].at >= gap))
         return fmt::format("{} has two keys within {} {} at {:.6g} {}", base::name_of(channel), gap, unit, keys[i].at,
                            unit);

@@ -72,6 +72,7 @@ TEST(force, files_with_bad_programs_are_refused_with_the_reason) {
   refused("[0, 1]", "[0]", "vertical[0]: expected 2 or 5 numbers");
   refused("[0, 1]", "[0, \"1\"]", "vertical[0]: expected 2 or 5 numbers");
   refused("[0, 1]", "[1.22, 1]", "vertical has two keys within 0.05 s at 1.25 s");
+  refused("[0, 1]", "[2, 1]", "the keys of vertical do not ascend: 1.25 s follows 2");
   refused("[0, 1]", "[0, 11]", "has the value 11 g, expected -10 to 10");
   refused("\"length\": 3.5", "\"length\": 100", "the length is 100 s, expected 0.2 to 60");
   refused("\"length\": 3.5, ", "", "length: missing");
