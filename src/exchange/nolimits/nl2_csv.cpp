@@ -9,6 +9,7 @@
 
 #include "base/text.h"
 #include "base/words.h"
+#include "exchange/nolimits/nl2_spline.h"
 #include "sim/fit/fit_track.h"
 #include "world/topology.h"
 
@@ -143,8 +144,7 @@ bool read_vector(Reader& r, const Cells& cells, std::size_t first, double limit,
     const auto number = base::parse_double(cells[i]);
     const auto expected = [&](std::string_view what) { return fmt::format("{} in column {}", what, kColumns[i]); };
     if (!number) return r.fail(expected("a finite number"), base::quoted_number(cells[i]));
-    if (!(std::abs(*number) <= limit))
-      return r.fail(expected(fmt::format("a number within {}", static_cast<int>(limit))), base::quoted_start(cells[i]));
+    if (!(std::abs(*number) <= limit)) return r.fail(expected(within_text(limit)), base::quoted_start(cells[i]));
     v[axis] = *number;
   }
   return true;

@@ -50,8 +50,7 @@ bool read_number(XmlReader& r, const XMLElement& parent, const char* tag, double
   if (!number || !std::isfinite(*number))
     return r.fail(element->GetLineNum(), "a finite number in " + what, base::quoted_number(text));
   if (!(std::abs(*number) <= limit))
-    return r.fail(element->GetLineNum(), fmt::format("a number within {} in {}", base::to_text(limit), what),
-                  base::quoted_start(text));
+    return r.fail(element->GetLineNum(), fmt::format("{} in {}", within_text(limit), what), base::quoted_start(text));
   value = *number;
   return true;
 }

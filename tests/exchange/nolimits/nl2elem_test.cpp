@@ -206,7 +206,7 @@ TEST(nl2elem, bad_files_are_refused_with_line_and_reason) {
       {with(vertex + "<vertex><x>nan</x><y>2</y><z>3</z></vertex>"), "x:6: error: expected a finite number in <x>"},
       {with(vertex + "<vertex><x>1e999</x><y>2</y><z>3</z></vertex>"), "x:6: error: expected a finite number in <x>"},
       {with(vertex + "<vertex><x>1e006</x><y>2</y><z>3</z></vertex>"),
-       "x:6: error: expected a number within 1e+05 in <x>"},
+       "x:6: error: expected a position within 100000 m in <x>"},
       {with(vertex + "<vertex><x>5</x><y>2</y><z>3</z><strict>maybe</strict></vertex>"),
        "expected true or false in <strict>"},
       {with(vertex + vertex), "x:3: error: expected vertices at different places, found all at one"},
