@@ -43,7 +43,7 @@ constexpr std::array kFormats{
     Format{".svg", "drawing", nullptr, print_svg, false, false, nullptr, base::kMaxFileBytes, nullptr, true},
 };
 
-// m: no coaster is half as long, from its lowest to its highest point a third as high.
+// m: no coaster is half as long, or a third as high from its lowest to its highest point.
 constexpr double kMostLength = 20'000, kMostHeight = 600;
 
 // Returns "a.txt: error: expected a file ending in .json"; names a format that works only in the other direction.
@@ -74,9 +74,10 @@ void equip(LoadedTrack& loaded) {
 void warn_of_unit(LoadedTrack& loaded, const std::string& name) {
   const world::Document& document = loaded.document;
   if (document.track.knots.empty()) return;
-  const auto height = [&](world::Entity e) { return world::knot(document, e).position.y; };
-  const auto [low, high] = std::ranges::minmax(document.track.knots, {}, height);
-  const double length = world::exact_length(document), rise = height(high) - height(low);
+  std::vector<float> heights;
+  for (const world::Entity e : document.track.knots) heights.push_back(world::knot(document, e).position.y);
+  const auto [low, high] = std::minmax_element(heights.begin(), heights.end());
+  const double length = world::exact_length(document), rise = *high - *low;
   if (length > kMostLength || rise > kMostHeight)
     loaded.warnings.push_back(
         fmt::format("{}: warning: the track is {:.1f} km long and {:.0f} m high. Positions are in metres: if the file "
