@@ -61,11 +61,11 @@ void ImGuiInput::take_text(const std::string& utf8, bool ctrl) {
 }
 
 void ImGuiInput::take_button(const platform::MouseButton& event) {
-  constexpr double kSeconds = 0.3;  // between the presses of a double click
+  constexpr double kSeconds = 0.3;  // between the presses of a double click, at least: frames may be longer
   const float reach = 2 * ImGui::GetIO().MouseDragThreshold;
   const auto button = static_cast<std::size_t>(event.button);
   Press& last = presses_[button];
-  const bool twice = event.down && !last.twice && time_ - last.time <= kSeconds &&
+  const bool twice = event.down && !last.twice && polled_ - last.time <= kSeconds &&
                      std::hypot(mouse_.x - last.at.x, mouse_.y - last.at.y) <= reach;
   if (event.down) last = {time_, mouse_, twice};
   waiting_.push_back({button, event.down, twice, mouse_, event.modifiers});
@@ -113,6 +113,8 @@ void ImGuiInput::feed(const platform::Events& events, int width, int height, boo
   if (!late_text_.empty()) take_text(std::exchange(late_text_, {}), false);
   for (const platform::Event& event : events)
     if (const auto* const tick = std::get_if<platform::Tick>(&event)) seconds += static_cast<float>(tick->dt);
+  // A press comes at any time since the last poll; a longer time than a second is an idle window's wait for it.
+  polled_ = time_ + std::max(0.0, static_cast<double>(seconds) - 1);
   time_ += static_cast<double>(seconds);
   for (const platform::Event& event : events) {
     if (const auto* const move = std::get_if<platform::MouseMove>(&event))

@@ -44,7 +44,8 @@ class ImGuiInput {
     bool twice = false;  // second press of a double click
   };
 
-  double time_ = 0;  // s, the sum of the ticks
+  double time_ = 0;    // s, the sum of the ticks
+  double polled_ = 0;  // s, the earliest time of this frame's events
   std::deque<Change> waiting_;
   std::array<Press, 3> presses_;
   ImVec2 mouse_{-FLT_MAX, -FLT_MAX};  // ImGui's value for "no mouse"
