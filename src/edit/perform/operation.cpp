@@ -28,16 +28,17 @@ Status perform(Session& session, Change& change, const SetEquipment& command) {
   if (!segment) return segment.status();
   const base::Result<world::Equipment> equipment = equipment_of(command.to, change);
   if (!equipment) return equipment.status();
-  session.document.entities.put(*segment, *equipment);
+  equip(session.document, change, {&*segment, 1}, *equipment, world::label_of(session.document, *segment));
   return {};
 }
 
-Status perform(Session& session, Change&, const RemoveEquipment& command) {
+Status perform(Session& session, Change& change, const RemoveEquipment& command) {
   const auto segment = require(session, command.segment, world::Kind::segment);
   if (!segment) return segment.status();
   if (!session.document.entities.find<world::Equipment>(*segment))
     return refused("there is no equipment on @" + world::label_of(session.document, *segment));
   session.document.entities.pool<world::Equipment>().erase(*segment);
+  change.note = fmt::format("Removed the equipment of {}.", world::label_of(session.document, *segment));
   return {};
 }
 

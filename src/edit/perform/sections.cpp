@@ -89,13 +89,14 @@ Status perform(Session& session, Change& change, const EquipSection& command) {
   base::Result<world::Equipment> equipment = equipment_of(command.to, change);
   if (!equipment) return equipment.status();
   const SectionRun run = world::run_of(session.document, *section);
-  for (std::size_t i = run.first; i < run.end(); ++i)
-    session.document.entities.put(session.document.track.segments[i], *equipment);
-  name_equipment(session.document.entities.get<world::Section>(*section), &*equipment);
+  auto& kept = session.document.entities.get<world::Section>(*section);
+  const std::span<const Entity> segments = session.document.track.segments;
+  equip(session.document, change, segments.subspan(run.first, run.count), *equipment, world::title_of(kept));
+  name_equipment(kept, &*equipment);
   return {};
 }
 
-Status perform(Session& session, Change&, const UnequipSection& command) {
+Status perform(Session& session, Change& change, const UnequipSection& command) {
   const auto section = require(session, command.section, Kind::section);
   if (!section) return section.status();
   const SectionRun run = world::run_of(session.document, *section);
@@ -104,7 +105,9 @@ Status perform(Session& session, Change&, const UnequipSection& command) {
   for (std::size_t i = run.first; i < run.end(); ++i) equipment.erase(session.document.track.segments[i]);
   if (equipment.size() == before)
     return refused("there is no equipment on " + world::title_of(world::section(session.document, *section)));
-  name_equipment(session.document.entities.get<world::Section>(*section), nullptr);
+  auto& kept = session.document.entities.get<world::Section>(*section);
+  name_equipment(kept, nullptr);
+  change.note = fmt::format("Removed the equipment of {}.", world::title_of(kept));
   return {};
 }
 

@@ -122,6 +122,23 @@ TEST_F(PerformSections, are_selected_together_and_the_last_one_named_is_active) 
   refused("select_sections selected", "no section is selected");
 }
 
+// A number that is dragged gives the same equipment again and again.
+TEST_F(PerformSections, a_notice_names_new_equipment_and_none_a_changed_number) {
+  const auto notice_of = [&](const std::string& line) {
+    const std::uint64_t before = session.notices.serial;
+    good(line);
+    return session.notices.serial == before ? std::string() : session.notices.list.back().text;
+  };
+  EXPECT_EQ(notice_of("section.title @q1 to \"Way out\""), "");
+  EXPECT_EQ(notice_of("section.equip @q1 as lift speed 4"), "Made Way out a lift.");
+  EXPECT_EQ(notice_of("section.equip @q1 as lift speed 5"), "");
+  EXPECT_EQ(notice_of("equip @s2 as brake speed 5"), "Made s2 a brake.");
+  EXPECT_EQ(notice_of("equip @s2 as brake speed 6"), "");
+  EXPECT_EQ(notice_of("unequip @s2"), "Removed the equipment of s2.");
+  EXPECT_EQ(notice_of("section.equip @q1 as lift speed 5"), "Made Way out a lift.") << "s2 was plain";
+  EXPECT_EQ(notice_of("section.unequip @q1"), "Removed the equipment of Way out.");
+}
+
 TEST_F(PerformSections, are_selected) {
   good("select @q1");
   EXPECT_EQ(session.settings.selected, entity("q1"));
