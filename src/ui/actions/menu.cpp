@@ -34,7 +34,11 @@ void build_recent(Act& act) {
     }
     ImGui::EndMenu();
   }
-  note(act.ui, "File/Recent", "menu", open ? "" : "Recently used files.", any, open ? "open" : "closed", low, high);
+  note(act.ui, "File/Recent", "menu",
+       open  ? ""
+       : any ? "Recently used files."
+             : "No files have been used yet.",
+       any, open ? "open" : "closed", low, high);
 }
 
 void build_items(Act& act, std::string_view menu);

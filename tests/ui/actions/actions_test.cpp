@@ -1,6 +1,7 @@
 #include "ui/actions/actions.h"
 
 #include <fmt/format.h>
+#include <imgui_internal.h>
 
 #include "edit/commands/commands_ride.h"
 #include "edit/commands/commands_settings.h"
@@ -172,6 +173,29 @@ TEST_F(ActionsTest, a_key_of_the_settings_takes_the_place_of_the_table_s) {
   EXPECT_TRUE(host_->set_keys({}).empty());
   key(platform::Key::tab);
   EXPECT_TRUE(session_.settings.panels->show_panels);
+}
+
+TEST_F(ActionsTest, an_empty_list_of_recent_files_says_so) {
+  for (const bool any : {false, true}) {
+    user_.emplace();
+    if (any) user_->settings.recent.push_back("/tmp/red.json");
+    frames(2);
+    click("Menu/File");
+    frames(2);
+    const Widget* const recent = find("Menu/File/Recent");
+    ASSERT_NE(recent, nullptr);
+    EXPECT_EQ(recent->enabled, any);
+    hover(middle(*recent));
+    frames(60);
+    const ImGuiWindow* tooltip = nullptr;
+    for (const ImGuiWindow* const window : ImGui::GetCurrentContext()->Windows)
+      if ((window->Flags & ImGuiWindowFlags_Tooltip) != 0 && window->Active) tooltip = window;
+    ASSERT_EQ(tooltip != nullptr, !any) << "the open list covers it";
+    if (tooltip != nullptr) {
+      EXPECT_NEAR(tooltip->ContentSize.x, text_size("No files have been used yet.").x, 1);
+    }
+    key(platform::Key::escape);
+  }
 }
 
 TEST_F(ActionsTest, f12_asks_for_a_picture) {
