@@ -147,9 +147,12 @@ void more_steps(Act& act) { set_steps(act, 2 * act.ui.session().settings.evaluat
 void fewer_steps(Act& act) { set_steps(act, act.ui.session().settings.evaluation->steps / 2); }
 
 // Opens or closes the pages, or first switches to a workspace that has them.
+bool has_laboratory(const Act& act) {
+  return is<kWorkspace, Workspace::laboratory>(act) || is<kWorkspace, Workspace::all>(act);
+}
+bool laboratory_shows(const Act& act) { return has_laboratory(act) && on<&Panels::show_laboratory>(act); }
 void laboratory(Act& act) {
-  const Workspace now = act.ui.session().settings.panels->workspace;
-  if (now == Workspace::build || now == Workspace::ride) choose_workspace(act.ui, Workspace::laboratory);
+  if (!has_laboratory(act)) choose_workspace(act.ui, Workspace::laboratory);
   else toggle<&Panels::show_laboratory>(act);
 }
 
@@ -239,7 +242,7 @@ constexpr Action kViewActions[] = {
      "Show or hide menu, panels and status bar. While ways home show: the next of them.", panels_or_next_way, kAlways,
      on<&Panels::show_panels>},
     {"Laboratory", "View", key(Key::l), kInDrag, "Open or close the laboratory.", laboratory, kAlways,
-     on<&Panels::show_laboratory>},
+     laboratory_shows},
     {"Next evaluator", "", key(Key::e), kInDrag, "Evaluate curves by the next method.", next_evaluator},
     {"More steps", "", key(Key::equal), kInDrag, "Twice as many steps per segment.", more_steps},
     {"Fewer steps", "", key(Key::minus), kInDrag, "Half as many steps per segment.", fewer_steps},

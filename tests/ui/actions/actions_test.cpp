@@ -198,6 +198,24 @@ TEST_F(ActionsTest, an_empty_list_of_recent_files_says_so) {
   }
 }
 
+TEST_F(ActionsTest, the_laboratory_is_ticked_only_where_it_shows) {
+  const std::pair<world::Workspace, const char*> rows[] = {{world::Workspace::laboratory, "on"},
+                                                           {world::Workspace::build, "off"},
+                                                           {world::Workspace::ride, "off"},
+                                                           {world::Workspace::all, "on"}};
+  for (const auto& [workspace, value] : rows) {
+    ASSERT_TRUE(edit::apply(session_, files_, edit::Set<&world::Panels::workspace>{workspace}).ok());
+    ASSERT_TRUE(edit::apply(session_, files_, edit::Set<&world::Panels::show_laboratory>{true}).ok());
+    frames(3);
+    click("Menu/View");
+    frames(2);
+    const Widget* const row = find("Menu/View/Laboratory");
+    ASSERT_NE(row, nullptr);
+    EXPECT_EQ(row->value, value) << base::name_of(workspace);
+    key(platform::Key::escape);
+  }
+}
+
 TEST_F(ActionsTest, f12_asks_for_a_picture) {
   EXPECT_EQ(frame({platform::KeyPress{platform::Key::f12, true, false, {}}}).photo, PhotoWish::scene);
   EXPECT_EQ(frame({platform::KeyPress{platform::Key::f12, true, false, {.ctrl = true}}}).photo, PhotoWish::window);
