@@ -96,20 +96,18 @@ void insert_point(Act& act) {
 }
 
 // True if the preview of the palette's element or of a way home shows.
-bool fits(const Act& act) {
-  if (act.ui.session().settings.aids->circuit > 0) return act.ui.find(edit::Want::circuit).circuit->refusal.empty();
-  return on<&Aids::show_element>(act) && act.ui.find(edit::Want::element).element->refusal.empty();
+bool preview_shows(const Act& act) {
+  return on<&Aids::show_element>(act) || act.ui.session().settings.aids->circuit > 0;
 }
 
 // True if a cell of the table of sections can be edited and no preview waits to be placed.
 bool has_cell(const Act& act) {
-  const edit::Session& session = act.ui.session();
-  const bool preview = on<&Aids::show_element>(act) || session.settings.aids->circuit > 0;
   const bool shows = is<&world::Panels::workspace, world::Workspace::build>(act) && act.ui.drawers.table;
-  return shows && act.ui.drawers.graph.open && !preview && selected_is(act, Kind::section);
+  return shows && act.ui.drawers.graph.open && !preview_shows(act) && selected_is(act, Kind::section);
 }
-constexpr Condition kPlaceable{[](const Act& act) { return fits(act) || has_cell(act); },
-                               "Choose an element first. Its preview must fit the open end."};
+// What does not fit is refused with the reason.
+constexpr Condition kPlaceable{[](const Act& act) { return preview_shows(act) || has_cell(act); },
+                               "Choose an element first."};
 void place_element(Act& act) {
   if (has_cell(act)) act.ui.inputs.cell = EditedCell{*selected(act), {}};
   else if (act.ui.session().settings.aids->circuit > 0) place_way_home(act.ui);

@@ -34,9 +34,8 @@ void next_way_home(Ui& ui) {
 
 void place_way_home(Ui& ui) {
   const sim::CircuitProposals& found = *ui.find(edit::Want::circuit).circuit;
-  if (found.list.empty()) return;
   ui.emit(edit::CompleteCircuit{static_cast<int>(shown_way_home(*ui.session().settings.aids, found)) + 1});
-  ui.emit(edit::Set<&world::Aids::circuit>{0});
+  if (!found.list.empty()) ui.emit(edit::Set<&world::Aids::circuit>{0});
 }
 
 }  // namespace coaster::ui

@@ -15,7 +15,7 @@ void toggle_ways_home(Ui& ui);
 inline constexpr std::string_view kCircuitHelp =
     "Show up to three ways from the open end of the track to its first knot.";
 void next_way_home(Ui& ui);
-// Closes the track with the displayed proposal, if there is one, and ends the preview.
+// Closes the track with the displayed proposal and ends the preview. Without one: a notice gives the reason.
 void place_way_home(Ui& ui);
 
 }  // namespace coaster::ui

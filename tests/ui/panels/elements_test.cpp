@@ -3,6 +3,7 @@
 
 #include "edit/commands/commands_document.h"
 #include "edit/commands/commands_elements.h"
+#include "edit/commands/set_setting.h"
 #include "ui/panels/element_fields.h"
 #include "ui/panels/panels.h"
 #include "ui/stage.h"
@@ -44,6 +45,34 @@ TEST_F(PanelElementsTest, place_adds_what_is_shown_in_one_step_of_undo) {
   EXPECT_TRUE(all<edit::PlaceElement>()[0].what.right);
   EXPECT_GT(knots(), before);
   EXPECT_EQ(session_.history.undo.size(), steps + 1);
+}
+
+// The panel's own line may be out of sight.
+TEST_F(PanelElementsTest, enter_on_an_element_that_does_not_fit_says_why) {
+  key(platform::Key::enter);
+  frames(2);
+  EXPECT_NE(host_->toast().find("Choose an element first."), std::string::npos) << host_->toast();
+  ASSERT_TRUE(edit::apply(session_, files_, edit::MoveKnot{{{world::Kind::knot, 3}}, {3.9f, 240, -2.3f}}).ok());
+  click("Elements/Curve");
+  frames(2);
+  const std::size_t before = knots();
+  key(platform::Key::enter);
+  frames(2);
+  EXPECT_NE(host_->toast().find("track's end is"), std::string::npos) << host_->toast();
+  EXPECT_EQ(knots(), before);
+  EXPECT_TRUE(session_.settings.aids->show_element);
+}
+
+TEST_F(PanelElementsTest, enter_without_a_way_home_says_why) {
+  ASSERT_TRUE(edit::apply(session_, files_, edit::MoveKnot{{{world::Kind::knot, 1}}, {-17, 240, 7}}).ok());
+  ASSERT_TRUE(edit::apply(session_, files_, edit::Set<&world::Aids::circuit>{1}).ok());
+  frames(3);
+  ASSERT_EQ(find("Elements/Place way home"), nullptr);
+  key(platform::Key::enter);
+  frames(2);
+  EXPECT_NE(host_->toast().find("first knot is too sharp"), std::string::npos) << host_->toast();
+  EXPECT_FALSE(session_.document.track.closed);
+  EXPECT_EQ(session_.settings.aids->circuit, 1);
 }
 
 TEST_F(PanelElementsTest, the_palette_keeps_the_parameters_of_each_element) {
