@@ -108,9 +108,9 @@ void build_bar(Ui& ui, float width, float bar) {
     }
     return;
   }
-  fold_button(ui, bar, false, large);
-  ImGui::SameLine(0, 0);
   // The names do not fit side by side.
+  fold_button(ui, bar, 2 * (bar + name) <= width, large);
+  ImGui::SameLine(0, 0);
   if (const auto page = combo_of(ui, "Page", chosen_page(ui), "Page of the laboratory.", ComboPlace::beside))
     open_page(ui, *page);
 }

@@ -34,6 +34,18 @@ struct LaboratoryTest : Stage {
   }
 };
 
+// Where the pages' names have no room, a list takes their place, and the mark alone is too small to find.
+TEST_F(LaboratoryTest, its_bar_has_its_name_in_a_small_window_at_a_large_scale) {
+  ASSERT_TRUE(edit::apply(session_, files_, edit::Set<&world::Look::ui_scale>{1.5f}).ok());
+  ASSERT_TRUE(edit::apply(session_, files_, edit::Set<&world::Panels::workspace>{world::Workspace::laboratory}).ok());
+  resize(1280, 720);
+  frames(3);
+  ASSERT_NE(find("Laboratory/Page"), nullptr) << "a list";
+  EXPECT_GT(find("Laboratory")->width, 3 * find("Laboratory")->height);
+  click("Laboratory");
+  EXPECT_TRUE(session_.settings.panels->show_laboratory);
+}
+
 TEST_F(LaboratoryTest, the_strip_starts_folded_and_its_bar_opens_and_folds_it) {
   frames(2);
   ASSERT_NE(find("Laboratory"), nullptr);
