@@ -80,8 +80,8 @@ void step_probe(Act& act, double by) {
   act.ui.emit(edit::Select{{world::name_of(session.document, segment)}, 1 - end});
 }
 constexpr double kProbeStep = 1.0 / 64;
-void probe_backward(Act& act) { step_probe(act, -kProbeStep); }
-void probe_forward(Act& act) { step_probe(act, kProbeStep); }
+void probe_back(Act& act) { step_probe(act, -kProbeStep); }
+void probe_on(Act& act) { step_probe(act, kProbeStep); }
 
 void panels_or_next_way(Act& act) {
   if (act.ui.session().settings.aids->circuit > 0) next_way_home(act.ui);
@@ -233,10 +233,10 @@ constexpr Action kViewActions[] = {
      next_conflict, kInConflict},
     {"Worst jolt", "View", kNoKey, kInDrag, "Go to the knot whose jumps of curvature and roll riders feel most.",
      worst_jolt, kRidden},
-    {"Probe backward", "View", key(Key::left_bracket), kRepeats,
-     "Move the selected position backward along the track by 1/64 of a segment.", probe_backward, kProbing},
-    {"Probe forward", "View", key(Key::right_bracket), kRepeats,
-     "Move the selected position forward along the track by 1/64 of a segment.", probe_forward, kProbing},
+    {"Probe back", "View", key(Key::left_bracket), kRepeats,
+     "Move the selected position backward along the track by 1/64 of a segment.", probe_back, kProbing},
+    {"Probe on", "View", key(Key::right_bracket), kRepeats,
+     "Move the selected position forward along the track by 1/64 of a segment.", probe_on, kProbing},
     {"Command palette", "View", ctrl(Key::p), 0, "Find an action or a command.", open_palette},
     {"Panels", "View", key(Key::tab), 0,
      "Show or hide menu, panels and status bar. While ways home show: the next of them.", panels_or_next_way, kAlways,
