@@ -18,9 +18,9 @@ void watch_signals() {
   action.sa_handler = note_signal;
   action.sa_flags = static_cast<int>(SA_RESETHAND | SA_RESTART);
   sigemptyset(&action.sa_mask);
-  for (const int number : {SIGTERM, SIGINT, SIGHUP}) (void)::sigaction(number, &action, nullptr);
-  action.sa_flags = SA_RESTART;  // each line printed to a closed pipe is another one
-  (void)::sigaction(SIGPIPE, &action, nullptr);
+  for (const int number : {SIGTERM, SIGINT, SIGHUP, SIGQUIT}) (void)::sigaction(number, &action, nullptr);
+  action.sa_flags = SA_RESTART;  // each line printed to a closed pipe is another one, each second beyond the limit, too
+  for (const int number : {SIGPIPE, SIGXCPU}) (void)::sigaction(number, &action, nullptr);
 }
 
 int pending_signal() { return came; }

@@ -1,11 +1,11 @@
-// Requests by the system to end: SIGTERM, SIGINT (Ctrl+C), SIGHUP (the terminal closed) and SIGPIPE (the reader of the
-// output has exited).
+// Requests by the system to end: SIGTERM, SIGINT (Ctrl+C), SIGHUP (the terminal closed), SIGQUIT (Ctrl+\), SIGPIPE (the
+// reader of the output has exited) and SIGXCPU (over the limit of processor time).
 #pragma once
 
 namespace coaster::platform {
 
 // Makes these signals only set a flag from now on; a second signal of the same kind ends the program at once, with the
-// default action, but any number of SIGPIPE only sets the flag.
+// default action, but any number of SIGPIPE and SIGXCPU only sets the flag.
 void watch_signals();
 
 // Returns the signal received, 0 if none. The flag stays set.

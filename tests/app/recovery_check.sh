@@ -65,13 +65,13 @@ cmp -s "$OUT/own.json" "$OUT/before.json" && fail "what was recovered is not sav
 [ "$(stat -c %a "$OUT/own.json")" = 640 ] || fail "the file's mode has changed"
 [ "$(left)" = 0 ] || fail "an autosave is left of what is saved"
 
-# SIGTERM, SIGINT, SIGHUP, SIGPIPE: autosaved at once, exit code 128 plus the signal's number.
+# SIGTERM, SIGINT, SIGHUP, SIGPIPE, SIGQUIT, SIGXCPU: autosaved at once, exit code 128 plus the signal's number.
 script signalled 'env size 64x36
 load "$OUT/own.json"
 move @k2 to 5 8 4
 shot "ready.png"
 frames 1000000'
-for signal in 15 2 1 13; do
+for signal in 15 2 1 13 3 24; do
   # A shell's background jobs ignore SIGINT from their start on; the handlers that the program installs work
   # nevertheless.
   launch signalled
