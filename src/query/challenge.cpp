@@ -80,14 +80,6 @@ std::string shown(const Query& query, const Value& value) {
   return fmt::format("{:.{}f}{}{}", *number, whole ? 0 : 2, query.unit.empty() ? "" : " ", query.unit);
 }
 
-// Checks that an expression's operands can be compared; any value of the query shows this.
-base::Status comparable(const Rule& rule, const edit::Finder& empty) {
-  const base::Result<Value> value = rule.query->evaluate(context_of(empty), rule.condition.argument);
-  if (!value) return {};  // names a knot or a segment, which an empty track lacks
-  const base::Result<bool> held = holds(rule.condition, *value);
-  return held ? base::Status{} : held.status();
-}
-
 base::Status at_rule(std::string_view path, RuleList list, std::size_t index, int column, const std::string& message) {
   return {base::Code::bad_file,
           fmt::format("{}: error: {}[{}].expect:{}: {}", path, base::name_of(list), index, column, message)};
@@ -189,10 +181,6 @@ base::Result<std::vector<Rule>> read_rules(const exchange::ChallengeFile& challe
 base::Status check_rules(const exchange::ChallengeFile& challenge, const std::string& path) {
   const base::Result<std::vector<Rule>> rules = read_rules(challenge, path);
   if (!rules) return rules.status();
-  edit::Session empty = edit::make_session({});
-  for (const Rule& rule : *rules)
-    if (const base::Status sense = comparable(rule, empty); !sense)
-      return at_rule(path, rule.list, rule.index, rule.condition.column, sense.message);
   for (std::size_t i = 0; i < challenge.locks.size(); ++i)
     if (!edit::is_command_word(challenge.locks[i]))
       return {base::Code::bad_file,
@@ -222,7 +210,7 @@ Finding look_at(const edit::Finder& find, const Rule& rule) {
   }
   finding.place = place_of(find, rule.query->name);
   if (!finding.place) finding.place = place_of_joint(find, rule.query->name);
-  if (!finding.place && rule.query->argument == "@knot")
+  if (!finding.place && usage_of(rule.query->argument) == usage_of(kKnot))
     finding.place =
         place_of_knot(find.session(), rule.condition.argument.starts_with('@') ? rule.condition.argument.substr(1)
                                                                                : rule.condition.argument);

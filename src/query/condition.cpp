@@ -36,6 +36,8 @@ std::optional<Op> op_of(const base::Token& word) {
   return std::nullopt;
 }
 
+constexpr std::string_view kNone = "none";  // a number or word that is not there
+
 constexpr std::array<std::string_view, 3> kToleranceMarks{"+-", "+/-", "\u00b1"};
 
 // Returns the rest of a word that starts a tolerance: "" for "+-" alone; nothing for other words.
@@ -67,6 +69,8 @@ std::string joined(const std::vector<base::Token>& values) {
   return text;
 }
 
+std::string as_written(const base::Token& word) { return word.quoted ? base::quoted(word.text) : word.text; }
+
 base::Status mismatch(std::string message) { return {base::Code::usage, std::move(message)}; }
 
 // Compares by the sign of (found - wanted); equal within the tolerance.
@@ -94,74 +98,74 @@ std::optional<double> number_of(std::string_view text) {
 }
 
 base::Result<bool> holds_number(const Condition& c, double found) {
-  if (c.values.size() != 1) return mismatch("expected one number, found " + base::quoted(joined(c.values)));
+  const std::string wanted_text = joined(c.values);
   if (*c.op == Op::contains && !c.tolerance)
-    return lower(base::to_text(found)).find(lower(c.values[0].text)) != std::string::npos;
-  const auto wanted = number_of(c.values[0].text);
-  if (!wanted) return mismatch("expected a number, found " + base::quoted(c.values[0].text));
+    return lower(base::to_text(found)).find(lower(wanted_text)) != std::string::npos;
+  if (wanted_text == kNone) return *c.op == Op::not_equal;
+  const auto wanted = number_of(wanted_text);
+  if (!wanted) return mismatch("expected a number, found " + base::quoted(wanted_text));
   return ordered(*c.op, found, *wanted, c.tolerance.value_or(0), whole(found) && whole(*wanted));
 }
 
-base::Result<bool> holds_text(const Condition& c, const std::string& found) {
+// "none" of a query of numbers is beyond every limit.
+bool holds_text(const Condition& c, const std::string& found) {
   const std::string wanted = joined(c.values);
+  if (*c.op == Op::contains) return lower(found).find(lower(wanted)) != std::string::npos;
   const auto bare = [](std::string_view t) { return t.starts_with('@') ? t.substr(1) : t; };
   const auto found_switch = parse_switch(found), wanted_switch = parse_switch(wanted);
   const bool same = bare(found) == bare(wanted) || (found_switch && found_switch == wanted_switch);
-  switch (*c.op) {
-    case Op::equal: return same;
-    case Op::not_equal: return !same;
-    case Op::contains: return lower(found).find(lower(wanted)) != std::string::npos;
-    case Op::less:
-    case Op::less_equal:
-    case Op::greater:
-    case Op::greater_equal: break;
-  }
-  const auto a = base::parse_double(found), b = number_of(wanted);
-  if (!a || !b) return mismatch("a text can be compared only with ==, != and ~");
-  return ordered(*c.op, *a, *b, c.tolerance.value_or(0), true);
+  return *c.op == Op::equal ? same : *c.op == Op::not_equal && !same;
 }
 
-base::Result<bool> holds_ranked(const Condition& c, const Ranked& found) {
+bool holds_ranked(const Condition& c, const Ranked& found) {
   const std::string wanted = joined(c.values);
   if (*c.op == Op::contains) return lower(found.text).find(lower(wanted)) != std::string::npos;
-  const std::optional<int> rank = rank_of(c.query, wanted);
-  if (!rank) return mismatch(fmt::format("expected a value such as {}, found {}", found.text, base::quoted(wanted)));
-  return ordered(*c.op, found.rank, *rank, 0, true);
+  const std::optional<int> rank = rank_of(*find_query(c.query), wanted);
+  return rank ? ordered(*c.op, found.rank, *rank, 0, true) : *c.op == Op::not_equal;  // none is no rank
 }
 
-base::Result<bool> holds_vector(const Condition& c, glm::dvec3 found) {
-  if (*c.op != Op::equal && *c.op != Op::not_equal && *c.op != Op::contains)
-    return mismatch("a vector can be compared only with == and !=");
-  if (c.values.size() != 3) return mismatch("expected three numbers, found " + base::quoted(joined(c.values)));
-  bool same = true;
-  for (int axis = 0; axis < 3; ++axis) {
+bool holds_vector(const Condition& c, glm::dvec3 found) {
+  bool same = c.values.size() == 3;
+  for (int axis = 0; same && axis < 3; ++axis) {
     const auto wanted = number_of(c.values[static_cast<std::size_t>(axis)].text);
-    if (!wanted)
-      return mismatch("expected a number, found " + base::quoted(c.values[static_cast<std::size_t>(axis)].text));
-    same =
-        same && ordered(Op::equal, found[axis], *wanted, c.tolerance.value_or(0), whole(found[axis]) && whole(*wanted));
+    same = wanted &&
+           ordered(Op::equal, found[axis], *wanted, c.tolerance.value_or(0), whole(found[axis]) && whole(*wanted));
   }
   return (*c.op == Op::not_equal) != same;
 }
 
-// Checks what the query alone says about the values: they are among its words, or numbers where it has a unit; "none"
-// is always possible.
-bool check_values(Words& words, const Query& query, const Condition& c) {
-  const std::string all = joined(c.values);
-  const int column = c.values.front().column;
-  if (c.op == Op::contains || all == "none") return true;
-  if (query.words) {
-    const std::vector<std::string> names = query.words();
-    if (std::find(names.begin(), names.end(), all) != names.end()) return true;
-    return words.fail(column, fmt::format("expected {}, found {}{}", base::alternatives(names), base::quoted(all),
-                                          base::suggestion(all, names)));
-  }
-  if (query.unit.empty()) return true;
+bool check_numbers(Words& words, const Query& query, const Condition& c, std::size_t count) {
+  if (c.values.size() != count)
+    return words.fail(c.values.front().column,
+                      fmt::format("expected {}, found {}", count == 1 ? "one number" : "three numbers",
+                                  base::quoted(joined(c.values))));
   for (const base::Token& value : c.values)
     if (!number_of(value.text))
-      return words.fail(value.column,
-                        fmt::format("expected a number ({}), found {}", query.unit, base::quoted_number(value.text)));
+      return words.fail(value.column, fmt::format("expected a number{}, found {}",
+                                                  query.unit.empty() ? "" : fmt::format(" ({})", query.unit),
+                                                  base::quoted_number(value.text)));
   return true;
+}
+
+// Checks that the query can have these values and that the operator can compare them.
+bool check_values(Words& words, const Query& query, const Condition& c, const base::Token& op) {
+  const Type type = query.values.type;
+  if (c.op == Op::contains || type == Type::any) return true;
+  const bool equality = c.op == Op::equal || c.op == Op::not_equal;
+  if (!equality && (type == Type::text || type == Type::vector))
+    return words.fail(op.column,
+                      fmt::format("a {} can be compared only with {}, found {}", type == Type::text ? "text" : "vector",
+                                  type == Type::text ? "==, != and ~" : "== and !=", base::quoted(op.text)));
+  const std::string all = joined(c.values);
+  if (all == kNone && (type != Type::ranked || !query.argument.empty())) return true;
+  if (type == Type::number || type == Type::vector) return check_numbers(words, query, c, type == Type::number ? 1 : 3);
+  if (query.values.words == nullptr) return true;
+  const std::vector<std::string> names = query.values.words();
+  if (type == Type::ranked ? rank_of(query, all).has_value()
+                           : std::find(names.begin(), names.end(), all) != names.end())
+    return true;
+  return words.fail(c.values.front().column, fmt::format("expected {}, found {}{}", base::alternatives(names),
+                                                         base::quoted(all), base::suggestion(all, names)));
 }
 
 bool is_true(const Value& value) {
@@ -186,13 +190,17 @@ bool parse_condition(Words& words, Condition& condition, std::string_view stop) 
     return words.fail(name->column, fmt::format("no query {}{}", base::quoted(name->text),
                                                 base::suggestion(name->text, base::names_in(queries()))));
   if (!query->argument.empty()) {
-    const base::Token* const argument = words.take(query->argument);
+    const std::string usage = usage_of(query->argument);
+    const base::Token* const argument = words.take(usage);
     if (!argument) return false;
     if (op_of(*argument))
-      return words.fail(argument->column,
-                        fmt::format("expected {}, found {}", query->argument, base::quoted(argument->text)));
+      return words.fail(argument->column, fmt::format("expected {}, found {}", usage, base::quoted(argument->text)));
+    if (auto wrong = wrong_argument(query->argument, argument->text)) {
+      wrong->column += argument->column + (argument->quoted ? 0 : -1);
+      return words.fail(*wrong);
+    }
     condition.argument = argument->text;
-    condition.text += " " + argument->text;
+    condition.text += " " + as_written(*argument);
   }
   const auto stops = [&] {
     return words.at_end() || (!stop.empty() && !words.peek()->quoted && words.peek()->text == stop);
@@ -205,14 +213,14 @@ bool parse_condition(Words& words, Condition& condition, std::string_view stop) 
   condition.text += " " + op->text;
   while (!stops() && !tolerance_in(*words.peek())) {
     const base::Token* const value = words.take("a value");
-    condition.text += " " + (value->quoted ? base::quoted(value->text) : value->text);
+    condition.text += " " + as_written(*value);
     condition.values.push_back(*value);
   }
   if (condition.values.size() > 1 && !condition.values.back().quoted && condition.values.back().text == query->unit)
     condition.values.pop_back();
   if (condition.values.empty())
     return words.fail(words.at_end() ? words.end_column() : words.peek()->column, "expected a value");
-  if (!check_values(words, *query, condition)) return false;
+  if (!check_values(words, *query, condition, *op)) return false;
   if (!stops() && !parse_tolerance(words, condition)) return false;
   if (condition.tolerance) condition.text += " +-" + base::to_text(*condition.tolerance);
   return true;

@@ -32,10 +32,6 @@ std::string name_of(const Query& query, std::string_view argument) {
   return fmt::format("{}{}{}", query.name, argument.empty() ? "" : " ", argument);
 }
 
-base::Status unreadable(std::string_view goal, std::string_view message) {
-  return {base::Code::usage, fmt::format("goal {}: {}", base::quoted(goal), message)};
-}
-
 bool in(std::span<const Query> rows, const Query& query) {
   return std::any_of(rows.begin(), rows.end(), [&](const Query& row) { return row.name == query.name; });
 }
@@ -51,27 +47,44 @@ struct Goal {
   double wanted = 0, tolerance = 0;
 };
 
+std::optional<Goal> parse_goal(base::Words& words) {
+  Condition condition;
+  if (!parse_condition(words, condition) || !words.end()) return std::nullopt;
+  const auto fail = [&](int column, std::string_view message) {
+    words.fail(column, std::string(message));
+    return std::nullopt;
+  };
+  const Query* const query = find_query(condition.query);
+  const bool numeric = query->values.type == Type::number || query->values.type == Type::any;
+  if (!may_be_sought(*query) || !numeric)
+    return fail(condition.column,
+                base::quoted(condition.query) + " cannot be sought: expected a query of track or ride with a number");
+  const bool compares = condition.op && *condition.op != Op::not_equal && *condition.op != Op::contains;
+  if (!compares || condition.negated)
+    return fail(condition.column, "expected a goal with == < <= > or >= and a number, such as ride.lap_time == 40");
+  const auto number = condition.values.size() == 1 ? base::parse_double(condition.values.front().text) : std::nullopt;
+  if (!number)
+    return fail(condition.values.front().column,
+                "expected one number, found " + base::quoted(condition.values.front().text));
+  const double usual = 1e-3 * std::max(std::abs(*number), 1.0);
+  return Goal{query, condition.argument, *condition.op, *number, std::max(condition.tolerance.value_or(usual), 1e-9)};
+}
+
 base::Result<Goal> read_goal(const std::string& text) {
   std::vector<base::Token> tokens;
   base::TextError error;
-  Condition condition;
-  if (!base::tokenise(text, tokens, error)) return unreadable(text, error.message);
-  base::Words words(tokens, error);
-  if (!parse_condition(words, condition) || !words.end()) return unreadable(text, error.message);
-  const Query* const query = find_query(condition.query);
-  if (!may_be_sought(*query))
-    return unreadable(text, base::quoted(condition.query) + " does not follow from track and ride");
-  const bool compares = condition.op && *condition.op != Op::not_equal && *condition.op != Op::contains;
-  if (!compares || condition.negated) return unreadable(text, "expected == < <= > or >= and a number");
-  const auto number = condition.values.size() == 1 ? base::parse_double(condition.values.front().text) : std::nullopt;
-  if (!number || !std::isfinite(*number)) return unreadable(text, "expected one number");
-  const double usual = 1e-3 * std::max(std::abs(*number), 1.0);
-  return Goal{query, condition.argument, *condition.op, *number, std::max(condition.tolerance.value_or(usual), 1e-9)};
+  if (base::tokenise(text, tokens, error)) {
+    base::Words words(tokens, error);
+    if (const auto goal = parse_goal(words)) return *goal;
+  }
+  return base::Status{base::Code::usage, fmt::format("goal {}: {}", base::quoted(text), error.message)};
 }
 
 }  // namespace
 
 std::span<const GoalRow> goals() { return kGoals; }
+
+bool check_goal(base::Words& words) { return parse_goal(words).has_value(); }
 
 base::Result<edit::GoalState> measure_goal(edit::Session& session, const std::string& goal) {
   const base::Result<Goal> read = read_goal(goal);

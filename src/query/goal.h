@@ -5,6 +5,7 @@
 #include <string>
 #include <string_view>
 
+#include "base/words.h"
 #include "edit/session/session.h"
 
 namespace coaster::query {
@@ -15,6 +16,9 @@ struct GoalRow {
   int decimals;  // of the displayed value
 };
 std::span<const GoalRow> goals();
+
+// Reads a goal up to the end of the words. On failure returns false; the error is in `words`.
+bool check_goal(base::Words& words);
 
 // Measures "ride.lap_time == 40", "ride.g_up_max <= 4.5" and the like, with == <= < >= or >. A goal with == is met
 // within its tolerance, by default a thousandth of the number, at least 0.001; the others are met if the comparison

@@ -2,7 +2,6 @@
 #include "query/query.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include <fmt/format.h>
@@ -27,6 +26,11 @@ std::string to_text(const Value& value) {
   return std::visit(Visitor{}, value);
 }
 
+base::Result<Value> Query::evaluate(const Context& context, std::string_view word) const {
+  if (const auto wrong = wrong_argument(argument, word)) return base::Status{base::Code::usage, wrong->message};
+  return row(context, word);
+}
+
 std::span<const Query> queries() {
   static const std::vector<Query> table = [] {
     std::vector<Query> rows;
@@ -45,23 +49,22 @@ const Query* find_query(std::string_view name) {
   return found == all.end() ? nullptr : &*found;
 }
 
-std::optional<int> rank_of(std::string_view query_name, std::string_view word) {
-  const std::string lower = base::lower(word);
-  const auto place = [&](std::span<const std::string_view> words) -> std::optional<int> {
-    const auto found = std::find(words.begin(), words.end(), lower);
-    if (found == words.end()) return std::nullopt;
-    return static_cast<int>(found - words.begin());
-  };
-  const auto continuity = [&](const std::array<std::string_view, 4>& words) {
-    auto rank = place(words);
-    if (rank) --*rank;
-    return rank;
-  };
-  if (query_name == "geometric" || query_name == "geometric_min") return continuity({"none", "g0", "g1", "g2"});
-  if (query_name == "parametric" || query_name == "parametric_min") return continuity({"none", "c0", "c1", "c2"});
-  if (place(std::array<std::string_view, 4>{"on", "true", "yes", "1"})) return 1;
-  if (place(std::array<std::string_view, 4>{"off", "false", "no", "0"})) return 0;
-  return std::nullopt;
+std::optional<int> rank_of(const Query& query, std::string_view word) {
+  const std::optional<bool> on = word == "1" ? true : word == "0" ? std::optional(false) : base::parse_switch(word);
+  const std::string wanted = base::lower(on ? (*on ? "on" : "off") : word);
+  const std::vector<std::string> words = query.values.words();
+  const auto found = std::find_if(words.begin(), words.end(), [&](const auto& w) { return base::lower(w) == wanted; });
+  return found == words.end() ? std::nullopt : std::optional(static_cast<int>(found - words.begin()));
+}
+
+std::vector<std::string> on_off() { return {"off", "on"}; }
+
+std::vector<std::string> parameter_names() {
+  std::vector<std::string> names;
+  for (const world::ElementRow& row : world::rows_of(world::ElementKind{}))
+    for (const world::ElementParameter& p : row.parameters)
+      if (std::find(names.begin(), names.end(), p.name) == names.end()) names.emplace_back(p.name);
+  return names;
 }
 
 base::Result<world::Entity> entity_of(const Context& context, std::string_view argument, world::Kind kind) {

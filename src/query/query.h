@@ -2,6 +2,7 @@
 // a table.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <string>
@@ -12,12 +13,13 @@
 #include <glm/glm.hpp>
 
 #include "base/status.h"
+#include "query/argument.h"
 
 namespace coaster::query {
 
 struct Context;  // what queries read (query/context.h)
 
-// Ordered values such as continuity compare by rank: none < G0 < G1 < G2, off < on.
+// Ordered values such as continuity compare by rank, from 0: none < G0 < G1 < G2, off < on.
 struct Ranked {
   int rank;
   std::string text;
@@ -26,21 +28,30 @@ using Value = std::variant<double, std::string, Ranked, glm::dvec3>;
 
 std::string to_text(const Value& value);
 
+// What the values of a query are; numbers and texts may be the text "none" instead. any: the argument decides.
+enum class Type : std::uint8_t { number, text, ranked, vector, any };
+struct Values {
+  Type type = Type::number;
+  std::vector<std::string> (*words)() = nullptr;  // all texts, besides none, or null for any text; all ranks, ascending
+};
+
 struct Query {
-  std::string_view name;      // "ride.speed"; with an argument: "position"
-  std::string_view argument;  // "" or what must follow: "@knot", "document|motion"
-  std::string_view unit;      // "m/s", "" if none
+  std::string_view name;  // "ride.speed"; with an argument: "position"
+  Argument argument;
+  std::string_view unit;  // "m/s", "" if none
   std::string_view text;
-  base::Result<Value> (*evaluate)(const Context& context, std::string_view argument);
-  std::vector<std::string> (*words)() = nullptr;  // the words that it can be, besides none; null: any text or number
+  base::Result<Value> (*row)(const Context& context, std::string_view argument);  // of an argument that is accepted
+  Values values = {};
+
+  // Code::usage for an argument that the query does not accept, or an entity that does not exist.
+  base::Result<Value> evaluate(const Context& context, std::string_view word) const;
 };
 
 std::span<const Query> queries();
 const Query* find_query(std::string_view name);
 
-// Returns the rank of a word for comparison with the Ranked value of a query, ignoring case: none, G0, G1, G2 (-1..2)
-// for geometric and geometric_min; none, C0, C1, C2 for parametric and parametric_min; for every other query on, true,
-// yes, 1 (1) and off, false, no, 0 (0). Nothing for other words. Does not check whether the query's values are ranked.
-std::optional<int> rank_of(std::string_view query_name, std::string_view word);
+// Returns the rank of a word among the values of a ranked query, ignoring case; on and off have the synonyms true, yes,
+// 1 and false, no, 0. Nothing for other words.
+std::optional<int> rank_of(const Query& query, std::string_view word);
 
 }  // namespace coaster::query

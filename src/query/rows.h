@@ -48,12 +48,31 @@ template <class T>
 Value value_of(const T& value) {
   if constexpr (std::is_same_v<T, bool>) return yes_no(value);
   else if constexpr (std::is_same_v<T, curve::Geometric> || std::is_same_v<T, curve::Parametric>)
-    return Ranked{static_cast<int>(value) - 1, std::string(base::name_of(value))};
+    return Ranked{static_cast<int>(value), std::string(base::name_of(value))};
   else if constexpr (base::Named<T>) return text(base::name_of(value));
   else if constexpr (std::is_arithmetic_v<T>) return number(value);
   else if constexpr (std::is_same_v<T, glm::vec3>) return glm::dvec3(value);
   else return value;
 }
+
+// The values of a row, by what it returns.
+std::vector<std::string> on_off();
+inline constexpr Values kText{Type::text}, kVector{Type::vector}, kSwitch{Type::ranked, on_off};
+template <base::Named E>
+inline constexpr Values kOneOf{Type::text, base::names_of<E>};
+template <base::Named E>
+inline constexpr Values kRankOf{Type::ranked, base::names_of<E>};
+template <class T>
+constexpr Values values_of() {
+  if constexpr (std::is_same_v<T, bool>) return kSwitch;
+  else if constexpr (base::Named<T>) return kOneOf<T>;
+  else if constexpr (std::is_arithmetic_v<T>) return {};
+  else if constexpr (std::is_same_v<T, glm::vec3>) return kVector;
+  else return kText;
+}
+
+// Returns the names of the parameters of all elements.
+std::vector<std::string> parameter_names();
 
 // Returns the member at the end of a path of members.
 template <class T>
@@ -73,14 +92,6 @@ Answer of_document(const Context& c, View) {
 template <auto... path>
 Answer of_stats(const Context& c, View) {
   return value_of(member_at(c.stats, path...));
-}
-
-// Returns the value of an enumeration that the argument names.
-template <base::Named E>
-base::Result<E> enumerator(View argument) {
-  if (const auto value = base::value_named<E>(argument)) return *value;
-  return base::Status{base::Code::usage,
-                      fmt::format("expected {}, found {}", base::alternatives_of<E>(), base::quoted(argument))};
 }
 
 // Returns the value of `function` for the entity that the argument names.

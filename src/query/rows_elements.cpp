@@ -19,17 +19,11 @@ Answer side(const Context& c, View) {
 Answer value(const Context& c, View argument) {
   const world::Element& e = plan(c).element;
   const world::ElementRow& row = base::row_of(e.kind);
-  std::vector<std::string> names;
   for (std::size_t i = 0; i < row.parameters.size(); ++i) {
     const world::ElementParameter& p = row.parameters[i];
     if (p.name == argument) return p.names.empty() ? number(e.values[i]) : text(world::choice_of(p, e.values[i]).name);
-    names.emplace_back(row.parameters[i].name);
   }
-  for (const world::ElementRow& other : world::rows_of(e.kind))
-    for (const world::ElementParameter& p : other.parameters)
-      if (p.name == argument) return text("none");
-  return base::Status{base::Code::usage, fmt::format("a {} has no {}{}", row.name, base::quoted(argument),
-                                                     base::suggestion(argument, names))};
+  return text("none");
 }
 Answer error(const Context& c, View) { return number(plan(c).fit.error); }
 Answer roll_error(const Context& c, View) { return number(base::degrees(plan(c).fit.roll_error)); }
@@ -43,14 +37,12 @@ Answer refusal(const Context& c, View) { return text(plan(c).refusal.empty() ? "
 
 const sim::CircuitProposals& circuit(const Context& c) { return *c.find(edit::Want::circuit).circuit; }
 Answer proposals(const Context& c, View) { return number(circuit(c).list.size()); }
+constexpr ArgumentPart kWay[]{{.usage = "N", .most = sim::kMostProposals}};
 // Returns function(index) of the proposal that the argument names, 0 without it.
 template <class Function>
 Answer of_proposal(const Context& c, View argument, Function function) {
-  const std::size_t count = circuit(c).list.size();
-  for (std::size_t i = 0; i < sim::kMostProposals; ++i)
-    if (argument == std::to_string(i + 1)) return number(i < count ? function(i) : 0.0);
-  return base::Status{base::Code::usage,
-                      fmt::format("expected 1 to {}, found {}", sim::kMostProposals, base::quoted(argument))};
+  const auto i = static_cast<std::size_t>(*base::parse_int(argument)) - 1;
+  return number(i < circuit(c).list.size() ? function(i) : 0.0);
 }
 Answer circuit_length(const Context& c, View argument) {
   return of_proposal(c, argument, [&](std::size_t i) { return circuit(c).list[i].plan.length; });
@@ -65,35 +57,47 @@ Answer circuit_refusal(const Context& c, View) {
   return text(circuit(c).refusal.empty() ? "none" : circuit(c).refusal);
 }
 
+constexpr ArgumentPart kParameter[]{{.words = parameter_names}};
+std::vector<std::string> sides() { return {"left", "right"}; }
+
 constexpr std::array kElementRows{
-    Query{"element", "", "", "The palette's element, such as loop.", element, base::names_of<world::ElementKind>},
-    Query{"element.side", "", "", "left or right; none for an element without a side.", side},
+    Query{"element", {}, "", "The palette's element, such as loop.", element, kOneOf<world::ElementKind>},
+    Query{"element.side", {}, "", "left or right; none for an element without a side.", side, {Type::text, sides}},
     Query{"element.value",
-          "length|roll|radius|angle|bank|speed|ramp|turns|height|top|shift|hops|brakes|station|equipment|acceleration|"
-          "seconds|g|pull|ends|slope",
+          kParameter,
           "",
           "A parameter of the palette's element, such as radius, within its limits; none if it has no such parameter.",
-          value},
-    Query{"element.error", "", "m", "Largest distance of the palette's element, as Bezier spans, from its ideal curve.",
+          value,
+          {Type::any}},
+    Query{"element.error",
+          {},
+          "m",
+          "Largest distance of the palette's element, as Bezier spans, from its ideal curve.",
           error},
-    Query{"element.roll_error", "", "deg", "Largest angle between the spans' frames and the ideal curve's.",
-          roll_error},
-    Query{"element.jump", "", "1/m",
-          "Largest jump of curvature at the joints of the palette's element, including its first.", jump},
-    Query{"element.spans", "", "", "Number of Bezier spans of the palette's element.", spans},
-    Query{"element.length", "", "m", "Length of the palette's element with its lead-in.", element_length},
-    Query{"element.lead", "", "m", "Length of its lead-in, which eases the curvature of the track's end and levels it.",
+    Query{
+        "element.roll_error", {}, "deg", "Largest angle between the spans' frames and the ideal curve's.", roll_error},
+    Query{"element.jump",
+          {},
+          "1/m",
+          "Largest jump of curvature at the joints of the palette's element, including its first.",
+          jump},
+    Query{"element.spans", {}, "", "Number of Bezier spans of the palette's element.", spans},
+    Query{"element.length", {}, "m", "Length of the palette's element with its lead-in.", element_length},
+    Query{"element.lead",
+          {},
+          "m",
+          "Length of its lead-in, which eases the curvature of the track's end and levels it.",
           lead},
-    Query{"element.lowest", "", "m", "Lowest height of its rails above the ground.", lowest},
-    Query{"element.missing", "", "m", "Clearance missing between it and other track; 0 if there is enough.", missing},
-    Query{"element.refusal", "", "", "Why it cannot be placed; none if it can.", refusal},
-    Query{"complete.proposals", "", "", "Number of ways from the open end to the first knot: 0 to 3.", proposals},
-    Query{"complete.length", "1|2|3", "m", "Length of a way home; 0 without it.", circuit_length},
-    Query{"complete.worst_g", "1|2|3", "g", "Largest vertical felt g on a way home, not low-passed; 0 without it.",
+    Query{"element.lowest", {}, "m", "Lowest height of its rails above the ground.", lowest},
+    Query{"element.missing", {}, "m", "Clearance missing between it and other track; 0 if there is enough.", missing},
+    Query{"element.refusal", {}, "", "Why it cannot be placed; none if it can.", refusal, kText},
+    Query{"complete.proposals", {}, "", "Number of ways from the open end to the first knot: 0 to 3.", proposals},
+    Query{"complete.length", kWay, "m", "Length of a way home; 0 without it.", circuit_length},
+    Query{"complete.worst_g", kWay, "g", "Largest vertical felt g on a way home, not low-passed; 0 without it.",
           circuit_g},
-    Query{"complete.jolt", "1|2|3", "g", "Largest jolt at the joints of a way home on a whole ride; 0 without it.",
+    Query{"complete.jolt", kWay, "g", "Largest jolt at the joints of a way home on a whole ride; 0 without it.",
           circuit_jolt},
-    Query{"complete.refusal", "", "", "Why there is no way home; none if there is one.", circuit_refusal},
+    Query{"complete.refusal", {}, "", "Why there is no way home; none if there is one.", circuit_refusal, kText},
 };
 
 }  // namespace

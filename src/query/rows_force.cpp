@@ -26,13 +26,10 @@ struct ForcePlace {
   world::ForceChannel channel{};
   double at = 0;
 };
-base::Result<ForcePlace> force_place(View word) {
-  const std::size_t dot = std::min(word.find('.'), word.size()), slash = std::min(word.find('/', dot), word.size());
-  const auto channel = enumerator<world::ForceChannel>(word.substr(std::min(dot + 1, word.size()), slash - dot - 1));
-  const auto at = base::parse_double(word.substr(std::min(slash + 1, word.size())));
-  if (dot < word.size() && slash < word.size() && channel && at) return ForcePlace{word.substr(0, dot), *channel, *at};
-  return base::Status{base::Code::usage, fmt::format("expected @SECTION.CHANNEL/PLACE with the channel {}, found {}",
-                                                     base::alternatives_of<world::ForceChannel>(), base::quoted(word))};
+ForcePlace force_place(View word) {
+  const std::size_t dot = word.find('.'), slash = word.find('/', dot);
+  return {word.substr(0, dot), *base::value_named<world::ForceChannel>(word.substr(dot + 1, slash - dot - 1)),
+          *base::parse_double(word.substr(slash + 1))};
 }
 
 // Returns a value of the plan's points at a position, linear between them.
@@ -62,25 +59,22 @@ double met_at(const Context& c, const sim::ForcePlan& plan, const ForcePlace& sp
 }
 
 Answer force_asked(const Context& c, View word) {
-  const auto spot = force_place(word);
-  if (!spot) return spot.status();
-  return of_plan(c, spot->section, [&](const sim::ForcePlan& plan) { return number(asked_at(plan, *spot)); });
+  const ForcePlace spot = force_place(word);
+  return of_plan(c, spot.section, [&](const sim::ForcePlan& plan) { return number(asked_at(plan, spot)); });
 }
 Answer force_met(const Context& c, View word) {
-  const auto spot = force_place(word);
-  if (!spot) return spot.status();
-  return of_plan(c, spot->section, [&](const sim::ForcePlan& plan) {
-    const auto section = entity_of(c, spot->section, world::Kind::section);
+  const ForcePlace spot = force_place(word);
+  return of_plan(c, spot.section, [&](const sim::ForcePlan& plan) {
+    const auto section = entity_of(c, spot.section, world::Kind::section);
     const world::SectionRun run = world::run_of(c.session.document, *section);
-    return number(met_at(c, plan, *spot, run.first));
+    return number(met_at(c, plan, spot, run.first));
   });
 }
 Answer force_keys(const Context& c, View word) {
-  const std::size_t dot = std::min(word.find('.'), word.size());
-  const auto channel = enumerator<world::ForceChannel>(word.substr(std::min(dot + 1, word.size())));
-  if (!channel) return channel.status();
+  const std::size_t dot = word.find('.');
+  const auto channel = *base::value_named<world::ForceChannel>(word.substr(dot + 1));
   return of_plan(c, word.substr(0, dot),
-                 [&](const sim::ForcePlan& plan) { return number(plan.task.program.keys(*channel).size()); });
+                 [&](const sim::ForcePlan& plan) { return number(plan.task.program.keys(channel).size()); });
 }
 template <auto... path>
 Answer of_program(const Context& c, View word) {
@@ -97,47 +91,51 @@ Answer force_stopped(const Context& c, View word) {
   });
 }
 
+constexpr ArgumentPart kOfSection = kSection[0],
+                       kOfChannel{.usage = "CHANNEL", .words = base::names_of<world::ForceChannel>, .before = '.'};
+constexpr ArgumentPart kChannel[]{kOfSection, kOfChannel};
+constexpr ArgumentPart kChannelPlace[]{kOfSection, kOfChannel, {.usage = "PLACE", .number = true, .before = '/'}};
+
 constexpr std::array kForceRows{
-    Query{"force.asked", "@section.CHANNEL/PLACE", "",
+    Query{"force.asked", kChannelPlace, "",
           "The value that a force section requires at a position (m or s from its start), such as @q3.vertical/40: "
           "vertical or lateral g, or roll in degrees per metre or second; of curvature 1/m, or degrees. With the ramp "
           "at its start.",
           force_asked},
-    Query{"force.met", "@section.CHANNEL/PLACE", "",
+    Query{"force.met", kChannelPlace, "",
           "What the riders of the first car feel there, 0 where the ride does not arrive; of curvature, what the track "
           "has there.",
           force_met},
-    Query{"force.keys", "@section.CHANNEL", "", "Number of keys of a channel.", force_keys},
-    Query{"force.over", "@section", "", "Axis of the keys: distance or time.", of_program<&world::ForceProgram::over>,
-          base::names_of<world::ForceOver>},
-    Query{"force.of", "@section", "", "Quantity of the keys: forces or curvature.",
-          of_program<&world::ForceProgram::of>, base::names_of<world::ForceOf>},
-    Query{"force.length", "@section", "", "Length of a force section's program, m or s.",
+    Query{"force.keys", kChannel, "", "Number of keys of a channel.", force_keys},
+    Query{"force.over", kSection, "", "Axis of the keys: distance or time.", of_program<&world::ForceProgram::over>,
+          kOneOf<world::ForceOver>},
+    Query{"force.of", kSection, "", "Quantity of the keys: forces or curvature.", of_program<&world::ForceProgram::of>,
+          kOneOf<world::ForceOf>},
+    Query{"force.length", kSection, "", "Length of a force section's program, m or s.",
           of_program<&world::ForceProgram::length>},
-    Query{"force.tolerance", "@section", "g",
+    Query{"force.tolerance", kSection, "g",
           "Largest allowed difference between what riders feel and the keys; of curvature, at 20 m/s.",
           of_program<&world::ForceProgram::tolerance>},
-    Query{"force.speed", "@section", "m/s", "The speed at its start that a force section was planned for.",
+    Query{"force.speed", kSection, "m/s", "The speed at its start that a force section was planned for.",
           of_program<&world::ForceProgram::speed>},
-    Query{"force.error", "@section", "g",
+    Query{"force.error", kSection, "g",
           "Largest difference between what riders feel on its spans and the required value, vertical or lateral; of "
           "curvature, at 20 m/s.",
           of_force<&sim::ForcePlan::fit, &sim::ForceFit::felt_error>},
-    Query{"force.shape_error", "@section", "m", "Largest distance of its spans from the path with those forces.",
+    Query{"force.shape_error", kSection, "m", "Largest distance of its spans from the path with those forces.",
           of_force<&sim::ForcePlan::fit, &sim::ForceFit::spans, &sim::ElementFit::error>},
-    Query{"force.hold", "@section", "", "Whether both ends of a force section stay.",
-          of_program<&world::ForceProgram::hold>},
-    Query{"force.unmet", "@section", "",
+    Query{"force.hold", kSection, "", "Whether both ends of a force section stay.",
+          of_program<&world::ForceProgram::hold>, kSwitch},
+    Query{"force.unmet", kSection, "",
           "Most that riders feel more or less than the keys say, vertical or lateral, because both ends stay: g; of "
           "curvature 1/m.",
           of_force<&sim::ForcePlan::unmet>},
-    Query{"force.unmet_at", "@section", "", "Where that is, m or s from its start.",
-          of_force<&sim::ForcePlan::unmet_at>},
-    Query{"force.ramp", "@section", "",
+    Query{"force.unmet_at", kSection, "", "Where that is, m or s from its start.", of_force<&sim::ForcePlan::unmet_at>},
+    Query{"force.ramp", kSection, "",
           "Length of the ramp at its start from the felt values to those of the keys, m or s.",
           of_force<&sim::ForcePlan::path, &sim::ForcePath::ramp>},
-    Query{"force.stopped", "@section", "", "Why a force section is shorter than its program; none if it is not.",
-          force_stopped},
+    Query{"force.stopped", kSection, "", "Why a force section is shorter than its program; none if it is not.",
+          force_stopped, kText},
 };
 
 }  // namespace

@@ -15,7 +15,7 @@ Answer number_of_frame(const Context& c, View) {
 
 template <const auto& table, std::size_t... row>
 constexpr auto rows_of(std::index_sequence<row...>) {
-  return std::array{Query{table[row].query, "", table[row].unit, table[row].text, number_of_frame<table, row>}...};
+  return std::array{Query{table[row].query, {}, table[row].unit, table[row].text, number_of_frame<table, row>}...};
 }
 
 // The deviation of the processor, or the one captured from the GPU.
@@ -34,12 +34,18 @@ Answer ns_per_point(const Context& c, View) {
 constexpr auto kDrawRows = rows_of<view::kDrawNumbers>(std::make_index_sequence<view::kDrawNumbers.size()>());
 constexpr auto kFrameRows = rows_of<kFrameNumbers>(std::make_index_sequence<kFrameNumbers.size()>());
 constexpr std::array kMoreRows{
-    Query{"deviation", "", "m", "Largest distance of a vertex from the exact point at the same parameter.", deviation},
-    Query{"chord_error", "", "m", "Largest distance of the curve from the polyline's chords.", chord_error},
-    Query{"drawn_by", "", "",
+    Query{"deviation", {}, "m", "Largest distance of a vertex from the exact point at the same parameter.", deviation},
+    Query{"chord_error", {}, "m", "Largest distance of the curve from the polyline's chords.", chord_error},
+    Query{"drawn_by",
+          {},
+          "",
           "Where the polylines were evaluated: processor, vertex_shader, geometry_shader or tessellation_shader.",
-          drawn_by, base::names_of<curve::EvaluatedBy>},
-    Query{"ns_per_point", "", "ns", "Time of evaluators per vertex in the last frame that evaluated anything.",
+          drawn_by,
+          kOneOf<curve::EvaluatedBy>},
+    Query{"ns_per_point",
+          {},
+          "ns",
+          "Time of evaluators per vertex in the last frame that evaluated anything.",
           ns_per_point},
 };
 

@@ -1,4 +1,5 @@
 // Queries of the laboratory: its layers and pages, the probe's construction, rounding, and the table of measurements.
+#include <algorithm>
 #include <array>
 
 #include <fmt/format.h>
@@ -12,18 +13,8 @@
 namespace coaster::query {
 namespace {
 
-// Returns the value named `word`, or an error.
-template <base::Named E>
-base::Result<E> named(View word, std::string_view what) {
-  if (const auto value = base::value_named<E>(word)) return *value;
-  return base::Status{base::Code::usage,
-                      fmt::format("no {} {}{}", what, base::quoted(word), base::suggestion(word, base::names_of<E>()))};
-}
-
 Answer shown(const Context& c, View word) {
-  const auto layer = named<world::Layer>(word, "layer");
-  if (!layer) return layer.status();
-  return yes_no(c.session.settings.lab->layers.has(*layer));
+  return yes_no(c.session.settings.lab->layers.has(*base::value_named<world::Layer>(word)));
 }
 
 const sim::SegmentShape* selected_shape(const Context& c) {
@@ -47,21 +38,23 @@ Answer measuring(const Context& c, View) { return yes_no(c.session.measuring.mea
 Answer measure_progress(const Context& c, View) { return number(sim::progress(c.session.measuring.measurement)); }
 Answer measure_rows(const Context& c, View) { return number(c.session.measuring.measurement.rows.size()); }
 
-// Parses "horner/64": an evaluator and one of the measured numbers of steps.
+std::vector<std::string> measured_steps() {
+  std::vector<std::string> words;
+  for (const int steps : sim::kMeasuredSteps) words.push_back(std::to_string(steps));
+  return words;
+}
+constexpr ArgumentPart kMeasured[]{{.usage = "EVALUATOR", .words = base::names_of<curve::EvaluatorId>},
+                                   {.usage = "STEPS", .words = measured_steps, .before = '/'}};
+// Returns the measurement of "horner/64".
 base::Result<sim::MeasuredCell> cell_of(const Context& c, View word) {
   const std::size_t slash = word.find('/');
-  const auto row = named<curve::EvaluatorId>(word.substr(0, slash), "evaluator");
-  if (!row) return row.status();
-  const auto steps = slash == View::npos ? std::nullopt : base::parse_int(word.substr(slash + 1));
-  const sim::MeasuredRow* const row_measured = sim::row_of(c.session.measuring.measurement, *row);
-  for (std::size_t i = 0; i < sim::kMeasuredSteps.size(); ++i) {
-    if (!steps || *steps != sim::kMeasuredSteps[i]) continue;
-    if (row_measured == nullptr || row_measured->cells[i].rounds == 0)
-      return base::Status{base::Code::refused, std::string(word) + " has not been measured"};
-    return row_measured->cells[i];
-  }
-  return base::Status{base::Code::usage,
-                      "expected EVALUATOR/STEPS with 16, 64, 256, 1024 or 4096 steps, found " + base::quoted(word)};
+  const auto row = *base::value_named<curve::EvaluatorId>(word.substr(0, slash));
+  const std::vector<std::string> steps = measured_steps();
+  const auto index = std::find(steps.begin(), steps.end(), word.substr(slash + 1)) - steps.begin();
+  const sim::MeasuredRow* const measured = sim::row_of(c.session.measuring.measurement, row);
+  if (measured == nullptr || measured->cells[static_cast<std::size_t>(index)].rounds == 0)
+    return base::Status{base::Code::refused, std::string(word) + " has not been measured"};
+  return measured->cells[static_cast<std::size_t>(index)];
 }
 template <auto member>
 Answer measured(const Context& c, View word) {
@@ -70,20 +63,29 @@ Answer measured(const Context& c, View word) {
 }
 
 constexpr std::array kLabRows{
-    Query{"shown", "polyline|frames|comb|circle|construction|rounding|flips|limits|supports|knots|conflicts", "",
-          "on if a layer of the laboratory is drawn.", shown},
-    Query{"construction_point", "", "m",
-          "Point at the picked position of the selected segment; 0 0 0 if none is selected.", construction_point},
-    Query{"rounding", "", "m", "Largest rounding error of the evaluator's vertices on the selected segment.",
+    Query{"shown", kWordOf<world::Layer>, "", "on if a layer of the laboratory is drawn.", shown, kSwitch},
+    Query{"construction_point",
+          {},
+          "m",
+          "Point at the picked position of the selected segment; 0 0 0 if none is selected.",
+          construction_point,
+          kVector},
+    Query{"rounding",
+          {},
+          "m",
+          "Largest rounding error of the evaluator's vertices on the selected segment.",
           rounding<sim::largest>},
-    Query{"seam", "", "m", "Rounding error of the last vertex before the selected segment's exact end.",
+    Query{"seam",
+          {},
+          "m",
+          "Rounding error of the last vertex before the selected segment's exact end.",
           rounding<sim::seam>},
-    Query{"measuring", "", "", "on during the measurement of evaluators.", measuring},
-    Query{"measure.progress", "", "", "Progress of the measurement, 0 to 1.", measure_progress},
-    Query{"measure.rows", "", "", "Number of evaluators measured; 0 before the first measurement.", measure_rows},
-    Query{"measure.error", "EVALUATOR/STEPS", "m", "Measured largest error, for example of horner/64.",
+    Query{"measuring", {}, "", "on during the measurement of evaluators.", measuring, kSwitch},
+    Query{"measure.progress", {}, "", "Progress of the measurement, 0 to 1.", measure_progress},
+    Query{"measure.rows", {}, "", "Number of evaluators measured; 0 before the first measurement.", measure_rows},
+    Query{"measure.error", kMeasured, "m", "Measured largest error, for example of horner/64.",
           measured<&sim::MeasuredCell::worst_error>},
-    Query{"measure.time", "EVALUATOR/STEPS", "ns", "Measured time per point, for example of horner/64.",
+    Query{"measure.time", kMeasured, "ns", "Measured time per point, for example of horner/64.",
           measured<&sim::MeasuredCell::ns_per_point>},
 };
 

@@ -1,5 +1,6 @@
 // Queries of one seat during the whole ride of the selected train, else of the first by name: simulated over the
 // present track on demand.
+#include <array>
 #include <utility>
 #include <vector>
 
@@ -20,40 +21,40 @@ struct Spot {
   bool least = false;  // of several cars the smallest value, else the largest
 };
 
-base::Status unknown_spot(View word) {
-  return {
-      base::Code::usage,
-      fmt::format("expected DISTANCE or DISTANCE/SEAT with front, middle, back, least, most or the number of a car, "
-                  "found {}",
-                  base::quoted(word))};
+constexpr std::string_view kLeast = "least", kMost = "most";
+constexpr std::array kSingleSeats{world::Seat::front, world::Seat::middle, world::Seat::back};
+std::vector<std::string> seats() {
+  std::vector<std::string> words;
+  for (const world::Seat seat : kSingleSeats) words.emplace_back(base::name_of(seat));
+  words.emplace_back(kLeast), words.emplace_back(kMost);
+  return words;
 }
+constexpr ArgumentPart kDistanceSeat[]{
+    {.usage = "DISTANCE", .number = true},
+    {.usage = "SEAT", .words = seats, .most = world::kMaxCars, .before = '/', .optional = true}};
 
 // Parses "62.5", "62.5/back", "62.5/3", "62.5/least". Without a seat: the setting's.
-base::Result<Spot> spot_of(const Context& c, View word) {
+Spot spot_of(const Context& c, View word) {
   const std::size_t slash = word.find('/');
-  const auto distance = base::parse_double(word.substr(0, slash));
-  if (!distance) return unknown_spot(word);
+  const double distance = *base::parse_double(word.substr(0, slash));
   const world::LabView& lab = *c.session.settings.lab;
-  if (slash == View::npos) return Spot{*distance, lab.seat, lab.seat_car};
+  if (slash == View::npos) return {distance, lab.seat, lab.seat_car};
   const View seat = word.substr(slash + 1);
-  for (const world::Seat one : {world::Seat::front, world::Seat::middle, world::Seat::back})
-    if (seat == base::name_of(one)) return Spot{*distance, one};
-  if (seat == "least" || seat == "most") return Spot{*distance, world::Seat::all, 1, seat == "least"};
-  const auto car = base::parse_int(seat);
-  if (!car || *car < 1 || *car > world::kMaxCars) return unknown_spot(word);
-  return Spot{*distance, world::Seat::car, static_cast<int>(*car)};
+  for (const world::Seat one : kSingleSeats)
+    if (seat == base::name_of(one)) return {distance, one};
+  if (seat == kLeast || seat == kMost) return {distance, world::Seat::all, 1, seat == kLeast};
+  return {distance, world::Seat::car, static_cast<int>(*base::parse_int(seat))};
 }
 
 template <sim::RideValue value>
 Answer at_seat(const Context& c, View word) {
-  const auto spot = spot_of(c, word);
-  if (!spot) return spot.status();
+  const Spot spot = spot_of(c, word);
   const edit::Findings& found = c.find(edit::Want::riders);
   std::optional<double> result;
   if (found.ride != nullptr)
-    for (const sim::Rider& rider : found.riders->cars(sim::cars_of(spot->seat, spot->car, found.ride->start.cars))) {
-      const std::optional<double> here = sim::value_at(rider, spot->distance, value);
-      if (here && (!result || (spot->least ? *here < *result : *here > *result))) result = here;
+    for (const sim::Rider& rider : found.riders->cars(sim::cars_of(spot.seat, spot.car, found.ride->start.cars))) {
+      const std::optional<double> here = sim::value_at(rider, spot.distance, value);
+      if (here && (!result || (spot.least ? *here < *result : *here > *result))) result = here;
     }
   return number(result.value_or(0));
 }
@@ -64,7 +65,7 @@ std::span<const Query> rider_rows() {
   static const std::vector<Query> rows = [] {
     std::vector<Query> made;
     const auto add = [&]<std::size_t... I>(std::index_sequence<I...>) {
-      (made.push_back({sim::kRideValues[I].name, "DISTANCE[/SEAT]", sim::kRideValues[I].unit, sim::kRideValues[I].help,
+      (made.push_back({sim::kRideValues[I].name, kDistanceSeat, sim::kRideValues[I].unit, sim::kRideValues[I].help,
                        at_seat<static_cast<sim::RideValue>(I)>}),
        ...);
     };

@@ -61,51 +61,60 @@ Answer section_figure(const Context& c, View argument) {
 }
 // The argument is "@q1.height".
 Answer section_value(const Context& c, View argument) {
-  const std::size_t dot = std::min(argument.find('.'), argument.size());
+  const std::size_t dot = argument.find('.');
   const auto entity = entity_of(c, argument.substr(0, dot), world::Kind::section);
   if (!entity) return entity.status();
-  const View wanted = argument.substr(std::min(dot + 1, argument.size()));
   const world::Section& section = world::section(c.session.document, *entity);
-  std::vector<std::string> names;
-  for (const world::ElementRow& row : world::elements()) {
-    const bool own = section.kind == world::SectionKind::element && &row == &base::row_of(section.element.kind);
-    for (std::size_t i = 0; i < row.parameters.size(); ++i) {
-      if (own && row.parameters[i].name == wanted)
-        return row.parameters[i].names.empty()
-                   ? number(section.element.values[i])
-                   : text(world::choice_of(row.parameters[i], section.element.values[i]).name);
-      names.emplace_back(row.parameters[i].name);
-    }
-  }
-  if (std::find(names.begin(), names.end(), wanted) != names.end()) return text("none");
-  return base::Status{base::Code::usage, fmt::format("no element has a parameter {}{}", base::quoted(wanted),
-                                                     base::suggestion(wanted, names))};
+  if (section.kind != world::SectionKind::element) return text("none");
+  const world::ElementRow& row = base::row_of(section.element.kind);
+  for (std::size_t i = 0; i < row.parameters.size(); ++i)
+    if (row.parameters[i].name == argument.substr(dot + 1))
+      return row.parameters[i].names.empty()
+                 ? number(section.element.values[i])
+                 : text(world::choice_of(row.parameters[i], section.element.values[i]).name);
+  return text("none");
+}
+
+constexpr ArgumentPart kSectionParameter[]{kSection[0],
+                                           {.usage = "PARAMETER", .words = parameter_names, .before = '.'}};
+std::vector<std::string> kinds() {
+  std::vector<std::string> words = base::names_of<world::ElementKind>();
+  for (const auto kind : {world::SectionKind::free, world::SectionKind::complete, world::SectionKind::force})
+    words.emplace_back(base::name_of(kind));
+  return words;
 }
 
 constexpr std::array kSectionRows{
-    Query{"sections", "", "", "Number of sections of the track.", sections},
-    Query{"section.of", "@segment", "", "The section of a segment, such as q2.", section_of},
-    Query{"section.kind", "@section", "", "What a section was planned as, such as loop; free if shaped by hand.",
-          section_kind},
-    Query{"section.title", "@section", "", "A section's title; without one its kind.", section_title},
-    Query{"section.value", "@section.PARAMETER", "",
+    Query{"sections", {}, "", "Number of sections of the track.", sections},
+    Query{"section.of", kSegment, "", "The section of a segment, such as q2.", section_of, kText},
+    Query{"section.kind",
+          kSection,
+          "",
+          "What a section was planned as, such as loop; free if shaped by hand.",
+          section_kind,
+          {Type::text, kinds}},
+    Query{"section.title", kSection, "", "A section's title; without one its kind.", section_title, kText},
+    Query{"section.value",
+          kSectionParameter,
+          "",
           "A parameter that a section was planned with, such as @q2.height; none if it has no such parameter.",
-          section_value},
-    Query{"section.length", "@section", "m", "A section's length.", section_length},
-    Query{"section.top", "@section", "m", "A section's largest height.", section_figure<&sim::SectionFigures::top>},
-    Query{"section.speed_in", "@section", "m/s",
+          section_value,
+          {Type::any}},
+    Query{"section.length", kSection, "m", "A section's length.", section_length},
+    Query{"section.top", kSection, "m", "A section's largest height.", section_figure<&sim::SectionFigures::top>},
+    Query{"section.speed_in", kSection, "m/s",
           "Speed of the chosen seat where a section begins; none where the ride does not arrive.",
           section_figure<&sim::SectionFigures::speed_in>},
-    Query{"section.speed_out", "@section", "m/s", "The same where it ends.",
+    Query{"section.speed_out", kSection, "m/s", "The same where it ends.",
           section_figure<&sim::SectionFigures::speed_out>},
-    Query{"section.g_most", "@section", "g", "Largest vertical felt g of the chosen seat on a section, not low-passed.",
+    Query{"section.g_most", kSection, "g", "Largest vertical felt g of the chosen seat on a section, not low-passed.",
           section_figure<&sim::SectionFigures::g_most>},
-    Query{"section.g_least", "@section", "g", "Least vertical g on it.", section_figure<&sim::SectionFigures::g_least>},
-    Query{"section.g_side", "@section", "g", "Largest lateral g on it, to either side.",
+    Query{"section.g_least", kSection, "g", "Least vertical g on it.", section_figure<&sim::SectionFigures::g_least>},
+    Query{"section.g_side", kSection, "g", "Largest lateral g on it, to either side.",
           section_figure<&sim::SectionFigures::g_side>},
-    Query{"section.segments", "@section", "", "Number of a section's segments.", section_segments},
-    Query{"section.first", "@section", "", "The knot where a section begins.", section_first},
-    Query{"section.last", "@section", "", "The knot where a section ends.", section_last},
+    Query{"section.segments", kSection, "", "Number of a section's segments.", section_segments},
+    Query{"section.first", kSection, "", "The knot where a section begins.", section_first, kText},
+    Query{"section.last", kSection, "", "The knot where a section ends.", section_last, kText},
 };
 
 }  // namespace

@@ -21,9 +21,8 @@ std::span<const Query> setting_rows() {
     std::vector<Query> made;
     world::for_each_setting([&]<auto Member>() {
       static constexpr world::SettingRow kRow = world::setting_row<Member>();
-      Query row{kRow.query_name(), "", kRow.unit, kRow.help, setting<Member>};
-      if constexpr (base::Named<world::ValueOf<Member>>) row.words = base::names_of<world::ValueOf<Member>>;
-      made.push_back(row);
+      made.push_back(
+          {kRow.query_name(), {}, kRow.unit, kRow.help, setting<Member>, values_of<world::ValueOf<Member>>()});
     });
     return made;
   }();

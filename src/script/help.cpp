@@ -112,8 +112,8 @@ std::string help() {
   out += "\nQueries\n";
   for (const query::Query& query : query::queries()) {
     const std::string unit = query.unit.empty() ? "" : fmt::format(" ({})", query.unit);
-    out += fmt::format("  {}{}{}{}\n      {}\n", query.name, query.argument.empty() ? "" : " ", query.argument, unit,
-                       query.text);
+    out += fmt::format("  {}{}{}{}\n      {}\n", query.name, query.argument.empty() ? "" : " ",
+                       usage_of(query.argument), unit, query.text);
   }
   return out +
          "\nExit codes: 0 success, 1 failed expectation, 2 usage or script error, 3 bad file, 4 no graphics, "

@@ -9,7 +9,9 @@
 
 #include "edit/commands/codec.h"
 #include "edit/commands/set_setting.h"
+#include "edit/perform/seek.h"
 #include "query/condition.h"
+#include "query/goal.h"
 #include "script/grammar.h"
 
 namespace coaster::script {
@@ -178,14 +180,15 @@ std::string near_words(std::string_view word) {
   return found != known.end() ? base::suggestion(*found, known) : "; coaster --help-script lists all";
 }
 
-// The goal of a search must be a condition: parsed here, so that its errors have their place and are found before the
-// script runs.
-bool check_goal(std::span<const base::Token> line, base::TextError& error) {
+// Checks what a search aims for and changes, so that errors have their place and are found before the script runs.
+bool check_seek(std::span<const base::Token> line, const edit::Command& command, base::TextError& error) {
   const auto by =
       std::find_if(line.begin(), line.end(), [](const base::Token& t) { return t.text == "by" && !t.quoted; });
   Words goal(line.subspan(1, static_cast<std::size_t>(by - line.begin()) - 1), error);
-  Condition condition;
-  return parse_condition(goal, condition) && goal.end();
+  if (!query::check_goal(goal)) return false;
+  const auto wrong = edit::wrong_by(*command.as<edit::Seek>());
+  if (wrong) error = {(by + 1)->column, *wrong};
+  return !wrong;
 }
 
 }  // namespace
@@ -210,7 +213,7 @@ bool parse_line(std::span<const base::Token> line, base::TextError& error, Actio
     return false;
   }
   auto command = edit::parse(line, error);
-  if (!command || (first.text == "seek" && !check_goal(line, error))) return false;
+  if (!command || (command->is<edit::Seek>() && !check_seek(line, *command, error))) return false;
   action = RunCommand{*command};
   return true;
 }

@@ -24,21 +24,20 @@ exchange::JsonValue to_json(const query::Value& value) {
   return std::visit(Visitor{}, value);
 }
 
-// Returns the values of an argument such as "@knot".
-std::vector<std::string> arguments_of(std::string_view argument, const world::Document& document) {
+// Returns the arguments of one part: words, knots, segments and trains.
+std::vector<std::string> arguments_of(query::Argument argument, const world::Document& document) {
+  if (argument.size() > 1) return {};
+  const query::ArgumentPart& part = argument.front();
   std::vector<std::string> names;
-  const auto add = [&](const std::vector<world::Entity>& entities) {
+  if (part.words) names = part.words();
+  for (int i = 1; i <= part.most; ++i) names.push_back(std::to_string(i));
+  const auto add = [&](world::Kind kind, const std::vector<world::Entity>& entities) {
+    if (part.kind != kind) return;
     for (const world::Entity e : entities) names.push_back("@" + world::label_of(document, e));
   };
-  // "document|motion": each of the words.
-  while (!argument.empty() && !argument.starts_with('@')) {
-    const std::size_t bar = std::min(argument.find('|'), argument.size());
-    names.emplace_back(argument.substr(0, bar));
-    argument.remove_prefix(std::min(bar + 1, argument.size()));
-  }
-  if (argument.find("@knot") != std::string_view::npos) add(document.track.knots);
-  if (argument.find("@segment") != std::string_view::npos) add(document.track.segments);
-  if (argument.find("@cart") != std::string_view::npos) add(document.entities.pool<world::Cart>().entities());
+  add(world::Kind::knot, document.track.knots);
+  add(world::Kind::segment, document.track.segments);
+  add(world::Kind::cart, document.entities.pool<world::Cart>().entities());
   return names;
 }
 

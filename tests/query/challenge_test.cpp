@@ -56,8 +56,8 @@ TEST_F(ChallengeTest, expressions_that_cannot_be_judged_are_refused_with_their_p
       R"("judged": "lap", "goals": [{"expect": "knots <= 3", "text": "x"}], "gold": [{"expect": "knots =< 3", "text": "x"}])",
       "gold[0].expect:7: expected == !=");
   refuse(R"("judged": "lap", "goals": [{"expect": "knots <= many", "text": "x"}])",
-         "goals[0].expect:1: expected a number, found \"many\"");
-  refuse(R"("judged": "lap", "goals": [{"expect": "name < 3", "text": "x"}])", "goals[0].expect:1:");
+         "goals[0].expect:10: expected a number, found \"many\"");
+  refuse(R"("judged": "lap", "goals": [{"expect": "name < 3", "text": "x"}])", "goals[0].expect:6:");
   refuse(R"("judged": "lap", "goals": [{"expect": "fps >= 30", "text": "x"}])", "cannot be used in a rule");
   refuse(R"("judged": "lap", "goals": [{"expect": "challenge.met == 3", "text": "x"}])", "cannot be used in a rule");
   refuse(R"("judged": "lap", "goals": [{"expect": "\"knots", "text": "x"}])", "goals[0].expect");
@@ -78,11 +78,11 @@ TEST_F(ChallengeTest, what_may_be_judged_depends_on_track_and_ride_alone) {
   for (const Query& query : queries()) {
     if (!may_judge(query)) continue;
     ++judged;
-    const std::string_view argument = query.argument == "@knot"      ? "@k2"
-                                      : query.argument == "@segment" ? "@s3"
-                                      : query.argument == "@cart"
-                                          ? "@c1"
-                                          : query.argument.substr(query.argument.rfind('|') + 1);
+    const std::string usage = usage_of(query.argument);
+    const std::string argument = usage == "@knot"      ? "@k2"
+                                 : usage == "@segment" ? "@s3"
+                                 : usage == "@cart"    ? "@c1"
+                                                       : usage.substr(usage.rfind('|') + 1);
     const auto a = query.evaluate({session, stats, "", ""}, argument),
                b = query.evaluate({session, other, "a notice", "a title"}, argument);
     ASSERT_TRUE(a && b) << query.name;

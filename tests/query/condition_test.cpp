@@ -6,14 +6,16 @@
 namespace coaster::query {
 namespace condition_test {
 
-// The condition "QUERY rest" held against a value; -1: refused.
-int holds_for(const std::string& rest, const query::Value& value, const std::string& query = "name") {
+// The condition "QUERY rest" held against a value, of a query that has such values; -1: refused.
+int holds_for(const std::string& rest, const query::Value& value, std::string query = {}) {
+  constexpr const char* kQueries[] = {"knots", "name", "closed", "tangent @k1"};  // in the order of Value's types
+  if (query.empty()) query = kQueries[value.index()];
   std::vector<base::Token> tokens;
   base::TextError error;
   EXPECT_TRUE(base::tokenise(query + " " + rest, tokens, error));
   base::Words words(tokens, error);
   Condition condition;
-  EXPECT_TRUE(parse_condition(words, condition)) << rest << ": " << error.message;
+  if (!parse_condition(words, condition)) return -1;
   const base::Result<bool> result = holds(condition, value);
   return result ? *result : -1;
 }
@@ -80,18 +82,64 @@ TEST(condition, values_that_a_query_never_has_are_refused_when_parsed) {
   EXPECT_EQ(parse_error("position @k3 == 1 2 z"), "21: expected a number (m), found \"z\"");
   for (const char* const fine : {"camera_mode == ride", "camera_mode ~ rid", "ride.ghost_end == ran off the open end",
                                  "ride.state == none", "equipment @s1 != none", "fold.at == none", "length == 3 m",
+                                 "closed == true", "closed != 0", "geometric @k3 >= g1", "parametric @k3 == none",
                                  "length ~ 3", "position @k3 == 1 2 +3 +- 0.1", "name == abc", "knots == 3"})
     EXPECT_EQ(parse_error(fine), "") << fine;
 }
 
+TEST(condition, the_values_have_the_type_of_the_query) {
+  EXPECT_EQ(parse_error("knots == abc"), "10: expected a number, found \"abc\"");
+  EXPECT_EQ(parse_error("knots == 1 2"), "10: expected one number, found \"1 2\"");
+  EXPECT_EQ(parse_error("position @k3 == 1 2"), "17: expected three numbers, found \"1 2\"");
+  EXPECT_EQ(parse_error("position @k3 > 1 2 3"), "14: a vector can be compared only with == and !=, found \">\"");
+  EXPECT_EQ(parse_error("name < 3"), "6: a text can be compared only with ==, != and ~, found \"<\"");
+  EXPECT_EQ(parse_error("closed == onn"), "11: expected off or on, found \"onn\"; did you mean \"on\"?");
+  EXPECT_EQ(parse_error("closed == none"), "11: expected off or on, found \"none\"");
+  EXPECT_EQ(parse_error("geometric @k3 >= C1"), "18: expected none, G0, G1 or G2, found \"C1\"; did you mean \"G1\"?");
+  EXPECT_EQ(parse_error("shown comb == maybe").substr(0, 25), "15: expected off or on, f");
+}
+
+TEST(condition, an_argument_is_what_the_query_takes) {
+  EXPECT_EQ(parse_error("position @s1 == 1 2 3"), "10: expected a knot such as @k3, found \"@s1\"");
+  EXPECT_EQ(parse_error("hash documents == 1"),
+            "6: expected document or motion, found \"documents\"; did you mean \"document\"?");
+  const std::string parameter = parse_error("section.value @q1.hight == 3");
+  EXPECT_EQ(parameter.substr(0, 13), "19: expected ") << parameter;
+  EXPECT_NE(parameter.find(", found \"hight\"; did you mean \"height\"?"), std::string::npos) << parameter;
+  EXPECT_EQ(parse_error("section.value @q1 == 3"), "15: expected @section.PARAMETER, found \"@q1\"");
+  EXPECT_NE(parse_error("shown suports == on").find("did you mean \"supports\"?"), std::string::npos);
+  EXPECT_EQ(parse_error("force.met @q3.vertcal/4 > 0"),
+            "15: expected vertical, lateral or roll, found \"vertcal\"; did you mean \"vertical\"?");
+  EXPECT_EQ(parse_error("force.met @q3.vertical/x > 0"), "24: expected a number (PLACE), found \"x\"");
+  EXPECT_EQ(parse_error("force.met @q3.vertical > 0"), "11: expected @section.CHANNEL/PLACE, found \"@q3.vertical\"");
+  EXPECT_EQ(parse_error("seat.jerk 60/roof > 0"),
+            "14: expected front, middle, back, least, most or 1 to 32, found \"roof\"");
+  EXPECT_EQ(parse_error("measure.error horner/63 < 1").substr(0, 37), "22: expected 16, 64, 256, 1024 or 409");
+  EXPECT_EQ(parse_error("complete.length 4 > 0"), "17: expected 1 to 3, found \"4\"");
+  EXPECT_EQ(parse_error("position == 1 2 3"), "10: expected @knot, found \"==\"");
+  for (const char* const fine :
+       {"position k3 == 1 2 3", "seat.jerk 60 > 0", "seat.jerk 60.5/32 > 0", "force.met @q3.vertical/4.5 > 0"})
+    EXPECT_EQ(parse_error(fine), "") << fine;
+}
+
+TEST(condition, none_is_another_value_than_any_number) {
+  EXPECT_EQ(holds_for("== none", 3.0), 0);
+  EXPECT_EQ(holds_for("!= none", 3.0), 1);
+  EXPECT_EQ(holds_for("== none", std::string("none"), "fold.at"), 1);
+  EXPECT_EQ(holds_for("!= none", std::string("none"), "fold.at"), 0);
+  EXPECT_EQ(holds_for("< 3", std::string("none"), "fold.at"), 0);
+  EXPECT_EQ(holds_for(">= 3", std::string("none"), "fold.at"), 0);
+  EXPECT_EQ(holds_for("!= 3", std::string("none"), "fold.at"), 1);
+}
+
 TEST(condition, continuity_compares_by_rank) {
-  const query::Value g1 = query::Ranked{1, "G1"};
+  const query::Value g1 = query::Ranked{2, "G1"};
   EXPECT_EQ(holds_for(">= G1", g1, "geometric @k1"), 1);
   EXPECT_EQ(holds_for("< G2", g1, "geometric @k1"), 1);
   EXPECT_EQ(holds_for("== G0", g1, "geometric @k1"), 0);
   EXPECT_EQ(holds_for("== g1", g1, "geometric @k1"), 1);
   EXPECT_EQ(holds_for("!= G2", g1, "geometric @k1"), 1);
-  EXPECT_EQ(holds_for(">= G1", query::Ranked{-1, "none"}, "geometric @k1"), 0) << "an open end joins nothing";
+  EXPECT_EQ(holds_for(">= G1", query::Ranked{0, "none"}, "geometric @k1"), 0) << "an open end joins nothing";
   EXPECT_EQ(holds_for("== none", g1, "geometric @k1"), 0);
   EXPECT_EQ(holds_for(">= C1", g1, "geometric @k1"), -1) << "C1 is a rank of another scale";
   EXPECT_EQ(holds_for("== on", query::Value(query::Ranked{1, "on"})), 1);

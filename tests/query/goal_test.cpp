@@ -55,8 +55,8 @@ TEST_F(Goals, that_cannot_be_read_say_why) {
   unreadable("ride.lap_time != 3", "a number");
   unreadable("ride.lap_time == fast", "expected a number (s), found \"fast\"");
   unreadable("ride.lap_time == 1 2", "one number");
-  unreadable("fps == 60", "does not follow from track and ride");
-  unreadable("length == 60", "does not follow");
+  unreadable("fps == 60", "\"fps\" cannot be sought");
+  unreadable("length == 60", "cannot be sought");
 }
 
 // A goal that has a solution: the value on a track that was changed by hand.

@@ -124,7 +124,7 @@ TEST_F(JointsQueryTest, errata_are_of_the_selected_segment) {
     const auto e = sim::erratum(session.derived, session.document.track.segments[2], 3.3, 64, name);
     EXPECT_EQ(number("erratum", name), e->right) << name;
     EXPECT_EQ(number("erratum_wrong", name), e->wrong) << name;
-    EXPECT_NE(find_query("erratum")->argument.find(name), std::string_view::npos) << name;
+    EXPECT_NE(usage_of(find_query("erratum")->argument).find(name), std::string_view::npos) << name;
   }
   EXPECT_NEAR(number("erratum", "gravesen"), number("segment_length", "@s3"), 0.2 * number("segment_length", "@s3"));
   const auto unknown = ask("erratum", "gravisen");

@@ -93,6 +93,27 @@ TEST(grammar, the_goal_of_a_search_is_parsed_before_the_script_runs) {
   EXPECT_EQ(place("seek ride.lap_tim == 40 by height of @k3"), "a.coaster:2:6: error: no query \"ride.lap_tim\"");
   EXPECT_EQ(place("expect error seek ride.lap_time == x by height of @k3"),
             "a.coaster:2:36: error: expected a number (s), found \"x\"");
+  EXPECT_EQ(place("seek name == 3 by height of @k3"),
+            "a.coaster:2:6: error: \"name\" cannot be sought: expected a query of track or ride with a number");
+  EXPECT_EQ(place("seek ride.lap_time != 40 by height of @k3").substr(0, 37), "a.coaster:2:6: error: expected a goal");
+}
+
+TEST(grammar, a_search_changes_numbers_that_exist) {
+  const auto error = [](const std::string& line) {
+    const ParsedScript parsed = parse_lines("seek ride.lap_time == 40 by " + line + "\n");
+    return parsed.errors.empty() ? "" : parsed.errors[0];
+  };
+  const std::string height = error("heigth of @k3..@k9");
+  EXPECT_EQ(height.find("a.coaster:2:29: error: expected height, x, z, place or roll of knots, found \"heigth\""), 0u)
+      << height;
+  EXPECT_NE(height.find("did you mean \"height\"?"), std::string::npos) << height;
+  EXPECT_NE(error("radius of @k3"), "");
+  EXPECT_NE(error("place of @q2").find("of sections, found \"place\""), std::string::npos) << error("place of @q2");
+  EXPECT_NE(error("vertcal at 40 of @q2"), "");
+  EXPECT_NE(error("heigth of all").find("of knots or sections"), std::string::npos);
+  for (const char* const fine : {"roll of @k3", "radius of @q2", "vertical at 40 of @q2", "length of all",
+                                 "height of selected", "place of all except @k1"})
+    EXPECT_EQ(error(fine), "") << fine;
 }
 
 TEST(grammar, the_header_is_required_and_newer_versions_are_refused) {

@@ -2,12 +2,18 @@
 #pragma once
 
 #include <functional>
+#include <optional>
+#include <string>
 
 #include "base/progress.h"
 #include "edit/commands/commands_seek.h"
 #include "edit/session/session.h"
 
 namespace coaster::edit {
+
+// Returns why the command's `by` names no number of what `of` names, with the nearest word; nothing if it may. Whether
+// a section of that name has the number depends on the track.
+std::optional<std::string> wrong_by(const Seek& command);
 
 using Search = std::function<base::Result<Sought>(base::Progress* progress)>;  // `progress` may be null
 

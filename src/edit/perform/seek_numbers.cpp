@@ -9,6 +9,7 @@
 #include "edit/commands/commands_sections.h"
 #include "edit/perform/force_replan.h"
 #include "edit/perform/knot_runs.h"
+#include "edit/perform/seek.h"
 #include "world/element.h"
 #include "world/force_steps.h"
 #include "world/sections.h"
@@ -31,15 +32,19 @@ struct ByRow {
   std::string_view name;
   std::vector<SeekKind> kinds;
 };
-// Returns the kinds of a knot's numbers with that name; none for other words.
-std::vector<SeekKind> kinds_of(std::string_view by) {
+const std::vector<ByRow>& knot_rows() {
   static const std::vector<ByRow> kRows{{"height", {SeekKind::height}},
                                         {"x", {SeekKind::x}},
                                         {"z", {SeekKind::z}},
                                         {"place", {SeekKind::x, SeekKind::height, SeekKind::z}},
                                         {"roll", {SeekKind::roll}}};
-  const auto row = std::find_if(kRows.begin(), kRows.end(), [&](const ByRow& r) { return r.name == by; });
-  return row == kRows.end() ? std::vector<SeekKind>() : row->kinds;
+  return kRows;
+}
+// Returns the kinds of a knot's numbers with that name; none for other words.
+std::vector<SeekKind> kinds_of(std::string_view by) {
+  const auto& rows = knot_rows();
+  const auto row = std::find_if(rows.begin(), rows.end(), [&](const ByRow& r) { return r.name == by; });
+  return row == rows.end() ? std::vector<SeekKind>() : row->kinds;
 }
 
 int axis_of(SeekKind kind) { return static_cast<int>(kind); }
@@ -192,7 +197,35 @@ Status give_one(Session& session, Change& change, const SeekNumber& number, doub
 
 bool of_program(SeekKind kind) { return kind == SeekKind::force_length || kind == SeekKind::force_key; }
 
+// Returns the names of all numbers of sections.
+std::vector<std::string> section_numbers() {
+  std::vector<std::string> names = base::names_of<world::ForceChannel>();
+  names.insert(names.begin(), "length");
+  for (const world::ElementRow& row : world::elements())
+    for (const world::ElementParameter& p : row.parameters)
+      if (p.names.empty() && std::find(names.begin(), names.end(), p.name) == names.end()) names.emplace_back(p.name);
+  return names;
+}
+
 }  // namespace
+
+std::optional<std::string> wrong_by(const Seek& command) {
+  const std::vector<world::Name>& of = command.of.names;
+  const bool knots = of.empty() || of.front().kind != world::Kind::section, sections = of.empty() || !knots;
+  std::vector<std::string> names = knots ? base::names_in(knot_rows()) : std::vector<std::string>();
+  if (sections) {
+    if (force_by(command.by.text)) return std::nullopt;
+    for (std::string& name : section_numbers())
+      if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(std::move(name));
+  }
+  const std::string& by = command.by.text;
+  if (std::find(names.begin(), names.end(), by) != names.end()) return std::nullopt;
+  return fmt::format("expected {} of {}, found {}{}", base::alternatives(names),
+                     !sections ? "knots"
+                     : knots   ? "knots or sections"
+                               : "sections",
+                     base::quoted(by), base::suggestion(by, names));
+}
 
 base::Result<Numbers> seek_numbers(const Session& session, const Seek& command) {
   if (!std::isfinite(command.above) || !std::isfinite(command.below) || command.above > command.below)
