@@ -15,6 +15,7 @@ std::vector<std::string> words_of(const ArgumentPart& part) {
 std::string expected(const ArgumentPart& part) {
   if (part.kind) return fmt::format("a {} such as @{}", base::name_of(*part.kind), world::to_text({*part.kind, 3}));
   if (part.number) return fmt::format("a number ({})", part.usage);
+  if (!part.words && part.most == 0) return std::string(part.usage);
   const std::string range = fmt::format("1 to {}", part.most);
   if (!part.words) return range;
   std::vector<std::string> all = part.words();
@@ -28,6 +29,7 @@ bool accepts(const ArgumentPart& part, std::string_view word) {
     return name && name->kind == *part.kind;
   }
   if (part.number) return base::parse_double(word).has_value();
+  if (!part.words && part.most == 0) return !word.empty();
   const auto whole = base::parse_int(word);
   if (whole && *whole >= 1 && *whole <= part.most) return true;
   const std::vector<std::string> words = words_of(part);

@@ -13,7 +13,7 @@
 
 namespace coaster::query {
 
-// An entity, a word, or a number.
+// An entity, a word, or a number; any text if none of these is set.
 struct ArgumentPart {
   std::string_view usage = {};                    // in help; empty: all words
   std::optional<world::Kind> kind = {};           // the name of an entity of this kind

@@ -1,6 +1,8 @@
 // What queries read.
 #pragma once
 
+#include <functional>
+#include <string>
 #include <string_view>
 
 #include "edit/session/session.h"
@@ -13,6 +15,7 @@ struct Context {
   const FrameStats& stats;
   std::string_view toast;  // text of the newest notice, "" if none is shown
   std::string_view title;
+  std::function<base::Result<std::string>(std::string_view path)> widget_text = {};  // empty outside scripts
   const edit::Session& session = find.session();
 };
 

@@ -32,6 +32,12 @@ Answer undo_depth(const Context& c, View) { return number(c.session.history.undo
 Answer redo_depth(const Context& c, View) { return number(c.session.history.redo.size()); }
 Answer dirty(const Context& c, View) { return yes_no(edit::dirty(c.find)); }
 Answer toast(const Context& c, View) { return text(c.toast); }
+Answer widget_text(const Context& c, View path) {
+  if (!c.widget_text) return base::Status{base::Code::refused, "there are no panels"};
+  const auto shown = c.widget_text(path);
+  return shown ? Answer(text(*shown)) : shown.status();
+}
+constexpr ArgumentPart kWidget[]{{.usage = "\"PATH\""}};
 Answer title(const Context& c, View) { return text(c.title); }
 Answer polyline(const Context& c, View) { return yes_no(c.session.settings.lab->layers.has(world::Layer::polyline)); }
 Answer link_bytes(const Context& c, View) { return number(c.session.shared.size()); }
@@ -77,6 +83,8 @@ constexpr std::array kSessionRows{
           toast,
           kText},
     Query{"title", {}, "", "The window's title.", title, kText},
+    Query{"text", kWidget, "", "What a widget shows: its value; of a button or a text without a value, its label.",
+          widget_text, kText},
     Query{"polyline", {}, "", "on if the evaluated polyline is shown.", polyline, kSwitch},
     Query{"track_file", {}, "", "Name of the track's file without its folder, empty if it has none.", file, kText},
     Query{"link_bytes", {}, "", "Characters of the link that was shared last, from its # on; 0: none.", link_bytes},

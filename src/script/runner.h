@@ -107,6 +107,7 @@ class Runner {
   Failure perform(const StartMovie& start);
   Failure perform(const StopMovie& stop);
 
+  base::Result<query::Value> value_of(std::string_view query, const std::string& argument);
   // Evaluates the condition; `found` receives the value as text.
   base::Result<bool> check(const Condition& condition, std::string& found);
   const Source& source() const { return script_.sources[static_cast<std::size_t>(source_)]; }

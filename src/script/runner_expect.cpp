@@ -19,10 +19,22 @@ int column_of(const Condition& condition, const std::string& found) {
 
 }  // namespace
 
+base::Result<query::Value> Runner::value_of(std::string_view query, const std::string& argument) {
+  const query::Query* const row = query::find_query(query);
+  COASTER_CHECK(row, "the grammar rejects unknown queries");
+  query::Context context = frames_.host().context();
+  context.widget_text = [this](std::string_view path) -> base::Result<std::string> {
+    if (const base::Status status = frames_.settle_panels(); !status) return status;
+    const std::vector<WidgetState> widgets = frames_.host().widgets();
+    const base::Result<std::size_t> found = find_widget(widgets, path);
+    return found ? text_of(widgets[*found]) : base::Result<std::string>(found.status());
+  };
+  return row->evaluate(context, argument);
+}
+
 base::Result<bool> Runner::check(const Condition& condition, std::string& found) {
   const query::Query* const query = query::find_query(condition.query);
-  COASTER_CHECK(query, "the grammar rejects unknown queries");
-  const base::Result<query::Value> value = query->evaluate(frames_.host().context(), condition.argument);
+  const base::Result<query::Value> value = value_of(condition.query, condition.argument);
   if (!value) return base::Status{base::Code::usage, value.status().message};
   found = describe(*query, *value);
   return holds(condition, *value);

@@ -156,7 +156,7 @@ Failure Runner::perform(const Log& log) {
       line += part.text;
       continue;
     }
-    const auto value = query::find_query(part.query)->evaluate(frames_.host().context(), part.argument);
+    const auto value = value_of(part.query, part.argument);
     if (!value) return failure(value.status(), part.column);
     line += query::to_text(*value);
   }

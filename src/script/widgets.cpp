@@ -85,6 +85,11 @@ std::string_view panel_of(std::string_view path) { return path.substr(0, path.fi
 
 bool is_on(const WidgetState& widget) { return widget.value == "on" || widget.value == "open"; }
 
+std::string text_of(const WidgetState& widget) {
+  const bool labelled = widget.kind == "button" || widget.kind == "label";
+  return widget.value.empty() && labelled ? widget.path.substr(widget.path.rfind('/') + 1) : widget.value;
+}
+
 bool is_closed_header(const WidgetState& widget) {
   return widget.kind == "header" && (widget.value == "off" || widget.value == "closed");
 }

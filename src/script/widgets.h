@@ -22,6 +22,9 @@ base::Result<std::size_t> find_widget(std::span<const WidgetState> widgets, std:
 // Returns the path's part before the first slash.
 std::string_view panel_of(std::string_view path);
 
+// Returns what the widget shows: its value; of a button or a text without a value, its label.
+std::string text_of(const WidgetState& widget);
+
 // True for a header whose contents are hidden.
 bool is_closed_header(const WidgetState& widget);
 bool is_on(const WidgetState& widget);

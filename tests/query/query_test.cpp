@@ -31,6 +31,10 @@ class QueryTest : public test::SessionTest {
     return std::get<Ranked>(*ask(name, argument)).rank;
   }
 
+  Context context() {
+    return {session, stats, toast, title, [](std::string_view path) { return std::string(path); }};
+  }
+
   FrameStats stats;
   std::string toast, title;
 };
@@ -44,6 +48,7 @@ std::string sample_argument(const Query& query) {
     if (part.before != 0) sample += part.before;
     if (part.kind == world::Kind::segment) sample += "@s3";
     else if (part.kind) sample += "@" + world::to_text({*part.kind, part.kind == world::Kind::knot ? 2u : 1u});
+    else if (part.usage == "\"PATH\"") sample += "Track/Name";
     else sample += part.words ? part.words().back() : part.number ? "7.5" : std::to_string(part.most);
   }
   EXPECT_FALSE(query.argument.size() > 0 && wrong_argument(query.argument, sample)) << query.name << " " << sample;
@@ -77,7 +82,7 @@ TEST(values, whole_numbers_are_printed_as_people_write_them) {
 
 TEST_F(QueryTest, every_row_has_a_value_on_a_track_and_on_an_empty_one) {
   for (const Query& query : queries()) {
-    const auto value = query.evaluate({session, stats, toast, title}, sample_argument(query));
+    const auto value = query.evaluate(context(), sample_argument(query));
     if (usage_of(query.argument) == kOfMeasurements) {
       EXPECT_FALSE(value) << query.name << " before anything is measured";
       continue;
@@ -91,7 +96,7 @@ TEST_F(QueryTest, every_row_has_a_value_on_a_track_and_on_an_empty_one) {
   }
   good("new");
   for (const Query& query : queries())
-    EXPECT_EQ(query.evaluate({session, stats, toast, title}, sample_argument(query)).ok(),
+    EXPECT_EQ(query.evaluate(context(), sample_argument(query)).ok(),
               !usage_of(query.argument).starts_with('@') && usage_of(query.argument) != kOfMeasurements)
         << query.name;
 }
@@ -202,6 +207,10 @@ TEST_F(QueryTest, missing_entities_are_refused_with_a_suggestion) {
   };
   refused("position", "@k9", "no knot @k9");
   refused("position", "@k9", "did you mean");
+}
+
+TEST_F(QueryTest, without_panels_no_widget_has_a_text) {
+  EXPECT_EQ(ask("text", "Track/Name").status().message, "there are no panels");
 }
 
 TEST_F(QueryTest, hashes_are_those_of_the_world) {
