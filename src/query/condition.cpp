@@ -135,15 +135,15 @@ bool holds_vector(const Condition& c, glm::dvec3 found) {
 }
 
 bool check_numbers(Words& words, const Query& query, const Condition& c, std::size_t count) {
+  const std::string unit = query.unit.empty() ? "" : fmt::format(" ({})", query.unit);
   if (c.values.size() != count)
     return words.fail(c.values.front().column,
-                      fmt::format("expected {}, found {}", count == 1 ? "one number" : "three numbers",
+                      fmt::format("expected {}{}, found {}", count == 1 ? "one number" : "three numbers", unit,
                                   base::quoted(joined(c.values))));
   for (const base::Token& value : c.values)
     if (!number_of(value.text))
-      return words.fail(value.column, fmt::format("expected a number{}, found {}",
-                                                  query.unit.empty() ? "" : fmt::format(" ({})", query.unit),
-                                                  base::quoted_number(value.text)));
+      return words.fail(value.column,
+                        fmt::format("expected a number{}, found {}", unit, base::quoted_number(value.text)));
   return true;
 }
 

@@ -86,7 +86,8 @@ void Parser::include(Tokens tokens) {
   if (!inner.header_seen_ && inner.first_error_ != 0 && inner.first_error_ == inner.first_line_) {
     out_.errors.resize(std::min(before, kMaxErrors));
     errors_ = before;
-    return error(tokens[1].column, fmt::format("{} is not a script: its line {} is no statement",
+    return error(tokens[1].column, fmt::format("{} is not a script: its line {} is no statement; begin it with "
+                                               "\"coaster-script 1\" to see its errors",
                                                base::quoted(tokens[1].text), inner.first_line_));
   }
   statement.action = std::move(included);
@@ -115,7 +116,7 @@ void Parser::statement(Tokens tokens) {
   if (first.text == "repeat" || first.text == "gesture" || first.text == "lesson") {
     if (first.text == "repeat") made.action = Repeat{words.whole("a count", 0, 1'000'000).value_or(1), {}};
     else if (first.text == "gesture") made.action = Gesture{};
-    else if (!parse_lesson(words, made.action)) return error(problem.column, problem.message);
+    else if (!parse_lesson(words, made.action)) made.action = Lesson{};  // its end belongs to it all the same
     if (!words.end()) error(problem.column, problem.message);
     if (static_cast<int>(open_.size()) >= kMaxBlockDepth) return error(first.column, "blocks are nested too deeply");
     open_.push_back({std::move(made), {}});

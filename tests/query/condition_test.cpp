@@ -90,8 +90,9 @@ TEST(condition, values_that_a_query_never_has_are_refused_when_parsed) {
 TEST(condition, the_values_have_the_type_of_the_query) {
   EXPECT_EQ(parse_error("knots == abc"), "10: expected a number, found \"abc\"");
   EXPECT_EQ(parse_error("knots == 1 2"), "10: expected one number, found \"1 2\"");
-  EXPECT_EQ(parse_error("position @k3 == 1 2"), "17: expected three numbers, found \"1 2\"");
+  EXPECT_EQ(parse_error("position @k3 == 1 2"), "17: expected three numbers (m), found \"1 2\"");
   EXPECT_EQ(parse_error("position @k3 > 1 2 3"), "14: a vector can be compared only with == and !=, found \">\"");
+  EXPECT_EQ(parse_error("length == 3 km"), "11: expected one number (m), found \"3 km\"");
   EXPECT_EQ(parse_error("name < 3"), "6: a text can be compared only with ==, != and ~, found \"<\"");
   EXPECT_EQ(parse_error("closed == onn"), "11: expected off or on, found \"onn\"; did you mean \"on\"?");
   EXPECT_EQ(parse_error("closed == none"), "11: expected off or on, found \"none\"");

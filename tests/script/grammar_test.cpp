@@ -98,6 +98,12 @@ TEST(grammar, the_goal_of_a_search_is_parsed_before_the_script_runs) {
   EXPECT_EQ(place("seek ride.lap_time != 40 by height of @k3").substr(0, 37), "a.coaster:2:6: error: expected a goal");
 }
 
+TEST(grammar, a_lesson_with_an_error_still_owns_its_end) {
+  const ParsedScript parsed = parse_lines("lesson \"Close it.\" until closed == onn\nclosed on\nend\n");
+  ASSERT_EQ(parsed.errors.size(), 1u) << parsed.errors[1];
+  EXPECT_EQ(parsed.errors[0].find("a.coaster:2:36: error: expected off or on"), 0u) << parsed.errors[0];
+}
+
 TEST(grammar, a_search_changes_numbers_that_exist) {
   const auto error = [](const std::string& line) {
     const ParsedScript parsed = parse_lines("seek ride.lap_time == 40 by " + line + "\n");
@@ -313,6 +319,7 @@ TEST(grammar, includes_are_read_beside_the_script_and_cycles_are_refused) {
   ASSERT_EQ(secret.errors.size(), 2u);
   EXPECT_NE(secret.errors[1].find("\"secret.txt\" is not a script: its line 3 is no"), std::string::npos)
       << secret.errors[1];
+  EXPECT_NE(secret.errors[1].find("begin it with \"coaster-script 1\""), std::string::npos) << secret.errors[1];
   for (const char* const word : {"root", "hunter2"})
     EXPECT_EQ(secret.errors[1].find(word), std::string::npos) << secret.errors[1];
   write("part.coaster", "coaster-script 1\nfrmaes 1\nhunter2\n");
