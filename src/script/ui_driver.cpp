@@ -115,6 +115,8 @@ Failure UiDriver::drag_by(std::string_view path, float pixels) {
 
 Failure UiDriver::drag_to(std::string_view path, double value) {
   if (Failure reached = reach(path); !reached) return reached;
+  if (Failure other = expect_kind(widget_, {"number", "slider", "plot"}, "number, slider or plot"); !other)
+    return other;
   if (Failure down = frame({MouseButton{Button::left, true, {}}}); !down) return down;
   const float y = middle(widget_).y;
   float low = widget_.x, high = widget_.x + widget_.width;
