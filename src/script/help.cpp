@@ -46,8 +46,10 @@ constexpr std::array kInput{
     HelpRow{"ui.open|close \"PATH\"", "Opens or closes a header; opens a combo or menu."},
     HelpRow{"ui.menu \"MENU/ITEM\"", "Opens the menu and clicks the item."},
     HelpRow{"ui.scroll \"PANEL\" N", "Turns the wheel over a panel; positive scrolls down."},
-    HelpRow{"aim.click|doubleclick|hover [+shift] [+ctrl] [+alt] TARGET",
-            "TARGET: @k3 @k3.in @k3.out @k3.spin @s2:0.4 @c1, ground X Y Z, world X Y Z."},
+    HelpRow{
+        "aim.click|doubleclick|hover [+shift] [+ctrl] [+alt] TARGET",
+        "TARGET: @k3 @k3.in @k3.out @k3.spin @s2:0.4 @c1 @q2 @q2.turn @q2.bank gizmo.x gizmo.xz, ground X Y Z, world X "
+        "Y Z."},
     HelpRow{"aim.drag [+shift] [+ctrl] [+alt] TARGET by X Y Z",
             "Presses, moves by an offset (m) and releases in the viewport."},
     HelpRow{"aim.drag [+shift] [+ctrl] [+alt] TARGET to X Y Z|TARGET", "The same, to a position."},
@@ -117,7 +119,7 @@ std::string help() {
   }
   return out +
          "\nExit codes: 0 success, 1 failed expectation, 2 usage or script error, 3 bad file, 4 no graphics, "
-         "5 input or output, 6 timeout.\n";
+         "5 input or output, 6 timeout, 77 skipped.\n";
 }
 
 }  // namespace coaster::script
