@@ -57,4 +57,8 @@ completed ""
 case $filter in *json*nltrack*coaster*) ;; *) fail "files: $filter" ;; esac
 completed --seed ""
 [ -z "$filter${COMPREPLY[*]}" ] || fail "a number was completed"
+# The example at the start of docs/script.md runs as it is.
+sed -n '/^```$/,/^```$/{/^```$/!p}; /^Run it with/q' "$SOURCE/docs/script.md" >"$OUT/example.coaster"
+expect_text example.coaster "coaster-script 1"
+run_script 0 example
 finish
