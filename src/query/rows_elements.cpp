@@ -1,8 +1,6 @@
 // Queries of the palette's element at its present position at the track's open end.
 #include <array>
 
-#include <fmt/format.h>
-
 #include "base/portable_math.h"
 #include "query/rows.h"
 

@@ -2,8 +2,6 @@
 #include <algorithm>
 #include <array>
 
-#include <fmt/format.h>
-
 #include "base/portable_math.h"
 #include "query/rows.h"
 #include "sim/shape/frame_methods.h"

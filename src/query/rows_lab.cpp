@@ -2,8 +2,6 @@
 #include <algorithm>
 #include <array>
 
-#include <fmt/format.h>
-
 #include "query/rows.h"
 #include "sim/study/rounding.h"
 #include "world/evaluation.h"

@@ -4,8 +4,6 @@
 #include <utility>
 #include <vector>
 
-#include <fmt/format.h>
-
 #include "query/rows.h"
 #include "sim/study/seat.h"
 #include "world/lab_view.h"

@@ -1,8 +1,6 @@
 // Queries of the track's sections.
-#include <algorithm>
 #include <array>
 
-#include "base/words.h"
 #include "query/rows.h"
 #include "world/sections.h"
 
