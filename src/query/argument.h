@@ -23,8 +23,9 @@ struct ArgumentPart {
   char before = 0;                                // separates it from the part before it
   bool optional = false;
 };
-using Argument = std::span<const ArgumentPart>;  // empty: the query takes no argument
+using Argument = std::span<const ArgumentPart>;
 
+inline constexpr Argument kNoArgument{};
 inline constexpr ArgumentPart kKnot[]{{.usage = "@knot", .kind = world::Kind::knot}};
 inline constexpr ArgumentPart kSegment[]{{.usage = "@segment", .kind = world::Kind::segment}};
 inline constexpr ArgumentPart kCart[]{{.usage = "@cart", .kind = world::Kind::cart}};

@@ -34,18 +34,13 @@ Answer ns_per_point(const Context& c, View) {
 constexpr auto kDrawRows = rows_of<view::kDrawNumbers>(std::make_index_sequence<view::kDrawNumbers.size()>());
 constexpr auto kFrameRows = rows_of<kFrameNumbers>(std::make_index_sequence<kFrameNumbers.size()>());
 constexpr std::array kMoreRows{
-    Query{"deviation", {}, "m", "Largest distance of a vertex from the exact point at the same parameter.", deviation},
-    Query{"chord_error", {}, "m", "Largest distance of the curve from the polyline's chords.", chord_error},
-    Query{"drawn_by",
-          {},
-          "",
+    Query{"deviation", kNoArgument, "m", "Largest distance of a vertex from the exact point at the same parameter.",
+          deviation},
+    Query{"chord_error", kNoArgument, "m", "Largest distance of the curve from the polyline's chords.", chord_error},
+    Query{"drawn_by", kNoArgument, "",
           "Where the polylines were evaluated: processor, vertex_shader, geometry_shader or tessellation_shader.",
-          drawn_by,
-          kOneOf<curve::EvaluatedBy>},
-    Query{"ns_per_point",
-          {},
-          "ns",
-          "Time of evaluators per vertex in the last frame that evaluated anything.",
+          drawn_by, kOneOf<curve::EvaluatedBy>},
+    Query{"ns_per_point", kNoArgument, "ns", "Time of evaluators per vertex in the last frame that evaluated anything.",
           ns_per_point},
 };
 

@@ -83,7 +83,7 @@ std::vector<std::string> kinds() {
 }
 
 constexpr std::array kSectionRows{
-    Query{"sections", {}, "", "Number of sections of the track.", sections},
+    Query{"sections", kNoArgument, "", "Number of sections of the track.", sections},
     Query{"section.of", kSegment, "", "The section of a segment, such as q2.", section_of, kText},
     Query{"section.kind",
           kSection,

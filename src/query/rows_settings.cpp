@@ -22,7 +22,7 @@ std::span<const Query> setting_rows() {
     world::for_each_setting([&]<auto Member>() {
       static constexpr world::SettingRow kRow = world::setting_row<Member>();
       made.push_back(
-          {kRow.query_name(), {}, kRow.unit, kRow.help, setting<Member>, values_of<world::ValueOf<Member>>()});
+          {kRow.query_name(), kNoArgument, kRow.unit, kRow.help, setting<Member>, values_of<world::ValueOf<Member>>()});
     });
     return made;
   }();

@@ -148,7 +148,9 @@ TEST(layout, the_palette_has_labels_at_usual_sizes_and_the_view_its_share) {
       EXPECT_TRUE(l.grid.labels) << where;
       EXPECT_GE(l.grid.cell_width, wish.label_width - 1) << where;
       EXPECT_GE(scene_share(width, height, scale, wish), 0.62f) << where;
-      if (parameters.value_or(true)) EXPECT_GE(l.parameters.height, 110 * scale) << where;
+      if (parameters.value_or(true)) {
+        EXPECT_GE(l.parameters.height, 110 * scale) << where;
+      }
     }
 }
 
