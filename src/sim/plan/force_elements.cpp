@@ -8,6 +8,7 @@
 #include "base/portable_math.h"
 #include "base/text.h"
 #include "sim/plan/force_maker.h"
+#include "sim/plan/force_plan.h"
 
 namespace coaster::sim {
 namespace {
@@ -159,9 +160,7 @@ ForceElement force_element(const world::Element& element, const ForceTask& start
   const ForceLaw law(maker.task);
   maker.felt = law.wanted(0).up.value;
   maker.task.program.length = 0;
-  if (start.program.speed < world::kSlowestForce)
-    return no_element(fmt::format("the train is at {:.1f} m/s there, and forces need {} m/s", start.program.speed,
-                                  base::to_text(world::kSlowestForce)));
+  if (start.program.speed < world::kSlowestForce) return no_element(too_slow_text(start.program.speed));
   if (element.kind == ElementKind::force_brakes) return brakes(maker);
   if (std::abs(degrees(maker.slope)) > kSteepestEnd_deg)
     return no_element(fmt::format("the track is steeper than {} degrees there", base::to_text(kSteepestEnd_deg)));

@@ -26,6 +26,12 @@ std::size_t ForcePlan::point_at(double at) const {
   return above == path.points.begin() ? 0 : static_cast<std::size_t>(above - path.points.begin()) - 1;
 }
 
+std::string too_slow_text(double speed) {
+  return fmt::format(
+      "the train is at {:.1f} m/s there, and forces need {} m/s: add a launch or a lift hill before them", speed,
+      world::kSlowestForce);
+}
+
 ForcePlan plan_force(const ForceTask& task) {
   ForcePlan plan;
   plan.task = task;
@@ -34,8 +40,7 @@ ForcePlan plan_force(const ForceTask& task) {
     return plan;
   }
   if (world::needs_speed(task.program) && task.program.speed < world::kSlowestForce) {
-    plan.refusal = fmt::format("the train is at {:.1f} m/s there, and a force section needs {} m/s", task.program.speed,
-                               world::kSlowestForce);
+    plan.refusal = too_slow_text(task.program.speed);
     return plan;
   }
   std::optional<ForceTask> held;

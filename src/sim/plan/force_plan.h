@@ -41,6 +41,8 @@ double between_points(const ForcePlan& plan, double at, Value value) {
 
 // Plans a force section. Takes about 40 us per metre.
 ForcePlan plan_force(const ForceTask& task);
+// Returns why a train at that speed (m/s) is too slow for forces, and what makes it faster.
+std::string too_slow_text(double speed);
 
 // Returns where a section begins: the track's end without the section and those after it. A section before it that
 // completes the circuit adapts to its curvature, not the other way round.

@@ -167,7 +167,7 @@ TEST_F(Forces, track_is_planned_up_to_the_place_where_it_must_stop) {
   key("vertical key 1.2 at 20");
   EXPECT_NEAR(plan().length, 60, 1e-6);
   start_on(world::Document{});
-  refused("force.add", "the train is at 1.0 m/s there, and a force section needs 3 m/s");
+  refused("force.add", "the train is at 1.0 m/s there, and forces need 3 m/s: add a launch or a lift hill before them");
 }
 
 TEST_F(Forces, keys_keep_their_places_over_the_other_axis) {

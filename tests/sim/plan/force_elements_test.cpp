@@ -129,7 +129,7 @@ void refused(const world::Element& element, const ForceTask& start, std::string_
   EXPECT_NE(refusal.find(why), std::string::npos) << refusal;
 }
 TEST(force_elements, what_cannot_be_is_refused_with_the_reason) {
-  refused(of(ElementKind::force_hill), at(2), "2.0 m/s there, and forces need 3 m/s");
+  refused(of(ElementKind::force_hill), at(2), "2.0 m/s there, and forces need 3 m/s: add a launch");
   refused(of(ElementKind::force_hill, {{"seconds", 8}}), at(12), "too slow to float for 8 s");
   refused(of(ElementKind::force_hill, {{"seconds", 0.3}}), at(30, 60), "rises too steeply to float for only 0.3 s");
   refused(of(ElementKind::force_valley), at(20), "slope of 0.0 degrees already");
