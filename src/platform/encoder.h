@@ -18,7 +18,8 @@ class Encoder {
   static bool in_page();
   // Begins a movie of `rate` pictures a second. Code::refused with the reason if the browser cannot encode.
   static base::Result<std::unique_ptr<Encoder>> start(int rate);
-  ~Encoder();  // without finish(): discards the movie
+  // Without finish(): discards the movie. NOLINTNEXTLINE(performance-trivially-destructible): a page's does that
+  ~Encoder();
 
   // False while several pictures wait: a page that goes on adding runs out of memory.
   bool ready() const;

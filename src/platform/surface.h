@@ -45,7 +45,7 @@ class Surface {
   // Whether what is typed goes to a text. A touch screen shows its keyboard while it does.
   virtual void take_text(bool wanted) { (void)wanted; }
   // Lets whoever shows the window ask by text: a browser's page. `ask` must be callable as long as the surface lives.
-  virtual void answer_by(std::function<std::string(const std::string& question)> ask) { (void)ask; }
+  virtual void answer_by(const std::function<std::string(const std::string& question)>& ask) { (void)ask; }
   virtual bool is_window() const = 0;
   virtual std::string library() const = 0;  // that created the context: "GLFW 3.3.8", "OSMesa", "EGL"
   // Returns the window's position; nothing for memory and while minimised. A maximised window has the size of the

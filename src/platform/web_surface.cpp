@@ -100,7 +100,7 @@ class WebSurface final : public Surface {
     EM_ASM({ Module.coasterTakesText($0); }, wanted ? 1 : 0);
     // clang-format on
   }
-  void answer_by(std::function<std::string(const std::string& question)> ask) override { ask_ = std::move(ask); }
+  void answer_by(const std::function<std::string(const std::string& question)>& ask) override { ask_ = ask; }
   bool is_window() const override { return window_; }
   std::string library() const override { return "WebGL 2"; }
   std::optional<Placement> placement() const override { return std::nullopt; }

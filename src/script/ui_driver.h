@@ -41,7 +41,7 @@ class UiDriver {
   Failure release(platform::Event event, std::uint64_t commands_before, bool can_wait);
   // Finds the widget as last drawn, after opening headers on its path.
   Failure find(std::string_view path, WidgetState& widget);
-  Failure refuse_missing(std::string_view path, base::Status missing);
+  Failure refuse_missing(std::string_view path, const base::Status& missing);
   Failure open_way_to(std::string_view path);
   Failure open_inner_menu(std::string_view path);
   Failure open_one(WidgetState widget);

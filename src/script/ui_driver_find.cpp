@@ -100,7 +100,7 @@ Failure UiDriver::open_inner_menu(std::string_view path) {
 
 // Looks for a missing widget in each other workspace, and returns to the present one. Returns the refusal that names
 // the first workspace that has it; `missing` if none has.
-Failure UiDriver::refuse_missing(std::string_view path, base::Status missing) {
+Failure UiDriver::refuse_missing(std::string_view path, const base::Status& missing) {
   using world::Workspace;
   const Workspace here = frames_.host().context().session.settings.panels->workspace;
   const auto go_to = [&](Workspace workspace) {
@@ -122,8 +122,10 @@ Failure UiDriver::find(std::string_view path, WidgetState& widget) {
   if (Failure opened = open_way_to(path); !opened) return opened;
   widgets_ = frames_.host().widgets();
   const auto found = find_widget(widgets_, path);
-  if (!found && find_widgets(widgets_, path).empty())
-    return refuse_missing(path, missing_.ok() ? found.status() : missing_);
+  if (!found && find_widgets(widgets_, path).empty()) {
+    const base::Status missing = missing_.ok() ? found.status() : missing_;  // the search changes missing_
+    return refuse_missing(path, missing);
+  }
   if (!found) return failure(found.status());
   widget = widgets_[*found];
   return {};
