@@ -34,7 +34,7 @@ void complete(benchmark::State& state, bool blocked) {
   const sim::Derived derived = sim::shapes_of(document);
   sim::Conflicts conflicts;
   conflicts.update(derived);
-  sim::CircuitTask task = *sim::circuit_task(document, nullptr);
+  sim::CircuitTask task = *sim::circuit_task(document, derived, nullptr);
   task.speed = 14, task.coasts = true;
   double sum = 0;
   for (auto _ : state) {
@@ -79,7 +79,7 @@ void complete_random(benchmark::State& state) {
   build_random(static_cast<std::uint32_t>(state.range(0)), builder);
   edit::Session& session = builder.session;
   edit::find(session, edit::Want::ride | edit::Want::conflicts);
-  const sim::CircuitTask task = *sim::circuit_task(session.document, session.findings.ride);
+  const sim::CircuitTask task = *sim::circuit_task(session.document, session.derived, session.findings.ride);
   std::size_t proposals = 0;
   for (auto _ : state)
     proposals = sim::complete_circuit(task, session.derived, session.findings.memory.conflicts).list.size();
