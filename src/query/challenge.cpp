@@ -210,7 +210,7 @@ Finding look_at(const edit::Finder& find, const Rule& rule) {
   }
   finding.place = place_of(find, rule.query->name);
   if (!finding.place) finding.place = place_of_joint(find, rule.query->name);
-  if (!finding.place && usage_of(rule.query->argument) == usage_of(kKnot))
+  if (!finding.place && rule.query->argument.size() == 1 && rule.query->argument[0].kind == world::Kind::knot)
     finding.place =
         place_of_knot(find.session(), rule.condition.argument.starts_with('@') ? rule.condition.argument.substr(1)
                                                                                : rule.condition.argument);

@@ -9,7 +9,7 @@
 
 #include "base/text.h"
 #include "base/words.h"
-#include "exchange/nolimits/nl2_spline.h"
+#include "exchange/nolimits/within_text.h"
 #include "sim/fit/fit_track.h"
 #include "world/topology.h"
 

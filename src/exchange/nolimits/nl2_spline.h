@@ -4,22 +4,14 @@
 
 #include <array>
 #include <span>
-#include <string>
 #include <vector>
 
-#include <fmt/format.h>
 #include <glm/glm.hpp>
 
 #include "curve/cubic.h"
 #include "sim/shape/derived.h"
 
 namespace coaster::exchange {
-
-// Returns what a file's number has to be, for messages: positions are in metres, and a file in millimetres goes beyond.
-inline std::string within_text(double limit) {
-  return limit == world::kMaxCoordinate ? fmt::format("a position within {:.0f} m", limit)
-                                        : fmt::format("a number within {:.6g}", limit);
-}
 
 struct SplineVertex {
   glm::dvec3 position{0};  // m

@@ -10,6 +10,7 @@
 #include "base/text.h"
 #include "base/words.h"
 #include "exchange/nolimits/nl2elem_track.h"
+#include "exchange/nolimits/within_text.h"
 
 namespace coaster::exchange {
 namespace {
