@@ -81,6 +81,10 @@ TEST_F(Density, the_mouse_reaches_as_many_points_far) {
         const Pick ordinary = at({x, y}, 1);
         found.insert(ordinary.kind);
         ASSERT_EQ(at({x, y}, 2), ordinary) << selected << " " << x << " " << y;
+        if (ordinary.kind != PickKind::curve) continue;
+        // Where track crosses track in the picture a fraction of a point decides which of them is meant.
+        for (float off = 1.25f; off < 5; off += 1.25f)
+          ASSERT_EQ(at({x + off, y}, 2), at({x + off, y}, 1)) << selected << " " << x + off << " " << y;
       }
   }
   for (const PickKind kind : {PickKind::none, PickKind::knot, PickKind::handle_in, PickKind::spin, PickKind::section,

@@ -246,6 +246,27 @@ TEST(supports, follow_from_the_track_alone_however_it_came_to_be_so) {
   }
 }
 
+// Low track that comes below a high straight, in the way of its supports, and leaves again.
+TEST(supports, make_room_for_track_far_below_and_take_it_back) {
+  world::Document d = test::straight_document({-30, 34, 2}, {30, 34, 2});
+  Derived derived = test::derived_of(d);
+  Supports kept;
+  kept.update(derived);
+  const world::Entity high = derived.order[0];
+  const std::vector<Bar> free = kept.of(high)->bars;
+  const float feet = std::find_if(free.begin(), free.end(), [](const Bar& bar) { return bar.grounded; })->to.z;
+  world::append_knot(d, test::skew_knot({130, 18, feet}, {0, -1, 0}, 12, 12));
+  for (const float x : {80.f, -80.f}) world::append_knot(d, test::skew_knot({x, 4, feet}, {-1, 0, 0}, 12, 12));
+  derive(d, {}, {}, derived);
+  kept.update(derived);
+  EXPECT_NE(kept.of(high)->bars, free);
+  EXPECT_EQ(disturbed(derived, kept), 0);
+  for (const std::size_t k : {3, 4}) d.entities.get<world::Knot>(d.track.knots[k]).position.z += 60;
+  derive(d, {}, {}, derived);
+  kept.update(derived);
+  EXPECT_EQ(kept.of(high)->bars, free);
+}
+
 TEST(supports, a_still_track_costs_nothing_and_a_moved_knot_its_neighbourhood) {
   world::Document d = test::ring_document(200, 400, 0.0);
   Derived derived = test::derived_of(d);
