@@ -58,6 +58,7 @@ TEST(text, the_nearest_word_is_suggested_and_far_ones_are_not) {
   EXPECT_EQ(nearest("mvoe", words), "move");
   EXPECT_EQ(nearest("xylophone", words), std::nullopt);
   for (const char* const far : {"let", "for", "print", "u"}) EXPECT_EQ(nearest(far, words), std::nullopt);
+  EXPECT_EQ(nearest("x", std::vector<std::string>{"y", "xy"}), "xy") << "a word with no letter in common is no slip";
   EXPECT_EQ(suggestion("resolutoin", words), "; did you mean \"resolution\"?");
 }
 

@@ -150,6 +150,8 @@ TEST(arc_length, rows_that_heed_a_tolerance_report_what_they_reach) {
           }
           if (row.name == "gauss_legendre") {
             ASSERT_LE(estimate.error_bound, tolerance * estimate.length) << set.name;
+          } else if (row.name == "simpson_adaptive") {  // relative to its first estimate of the length
+            ASSERT_LE(estimate.error_bound, 2 * tolerance * estimate.length) << set.name;
           }
         }
   }

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <vector>
+
 #include "world/sample_documents.h"
 
 namespace coaster::world {
@@ -15,6 +17,19 @@ TEST(document, find_and_name_are_inverse) {
   EXPECT_EQ(find(d, {Kind::segment, 5}), kNone);
   EXPECT_EQ(label_of(d, d.track.segments[2]), "s3");
   EXPECT_EQ(label_of(d, kNone), "-");
+}
+
+TEST(document, the_first_train_is_that_of_the_least_number_however_they_are_stored) {
+  Document d = test::sample_document();
+  for (const Entity cart :
+       std::vector(d.entities.pool<Cart>().entities().begin(), d.entities.pool<Cart>().entities().end()))
+    d.entities.destroy(cart);
+  EXPECT_EQ(first_cart(d), kNone);
+  for (const unsigned number : {7u, 3u, 9u}) {
+    const Entity cart = d.entities.create();
+    d.entities.put(cart, Name{Kind::cart, number}), d.entities.put(cart, Cart{d.track.segments[0], 0.5});
+  }
+  EXPECT_EQ(name_of(d, first_cart(d)), (Name{Kind::cart, 3}));
 }
 
 TEST(document, a_segment_meets_its_knots_exactly_and_leaves_along_their_tangents) {

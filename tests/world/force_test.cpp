@@ -102,5 +102,20 @@ TEST(force, handles_never_cross) {
   EXPECT_EQ(usual[2], glm::dvec2(6, 2));
 }
 
+// Before the first key and behind the last a channel keeps their values, so it is level there.
+TEST(force, curves_begin_and_end_level_where_keys_leave_room) {
+  ForceProgram program;
+  program.length = 40;
+  program.keys(ForceChannel::vertical) = {{5, 1, 0.3, 2, 2}, {20, 2, 0.2, 2, 2}, {35, 3, 0.1, 2, 2}};
+  const auto slopes = [&] {
+    std::vector<double> out;
+    for (const ForceKey& key : shaping_keys(program, ForceChannel::vertical)) out.push_back(key.slope);
+    return out;
+  };
+  EXPECT_EQ(slopes(), (std::vector<double>{0, 0.2, 0}));
+  program.keys(ForceChannel::vertical).front().at = 0, program.keys(ForceChannel::vertical).back().at = 40;
+  EXPECT_EQ(slopes(), (std::vector<double>{0.3, 0.2, 0.1}));
+}
+
 }  // namespace force_test
 }  // namespace coaster::world
