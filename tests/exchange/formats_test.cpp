@@ -1,10 +1,12 @@
 #include "exchange/formats.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include <gtest/gtest.h>
 
 #include "base/scratch_folder.h"
+#include "sim/shape/roll.h"
 #include "sim/tracks.h"
 
 namespace coaster::exchange {
@@ -71,6 +73,10 @@ TEST(formats, what_a_format_prints_and_reads_is_the_same_track) {
     const world::Document& d = loaded->document;
     EXPECT_EQ(world::broken_invariant(d), std::nullopt) << format.ending;
     ASSERT_FALSE(d.track.knots.empty());
+    for (const world::Entity k : d.track.knots) {
+      const float spin = world::knot(d, k).spin;
+      EXPECT_TRUE(spin == 0 || std::abs(spin) >= sim::kLeastSpin) << format.ending << ": a spin of " << spin;
+    }
     for (const bool last : {false, true}) {
       const auto end_of = [&](const world::Document& of) {
         return glm::dvec3(world::knot(of, last ? of.track.knots.back() : of.track.knots.front()).position);

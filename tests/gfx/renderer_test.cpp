@@ -33,6 +33,19 @@ TEST_F(Pictures, show_track_sky_and_ground) {
       << "no pure black or white";
 }
 
+// A train may go into the ground: from there neither sky nor grass is seen, whichever way the eye looks.
+TEST_F(Pictures, below_the_ground_there_is_earth_all_around) {
+  const Track track(test::straight_document({0, 5, 0}, {30, 5, 0}));
+  for (const glm::dvec3 forward : {glm::dvec3(0, 0, -1), glm::dvec3(0, 0.6, -0.8), glm::dvec3(0, -0.6, -0.8)}) {
+    eye_ = view::Eye{.position = {15, -3, 9'000}, .forward = forward};
+    const Image image = picture(track);
+    const glm::ivec3 middle = colour_at(image, width_ / 2, height_ / 2);
+    const auto other = [&](glm::ivec3 c) { return glm::any(glm::greaterThan(glm::abs(c - middle), glm::ivec3(12))); };
+    EXPECT_EQ(count(image, other), 0) << forward.y;
+    EXPECT_GE(middle.x, middle.z) << "earth is not blue";
+  }
+}
+
 TEST_F(Pictures, values_colour_the_track_and_are_written_where_they_change) {
   width_ = 320, height_ = 180, show_polyline_ = false;
   const Track track = ring();

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -52,11 +53,13 @@ class Studio : public testing::Test {
     EXPECT_TRUE(renderer.ok()) << renderer.status().message;
     return renderer.ok() ? std::move(*renderer) : nullptr;
   }
-  // From the side and above, all of the track in sight; the viewport is the whole picture unless set.
+  // From the eye if there is one, else from the side and above with all of the track in sight; the viewport is the
+  // whole picture unless set.
   view::View look(const Track& track) const {
     const view::Viewport viewport =
         viewport_.width > 1 ? viewport_ : view::Viewport{0, 0, static_cast<float>(width_), static_cast<float>(height_)};
-    return view::orbit_view(view::frame_all({}, track.document, viewport), viewport);
+    return eye_ ? view::view_of(*eye_, viewport)
+                : view::orbit_view(view::frame_all({}, track.document, viewport), viewport);
   }
   gfx::DrawStats draw(gfx::Renderer& renderer, const Track& track, const view::Overlay& overlay = {}) {
     const view::View view = look(track);
@@ -79,6 +82,7 @@ class Studio : public testing::Test {
   bool show_polyline_ = true, shadows_ = true;
   world::Style style_{};
   view::Viewport viewport_;
+  std::optional<view::Eye> eye_;
   std::vector<sim::Pose> carts_;
   const sim::TrackValues* values_ = nullptr;
   std::unique_ptr<platform::Surface> surface_;

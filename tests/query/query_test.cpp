@@ -165,6 +165,23 @@ TEST_F(QueryTest, lengths_are_by_the_chosen_method_and_exact) {
   EXPECT_EQ(words("arc_length"), curve::arc_length_methods()[2].name);
 }
 
+TEST_F(QueryTest, the_conflict_is_the_worst_wherever_it_is) {
+  for (const char* heights : {"0 1", "1 0"}) {
+    start_on(world::Document{});
+    const std::string first(1, heights[0]), second(1, heights[2]);
+    for (const std::string& at :
+         std::vector<std::string>{"0 9 0", "100 9 0", "130 9 30", "80 1" + first + " 40", "80 1" + first + " -40",
+                                  "30 1" + second + " -40", "30 1" + second + " 40"})
+      good("append at " + at);
+    ASSERT_GE(number("conflicts"), 2);
+    double most = 0, at = 0;
+    for (const sim::Conflict& conflict : edit::Finder(session)(edit::Want::conflicts).conflicts)
+      if (conflict.missing > most) most = conflict.missing, at = conflict.at;
+    EXPECT_EQ(number("conflict.missing"), most) << heights;
+    EXPECT_EQ(number("conflict.at"), at) << heights;
+  }
+}
+
 TEST_F(QueryTest, continuity_compares_by_rank) {
   EXPECT_EQ(words("geometric", "@k1"), "none");  // an end of an open track
   EXPECT_EQ(rank("geometric", "@k1"), 0);

@@ -63,6 +63,21 @@ TEST(ride, ten_laps_of_a_closed_track_keep_the_energy) {
   EXPECT_NEAR(energy(ride.document, ride.derived, ride.motion.carts.entities()[0], ride.cart()), before, 1e-6 * peak);
 }
 
+TEST(ride, the_drift_is_the_energy_that_is_missing_by_the_largest_of_motion) {
+  Ride ride(with_cart(test::ring_document(12, 20.3), 4, 0.37), 14.3);
+  ride.start();
+  double peak = 0;
+  for (int tick = 0; tick < 600; ++tick) {
+    peak = std::max(peak, 0.5 * ride.cart().speed * ride.cart().speed);
+    ride.step(1);
+  }
+  world::CartMotion faster = ride.cart();
+  peak = std::max(peak, 0.5 * faster.speed * faster.speed);
+  const double added = 0.105 * faster.speed * faster.speed;  // (1.1^2 - 1) / 2
+  faster.speed *= 1.1;
+  EXPECT_NEAR(energy_drift(ride.document, ride.derived, ride.motion.carts.entities()[0], faster), added / peak, 1e-5);
+}
+
 // Handles that differ on the two sides of a joint: the tangent is common, the curvature jumps by up to a factor of
 // three.
 TEST(ride, ten_laps_of_a_kinked_vertical_loop_keep_the_energy) {
