@@ -160,6 +160,9 @@ TEST(grammar, errors_stop_at_twenty_with_a_count) {
   const ParsedScript parsed = parse_lines(lines);
   ASSERT_EQ(parsed.errors.size(), kMaxErrors + 1);
   EXPECT_EQ(parsed.errors.back(), "and 13 more");
+  write("prose.txt", "many words\n");
+  EXPECT_EQ(parse_lines(lines + "include \"prose.txt\"\n").errors.size(), kMaxErrors + 1) << "none of them empty";
+  EXPECT_EQ(parse_lines(lines + "include \"prose.txt\"\n").errors.back(), "and 14 more");
 }
 
 // Eight includes of eight includes, and so on: an exponential script of small files.

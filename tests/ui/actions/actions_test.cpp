@@ -154,6 +154,29 @@ TEST_F(ActionsTest, space_runs_and_holds_the_ride_and_period_steps_it) {
   EXPECT_EQ(session_.motion.state, world::RideState::stopped);
 }
 
+// The track of the stage is open and has two segments.
+TEST_F(ActionsTest, the_probe_steps_along_the_track_and_stays_at_its_ends) {
+  const auto at = [&] {
+    return fmt::format("{} {}", world::label_of(session_.document, session_.settings.selected),
+                       session_.settings.selected_t);
+  };
+  const std::vector<world::Entity>& segments = session_.document.track.segments;
+  session_.settings.selected = segments[0], session_.settings.selected_t = 0.99;
+  const std::string first = world::label_of(session_.document, segments[0]),
+                    second = world::label_of(session_.document, segments[1]);
+  key(platform::Key::right_bracket);
+  EXPECT_EQ(at(), first + " 1");
+  key(platform::Key::right_bracket);
+  EXPECT_EQ(at(), second + " 0");
+  key(platform::Key::right_bracket);
+  EXPECT_EQ(at(), second + " 0.015625");
+  key(platform::Key::left_bracket), key(platform::Key::left_bracket);
+  EXPECT_EQ(at(), first + " 1");
+  session_.settings.selected_t = 0;
+  key(platform::Key::left_bracket);
+  EXPECT_EQ(at(), first + " 0") << "there is no segment before it";
+}
+
 TEST_F(ActionsTest, f_frames_the_track_so_that_every_knot_is_in_the_viewport) {
   frames(2);
   ASSERT_TRUE(edit::apply(session_, files_, edit::set_camera({.target = {400, 2, 90}, .distance = 10})).ok());

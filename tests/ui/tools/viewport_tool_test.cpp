@@ -265,6 +265,8 @@ TEST_F(ViewportToolTest, the_wheel_zooms_in_the_viewport_and_scrolls_over_a_pane
   const glm::vec2 at = empty_ground();
   frame({platform::MouseMove{at.x, at.y}, platform::Wheel{0, 2}});
   EXPECT_LT(session_.settings.camera.distance, distance);
+  for (int i = 0; i < 30; ++i) frame({platform::Wheel{0, 9}});
+  EXPECT_EQ(session_.settings.camera.distance, 0.5f) << "m: near enough for a knot's handles";
   commands_.clear();
   frame({platform::MouseMove{1200, 400}});
   frame({platform::Wheel{0, -2}});
