@@ -35,6 +35,7 @@ base::Result<query::Value> Runner::value_of(std::string_view query, const std::s
 base::Result<bool> Runner::check(const Condition& condition, std::string& found) {
   const query::Query* const query = query::find_query(condition.query);
   const base::Result<query::Value> value = value_of(condition.query, condition.argument);
+  found.clear();
   if (!value) return base::Status{base::Code::usage, value.status().message};
   found = describe(*query, *value);
   return holds(condition, *value);
@@ -51,20 +52,23 @@ Failure Runner::perform(const Expect& expect) {
                 condition.column);
 }
 
+// While the widget or entity that the condition names is missing, the condition is not met.
 Failure Runner::perform(const Wait& wait) {
   std::string found;
   for (std::int64_t i = 0;; ++i) {
     const base::Result<bool> result = check(wait.condition, found);
-    if (!result) return failure(result.status(), column_of(wait.condition, found));
-    if (*result) return {};
+    if (result && *result) return {};
+    if (!result && !found.empty()) return failure(result.status(), column_of(wait.condition, found));
+    if (!result) found = result.status().message;
+    else found = "found " + found;
     if (i == wait.most || frames_.interrupted()) break;
     if (!wait.frames) frames_.advance(1);
     else if (const base::Status status = frames_.frame({}); !status) return failure(status);
   }
-  return {base::Code::timeout,
-          fmt::format("waited {}{} for {}, found {}", wait.most, wait.frames ? " frames" : " ticks",
-                      wait.condition.text, found),
-          wait.condition.column};
+  return {
+      base::Code::timeout,
+      fmt::format("waited {}{} for {}, {}", wait.most, wait.frames ? " frames" : " ticks", wait.condition.text, found),
+      wait.condition.column};
 }
 
 Failure Runner::perform(const ExpectWidget& expect) {

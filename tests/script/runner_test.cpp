@@ -76,6 +76,19 @@ TEST(runner, wait_advances_until_it_is_so_or_times_out_with_its_own_code) {
   EXPECT_EQ(fake.frames.size(), before + 3) << "waiting by frames draws them, 2 ticks each";
 }
 
+// What is to be seen later may not be there yet; a comparison that can never hold fails at once.
+TEST(runner, wait_goes_on_while_the_widget_or_entity_of_its_condition_is_missing) {
+  FakeHost fake;
+  fake.widgets = {};
+  const base::Status never = run_lines(fake, "wait text \"Track/Lenght\" == \"7 m\" max 3 frames\n");
+  EXPECT_EQ(never.code, base::Code::timeout);
+  EXPECT_NE(never.message.find("waited 3 frames for text \"Track/Lenght\" == \"7 m\", no widget"), std::string::npos)
+      << never.message;
+  const base::Status entity = run_lines(fake, "wait roll @k99 == 0 max 2 ticks\n");
+  EXPECT_EQ(entity.code, base::Code::timeout);
+  EXPECT_NE(entity.message.find("k99"), std::string::npos) << entity.message;
+}
+
 TEST(runner, ends_as_skipped_where_the_driver_lacks_what_it_needs) {
   FakeHost fake;
   const std::string lines = "needs vertex_shader\nappend at 1 2 3\nneeds geometry_shader\nappend at 9 2 3\n";
