@@ -18,7 +18,7 @@
 #include "paired.h"
 
 namespace coaster::bench {
-namespace {
+namespace arc_length_bench {
 
 constexpr std::size_t kSegments = 1000, kHardSegments = 200;
 // A timed run has at most this many evaluations (about a millisecond), on fewer segments if each needs many: longer
@@ -145,5 +145,5 @@ const bool registered = [] {
   return true;
 }();
 
-}  // namespace
+}  // namespace arc_length_bench
 }  // namespace coaster::bench

@@ -12,7 +12,7 @@
 #include "world/topology.h"
 
 namespace coaster::bench {
-namespace {
+namespace circuit_bench {
 
 // Returns a track along x, round a turn, and back across itself: the open end is 40 m before the crossing, or 4 m.
 world::Document open_track(bool blocked) {
@@ -120,5 +120,5 @@ BENCHMARK(change_40_elements)->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(complete, free, false)->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(complete, blocked, true)->Unit(benchmark::kMillisecond);
 
-}  // namespace
+}  // namespace circuit_bench
 }  // namespace coaster::bench

@@ -16,7 +16,7 @@
 #include "paired.h"
 
 namespace coaster::bench {
-namespace {
+namespace evaluators_bench {
 
 constexpr std::size_t kSegments = 1000, kManySegments = 100'000;
 constexpr int kSteps = 64;
@@ -150,5 +150,5 @@ benchmark::internal::Benchmark* add(const std::string& name, Run run, Rest... re
   return true;
 }();
 
-}  // namespace
+}  // namespace evaluators_bench
 }  // namespace coaster::bench

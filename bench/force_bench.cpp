@@ -3,7 +3,7 @@
 #include "sim/plan/force_plan.h"
 
 namespace coaster::bench {
-namespace {
+namespace force_bench {
 
 // Two hills of 0 g with valleys of 3.5 g between them, at 25 m/s, with a roll of 40 degrees and back: `moved` g at one
 // key.
@@ -63,5 +63,5 @@ void force_path_200_m(benchmark::State& state) {
 }
 BENCHMARK(force_path_200_m)->Unit(benchmark::kMillisecond);
 
-}  // namespace
+}  // namespace force_bench
 }  // namespace coaster::bench

@@ -22,7 +22,7 @@
 #include "world/topology.h"
 
 namespace coaster {
-namespace {
+namespace frame_bench {
 
 constexpr int kSegments = 5000, kRiddenSegments = 1000, kManySegments = 100'000;
 
@@ -208,5 +208,5 @@ BENCHMARK_CAPTURE(frame, drag_5000, kSegments, true)->Unit(benchmark::kMilliseco
 BENCHMARK_CAPTURE(frame, still_100000, kManySegments, false)->Unit(benchmark::kMillisecond)->Iterations(10);
 BENCHMARK_CAPTURE(frame, drag_100000, kManySegments, true)->Unit(benchmark::kMillisecond)->Iterations(10);
 
-}  // namespace
+}  // namespace frame_bench
 }  // namespace coaster

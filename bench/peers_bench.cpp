@@ -23,7 +23,7 @@
 #endif
 
 namespace coaster::bench {
-namespace {
+namespace peers_bench {
 
 constexpr std::size_t kSegments = 1000;
 constexpr int kSteps = 64;
@@ -154,5 +154,5 @@ void embree(benchmark::State& state) {
 BENCHMARK(embree)->Name("peers/embree_interpolate")->UseManualTime();
 #endif
 
-}  // namespace
+}  // namespace peers_bench
 }  // namespace coaster::bench

@@ -16,7 +16,7 @@
 #endif
 
 namespace coaster::bench {
-namespace {
+namespace pick_bench {
 
 constexpr view::Viewport kViewport{0, 0, 1280, 720};
 constexpr float kReach = 8;      // px
@@ -193,5 +193,5 @@ void pick_beside_embree(benchmark::State& state) {
 BENCHMARK(pick_beside_embree)->Name("pick/beside_embree")->Arg(1000)->Arg(10000)->Arg(100000)->UseManualTime();
 #endif
 
-}  // namespace
+}  // namespace pick_bench
 }  // namespace coaster::bench

@@ -9,7 +9,7 @@
 #include "world/topology.h"
 
 namespace coaster::bench {
-namespace {
+namespace ride_bench {
 
 // Returns a closed ring of `segments` segments and `length` metres (within 2 %), with six hills of 8 m and a train that
 // completes the lap.
@@ -184,5 +184,5 @@ BENCHMARK(drag)->Name("ride/ghost_while_dragging")->UseManualTime()->Unit(benchm
 BENCHMARK(riders)->Name("ride/riders_of_a_car")->UseManualTime()->Unit(benchmark::kMillisecond);
 BENCHMARK(carts)->Name("ride/carts_by_lap_table")->UseManualTime()->Unit(benchmark::kMillisecond);
 
-}  // namespace
+}  // namespace ride_bench
 }  // namespace coaster::bench

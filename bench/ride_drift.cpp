@@ -13,7 +13,7 @@
 #include "sim/ride/ride.h"
 
 namespace coaster::bench {
-namespace {
+namespace ride_drift {
 
 double thread_seconds() {
   timespec now{};
@@ -74,10 +74,10 @@ int run(const std::string& name, int hours, const std::vector<std::string>& file
   return 0;
 }
 
-}  // namespace
+}  // namespace ride_drift
 }  // namespace coaster::bench
 
 int main(int argc, char** argv) {
-  if (argc < 4) return coaster::bench::run("", 0, {});
-  return coaster::bench::run(argv[1], std::atoi(argv[2]), {argv + 3, argv + argc});
+  if (argc < 4) return coaster::bench::ride_drift::run("", 0, {});
+  return coaster::bench::ride_drift::run(argv[1], std::atoi(argv[2]), {argv + 3, argv + argc});
 }

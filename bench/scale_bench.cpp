@@ -18,7 +18,7 @@
 #include "sim/solids/conflicts.h"
 
 namespace coaster {
-namespace {
+namespace scale_bench {
 
 enum Part { parse, derive, conflicts, tables, command, parts };
 constexpr std::array<const char*, parts> kNames{"parse", "derive", "conflicts", "tables", "command"};
@@ -72,5 +72,5 @@ void scale(benchmark::State& state) {
 
 BENCHMARK(scale)->Arg(1000)->Arg(5000)->Arg(20000)->Arg(100000)->Unit(benchmark::kMillisecond)->Iterations(1);
 
-}  // namespace
+}  // namespace scale_bench
 }  // namespace coaster
