@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "world/section_words.h"
 #include "world/sections.h"
 
 namespace coaster::edit {
@@ -22,7 +23,7 @@ bool read_number(base::Words& words, std::string_view what, Parse parse, T& valu
 
 std::string words_of_name(world::Name name, const world::Document& document) {
   const auto* const section = document.entities.find<world::Section>(world::find(document, name));
-  return section ? world::title_of(*section) : world::to_text(name);
+  return section ? world::words_of(*section) : world::to_text(name);
 }
 
 template <class Several>

@@ -7,6 +7,7 @@
 #include "edit/perform/placing.h"
 #include "world/aids.h"
 #include "world/evaluation.h"
+#include "world/section_words.h"
 #include "world/topology.h"
 
 namespace coaster::edit {
@@ -26,9 +27,8 @@ void report(const sim::ElementPlan& plan, double missing, Change& change) {
     change.clamped.push_back(fmt::format("The fit error is {} m because the element is far from the origin.",
                                          base::to_text(static_cast<float>(plan.fit.error))));
   if (plan.forces || !change.clamped.empty()) return;  // the warning should be the newest notice
-  std::string name(base::row_of(plan.element.kind).name);
-  std::replace(name.begin(), name.end(), '_', ' ');
-  change.note = fmt::format("Placed {}: {:.1f} m, fit error {:.1f} mm.", name, plan.length, plan.fit.error * 1000);
+  change.note = fmt::format("Placed {}: {:.1f} m, fit error {:.1f} mm.", world::words_of(plan.element.kind),
+                            plan.length, plan.fit.error * 1000);
 }
 
 }  // namespace

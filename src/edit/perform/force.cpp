@@ -4,12 +4,14 @@
 
 #include <fmt/format.h>
 
+#include "base/text.h"
 #include "edit/commands/commands_force.h"
 #include "edit/perform/force_replan.h"
 #include "edit/perform/placing.h"
 #include "edit/perform/replan.h"
 #include "exchange/own/force_text.h"
 #include "sim/plan/force_quantity.h"
+#include "world/section_words.h"
 #include "world/sections.h"
 #include "world/topology.h"
 
@@ -26,7 +28,7 @@ base::Result<Entity> force_section(const Session& session, Target target) {
   const auto section = require(session, target, world::Kind::section);
   if (!section) return section.status();
   if (world::section(session.document, *section).kind == world::SectionKind::force) return *section;
-  return refused(world::title_of(world::section(session.document, *section)) + " is no force section");
+  return refused(world::words_of(world::section(session.document, *section)) + " is not a force section");
 }
 
 // Changes a section's program by `edit`, which returns an error if it cannot, and plans it again.

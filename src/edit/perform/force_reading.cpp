@@ -5,6 +5,7 @@
 #include "edit/perform/knot_runs.h"
 #include "edit/perform/replan.h"
 #include "sim/plan/force_reading.h"
+#include "world/section_words.h"
 #include "world/sections.h"
 #include "world/topology.h"
 
@@ -22,8 +23,8 @@ base::Result<world::SectionRun> run_of_all(const Document& document, const std::
     const world::SectionRun next = world::run_of(document, in_track_order[i]);
     if (next.first != run.end())
       return refused(fmt::format("{} does not follow {}: expected neighbouring sections",
-                                 world::title_of(world::section(document, next.section)),
-                                 world::title_of(world::section(document, in_track_order[i - 1]))));
+                                 world::words_of(world::section(document, next.section)),
+                                 world::words_of(world::section(document, in_track_order[i - 1]))));
     run.count += next.count;
   }
   return run;

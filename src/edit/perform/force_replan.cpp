@@ -5,10 +5,12 @@
 
 #include <fmt/format.h>
 
+#include "base/text.h"
 #include "curve/continuity.h"
 #include "curve/frames.h"
 #include "edit/perform/placing.h"
 #include "edit/perform/replan.h"
+#include "world/section_words.h"
 #include "world/topology.h"
 
 namespace coaster::edit {
@@ -141,7 +143,8 @@ bool follow_speeds(Session& session, Change& change) {
     const bool differs = !(next == session.document);
     if (status && differs) status = adopt(session, change, session.document, std::move(next));
     if (!status) {
-      change.clamped.push_back(fmt::format("{} keeps its shape: {}.", world::title_of(value), status.message));
+      change.clamped.push_back(
+          base::sentence(fmt::format("{} keeps its shape: {}", world::words_of(value), status.message)));
     } else if (differs) {
       changed = true;
       change.planned.push_back(section);

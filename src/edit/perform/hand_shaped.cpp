@@ -6,7 +6,9 @@
 
 #include <fmt/format.h>
 
+#include "base/text.h"
 #include "sim/plan/carry.h"
+#include "world/section_words.h"
 
 namespace coaster::edit {
 namespace {
@@ -119,12 +121,12 @@ void free_hand_shaped(const std::vector<PlannedSection>& before, Session& sessio
     world::Section& section = document.entities.get<world::Section>(run.section);
     if (was == before.end() || !(was->value == section) || comparison.keeps_its_plan(was->run, run)) continue;
     if (std::find(change.planned.begin(), change.planned.end(), run.section) != change.planned.end()) continue;
-    freed.push_back(world::title_of(section));
+    freed.push_back(world::words_of(section));
     section = {section.title};
   }
   if (freed.empty()) return;
   if (!change.note.empty()) change.note += ' ';
-  change.note += freed.size() == 1 ? fmt::format("{} is now hand-shaped.", freed.front())
+  change.note += freed.size() == 1 ? base::sentence(freed.front() + " is now hand-shaped")
                                    : fmt::format("{} sections are now hand-shaped.", freed.size());
 }
 

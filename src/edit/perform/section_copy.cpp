@@ -7,6 +7,7 @@
 #include "edit/perform/replan.h"
 #include "exchange/formats.h"
 #include "exchange/own/track_file.h"
+#include "world/section_words.h"
 #include "world/sections.h"
 #include "world/topology.h"
 
@@ -147,7 +148,7 @@ Status add_sections(Session& session, Change& change, const Document& from, std:
   Document next = session.document;
   const std::vector<SectionRun> added = world::sections_of(from);
   if (added.size() == 1)
-    change.note = fmt::format("{} {}.", done, world::title_of(world::section(from, added[0].section)));
+    change.note = fmt::format("{} {}.", done, world::words_of(world::section(from, added[0].section)));
   else change.note = fmt::format("{} {} sections.", done, added.size());
   if (const auto home = world::completing(next, 0)) {
     const base::Result<Entity> last = paste_before(change, from, *home, next);
@@ -170,8 +171,10 @@ Status perform(Session& session, Change& change, const CopySection& command) {
   const auto alone = sections_alone(session, change, command.sections);
   if (!alone) return alone.status();
   session.copied = exchange::print_track(*alone);
-  const std::size_t count = world::sections_of(*alone).size();
-  change.note = count == 1 ? fmt::format("Copied {}.", alone->name) : fmt::format("Copied {} sections.", count);
+  const std::vector<SectionRun> copied = world::sections_of(*alone);
+  change.note = copied.size() == 1
+                    ? fmt::format("Copied {}.", world::words_of(world::section(*alone, copied[0].section)))
+                    : fmt::format("Copied {} sections.", copied.size());
   return {};
 }
 

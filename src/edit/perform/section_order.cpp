@@ -4,9 +4,11 @@
 #include <fmt/format.h>
 
 #include "base/portable_math.h"
+#include "base/text.h"
 #include "edit/commands/commands_sections.h"
 #include "edit/perform/force_replan.h"
 #include "edit/perform/replan.h"
+#include "world/section_words.h"
 #include "world/sections.h"
 #include "world/topology.h"
 
@@ -114,7 +116,7 @@ Status perform(Session& session, Change& change, const DeleteSection& command) {
   const SectionRun run = world::run_of(next, *section);
   if (const Status may = may_move(next, run.end()); !may) return may;
   const bool closes_gap = run.first > 0 && run.end() < next.track.segments.size();
-  change.note = fmt::format("Deleted {}.{}", world::title_of(world::section(next, *section)),
+  change.note = fmt::format("Deleted {}.{}", world::words_of(world::section(next, *section)),
                             closes_gap ? " The track behind it closes the gap." : "");
   if (closes_gap) {
     const Knot start = nth_knot(next, run.first), end = nth_knot(next, run.end());
@@ -139,8 +141,8 @@ Status perform(Session& session, Change& change, const MirrorSection& command) {
                       : value.kind == world::SectionKind::force ? replan_force(session, change, next, *section)
                                                                 : mirror_knots(next, world::run_of(next, *section));
   if (!done) return done;
-  const std::string title = world::title_of(world::section(next, *section));
-  change.note = same ? title + " is the same to both sides." : fmt::format("Mirrored {}.", title);
+  const std::string title = world::words_of(world::section(next, *section));
+  change.note = same ? base::sentence(title + " is the same to both sides") : fmt::format("Mirrored {}.", title);
   return adopt(session, change, session.document, std::move(next));
 }
 
@@ -151,7 +153,7 @@ Status perform(Session& session, Change& change, const MoveSection& command) {
   const std::vector<SectionRun> runs = world::sections_of(next);
   const auto at = std::find(runs.begin(), runs.end(), world::run_of(next, *section));
   const bool earlier = command.to == Neighbour::before;
-  const auto title = [&](const SectionRun& run) { return world::title_of(world::section(next, run.section)); };
+  const auto title = [&](const SectionRun& run) { return world::words_of(world::section(next, run.section)); };
   if (earlier ? at == runs.begin() : at + 1 == runs.end())
     return refused(fmt::format("there is no section {} {}", earlier ? "before" : "after", title(*at)));
   const auto first = earlier ? at - 1 : at;

@@ -5,6 +5,7 @@
 #include "edit/commands/commands_sections.h"
 #include "edit/perform/equipping.h"
 #include "edit/perform/knot_runs.h"
+#include "world/section_words.h"
 #include "world/sections.h"
 #include "world/topology.h"
 
@@ -65,7 +66,7 @@ Status perform(Session& session, Change& change, const JoinSections& command) {
   const std::vector<SectionRun> runs = world::sections_of(document);
   const SectionRun run = world::run_of(document, *section);
   if (run.end() == document.track.segments.size())
-    return refused("there is no section after " + world::title_of(world::section(document, *section)));
+    return refused("there is no section after " + world::words_of(world::section(document, *section)));
   const SectionRun next = world::run_of(document, world::segment(document, document.track.segments[run.end()]).section);
   std::string title = world::section(document, *section).title;
   if (title.empty()) title = world::section(document, next.section).title;
@@ -91,7 +92,7 @@ Status perform(Session& session, Change& change, const EquipSection& command) {
   const SectionRun run = world::run_of(session.document, *section);
   auto& kept = session.document.entities.get<world::Section>(*section);
   const std::span<const Entity> segments = session.document.track.segments;
-  equip(session.document, change, segments.subspan(run.first, run.count), *equipment, world::title_of(kept));
+  equip(session.document, change, segments.subspan(run.first, run.count), *equipment, world::words_of(kept));
   name_equipment(kept, &*equipment);
   return {};
 }
@@ -104,10 +105,10 @@ Status perform(Session& session, Change& change, const UnequipSection& command) 
   const std::size_t before = equipment.size();
   for (std::size_t i = run.first; i < run.end(); ++i) equipment.erase(session.document.track.segments[i]);
   if (equipment.size() == before)
-    return refused("there is no equipment on " + world::title_of(world::section(session.document, *section)));
+    return refused("there is no equipment on " + world::words_of(world::section(session.document, *section)));
   auto& kept = session.document.entities.get<world::Section>(*section);
   name_equipment(kept, nullptr);
-  change.note = fmt::format("Removed the equipment of {}.", world::title_of(kept));
+  change.note = fmt::format("Removed the equipment of {}.", world::words_of(kept));
   return {};
 }
 

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "base/text.h"
 #include "edit/commands/commands_document.h"
 #include "edit/commands/commands_sections.h"
 #include "edit/perform/force_replan.h"
@@ -12,6 +13,7 @@
 #include "edit/perform/seek.h"
 #include "world/element.h"
 #include "world/force_steps.h"
+#include "world/section_words.h"
 #include "world/sections.h"
 #include "world/selection.h"
 #include "world/topology.h"
@@ -170,7 +172,7 @@ base::Result<Numbers> of_sections(const Session& session, const Seek& command) {
       const std::string label = world::label_of(session.document, e);
       if (section.kind != world::SectionKind::element && section.kind != world::SectionKind::force)
         return refused(fmt::format("@{} has no parameters: name its knots", label));
-      return refused(fmt::format("{} @{} has no number {}", world::title_of(section), label, base::quoted(by)));
+      return refused(fmt::format("{} @{} has no number {}", world::words_of(section), label, base::quoted(by)));
     }
     for (SeekNumber number : own) {
       if (!limit(command, number.unknown)) return beyond_limits(session, e, command, number.unknown.start);

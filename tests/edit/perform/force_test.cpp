@@ -192,7 +192,7 @@ TEST_F(Forces, bad_values_are_refused_with_a_clear_word) {
   refused(on("force.length", "to 0"), "the length is 0 m, expected 3 to 1000");
   refused(on("force.length", "to 10000"), "the length is 10000 m");
   refused(on("force.tolerance", "to 0.001"), "the tolerance is 0.001 g");
-  refused("force @q1 vertical key 1 at 1", " is no force section");
+  refused("force @q1 vertical key 1 at 1", " is not a force section");
   refused("force @q99 vertical key 1 at 1", "there is no section @q99");
   refused("force.add over time length 500", "the length is 500 s");
 }

@@ -61,7 +61,7 @@ TEST_F(HandShaped, editing_a_knot_frees_its_section_in_the_same_step_and_says_so
   EXPECT_EQ(after("split @" + segment + " at 0.5"), "straight free curve");
   EXPECT_EQ(after("turns @" + segment + " to 1"), "straight free curve");
   good("move " + inside + " to 40 3 1");
-  EXPECT_EQ(session.notices.list.back().text, "Loop is now hand-shaped.");
+  EXPECT_EQ(session.notices.list.back().text, "The loop is now hand-shaped.");
   EXPECT_EQ(world::section(session.document, entity("q2")), world::Section{});
 }
 

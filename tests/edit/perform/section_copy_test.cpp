@@ -27,10 +27,10 @@ TEST_F(SectionCopy, a_planned_section_is_planned_again_at_the_open_end) {
   const std::size_t steps = session.history.undo.size();
   good("section.copy @q2");
   EXPECT_EQ(session.history.undo.size(), steps) << "copying changes nothing";
-  EXPECT_EQ(session.notices.list.back().text, "Copied Bend.");
+  EXPECT_EQ(session.notices.list.back().text, "Copied \"Bend\".");
   const world::Section original = world::section(session.document, entity("q2"));
   good("section.paste");
-  EXPECT_EQ(session.notices.list.back().text, "Pasted Bend.");
+  EXPECT_EQ(session.notices.list.back().text, "Pasted \"Bend\".");
   EXPECT_EQ(last(), original);
   EXPECT_EQ(session.history.undo.size(), steps + 1);
   const world::SectionRun run = world::sections_of(session.document).back();

@@ -58,10 +58,10 @@ class SectionOrder : public test::SessionTest {
 TEST_F(SectionOrder, steps_name_sections_by_their_titles) {
   good("section.title @q4 to \"Airtime\"");
   for (const auto& [line, sentence] : std::vector<std::pair<std::string, std::string>>{
-           {"section.mirror @q2", "Mirrored Loop"},
-           {"section.equip @q1 as brake speed 8", "Made Straight a brake"},
-           {"section.change @q4 to camelback height 10 speed 17", "Changed Airtime"},
-           {"section.delete @q4", "Deleted Airtime"}}) {
+           {"section.mirror @q2", "Mirrored the loop"},
+           {"section.equip @q1 as brake speed 8", "Made the straight a brake"},
+           {"section.change @q4 to camelback height 10 speed 17", "Changed \"Airtime\""},
+           {"section.delete @q4", "Deleted \"Airtime\""}}) {
     good(line);
     EXPECT_EQ(session.history.undo.back().text.sentence, sentence);
   }
@@ -69,16 +69,16 @@ TEST_F(SectionOrder, steps_name_sections_by_their_titles) {
 
 TEST_F(SectionOrder, a_move_says_what_moved_where) {
   good("section.move @q2 after");
-  EXPECT_EQ(session.notices.list.back().text, "Moved Loop after Banked curve.");
+  EXPECT_EQ(session.notices.list.back().text, "Moved the loop after the banked curve.");
   good("section.move @q2 before");
-  EXPECT_EQ(session.notices.list.back().text, "Moved Loop before Banked curve.");
+  EXPECT_EQ(session.notices.list.back().text, "Moved the loop before the banked curve.");
 }
 
 TEST_F(SectionOrder, a_mirrored_section_says_so_or_why_nothing_changes) {
   good("section.mirror @q3");
-  EXPECT_EQ(session.notices.list.back().text, "Mirrored Banked curve.");
+  EXPECT_EQ(session.notices.list.back().text, "Mirrored the banked curve.");
   good("section.mirror @q4");
-  EXPECT_EQ(session.notices.list.back().text, "Camelback is the same to both sides.");
+  EXPECT_EQ(session.notices.list.back().text, "The camelback is the same to both sides.");
 }
 
 TEST_F(SectionOrder, deleting_one_closes_the_gap) {
@@ -117,8 +117,8 @@ TEST_F(SectionOrder, neighbours_swap) {
   for (const world::Entity e : before.track.knots)
     EXPECT_LT(glm::distance(world::knot(session.document, e).position, world::knot(before, e).position), 1e-4f);
   EXPECT_EQ(session.document.track, before.track);
-  refused("section.move @q4 after", "there is no section after Camelback");
-  refused("section.move @q1 before", "there is no section before Straight");
+  refused("section.move @q4 after", "there is no section after the camelback");
+  refused("section.move @q1 before", "there is no section before the straight");
 }
 
 TEST_F(SectionOrder, mirroring_swaps_left_and_right) {

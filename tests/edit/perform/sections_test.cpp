@@ -48,7 +48,7 @@ TEST_F(PerformSections, are_split_and_joined) {
   refused("section.split @k3", "not inside a section");
   refused("section.split @k1", "not inside a section");
   refused("section.split @k5", "not inside a section");
-  refused("section.join @q2", "there is no section after Hand-shaped");
+  refused("section.join @q2", "there is no section after the hand-shaped section");
   good("section.title @q2 to \"Way home\"");
   good("section.join @q1");
   EXPECT_EQ(sections(), "q1:4 free");
@@ -63,7 +63,7 @@ TEST_F(PerformSections, a_planned_section_that_is_cut_becomes_free) {
   const world::SectionRun loop = world::run_of(session.document, entity("q2"));
   good("section.split @" + world::label_of(session.document, session.document.track.knots[loop.first + 1]));
   EXPECT_TRUE(world::is_free(session.document, entity("q2")));
-  EXPECT_EQ(session.notices.list.back().text, "Loop is now hand-shaped.");
+  EXPECT_EQ(session.notices.list.back().text, "The loop is now hand-shaped.");
   good("undo");
   good("section.join @q2");
   EXPECT_TRUE(world::is_free(session.document, entity("q2")));
@@ -101,7 +101,7 @@ TEST_F(PerformSections, are_equipped_in_one_step) {
   good("undo");
   good("section.unequip @q1");
   EXPECT_EQ(spans().size(), 1u);
-  refused("section.unequip @q1", "there is no equipment on Hand-shaped");
+  refused("section.unequip @q1", "there is no equipment on the hand-shaped section");
   refused("section.equip @q9 as lift", "there is no section @q9");
   clamped("section.equip @q1 as lift speed 999", "speed");
 }
@@ -130,13 +130,13 @@ TEST_F(PerformSections, a_notice_names_new_equipment_and_none_a_changed_number) 
     return session.notices.serial == before ? std::string() : session.notices.list.back().text;
   };
   EXPECT_EQ(notice_of("section.title @q1 to \"Way out\""), "");
-  EXPECT_EQ(notice_of("section.equip @q1 as lift speed 4"), "Made Way out a lift.");
+  EXPECT_EQ(notice_of("section.equip @q1 as lift speed 4"), "Made \"Way out\" a lift.");
   EXPECT_EQ(notice_of("section.equip @q1 as lift speed 5"), "");
   EXPECT_EQ(notice_of("equip @s2 as brake speed 5"), "Made s2 a brake.");
   EXPECT_EQ(notice_of("equip @s2 as brake speed 6"), "");
   EXPECT_EQ(notice_of("unequip @s2"), "Removed the equipment of s2.");
-  EXPECT_EQ(notice_of("section.equip @q1 as lift speed 5"), "Made Way out a lift.") << "s2 was plain";
-  EXPECT_EQ(notice_of("section.unequip @q1"), "Removed the equipment of Way out.");
+  EXPECT_EQ(notice_of("section.equip @q1 as lift speed 5"), "Made \"Way out\" a lift.") << "s2 was plain";
+  EXPECT_EQ(notice_of("section.unequip @q1"), "Removed the equipment of \"Way out\".");
 }
 
 TEST_F(PerformSections, are_selected) {

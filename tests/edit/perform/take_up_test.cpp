@@ -197,7 +197,7 @@ TEST_F(TakeUp, knots_moved_by_hand_free_it) {
   good("move @" + inside + " to 0 30 0");
   EXPECT_TRUE(world::is_free(session.document, run.section));
   EXPECT_EQ(world::section(session.document, run.section).way, world::WayHome{});
-  EXPECT_NE(session.notices.list.back().text.find("Complete circuit is now hand-shaped."), std::string::npos);
+  EXPECT_NE(session.notices.list.back().text.find("The way home is now hand-shaped."), std::string::npos);
   refused("section.change @q2 to climb height 30", "no Complete circuit section follows");
 }
 
