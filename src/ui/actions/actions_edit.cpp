@@ -177,7 +177,7 @@ constexpr Action kEditActions[] = {
     {"Goal", "Edit", kNoKey, 0, "Let the program change numbers of the selection until the ride reaches a goal.",
      set_goal, kAnySelected},
 
-    {"Cancel", "", key(Key::escape), kInDrag,
+    {"Cancel", "", key(Key::escape), kInDrag | kInList,
      "Cancel a drag, close a list or the score card, end append mode, hide the preview, or clear the selection.",
      escape},
 };

@@ -28,7 +28,6 @@
 #include "ui/screens/toasts.h"
 #include "ui/tools/fly_keys.h"
 #include "ui/tools/follow_camera.h"
-#include "ui/tools/places.h"
 #include "ui/widgets/imgui_compat.h"
 #include "ui/widgets/theme.h"
 #include "world/look.h"
@@ -41,6 +40,7 @@ bool text_has_keyboard() {
   const ImGuiContext& g = *ImGui::GetCurrentContext();
   return g.ActiveId != 0 && g.ActiveId == g.InputTextState.ID;
 }
+bool list_open() { return ImGui::GetCurrentContext()->OpenPopupStack.Size > 0; }
 
 view::View make_view(const State& state, const view::Viewport& scene) {
   if (state.rig) return view::view_of(state.rig->eye, scene, state.content_scale);
@@ -153,14 +153,15 @@ void Host::Parts::lay_out(Ui& ui, const platform::Events& events, int width, int
   const bool framed = std::exchange(frame_next, false);
   if (framed) ui.emit(edit::set_camera(view::frame_all(session.settings.camera, session.document, layout.scene)));
 
-  const bool typing = text_has_keyboard(), asking = dialogs.open() || start.open();
+  const bool typing = text_has_keyboard(), asking = dialogs.open() || start.open(), listing = list_open();
   take_files(ui, events);
   Act act{ui, tool, layout.scene, hovered, palette};
   if (start.open() && !dialogs.open()) run_keys(act, events, kOnStart);
+  else if (!typing && !asking && listing) run_keys(act, events, kInList);
   else if (!typing && !asking)
     tool.transform().active() ? run_transform_keys(act, events) : run_keys(act, without_force_keys(ui, events));
   take_want(ui);
-  fly_keys.fly(ui, events, typing || asking || dialogs.open());
+  fly_keys.fly(ui, events, typing || listing || asking || dialogs.open());
   gamepad.work(act, events, asking || dialogs.open());
   if (session.settings.panels->show_panels) {
     build_menu(act);
@@ -294,7 +295,7 @@ double Host::still_for(double seconds) const {
 
 bool Host::wants_keyboard() const {
   ImGui::SetCurrentContext(parts_->context);
-  return text_has_keyboard() || parts_->palette.open || ImGui::GetCurrentContext()->OpenPopupStack.Size > 0;
+  return text_has_keyboard() || parts_->palette.open || list_open();
 }
 
 }  // namespace coaster::ui

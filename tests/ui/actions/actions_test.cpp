@@ -239,6 +239,16 @@ TEST_F(ActionsTest, the_laboratory_is_ticked_only_where_it_shows) {
   }
 }
 
+TEST_F(ActionsTest, keys_do_nothing_behind_an_open_menu) {
+  const std::size_t knots = session_.document.track.knots.size();
+  click("Menu/Window");
+  key(platform::Key::c);  // adds a knot where no list is open
+  EXPECT_EQ(session_.document.track.knots.size(), knots);
+  key(platform::Key::escape);
+  key(platform::Key::c);
+  EXPECT_EQ(session_.document.track.knots.size(), knots + 1);
+}
+
 TEST_F(ActionsTest, f12_asks_for_a_picture) {
   EXPECT_EQ(frame({platform::KeyPress{platform::Key::f12, true, false, {}}}).photo, PhotoWish::scene);
   EXPECT_EQ(frame({platform::KeyPress{platform::Key::f12, true, false, {.ctrl = true}}}).photo, PhotoWish::window);
