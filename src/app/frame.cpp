@@ -162,6 +162,7 @@ void run_frame(Program& program, const platform::Events& events, int ticks) {
     edit::advance_measurement(program.session);
     // Uses the trains' present positions: an eye from the frame's start would lag by this frame's ticks.
     program.picture.view = view::view_of(program.picture.rig.eye, output->view.viewport, output->view.density);
+    program.picture.free = output->free;
     const bool opening = program.stats.frame == 0;  // a window's first frame is before its track is open
     const bool unseen = (opening || !program.surface->is_window()) && output->photo == ui::PhotoWish::none;
     const Look look{program.session.settings, program.picture.view, output->hovered, false, unseen};

@@ -25,6 +25,7 @@
 #include "edit/commands/set_setting.h"
 #include "edit/perform/apply.h"
 #include "query/challenge.h"
+#include "ui/tools/follow_camera.h"
 #include "view/camera.h"
 #include "world/evaluation.h"
 
@@ -180,8 +181,7 @@ base::Status apply(Program& program, const edit::Command& command) {
     return applied;
   // For another track: frames the whole track.
   const edit::Session& session = program.session;
-  const world::Camera camera =
-      view::frame_all(session.settings.camera, session.document, program.picture.view.viewport);
+  const world::Camera camera = ui::framed_all(session, program.picture.view.viewport, program.picture.free);
   (void)apply_one(program, edit::set_camera(camera));
   return applied;
 }

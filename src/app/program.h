@@ -38,6 +38,7 @@ struct FrameClock {
 struct Picture {
   view::CameraRig rig;                   // camera of the picture; updated after every command and tick
   view::View view;                       // view of the picture
+  view::Viewport free;                   // the part of the scene that no card covers
   view::Pick hovered;                    // under the cursor
   std::uint64_t tick = 0, commands = 0;  // of the session and of Program::commands, at the picture
   bool unseen = false;                   // true while its pixels are not drawn: they are drawn on demand (scene.h)

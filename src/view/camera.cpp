@@ -202,30 +202,34 @@ std::optional<float> meet_vertical(const Ray& ray, glm::vec3 point) {
   return static_cast<float>(ray.origin.y + along * d.y);
 }
 
-world::Camera kept_in_view(const world::Camera& camera, std::span<const glm::vec3> points, Viewport viewport) {
+world::Camera kept_in_view(const world::Camera& camera, std::span<const glm::vec3> points, Viewport viewport,
+                           Viewport free) {
   if (points.empty()) return camera;
-  viewport = with_area(viewport);
+  viewport = with_area(viewport), free = with_area(free);
   const glm::mat3 axes = axes_of(camera);
   const float by_depth = camera.projection == world::Projection::perspective ? 1.0f : 0.0f;
-  const float tan_y = std::tan(glm::radians(camera.field_of_view_deg) * 0.5f) / kMargin,
-              tan_x = tan_y * viewport.width / viewport.height;
-  // From an eye at x0, d back, a point at x, b back shows if |x - x0| <= (d - b) tan: bounds of x0, and likewise of y0.
+  const glm::vec2 size(viewport.width, viewport.height), free_size(free.width, free.height);
+  const glm::vec2 tangent = std::tan(glm::radians(camera.field_of_view_deg) * 0.5f) * glm::vec2(size.x / size.y, 1);
+  const glm::vec2 off = (2.0f * glm::vec2(free.x - viewport.x, free.y - viewport.y) + free_size - size) / size;
+  const glm::vec2 centre(off.x, -off.y), half = free_size / size / kMargin;
+  // From an eye at x0, d back, a point at x, b back shows if -(d - b) under <= x - x0 <= (d - b) over: bounds of x0,
+  // and likewise of y0.
+  const glm::vec2 over = tangent * (half + centre), under = tangent * (half - centre);
   const float distance = std::max(camera.distance, kNearest);
-  const glm::vec2 tangent(tan_x, tan_y), middle(glm::dot(camera.target, axes[0]), glm::dot(camera.target, axes[1]));
+  const glm::vec2 middle(glm::dot(camera.target, axes[0]), glm::dot(camera.target, axes[1]));
   const float back = glm::dot(camera.target, axes[2]);
   glm::vec2 most(std::numeric_limits<float>::lowest()), least(most);
   float nearest = -distance;  // m, the largest b
   for (const glm::vec3 p : points) {
     const glm::vec2 at(glm::dot(p, axes[0]), glm::dot(p, axes[1]));
     const float b = by_depth * (glm::dot(p, axes[2]) - back);
-    const glm::vec2 deep = b * tangent;
     nearest = std::max(nearest, b);
-    most = glm::max(most, at + deep), least = glm::max(least, deep - at);
+    most = glm::max(most, at + b * over), least = glm::max(least, b * under - at);
   }
-  const glm::vec2 needed = 0.5f * (most + least) / tangent;  // the distance at which both bounds meet
+  const glm::vec2 needed = (most + least) / (over + under);  // the distance at which both bounds meet
   world::Camera out = camera;
   out.distance = std::max({distance, needed.x, needed.y, nearest + 0.2f * distance});
-  const glm::vec2 low = most - out.distance * tangent, high = out.distance * tangent - least;
+  const glm::vec2 low = most - out.distance * over, high = out.distance * under - least;
   const glm::vec2 to = glm::clamp(middle, glm::min(low, high), glm::max(low, high));
   out.target += (to.x - middle.x) * axes[0] + (to.y - middle.y) * axes[1];
   return out;

@@ -87,9 +87,10 @@ std::optional<float> meet_vertical(const Ray& ray, glm::vec3 point);
 // ratio.
 world::Camera frame_box(const world::Camera& from, glm::vec3 low, glm::vec3 high, Viewport viewport);
 // Returns the camera moved perpendicular to its line of sight, and back if that is not enough, by the least amount that
-// shows all points with a margin, none of them nearer than a fifth of its distance. Returns the camera itself if it
-// already does.
-world::Camera kept_in_view(const world::Camera& camera, std::span<const glm::vec3> points, Viewport viewport);
+// shows all points with a margin in `free`, the part of the viewport that nothing covers, none of them nearer than a
+// fifth of its distance. Returns the camera itself if it already does.
+world::Camera kept_in_view(const world::Camera& camera, std::span<const glm::vec3> points, Viewport viewport,
+                           Viewport free);
 // Does the same as frame_box() for the whole track (40 m about the origin if it is empty) or for one entity.
 world::Camera frame_all(const world::Camera& from, const world::Document& document, Viewport viewport);
 world::Camera frame_entity(const world::Camera& from, const world::Document& document, world::Entity entity,

@@ -183,10 +183,10 @@ TEST(camera, what_is_kept_in_view_moves_the_camera_as_little_as_possible) {
     world::Camera from = flat(projection, 60);
     from.yaw_deg = 31, from.pitch_deg = 22;
     const glm::vec3 here[] = {from.target, from.target + glm::vec3(3, 4, 5)};
-    EXPECT_EQ(kept_in_view(from, here, kViewport), from) << "all of it shows";
+    EXPECT_EQ(kept_in_view(from, here, kViewport, kViewport), from) << "all of it shows";
     for (const glm::vec3 off : {glm::vec3(70, 3, -60), glm::vec3(-60, 40, 25), glm::vec3(39, 50, -66)}) {
       const glm::vec3 points[] = {from.target + off, from.target + 0.9f * off + glm::vec3(1, 2, 3)};
-      const world::Camera to = kept_in_view(from, points, kViewport);
+      const world::Camera to = kept_in_view(from, points, kViewport, kViewport);
       EXPECT_TRUE(shows(to, points));
       EXPECT_EQ(to.yaw_deg, from.yaw_deg);
       EXPECT_EQ(to.distance, from.distance) << "two near points need no more room";
@@ -198,9 +198,29 @@ TEST(camera, what_is_kept_in_view_moves_the_camera_as_little_as_possible) {
       }
     }
     const glm::vec3 apart[] = {from.target + glm::vec3(200, 90, 170), from.target - glm::vec3(210, 20, 190)};
-    const world::Camera back = kept_in_view(from, apart, kViewport);
+    const world::Camera back = kept_in_view(from, apart, kViewport, kViewport);
     EXPECT_TRUE(shows(back, apart));
     EXPECT_GT(back.distance, from.distance);
+  }
+}
+
+// Both points end at a tenth of the free part's width from its nearer side, or within it.
+TEST(camera, what_a_card_would_cover_is_kept_beside_it) {
+  const Viewport right{137 + 400, 41, 913 - 400, 617}, lower{137, 41 + 300, 913, 617 - 300};
+  for (const world::Projection projection : {world::Projection::perspective, kFlat[0]}) {
+    world::Camera from = flat(projection, 60);
+    from.yaw_deg = 31, from.pitch_deg = 22;
+    for (const Viewport& free : {right, lower})
+      for (const float apart : {3.0f, 150.0f}) {
+        const glm::vec3 points[] = {from.target + glm::vec3(-30, 9, 4), from.target + glm::vec3(-30 + apart, 12, 7)};
+        const View v = orbit_view(kept_in_view(from, points, kViewport, free), kViewport);
+        for (const glm::vec3 p : points) {
+          const auto at = project(v, p);
+          ASSERT_TRUE(at);
+          EXPECT_LT(std::abs(at->x - free.x - free.width / 2), free.width / 2.2f + 0.5f);
+          EXPECT_LT(std::abs(at->y - free.y - free.height / 2), free.height / 2.2f + 0.5f);
+        }
+      }
   }
 }
 

@@ -16,7 +16,8 @@ struct Act {
   Ui& ui;
   ViewportTool& tool;
   const view::Viewport& scene;
-  const view::Pick& hovered;  // under the mouse in the previous frame
+  const view::Viewport& free;  // its part that nothing covers
+  const view::Pick& hovered;   // under the mouse in the previous frame
   CommandPalette& palette;
 };
 

@@ -51,16 +51,14 @@ void frame(Act& act, const world::Camera& camera) {
   if (!is<kCamera, CameraMode::orbit>(act)) set<kCamera, CameraMode::orbit>(act);
 }
 // Includes the palette's preview, if it shows.
-void frame_all(Act& act) {
-  const edit::Session& session = act.ui.session();
-  const world::Camera all = view::frame_all(session.settings.camera, session.document, act.scene);
-  frame(act, view::kept_in_view(all, preview_points(act.ui), act.scene));
+void frame_with_preview(Act& act, const world::Camera& camera) {
+  frame(act, view::kept_in_view(camera, preview_points(act.ui), act.scene, act.free));
 }
+void frame_all(Act& act) { frame_with_preview(act, framed_all(act.ui.session(), act.scene, act.free)); }
 void frame_selection(Act& act) {
   const edit::Session& session = act.ui.session();
-  const world::Camera selection =
-      view::frame_entity(session.settings.camera, session.document, session.settings.selected, act.scene);
-  frame(act, view::kept_in_view(selection, preview_points(act.ui), act.scene));
+  frame_with_preview(
+      act, view::frame_entity(session.settings.camera, session.document, session.settings.selected, act.scene));
 }
 
 constexpr Condition kProbing{[](const Act& act) { return selected_is(act, world::Kind::segment); },

@@ -31,7 +31,8 @@ struct KeysPlace {
 
 struct Output {
   std::vector<edit::Command> commands;
-  view::View view;  // of the scene
+  view::View view;      // of the scene
+  view::Viewport free;  // the part of the scene that nothing covers
   view::Pick hovered;
   bool quit = false;
   bool wants_paste = false;  // paste sections or a link from the clipboard, or else the sections copied last

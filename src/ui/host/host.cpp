@@ -151,11 +151,11 @@ void Host::Parts::lay_out(Ui& ui, const platform::Events& events, int width, int
   drawers.graph.open = layout.graph.height > ImGui::GetFrameHeight() + 1;
   view = ui.out.view = make_view(ui.state, layout.scene);
   const bool framed = std::exchange(frame_next, false);
-  if (framed) ui.emit(edit::set_camera(view::frame_all(session.settings.camera, session.document, layout.scene)));
-
+  const view::Viewport& beside = ui.out.free = beside_hints(ui, layout.scene, 300 * ui.scale);
+  if (framed) ui.emit(edit::set_camera(framed_all(session, layout.scene, beside)));
   const bool typing = text_has_keyboard(), asking = dialogs.open() || start.open(), listing = list_open();
   take_files(ui, events);
-  Act act{ui, tool, layout.scene, hovered, palette};
+  Act act{ui, tool, layout.scene, beside, hovered, palette};
   if (start.open() && !dialogs.open()) run_keys(act, events, kOnStart);
   else if (!typing && !asking && listing) run_keys(act, events, kInList);
   else if (!typing && !asking)
@@ -180,7 +180,7 @@ void Host::Parts::lay_out(Ui& ui, const platform::Events& events, int width, int
   settle_gesture(ui);
   hovered = tool.update(ui, view);
   if (hovered.kind == view::PickKind::none) hovered = ui.pointed;
-  follow_camera.update(ui, view, tool.dragging() || gesture.open || framed);
+  follow_camera.update(ui, view, beside, tool.dragging() || gesture.open || framed);
   if (ui.state.lesson == nullptr || tool.transform().active()) draw_foot_line(ui, tool, free);  // a lesson has its own
   draw_section_name(ui, layout.scene);
   draw_legend(ui, layout.scene);
@@ -251,7 +251,6 @@ Output Host::build(const platform::Events& polled, const State& state, int width
   ImGui::Render();
   p.list.finish();  // the order of the windows and the used ones are known now
   p.guide.follow(state.lesson, p.list.widgets());
-  out.view = p.view;
   out.takes_text = text_has_keyboard();
   out.hovered = p.hovered;
   return out;

@@ -48,24 +48,38 @@ std::vector<glm::vec3> preview_points(const Ui& ui) {
   return points;
 }
 
-void FollowCamera::update(Ui& ui, const view::View& view, bool busy) {
+world::Camera framed_all(const edit::Session& session, const view::Viewport& scene, const view::Viewport& free) {
+  const world::Camera all = view::frame_all(session.settings.camera, session.document, scene);
+  if (free.width == scene.width && free.height == scene.height) return all;
+  std::vector<glm::vec3> knots;
+  for (const world::Entity knot : session.document.track.knots)
+    knots.emplace_back(world::knot(session.document, knot).position);
+  return view::kept_in_view(all, knots, scene, free);
+}
+
+void FollowCamera::update(Ui& ui, const view::View& view, const view::Viewport& free, bool busy) {
   const edit::Session& session = ui.session();
   const world::Settings& settings = session.settings;
   const std::vector<world::Entity>& knots = session.document.track.knots;
   std::vector<glm::vec3> points = preview_points(ui);
-  Seen now{knots.size(), glm::vec3(0), points};
+  Seen now{{}, glm::vec3(0), points};
   if (!session.document.track.closed && !knots.empty()) {
-    now.end = world::knot(session.document, knots.back()).position;
+    now.last = knots.back(), now.end = world::knot(session.document, now.last).position;
     points.push_back(now.end);
   }
   const bool may = settings.feel->follow && settings.camera_mode == world::CameraMode::orbit && !busy;
-  // Changes during a drag are followed when it ends.
-  if (!busy) {
+  const auto there = [&](const std::vector<glm::vec3>& shown) {
+    return view::kept_in_view(settings.camera, shown, view.viewport, free);
+  };
+  // Changes during a drag are followed when it has ended.
+  if (!std::exchange(busy_, busy) && !busy) {
     const std::optional<Seen> before = std::exchange(seen_, now);
-    if (before && *before != now) to_.reset();
-    if (may && before && *before != now && !points.empty()) {
-      const world::Camera there = view::kept_in_view(settings.camera, points, view.viewport);
-      if (!near(settings.camera, there)) to_ = there, sent_ = settings.camera;
+    if (before && *before != now) {
+      to_.reset();
+      const bool carried = before->last.valid() && before->last == now.last && before->end != now.end;
+      if (may && !points.empty() && (!carried || near(settings.camera, there({before->end}))) &&
+          !near(settings.camera, there(points)))
+        to_ = there(points), sent_ = settings.camera;
     }
   }
   if (!to_) return;

@@ -70,6 +70,53 @@ TEST_F(FollowCameraTest, shows_a_preview_and_leaves_the_camera_to_the_user) {
   EXPECT_TRUE(all<edit::SetCamera>().empty()) << "the user has turned the camera";
 }
 
+TEST_F(FollowCameraTest, leaves_the_camera_where_it_looks_when_an_end_out_of_the_picture_moves) {
+  append({150, 6, 3});
+  frames(2);
+  follow(true);
+  const edit::Target end{{world::Kind::knot, 4}};
+  ASSERT_TRUE(edit::apply(session_, files_, edit::MoveKnot{end, {150, 9, 3}}));
+  frames(30);
+  EXPECT_TRUE(all<edit::SetCamera>().empty());
+  ASSERT_TRUE(edit::apply(session_, files_, edit::MoveKnot{end, {21, 9, 3}}));
+  frames(2);
+  ASSERT_TRUE(edit::apply(session_, files_, edit::MoveKnot{end, {150, 9, 3}}));
+  frames(120);
+  EXPECT_TRUE(shows({150, 9, 3})) << "it leaves the picture";
+}
+
+TEST_F(FollowCameraTest, does_not_follow_a_drag_that_is_cancelled) {
+  follow(true);
+  const glm::vec2 knot = pixel_of(3);
+  hover(knot);
+  press();
+  for (int i = 1; i <= 10; ++i) hover({knot.x + 0.1f * static_cast<float>(i) * (10 - knot.x), knot.y});
+  key(platform::Key::escape);
+  frames(10);
+  EXPECT_FALSE(all<edit::MoveKnot>().empty());
+  EXPECT_TRUE(all<edit::SetCamera>().empty());
+  release();
+}
+
+TEST_F(FollowCameraTest, keeps_the_end_and_what_is_framed_beside_the_first_steps) {
+  follow(true);
+  resize(1920, 1080);
+  ASSERT_TRUE(edit::apply(session_, files_, edit::Set<&world::Aids::show_hints>{true}));
+  frames(3);
+  const Widget* const card = find("Hints/Got it");
+  ASSERT_NE(card, nullptr);
+  const float right = card->x + 380;
+  append({-150, 6, 3});
+  frames(120);
+  ASSERT_TRUE(shows({-150, 6, 3}));
+  EXPECT_GT(pixel_of(4).x, right);
+  EXPECT_EQ(last_.free.x + last_.free.width, last_.view.viewport.x + last_.view.viewport.width);
+  EXPECT_GT(last_.free.x, right);
+  key(platform::Key::f);
+  frames(2);
+  for (std::uint32_t number = 1; number <= 4; ++number) EXPECT_GT(pixel_of(number).x, right) << number;
+}
+
 TEST_F(FollowCameraTest, shows_the_way_home_and_the_next_one) {
   const auto straight = [&](double length) {
     world::Element element = world::usual_element(world::ElementKind::straight);
