@@ -116,8 +116,7 @@ Status perform(Session& session, Change& change, const DeleteSection& command) {
   const SectionRun run = world::run_of(next, *section);
   if (const Status may = may_move(next, run.end()); !may) return may;
   const bool closes_gap = run.first > 0 && run.end() < next.track.segments.size();
-  change.note = fmt::format("Deleted {}.{}", world::words_of(world::section(next, *section)),
-                            closes_gap ? " The track behind it closes the gap." : "");
+  const std::string title = world::words_of(world::section(next, *section));
   if (closes_gap) {
     const Knot start = nth_knot(next, run.first), end = nth_knot(next, run.end());
     const auto carry = sim::carry_between(end, start);
@@ -126,6 +125,13 @@ Status perform(Session& session, Change& change, const DeleteSection& command) {
     begin_there(knot_to_change(next, run.first), end.out_length);
   }
   world::remove_section(next, *section);
+  const auto trains = [](const Document& document) { return document.entities.pool<world::Cart>().size(); };
+  const std::size_t lost = trains(session.document) - trains(next);
+  change.note = fmt::format("Deleted {}{}.{}", title,
+                            lost == 0   ? ""
+                            : lost == 1 ? " and the train on it"
+                                        : " and the trains on it",
+                            closes_gap ? " The track behind it closes the gap." : "");
   return adopt(session, change, session.document, std::move(next));
 }
 

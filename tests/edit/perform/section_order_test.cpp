@@ -95,6 +95,7 @@ TEST_F(SectionOrder, deleting_one_closes_the_gap) {
   EXPECT_EQ(order(), "q2 loop");
   EXPECT_EQ(knot(2).position, start.position) << "nothing moves to the start of the track";
   EXPECT_EQ(session.document.entities.pool<world::Cart>().size(), 0u) << "its train went with it";
+  EXPECT_EQ(session.notices.list.back().text, "Deleted the straight and the train on it.");
   good("section.delete @q2");
   EXPECT_EQ(order(), "");
   for (int i = 0; i < 4; ++i) good("undo");
