@@ -42,7 +42,9 @@ struct Face {
 bool face_button(Ui& ui, const Face& face, const PaletteGrid& grid) {
   if (face.on) ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetStyleColorVec4(ImGuiCol_ButtonActive));
   const IconPlace place = grid.labels ? IconPlace::above : IconPlace::alone;
-  const bool pressed = icon_button(ui, face.icon, face.label, face.help, face.enabled, grid.cell_width, place);
+  // A button that is on hides what it showed: not by the second press of a double click.
+  const bool pressed = icon_button(ui, face.icon, face.label, face.help, face.enabled, grid.cell_width, place) &&
+                       !(face.on && ImGui::GetIO().MouseClickedLastCount[0] == 2);
   if (!face.on) return pressed;
   ImGui::PopStyleColor();
   ImGui::GetWindowDrawList()->AddRect(ImGui::GetItemRectMin(), ImGui::GetItemRectMax(), packed(palette().text),

@@ -104,6 +104,7 @@ TEST_F(PanelElementsTest, enter_places_and_escape_and_a_second_click_hide_the_pr
   EXPECT_FALSE(session_.settings.aids->show_element);
   click("Elements/Straight");
   EXPECT_TRUE(session_.settings.aids->show_element);
+  frames(30);
   click("Elements/Straight");
   EXPECT_FALSE(session_.settings.aids->show_element);
 }

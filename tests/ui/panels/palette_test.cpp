@@ -5,6 +5,7 @@
 #include "edit/commands/commands_elements.h"
 #include "edit/commands/set_setting.h"
 #include "ui/stage.h"
+#include "world/aids.h"
 #include "world/look.h"
 #include "world/panels.h"
 
@@ -44,6 +45,17 @@ TEST_F(PaletteTest, a_key_acts_on_what_the_click_before_it_chose) {
   for (const edit::Command& command : commands_)
     if (const auto* const place = command.as<edit::PlaceElement>()) placed.push_back(place->what.kind);
   EXPECT_EQ(placed, std::vector{world::ElementKind::loop});
+}
+
+TEST_F(PaletteTest, a_double_click_shows_a_preview_and_a_later_click_hides_it) {
+  ASSERT_TRUE(edit::apply(session_, files_, edit::Set<&world::Panels::workspace>{world::Workspace::build}));
+  frames(3);
+  click("Elements/Straight");
+  click("Elements/Straight");
+  EXPECT_TRUE(session_.settings.aids->show_element);
+  frames(30);
+  click("Elements/Straight");
+  EXPECT_FALSE(session_.settings.aids->show_element);
 }
 
 }  // namespace palette_test
