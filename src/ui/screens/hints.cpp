@@ -10,6 +10,7 @@
 
 #include <fmt/format.h>
 
+#include "base/portable_math.h"
 #include "edit/commands/set_setting.h"
 #include "ui/tools/places.h"
 #include "ui/tools/section_clicks.h"
@@ -145,10 +146,13 @@ std::string named_handle(const Ui& ui) {
   return handle ? named(handle->parameter, measured(ui, handle->value, 2, "m")) : "";
 }
 
-// Returns the title of the section under the mouse, or what its handle changes; empty for none.
+// Returns the title of the section under the mouse, or what the handle there changes; empty for none.
 std::string named_section(const Ui& ui) {
   const edit::Session& session = ui.session();
   if (view::is_section_handle(ui.hovered.kind)) return named_handle(ui);
+  if (ui.hovered.kind == view::PickKind::spin)
+    return fmt::format("Spin {} \u00B0/m",
+                       fixed(base::degrees(double{world::knot(session.document, ui.hovered.entity).spin}), 2));
   const world::Entity section = section_under(session, ui.hovered);
   if (!section.valid() || ImGui::IsAnyMouseDown()) return {};
   return world::title_of(world::section(session.document, section));

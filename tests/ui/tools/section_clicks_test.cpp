@@ -1,8 +1,10 @@
 #include "ui/tools/section_clicks.h"
 
 #include "ui/sections_stage.h"
+#include "ui/widgets/widgets.h"
 #include "view/angle_handle.h"
 #include "view/section_handle.h"
+#include "view/spin_ring.h"
 #include "world/panels.h"
 #include "world/selection.h"
 
@@ -94,6 +96,26 @@ TEST_F(SectionClicks, the_mouse_names_the_section_under_it) {
   hover(empty_ground());
   frames(2);
   EXPECT_EQ(find("View/Section"), nullptr);
+}
+
+TEST_F(SectionClicks, the_mouse_shows_the_spin_that_it_drags) {
+  const std::size_t knot = inner_knot(3);
+  good(edit::Select{{world::name_of(session_.document, session_.document.track.knots[knot])}});
+  frames(2);
+  const auto ring = view::spin_ring_of(session_.document, session_.settings, host_->view());
+  ASSERT_TRUE(ring);
+  const auto at = view::project(host_->view(), glm::vec3(ring->handle()));
+  ASSERT_TRUE(at);
+  hover(glm::vec2(*at));
+  press();
+  hover(glm::vec2(*at) + glm::vec2(15, 5));
+  hover(glm::vec2(*at) + glm::vec2(30, 10));
+  frames(2);
+  const auto spins = all<edit::SetSpin>();
+  ASSERT_FALSE(spins.empty());
+  ASSERT_NE(find("View/Section"), nullptr);
+  EXPECT_EQ(find("View/Section")->value, "Spin " + fixed(spins.back().to, 2) + " \u00B0/m");
+  release();
 }
 
 TEST_F(SectionClicks, other_workspaces_and_tracks_without_plans_select_at_once) {
