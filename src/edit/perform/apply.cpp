@@ -110,7 +110,10 @@ bool exchange_document(Session& session, Exchange exchange) {
   return true;
 }
 
-Status cancel(Session& session) {
+Status cancel(Session& session, Change& change) {
+  // It also replaces a notice of what the gesture did.
+  if (!(session.document == session.history.gesture_start))
+    change.note = fmt::format("Cancelled: {}.", session.history.gesture_text.sentence);
   exchange_document(session, [&](world::Document& d) { return cancel_gesture(session.history, d), true; });
   return {};
 }
@@ -154,7 +157,7 @@ Status carry_out(Session& session, base::Files& files, const Command& command) {
 }  // namespace
 
 Status perform(Session& session, Change& change, const Undo&) {
-  if (session.history.in_gesture) return cancel(session);
+  if (session.history.in_gesture) return cancel(session, change);
   if (!exchange_document(session, [&](world::Document& d) { return undo(session.history, d); }))
     return refused("there is nothing to undo");
   change.note = fmt::format("Undo: {}.", session.history.redo.back().text.sentence);
@@ -177,9 +180,9 @@ Status perform(Session& session, Change&, const EndGesture&) {
   end_gesture(session.history, session.document);
   return {};
 }
-Status perform(Session& session, Change&, const CancelGesture&) {
+Status perform(Session& session, Change& change, const CancelGesture&) {
   if (!session.history.in_gesture) return refused("no gesture is open");
-  return cancel(session);
+  return cancel(session, change);
 }
 
 Status apply(Session& session, base::Files& files, const Command& command) {

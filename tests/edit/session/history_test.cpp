@@ -61,6 +61,7 @@ TEST_F(HistoryOfEdits, a_cancelled_gesture_leaves_no_trace) {
     good("split @s1 at 0.4");
     good("remove @k5");
     good(end);
+    EXPECT_EQ(session.notices.list.back().text, "Cancelled: Deleted k5.");
     EXPECT_TRUE(session.document == before);
     EXPECT_TRUE(session.motion == motion);
     EXPECT_TRUE(session.history.undo.empty());
