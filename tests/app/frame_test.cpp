@@ -5,6 +5,9 @@
 #include "edit/commands/commands_sections.h"
 #include "edit/commands/commands_session.h"
 #include "edit/commands/commands_settings.h"
+#include "edit/commands/commands_shape.h"
+#include "edit/commands/set_setting.h"
+#include "world/aids.h"
 #include "world/sections.h"
 
 namespace coaster::app {
@@ -44,6 +47,28 @@ TEST_F(Frame, sections_are_copied_from_one_program_to_another_as_text) {
   press(*program_, platform::Key::v);
   EXPECT_EQ(sections(*program_), 2u);
   EXPECT_EQ(last_kind(*program_), "loop");
+}
+
+// A search would hold up each frame of the drag.
+TEST_F(Frame, ways_home_are_not_searched_for_while_a_drag_changes_the_track) {
+  place(*program_, world::ElementKind::straight);
+  place(*program_, world::ElementKind::curve);
+  ASSERT_TRUE(apply(*program_, edit::Set<&world::Aids::circuit>{1}).ok());
+  const auto length = [&] {
+    run_frame(*program_, {platform::Tick{1.0 / 60}}, 0);
+    const sim::CircuitProposals* const found = program_->session.findings.circuit;
+    return found != nullptr && !found->list.empty() ? found->list.front().plan.length : 0.0;
+  };
+  const double before = length();
+  ASSERT_GT(before, 1);
+  const world::Document& document = program_->session.document;
+  const world::Entity last = document.track.knots.back();
+  ASSERT_TRUE(apply(*program_, edit::BeginGesture{}).ok());
+  const glm::vec3 to = world::knot(document, last).position + glm::vec3(0, 3, 0);
+  ASSERT_TRUE(apply(*program_, edit::MoveKnot{world::name_of(document, last), to}).ok());
+  EXPECT_EQ(length(), before);
+  ASSERT_TRUE(apply(*program_, edit::EndGesture{}).ok());
+  EXPECT_NE(length(), before);
 }
 
 TEST_F(Frame, a_window_shows_nothing_before_its_track_is_open) {

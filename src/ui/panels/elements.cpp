@@ -66,6 +66,7 @@ void circuit_button(Ui& ui) {
 void ways_home(Ui& ui) {
   const world::Aids& aids = *ui.session().settings.aids;
   if (aids.circuit <= 0 || !completable(ui.session().document)) return;
+  if (ui.session().history.in_gesture) return tinted("The ways home show again after the drag.", palette().dim);
   const float width = ImGui::GetContentRegionAvail().x;
   const sim::CircuitProposals& found = *ui.find(edit::Want::circuit).circuit;
   if (!found.refusal.empty()) return tinted(in_units(ui, base::sentence(found.refusal)), palette().warning);

@@ -40,6 +40,7 @@ std::vector<glm::vec3> preview_points(const Ui& ui) {
       for (const world::Knot& knot : plan.fit.knots) points.emplace_back(knot.position);
   };
   if (aids.circuit > 0 && completable(ui.session().document)) {
+    if (ui.session().history.in_gesture) return points;  // a search would hold up each frame of a drag
     const sim::CircuitProposals& ways = *ui.find(edit::Want::circuit).circuit;
     if (!ways.list.empty()) add(ways.list[shown_way_home(aids, ways)].plan);
   } else if (aids.show_element) {
