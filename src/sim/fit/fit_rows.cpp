@@ -32,6 +32,17 @@ double off_deg(const FitRow& a, const FitRow& b) {
   return off > kOffForward + angle(a.forward, b.forward) / 2 ? off : 0;
 }
 
+namespace {
+
+// Returns the larger curvature at the ends of a step times its length, if it changes linearly in between.
+double end_turn(const FitRow& a, const FitRow& b) {
+  const dvec3 chord = glm::normalize(b.position - a.position);
+  return std::max(glm::length(curve::across(6.0 * chord - 2.0 * b.forward, a.forward)),
+                  glm::length(curve::across(6.0 * chord - 2.0 * a.forward, b.forward)));
+}
+
+}  // namespace
+
 std::vector<double> bend_limits(std::span<const FitRow> rows, bool closed) {
   const auto count = static_cast<std::ptrdiff_t>(rows.size()), steps = closed ? count : count - 1;
   std::vector<double> starts{0}, bends, limits;
@@ -39,8 +50,9 @@ std::vector<double> bend_limits(std::span<const FitRow> rows, bool closed) {
     const FitRow &a = rows[i], &b = rows[(i + 1) % count];
     const double length = std::max(glm::distance(a.position, b.position), 1e-9);
     starts.push_back(starts.back() + length);
-    bends.push_back(base::arc_tangent(glm::length(glm::cross(a.forward, b.forward)), glm::dot(a.forward, b.forward)) /
-                    length);
+    const double turn =
+        base::arc_tangent(glm::length(glm::cross(a.forward, b.forward)), glm::dot(a.forward, b.forward));
+    bends.push_back(std::max(turn, length < kLongStep ? 0 : end_turn(a, b)) / length);
   }
   const double whole = starts.back();
   // Distances of steps before the first and after the last, on a closed track.

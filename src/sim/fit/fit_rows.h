@@ -36,10 +36,12 @@ bool rows_close(std::span<const FitRow> rows);
 
 // Returns for each step from a row to the next the largest curvature (1/m) that a fitted curve may have there:
 // kBendShare times the rows' largest within kBendReach along them, plus kBendSpare. The rows' curvature is the angle
-// between the directions at both ends of a step over its length.
+// between the directions at both ends of a step over its length. In steps of at least kLongStep it is at least that at
+// either end, if it changes linearly in between: a track may bend to either side within a step.
 inline constexpr double kBendReach = 2.0;    // m
 inline constexpr double kBendShare = 1.5;    // of the rows' own
 inline constexpr double kBendSpare = 0.005;  // 1/m
+inline constexpr double kLongStep = 1.0;     // m: in shorter ones Fronts are too inexact for it
 std::vector<double> bend_limits(std::span<const FitRow> rows, bool closed);
 
 // Returns for each row the squared speed over g, m, of a train that passes the highest row at kTopSpeed without losses.

@@ -5,6 +5,7 @@
 #include <fstream>
 #include <random>
 #include <sstream>
+#include <tuple>
 
 #include <fmt/format.h>
 
@@ -203,6 +204,45 @@ TEST(nl2_csv_felt, fast_ripples_are_felt_as_their_curvature_in_closed_form_says)
     };
     expect_felt(rows_on(curve, kLength, spacing, 11), ride, 0);
   }
+}
+
+// Bends to and fro in a tilted plane, of radii down to 8 m, at a constant 10 m/s.
+struct Waves {
+  double length, height;  // m, of a wave from crest to crest, and its amplitude
+  Place operator()(double x) const {
+    const double k = 2 * M_PI / length, slope = height * k * std::cos(k * x);
+    const dvec3 side(0, 0.28, 0.96), normal = glm::cross(side, {1, 0, 0}), d = dvec3(1, 0, 0) + slope * side;
+    return {dvec3(x - 3.3, 20, 7.1) + height * std::sin(k * x) * side, glm::normalize(d), normal, glm::length(d)};
+  }
+  dvec3 bend(double x) const {  // curvature, 1/m
+    const double k = 2 * M_PI / length, slope = height * k * std::cos(k * x), metres2 = 1 + slope * slope;
+    const dvec3 side(0, 0.28, 0.96);
+    return -height * k * k * std::sin(k * x) / (metres2 * metres2) * (side - slope * dvec3(1, 0, 0));
+  }
+};
+
+TEST(nl2_csv_felt, bends_to_and_fro_are_felt_as_closed_forms_say_though_rows_are_metres_apart) {
+  constexpr double kLength = 150, kV2 = 100 / world::kGravity;
+  for (const auto& [wave, height, spacing] : {std::tuple(18.0, 1.0, 2.0),
+                                              {18.0, 1.0, 3.0},
+                                              {18.0, 1.0, 4.0},
+                                              {24.0, 1.8, 3.0},
+                                              {24.0, 1.8, 4.0},
+                                              {24.0, 1.8, 5.0},
+                                              {36.0, 3.5, 5.0}})
+    for (std::uint32_t seed = 0; seed < (test::kSanitized ? 1 : 4); ++seed) {
+      SCOPED_TRACE(fmt::format("waves of {} m, rows every {} m, seed {}", wave, spacing, seed));
+      const Waves curve{wave, height};
+      std::vector<Moment> ride;
+      for (double x = 0; x < kLength;) {
+        const Place at = curve(x);
+        const dvec3 felt = kV2 * curve.bend(x) + dvec3(0, 1, 0);
+        ride.push_back(
+            {at.place, at.forward, kV2, {glm::dot(felt, at.up), glm::dot(felt, glm::cross(at.up, at.forward))}});
+        x += 10 / kRate / at.metres;
+      }
+      expect_felt(rows_on(curve, kLength, spacing, seed), ride, 0, 6 * kLength / wave);
+    }
 }
 
 // A straight slope whose rails roll by 1.2 rad to the right and back within `width` m each, twice as far to the left,

@@ -140,6 +140,22 @@ TEST(fit_bends, limits_are_those_of_the_largest_bend_within_two_metres) {
   for (std::size_t i = 0; i < 100; ++i) EXPECT_EQ(round[i] == sharp, i <= 9 || i >= 90) << i;
 }
 
+// Rows at the crests and troughs of waves: their directions are all the same, though each has the wave's largest
+// curvature.
+TEST(fit_bends, limits_allow_bends_to_either_side_within_a_step) {
+  for (const auto& [length, height] : {std::pair(6.0, 0.1), {8.0, 0.3}, {10.0, 0.4}, {14.0, 0.5}}) {
+    const double k = 2 * M_PI / length;
+    std::vector<FitRow> rows;
+    for (int i = 0; i < 12; ++i)
+      rows.push_back({{3.7 + 0.5 * length * i, 11.3, (i % 2 == 0 ? 1 : -1) * height}, {1, 0, 0}, {0, 1, 0}});
+    const std::vector<double> limits = bend_limits(rows, false);
+    for (std::size_t i = 3; i + 3 < limits.size(); ++i) {
+      EXPECT_GE(limits[i], height * k * k) << length;
+      EXPECT_LE(limits[i], 2 * height * k * k) << length;
+    }
+  }
+}
+
 // Rows on a circle of radius 9.7 m whose plane is tilted, in uneven steps of up to `step` m.
 std::vector<FitRow> circle_rows(double step, double angle) {
   const dvec3 u = glm::normalize(dvec3(1, 0.4, -0.2)), v = glm::normalize(glm::cross(u, {0.3, -0.2, 1}));
