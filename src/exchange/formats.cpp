@@ -112,7 +112,10 @@ base::Result<world::Document> rails_of(const world::Document& document, const Fo
 std::string_view wrapping(std::string_view bytes) {
   if (bytes.starts_with("PK\x03\x04")) return "a zip archive: unpack it first";
   if (bytes.starts_with("\x1f\x8b")) return "a gzip archive: unpack it first";
-  if (bytes.starts_with("\xff\xfe") || bytes.starts_with("\xfe\xff")) return "UTF-16 text: save it as UTF-8";
+  const auto zero = [&](std::size_t i) { return bytes[i] == 0; };
+  const bool wide =
+      bytes.size() > 3 && zero(0) != zero(1) && zero(0) == zero(2) && zero(1) == zero(3);  // without a BOM
+  if (wide || bytes.starts_with("\xff\xfe") || bytes.starts_with("\xfe\xff")) return "UTF-16 text: save it as UTF-8";
   return {};
 }
 

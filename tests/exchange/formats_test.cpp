@@ -57,6 +57,8 @@ TEST(formats, archives_and_utf_16_are_named_with_what_to_do) {
       ": error: expected the format NoLimits 2 track spline, found UTF-16 text: save it as UTF-8";
   EXPECT_EQ(error("a.csv", std::string("\xff\xfeN\0o\0", 6)), utf_16);
   EXPECT_EQ(error("a.csv", std::string("\xfe\xff\0N\0o", 6)), utf_16);
+  EXPECT_EQ(error("a.csv", std::string("N\0o\0", 4)), utf_16);
+  EXPECT_EQ(error("a.csv", std::string("\0N\0o", 4)), utf_16);
 }
 
 // The shape that comes back is within a centimetre at the knots, where one whole format keeps every bit.

@@ -6,9 +6,11 @@
 #include <cmath>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "base/text.h"
 #include "base/words.h"
+#include "exchange/nolimits/nl2_csv_lines.h"
 #include "exchange/nolimits/within_text.h"
 #include "sim/fit/fit_track.h"
 #include "world/topology.h"
@@ -19,7 +21,6 @@ namespace {
 using glm::dvec3;
 
 constexpr auto& kColumns = kNl2Columns;
-using Cells = std::array<std::string_view, kColumns.size()>;
 constexpr double kSquare = 0.01;     // tolerance for unit and perpendicular frames
 constexpr double kSamePlace = 2e-6;  // m: rounding of printed positions
 constexpr double kWrong = 0.75;      // of the steps against Front or off it: the rows are refused
@@ -27,62 +28,6 @@ constexpr double kDoubt = 0.4;       // g: what riders may feel more or less bef
 constexpr double kNoisySpan = 1;     // m a span on average: smooth rows of a whole track never need so many
 constexpr int kNoisyKnots = 20;      // the least number of knots for that
 constexpr double kGap = 3;           // times the usual spacing: longer steps are reported
-
-std::string_view trimmed(std::string_view text) {
-  text.remove_prefix(std::min(text.find_first_not_of(' '), text.size()));
-  return text.substr(0, text.find_last_not_of(' ') + 1);
-}
-
-// Returns a cell's text without blanks and quotes around it.
-std::string_view content(std::string_view cell) {
-  cell = trimmed(cell);
-  const bool in_quotes = cell.size() >= 2 && cell.front() == '"' && cell.back() == '"';
-  return in_quotes ? trimmed(cell.substr(1, cell.size() - 2)) : cell;
-}
-
-// Iterates over the lines of a text, numbered from 1, without line endings.
-class Lines {
- public:
-  explicit Lines(std::string_view text) : rest_(text) {
-    if (rest_.starts_with("\xef\xbb\xbf")) rest_.remove_prefix(3);
-  }
-  bool next(std::string_view& line) {
-    if (rest_.empty()) return false;
-    const std::size_t end = rest_.find('\n');
-    line = rest_.substr(0, end);
-    ended_ = end != std::string_view::npos;
-    rest_.remove_prefix(ended_ ? end + 1 : rest_.size());
-    if (line.ends_with('\r')) line.remove_suffix(1);
-    ++number_;
-    return true;
-  }
-  int number() const { return number_; }
-  bool ended() const { return ended_; }  // the line ends with a newline
-  bool only_blanks_left() const { return rest_.find_first_not_of(" \t\r\n") == std::string_view::npos; }
-
- private:
-  std::string_view rest_;
-  int number_ = 0;
-  bool ended_ = false;
-};
-
-struct Separator {
-  char mark;
-  std::string_view name;
-};
-constexpr Separator kSeparators[]{{'\t', "tabs"}, {',', "commas"}, {';', "semicolons"}};
-
-// Splits a line into cells; returns at most one more than there are columns.
-std::size_t split(std::string_view line, char separator, Cells& cells) {
-  std::size_t count = 0;
-  for (;;) {
-    const std::size_t end = line.find(separator);
-    if (count < cells.size()) cells[count] = content(line.substr(0, end));
-    ++count;
-    if (end == std::string_view::npos || count > cells.size()) return count;
-    line.remove_prefix(end + 1);
-  }
-}
 
 bool same_word(std::string_view a, std::string_view b) { return base::lower(a) == base::lower(b); }
 
@@ -116,21 +61,26 @@ struct Reader {
 
 bool read_header(Reader& r) {
   std::string_view line;
-  if (!r.lines.next(line)) {
+  do {
+    if (r.lines.next(line)) continue;
     r.error = std::string(r.name) + ":1: error: expected the header \"No.\" \"PosX\" ..., found an empty file";
     return false;
-  }
+  } while (line.find_first_not_of(" \t") == std::string_view::npos);
   // Column names contain no separators, so the separator in the header is the file's.
   std::size_t kinds = 0;
   for (const Separator& s : kSeparators)
     if (line.find(s.mark) != std::string_view::npos) r.separator = s, ++kinds;
-  if (kinds != 1) return r.fail("a header of 13 columns, separated by tabs", kinds > 1 ? "several separators" : "1");
+  if (kinds != 1)
+    return r.fail("a header of 13 columns, separated by tabs",
+                  kinds > 1 ? "several separators" : base::quoted_start(line));
   Cells cells;
   const std::size_t count = split(line, r.separator.mark, cells);
+  if (base::parse_double(cells[0]))
+    return r.fail(fmt::format("a header above the rows: \"{}\"", fmt::join(kColumns, "\" \"")), "a row of numbers");
   for (std::size_t i = 0; i < kColumns.size() && i < count; ++i) {
     if (!same_word(cells[i], kColumns[i]) && !(i == 0 && same_word(cells[i], "No")))
       return r.fail(fmt::format("column {} of the header to be \"{}\"", i + 1, kColumns[i]),
-                    base::quoted_start(cells[i]));
+                    base::quoted_start(cells[i]) + ": name and order the columns as NoLimits 2 does");
   }
   if (count != kColumns.size())
     return r.fail(fmt::format("a header of 13 columns, separated by {}", r.separator.name),

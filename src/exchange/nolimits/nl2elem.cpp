@@ -155,13 +155,27 @@ int line_of_long_tag(std::string_view text) {
   return 0;
 }
 
+std::string fault_of(tinyxml2::XMLError error) {
+  switch (error) {
+    case tinyxml2::XML_ERROR_MISMATCHED_ELEMENT: return "a tag that is not closed, or is closed by another name";
+    case tinyxml2::XML_ERROR_PARSING: return "a tag that is not closed";
+    case tinyxml2::XML_ERROR_PARSING_ELEMENT: return "an unfinished tag";
+    case tinyxml2::XML_ERROR_PARSING_ATTRIBUTE: return "an attribute that is not NAME=\"VALUE\"";
+    case tinyxml2::XML_ERROR_PARSING_TEXT: return "text that no tag encloses";
+    case tinyxml2::XML_ERROR_PARSING_CDATA:
+    case tinyxml2::XML_ERROR_PARSING_COMMENT:
+    case tinyxml2::XML_ERROR_PARSING_DECLARATION:
+    case tinyxml2::XML_ERROR_PARSING_UNKNOWN: return "an unfinished comment, declaration or CDATA section";
+    default: return "a fault";
+  }
+}
+
 bool read_file(XmlReader& r, std::string_view text, ElementFile& file, std::vector<std::string>& warnings) {
   if (const int line = line_of_long_tag(text); line > 0)
     return r.fail(line, "tags of at most 4096 bytes", "a longer one");
   tinyxml2::XMLDocument xml;
   if (xml.Parse(text.data(), text.size()) != tinyxml2::XML_SUCCESS)
-    return r.fail(std::max(xml.ErrorLineNum(), 1), "XML",
-                  "an error: " + std::string(tinyxml2::XMLDocument::ErrorIDToName(xml.ErrorID())));
+    return r.fail(std::max(xml.ErrorLineNum(), 1), "well-formed XML", fault_of(xml.ErrorID()));
   const XMLElement* const root = xml.RootElement();
   if (!root || std::string_view(root->Name()) != "root")
     return r.fail(root ? root->GetLineNum() : 1, "<root>", root ? base::quoted_start(root->Name()) : "none");

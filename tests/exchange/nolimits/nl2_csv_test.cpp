@@ -58,8 +58,9 @@ TEST(nl2_csv, line_ends_marks_blank_lines_and_quotes_make_no_difference) {
   std::string bare = text.substr(0, text.size() - 1), crlf = replaced(text, "\n", "\r\n");
   for (const std::string& same :
        {bare, crlf, crlf.substr(0, crlf.size() - 2), crlf.substr(0, crlf.size() - 1), "\xef\xbb\xbf" + text,
-        text + "\n \r\n\n", replaced(text, "\"", ""), replaced(text, "\"PosX\"", " \"posx\" "),
-        replaced(text, "\"No.\"", "no"), replaced(text, "\t12", "\t 12")}) {
+        text + "\n \r\n\n", "\n \n" + text, replaced(text, "\n", "\r"), replaced(text, "\n", "\t\n"),
+        replaced(text, "\"", ""), replaced(text, "\"PosX\"", " \"posx\" "), replaced(text, "\"No.\"", "no"),
+        replaced(text, "\t12", "\t 12")}) {
     const auto loaded = parse_nl2_csv(same, "t.csv");
     ASSERT_TRUE(loaded.ok()) << loaded.status().message;
     EXPECT_EQ(world::hash(loaded->document), expected);
@@ -71,8 +72,15 @@ TEST(nl2_csv, errors_name_the_line_what_was_expected_and_what_was_found) {
   expect_error("", "t.csv:1: error: expected the header \"No.\" \"PosX\" ..., found an empty file");
   expect_error(head, "t.csv:1: error: expected at least 2 rows at different positions, found 0");
   expect_error(rows(1), "t.csv:2: error: expected at least 2 rows at different positions, found 1");
-  expect_error(replaced(two, "PosY", "PosW"),
-               "t.csv:1: error: expected column 3 of the header to be \"PosY\", found \"PosW\"");
+  expect_error(
+      replaced(two, "PosY", "PosW"),
+      "t.csv:1: error: expected column 3 of the header to be \"PosY\", found \"PosW\": name and order the columns as "
+      "NoLimits 2 does");
+  expect_error(row(1, 0) + row(2, 1),
+               "t.csv:1: error: expected a header above the rows: \"No.\" \"PosX\" \"PosY\" \"PosZ\" \"FrontX\" "
+               "\"FrontY\" \"FrontZ\" \"LeftX\" \"LeftY\" \"LeftZ\" \"UpX\" \"UpY\" \"UpZ\", found a row of numbers");
+  expect_error("# by hand\n" + two,
+               "t.csv:1: error: expected a header of 13 columns, separated by tabs, found \"# by hand\"");
   expect_error(replaced(two, "\t\"UpZ\"", ""),
                "t.csv:1: error: expected a header of 13 columns, separated by tabs, found 12");
   expect_error(replaced(two, "\"UpZ\"", "\"UpZ\"\t\"Speed\""),
@@ -129,7 +137,8 @@ TEST(nl2_csv, commas_and_semicolons_separate_as_tabs_do) {
     EXPECT_EQ(world::hash(loaded->document), expected) << mark;
   }
   expect_error(replaced(rows(2), "\t", " "),
-               "t.csv:1: error: expected a header of 13 columns, separated by tabs, found 1");
+               "t.csv:1: error: expected a header of 13 columns, separated by tabs, found "
+               R"("\"No.\" \"PosX\" \"PosY\" \"PosZ\" \"FrontX\" \"Fro...")");
   expect_error(replaced(rows(2), "\t\"PosY\"", ",\"PosY\""),
                "t.csv:1: error: expected a header of 13 columns, separated by tabs, found several separators");
   expect_error(replaced(rows(2), "\t", ";") + "3\t1\t2\n",

@@ -193,7 +193,7 @@ TEST(nl2elem, bad_files_are_refused_with_line_and_reason) {
   const std::string frame = "<ux>0</ux><uy>1</uy><uz>0</uz><rx>0</rx><ry>0</ry><rz>1</rz>";
   const std::pair<std::string, std::string> cases[]{
       {"", "x:1: error: expected XML, found an empty file"},
-      {"<root>\n<element>\n", "x:2: error: expected XML"},
+      {"<root>\n<element>\n", "x:2: error: expected well-formed XML, found a tag that is not closed"},
       {"<a/>", "x:1: error: expected <root>"},
       {"<root>\n</root>", "x:1: error: expected <element>"},
       {with(""), "x:2: error: expected at least 2 vertices, found 0"},

@@ -1,0 +1,71 @@
+// The lines and cells of a NoLimits 2 CSV, as programs that people pass it through write them.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <string_view>
+
+#include "exchange/nolimits/nl2_csv.h"
+
+namespace coaster::exchange {
+
+using Cells = std::array<std::string_view, kNl2Columns.size()>;
+
+inline std::string_view trimmed(std::string_view text) {
+  text.remove_prefix(std::min(text.find_first_not_of(' '), text.size()));
+  return text.substr(0, text.find_last_not_of(' ') + 1);
+}
+
+// Returns a cell's text without blanks and quotes around it.
+inline std::string_view content(std::string_view cell) {
+  cell = trimmed(cell);
+  const bool in_quotes = cell.size() >= 2 && cell.front() == '"' && cell.back() == '"';
+  return in_quotes ? trimmed(cell.substr(1, cell.size() - 2)) : cell;
+}
+
+// Iterates over the lines of a text, numbered from 1, without line endings: LF, CRLF or CR.
+class Lines {
+ public:
+  explicit Lines(std::string_view text) : rest_(text) {
+    if (rest_.starts_with("\xef\xbb\xbf")) rest_.remove_prefix(3);
+  }
+  bool next(std::string_view& line) {
+    if (rest_.empty()) return false;
+    const std::size_t end = rest_.find_first_of("\r\n");
+    line = rest_.substr(0, end);
+    ended_ = end != std::string_view::npos;
+    rest_.remove_prefix(line.size());
+    rest_.remove_prefix(rest_.starts_with("\r\n") ? 2 : ended_ ? 1 : 0);
+    ++number_;
+    return true;
+  }
+  int number() const { return number_; }
+  bool ended() const { return ended_; }  // the line ends with a newline
+  bool only_blanks_left() const { return rest_.find_first_not_of(" \t\r\n") == std::string_view::npos; }
+
+ private:
+  std::string_view rest_;
+  int number_ = 0;
+  bool ended_ = false;
+};
+
+struct Separator {
+  char mark;
+  std::string_view name;
+};
+inline constexpr Separator kSeparators[]{{'\t', "tabs"}, {',', "commas"}, {';', "semicolons"}};
+
+// Splits a line into cells; returns at most one more than there are columns. Separators at its end count for nothing.
+inline std::size_t split(std::string_view line, char separator, Cells& cells) {
+  std::size_t count = 0;
+  for (;;) {
+    const std::size_t end = line.find(separator);
+    if (count < cells.size()) cells[count] = content(line.substr(0, end));
+    ++count;
+    if (count == cells.size() && line.find_first_not_of(" \t,;", end) == std::string_view::npos) return count;
+    if (end == std::string_view::npos || count > cells.size()) return count;
+    line.remove_prefix(end + 1);
+  }
+}
+
+}  // namespace coaster::exchange
