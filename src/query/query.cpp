@@ -77,7 +77,7 @@ base::Result<world::Entity> entity_of(const Context& context, std::string_view a
   for (const world::Name& other : document.entities.pool<world::Name>().items())
     if (other.kind == kind) names.push_back("@" + world::to_text(other));
   const std::string wanted = fmt::format("@{}", word);
-  return base::Status{base::Code::usage,
+  return base::Status{base::Code::refused,
                       fmt::format("no {} {}{}", base::name_of(kind), wanted, base::suggestion(wanted, names))};
 }
 

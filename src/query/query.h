@@ -43,7 +43,7 @@ struct Query {
   base::Result<Value> (*row)(const Context& context, std::string_view argument);  // of an argument that is accepted
   Values values = {};
 
-  // Code::usage for an argument that the query does not accept, or an entity that does not exist.
+  // Code::usage for an argument that the query does not accept, Code::refused for an entity that does not exist.
   base::Result<Value> evaluate(const Context& context, std::string_view word) const;
 };
 

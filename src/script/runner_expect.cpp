@@ -27,7 +27,9 @@ base::Result<query::Value> Runner::value_of(std::string_view query, const std::s
     if (const base::Status status = frames_.settle_panels(); !status) return status;
     const std::vector<WidgetState> widgets = frames_.host().widgets();
     const base::Result<std::size_t> found = find_widget(widgets, path);
-    return found ? text_of(widgets[*found]) : base::Result<std::string>(found.status());
+    if (found) return text_of(widgets[*found]);
+    const bool absent = find_widgets(widgets, path).empty();
+    return base::Status{absent ? base::Code::refused : base::Code::usage, found.status().message};
   };
   return row->evaluate(context, argument);
 }
@@ -36,7 +38,7 @@ base::Result<bool> Runner::check(const Condition& condition, std::string& found)
   const query::Query* const query = query::find_query(condition.query);
   const base::Result<query::Value> value = value_of(condition.query, condition.argument);
   found.clear();
-  if (!value) return base::Status{base::Code::usage, value.status().message};
+  if (!value) return value.status();
   found = describe(*query, *value);
   return holds(condition, *value);
 }
@@ -58,9 +60,9 @@ Failure Runner::perform(const Wait& wait) {
   for (std::int64_t i = 0;; ++i) {
     const base::Result<bool> result = check(wait.condition, found);
     if (result && *result) return {};
-    if (!result && !found.empty()) return failure(result.status(), column_of(wait.condition, found));
-    if (!result) found = result.status().message;
-    else found = "found " + found;
+    if (!result && result.status().code != base::Code::refused)
+      return failure(result.status(), column_of(wait.condition, found));
+    found = result ? "found " + found : result.status().message;
     if (i == wait.most || frames_.interrupted()) break;
     if (!wait.frames) frames_.advance(1);
     else if (const base::Status status = frames_.frame({}); !status) return failure(status);

@@ -219,7 +219,7 @@ TEST_F(QueryTest, missing_entities_are_refused_with_a_suggestion) {
   const auto refused = [&](std::string_view name, std::string_view argument, std::string_view part) {
     const auto value = ask(name, argument);
     ASSERT_FALSE(value) << name;
-    EXPECT_EQ(value.status().code, base::Code::usage);
+    EXPECT_EQ(value.status().code, base::Code::refused);
     EXPECT_NE(value.status().message.find(part), std::string::npos) << value.status().message;
   };
   refused("position", "@k9", "no knot @k9");

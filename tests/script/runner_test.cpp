@@ -79,7 +79,6 @@ TEST(runner, wait_advances_until_it_is_so_or_times_out_with_its_own_code) {
 // What is to be seen later may not be there yet; a comparison that can never hold fails at once.
 TEST(runner, wait_goes_on_while_the_widget_or_entity_of_its_condition_is_missing) {
   FakeHost fake;
-  fake.widgets = {};
   const base::Status never = run_lines(fake, "wait text \"Track/Lenght\" == \"7 m\" max 3 frames\n");
   EXPECT_EQ(never.code, base::Code::timeout);
   EXPECT_NE(never.message.find("waited 3 frames for text \"Track/Lenght\" == \"7 m\", no widget"), std::string::npos)
@@ -87,6 +86,22 @@ TEST(runner, wait_goes_on_while_the_widget_or_entity_of_its_condition_is_missing
   const base::Status entity = run_lines(fake, "wait roll @k99 == 0 max 2 ticks\n");
   EXPECT_EQ(entity.code, base::Code::timeout);
   EXPECT_NE(entity.message.find("k99"), std::string::npos) << entity.message;
+  // A widget that comes in the third frame.
+  Host host = fake.host();
+  host.widgets = [&] {
+    std::vector<WidgetState> shown;
+    if (fake.frames.size() >= 3) shown.push_back({.path = "Track/Length", .kind = "label", .value = "7 m"});
+    return shown;
+  };
+  base::Files files;
+  const ParsedScript parsed = parse_script("coaster-script 1\nwait text \"Track/Length\" == \"7 m\" max 60 frames\n",
+                                           "a.coaster", test_folder(), files);
+  EXPECT_TRUE(run_script(parsed.script, host, {*base::Root().open(test_folder() / "out"), false, {}}).ok());
+  EXPECT_LT(fake.frames.size(), 10u);
+  // A value that it never has, and a path of two widgets.
+  EXPECT_EQ(run_lines(fake, "wait element.value radius == tall max 3 ticks\n").code, base::Code::usage);
+  fake.widgets = {{.path = "A/twin", .kind = "text"}, {.path = "B/twin", .kind = "text"}};
+  EXPECT_EQ(run_lines(fake, "wait text \"twin\" == \"7 m\" max 3 ticks\n").code, base::Code::usage);
 }
 
 TEST(runner, ends_as_skipped_where_the_driver_lacks_what_it_needs) {
