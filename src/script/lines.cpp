@@ -170,10 +170,30 @@ std::vector<std::string> line_words() {
 
 namespace {
 
-// Returns what the message about an unknown first word ends with: the word that was probably meant, else one with the
-// same last part (click: ui.click), else where all are listed.
+// First words of other languages, and what a script says in their place: a word or, after a semicolon, how to do it.
+struct Elsewhere {
+  std::string_view word, here;
+};
+constexpr std::string_view kNoConditions = "; scripts have no conditions: wait waits for one, expect checks one",
+                           kNoVariables = "; scripts have no variables";
+constexpr Elsewhere kElsewhere[]{
+    {"assert", "expect"},     {"verify", "expect"},
+    {"echo", "log"},          {"print", "log"},
+    {"press", "key"},         {"capture", "shot"},
+    {"sleep", "frames"},      {"screenshot", "shot"},
+    {"import", "load"},       {"open", "load"},
+    {"export", "save"},       {"write", "save"},
+    {"source", "include"},    {"for", "repeat"},
+    {"loop", "repeat"},       {"if", kNoConditions},
+    {"while", kNoConditions}, {"let", kNoVariables},
+    {"var", kNoVariables},    {"set", "; a setting is set by its name and value, such as steps 64"}};
+
+// Returns what the message about an unknown first word ends with: what another language's word is here, else the word
+// that was probably meant, else one with the same last part (click: ui.click), else where all are listed.
 std::string near_words(std::string_view word) {
   const std::vector<std::string>& known = statement_words();
+  for (const Elsewhere& row : kElsewhere)
+    if (row.word == word) return row.here.starts_with(';') ? std::string(row.here) : base::suggestion(row.here, known);
   if (std::string near = base::suggestion(word, known); !near.empty()) return near;
   const std::string end = fmt::format(".{}", word);
   const auto found = std::find_if(known.begin(), known.end(), [&](const std::string& k) { return k.ends_with(end); });

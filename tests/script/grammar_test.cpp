@@ -78,7 +78,13 @@ TEST(grammar, words_of_other_programs_lead_to_what_to_write) {
   };
   ends("click \"Track/Add curve\"", "^ did you mean \"ui.click\"?");
   ends("paste", "^ did you mean \"section.paste\"?");
-  EXPECT_NE(message("sleep 1").find("no command \"sleep\"; coaster --help-script lists all"), std::string::npos);
+  ends("assert knots == 3", "^ did you mean \"expect\"?");
+  ends("screenshot \"a.png\"", "^ did you mean \"shot\"?");
+  ends("for i in 1..3", "^ did you mean \"repeat\"?");
+  ends("check \"Track/Closed\" on", "^ did you mean \"ui.check\"?");
+  EXPECT_NE(message("let n = 3").find("scripts have no variables"), std::string::npos);
+  EXPECT_NE(message("while knots < 3").find("wait waits for one"), std::string::npos);
+  EXPECT_NE(message("goto 1").find("no command \"goto\"; coaster --help-script lists all"), std::string::npos);
   EXPECT_NE(
       message("wait 100").find(":2:6: error: expected a query such as ride.lap, found \"100\"; ticks N or frames N"),
       std::string::npos);
