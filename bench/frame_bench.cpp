@@ -203,10 +203,10 @@ void open_file(benchmark::State& state) {
 BENCHMARK(open_file)->Arg(5000)->Arg(20000)->Arg(100000)->Unit(benchmark::kMillisecond)->Iterations(1);
 BENCHMARK(ride_10000_trains)->Unit(benchmark::kMillisecond)->Iterations(1);
 BENCHMARK(ride_1000)->Unit(benchmark::kMillisecond)->Iterations(20);
-BENCHMARK_CAPTURE(frame, still_5000, kSegments, false)->Unit(benchmark::kMillisecond)->Iterations(10);
-BENCHMARK_CAPTURE(frame, drag_5000, kSegments, true)->Unit(benchmark::kMillisecond)->Iterations(10);
-BENCHMARK_CAPTURE(frame, still_100000, kManySegments, false)->Unit(benchmark::kMillisecond)->Iterations(10);
-BENCHMARK_CAPTURE(frame, drag_100000, kManySegments, true)->Unit(benchmark::kMillisecond)->Iterations(10);
+BENCHMARK_CAPTURE(frame, still_5000, kSegments, false)->Unit(benchmark::kMillisecond)->Iterations(100);
+BENCHMARK_CAPTURE(frame, drag_5000, kSegments, true)->Unit(benchmark::kMillisecond)->Iterations(100);
+BENCHMARK_CAPTURE(frame, still_100000, kManySegments, false)->Unit(benchmark::kMillisecond)->Iterations(100);
+BENCHMARK_CAPTURE(frame, drag_100000, kManySegments, true)->Unit(benchmark::kMillisecond)->Iterations(100);
 
 }  // namespace frame_bench
 }  // namespace coaster
