@@ -188,6 +188,7 @@ var Module = {
   coasterPick: pick,
   coasterPicked: () => picked,
   coasterDownload: download,
+  coasterCopy: copy,
 };
 
 setInterval(keep, 2000);
@@ -212,12 +213,42 @@ addEventListener('drop', (event) => {
   if (event.dataTransfer.files.length > 0) take(event.dataTransfer.files[0]).then(openFile);
 });
 
+// Some browsers let a page write the clipboard only during an input, and in timers that begin there and last at most a
+// second (WebKit). The program copies in a later frame. What none of them takes waits for the next input.
+let copied = null;  // what the clipboard does not have yet
+// Pages that do not come by https have the old way alone.
+const writeText = navigator.clipboard ? (text) => navigator.clipboard.writeText(text) : async (text) => {
+  const give = (event) => {
+    event.clipboardData.setData('text/plain', text);
+    event.preventDefault();
+  };
+  addEventListener('copy', give);
+  const given = document.execCommand('copy');
+  removeEventListener('copy', give);
+  if (!given) throw new Error('not during an input');
+};
+function writeClipboard(failed) {
+  if (copied === null) return;
+  const text = copied;
+  writeText(text).then(() => { if (copied === text) copied = null; }, failed || (() => {}));
+}
+function copy(text) {
+  copied = text;
+  const tell = () => { if (copied === text) note('This browser copies only during a click or a key: press once more.'); };
+  writeClipboard();
+  setTimeout(() => writeClipboard(tell), 1000);
+}
+for (const input of ['pointerup', 'keydown'])
+  addEventListener(input, () => [0, 50, 200, 900].forEach((delay) => setTimeout(writeClipboard, delay)), true);
+addEventListener('blur', () => { copied = null; });  // another program may copy now
+
 // The browser gives the clipboard only with this event.
 addEventListener('paste', (event) => {
   event.preventDefault();
   Module.ccall('coaster_paste', null, ['string'], [event.clipboardData.getData('text/plain')]);
 });
 addEventListener('contextmenu', (event) => event.preventDefault());
+addEventListener('gesturestart', (event) => event.preventDefault());  // Safari's zoom by two fingers
 
 // Without a network the files come from the worker. A new version waits until the user takes it.
 if ('serviceWorker' in navigator && location.protocol.startsWith('http')) {

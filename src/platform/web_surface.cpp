@@ -75,8 +75,7 @@ class WebSurface final : public Surface {
   void set_clipboard(const std::string& text) override {
     clipboard_ = text;
     // clang-format off
-    if (window_)
-      EM_ASM({ if (navigator.clipboard) navigator.clipboard.writeText(UTF8ToString($0)).catch(() => {}); }, text.c_str());
+    if (window_) EM_ASM({ Module.coasterCopy(UTF8ToString($0)); }, text.c_str());
     // clang-format on
   }
   void offer(const std::string& path) override {
@@ -193,6 +192,8 @@ class WebSurface final : public Surface {
     const Modifiers held = modifiers_of(event);
     if (key_of(event) == Key::v && held == Modifiers{false, true, false}) return EM_FALSE;  // paste() follows
     pending_.push_back(KeyPress{key_of(event), down, event.repeat != 0, held});
+    // macOS reports no release of a key that is pressed with Command.
+    if (down && event.metaKey) pending_.push_back(KeyPress{key_of(event), false, false, held});
     const std::string_view typed = event.key;
     const bool is_character = typed.size() == 1 || (!typed.empty() && (typed[0] & 0x80) != 0);
     if (down && is_character && !held.ctrl && !held.alt) pending_.push_back(TextInput{std::string(typed)});
@@ -228,6 +229,17 @@ class WebSurface final : public Surface {
     emscripten_set_wheel_callback(kCanvas, this, EM_FALSE, on_wheel);
     emscripten_set_keydown_callback(EMSCRIPTEN_EVENT_TARGET_WINDOW, this, EM_FALSE, on_key);
     emscripten_set_keyup_callback(EMSCRIPTEN_EVENT_TARGET_WINDOW, this, EM_FALSE, on_key);
+    // A finger lets a page play where it is lifted; Emscripten tries where it is put down. A call or another tab may
+    // have silenced the page.
+    // clang-format off
+    EM_ASM({
+      const play = () => {
+        for (const device of Object.values(AL.contexts))
+          if (device.audioCtx.state !== 'running' && device.audioCtx.state !== 'closed') device.audioCtx.resume();
+      };
+      for (const input of ['touchend', 'mouseup', 'keydown']) addEventListener(input, play, true);
+    });
+    // clang-format on
     emscripten_set_focus_callback(EMSCRIPTEN_EVENT_TARGET_WINDOW, this, EM_FALSE, on_focus);
     emscripten_set_blur_callback(EMSCRIPTEN_EVENT_TARGET_WINDOW, this, EM_FALSE, on_focus);
   }

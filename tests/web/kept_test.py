@@ -132,6 +132,13 @@ class Kept(Page):
         until_devices("another output with the sound", "closed", "running")
         until_heard()
 
+    def test_sound_begins_with_a_finger(self):
+        self.before_load(LISTEN)
+        self.touch_screen(1)
+        self.open()
+        self.tap("Start/Samples/loop")
+        self.until(lambda: self.js("devices[0].context.state") == "running", "the sound device after a touch")
+
 
 if __name__ == "__main__":
     main()

@@ -10,7 +10,7 @@ import zlib
 
 import browser
 
-CTRL, SHIFT = 2, 8
+CTRL, COMMAND, SHIFT = 2, 4, 8
 LINK_START = "#coaster=1."
 
 # Every frame lasts `step` ms of the page's time, however slow the machine. A quarter of a second is the longest that a
@@ -162,8 +162,8 @@ class Page(unittest.TestCase):
                 self.fail(f"not in {longest} s: {what() if callable(what) else what}")
             time.sleep(0.05)
 
-    def until_titled(self, title):
-        self.until(lambda: self.title() == title, lambda: f"the title {title}; it is {self.title()}")
+    def until_titled(self, title, longest=240):
+        self.until(lambda: self.title() == title, lambda: f"the title {title}; it is {self.title()}", longest)
 
     def until_ridden(self, metres, longest=240):
         self.until(lambda: self.number("ride.travelled") > metres,
@@ -204,12 +204,15 @@ class Page(unittest.TestCase):
         """Types a line into the command palette."""
         self.key("p", CTRL)
         self.frames(2)
-        for letter in line:
+        self.type(line)
+        self.key("Enter")
+        self.frames(3)
+
+    def type(self, text):
+        for letter in text:
             self.devtools("Input.dispatchKeyEvent", type="keyDown", key=letter, text=letter)
             self.devtools("Input.dispatchKeyEvent", type="keyUp", key=letter, text="")
         self.frames(2)
-        self.key("Enter")
-        self.frames(3)
 
     def press(self, widget):
         """Clicks a widget, named by its label path as in scripts."""

@@ -4,7 +4,7 @@ import os
 import random
 import time
 
-from page import CATCH_DOWNLOADS, CTRL, DRAWN, FIXED_STEPS, Page, document_of, main, shared_in, source
+from page import CATCH_DOWNLOADS, COMMAND, CTRL, DRAWN, FIXED_STEPS, SHIFT, Page, document_of, main, shared_in, source
 
 # Passes the number of orange pixels in the middle row of a picture, over a sixteenth of its width.
 ORANGE = DRAWN + """
@@ -17,6 +17,24 @@ drawn('data:image/png;base64,' + picture).then((brush) => {
   for (let i = 0; i < row.length; i += 4) orange += row[i] > 220 && row[i + 1] < 170 && row[i + 2] < 90;
   done(orange);
 }, (why) => done(String(why)));
+"""
+# As in WebKit: only an input may write the clipboard, and timers that begin there.
+COPY_DURING_INPUT = """
+let answering = false;
+const during = (act) => (...words) => {
+  const before = answering;
+  answering = true;
+  try { return act(...words); } finally { answering = before; }
+};
+const listen = window.addEventListener, timer = window.setTimeout;
+window.addEventListener = function (kind, act, ...more) {
+  return listen.call(this, kind, /^(pointerup|keydown)$/.test(kind) ? during(act) : act, ...more);
+};
+window.setTimeout = (act, delay) => timer(answering && delay <= 1000 ? during(act) : act, delay);
+if (navigator.clipboard) {
+  window.write = navigator.clipboard.writeText.bind(navigator.clipboard);
+  navigator.clipboard.writeText = (text) => answering ? write(text) : Promise.reject(new Error('no input'));
+}
 """
 # Opens no dialog for a file: its field stays in the page.
 CATCH_FILE_DIALOG = "HTMLInputElement.prototype.click = function () { document.body.append(this); };"
@@ -86,6 +104,56 @@ class Hands(Page):
         self.frames(10)
         self.assertEqual(self.title(), "Red Comet - coaster")
         self.assertTrue(self.js("said.hidden"), "a bad link is refused, and the program continues")
+
+    def test_a_link_is_copied_by_browsers_that_let_only_an_input_copy(self):
+        self.before_load(COPY_DURING_INPUT)
+        self.open_track()
+        self.assertTrue(self.copied(lambda: self.key("l", CTRL | SHIFT)).startswith(self.address))
+        # A copy that no input asked for is taken at the next one, and the page says so.
+        write = lambda: self.execute("document.getElementById('note').hidden = true; Module.coasterCopy('late')")
+        write()
+        self.until(lambda: not self.js("document.getElementById('note').hidden"), "the page asks for an input")
+        self.assertEqual(self.copied(lambda: self.click(800, 90)), "late")
+        # What another program copies meanwhile is left.
+        write()
+        self.execute("window.dispatchEvent(new Event('blur'))")
+        self.assertEqual(self.copied(lambda: self.click(800, 90)), "")
+
+    def test_a_link_is_copied_without_https(self):
+        self.before_load("const later = navigator.clipboard;"
+                         "Object.defineProperty(Navigator.prototype, 'clipboard', { get: () => window.given && later });")
+        self.open_track()
+        self.key("l", CTRL | SHIFT)
+        self.execute("window.given = true")
+        self.until(lambda: self.on_clipboard().startswith(self.address), self.on_clipboard)
+
+    def on_clipboard(self):
+        return self.js_async("const [done] = arguments; navigator.clipboard.readText().then(done, done);")
+
+    def copied(self, act):
+        """Returns what an act writes to the clipboard; "" for nothing in two seconds."""
+        self.js_async("const [done] = arguments; write('before').then(done, done);")
+        act()
+        end = time.monotonic() + 2
+        while time.monotonic() < end and self.on_clipboard() == "before":
+            time.sleep(0.05)
+        return self.on_clipboard().replace("before", "")
+
+    def test_keys_with_command_need_no_release(self):
+        """On macOS no release of a key is reported while Command is held."""
+        self.open_track()
+        self.key("p", CTRL)
+        self.type("loops")
+        for key, code in (("Meta", "MetaLeft"), ("Backspace", "Backspace")):
+            self.devtools("Input.dispatchKeyEvent", type="rawKeyDown", key=key, code=code, modifiers=COMMAND)
+            self.frames(2)
+        self.devtools("Input.dispatchKeyEvent", type="keyUp", key="Meta", code="MetaLeft")
+        self.frames(2)
+        self.type("new")
+        time.sleep(2)  # a key that seems held would repeat
+        self.frames(4)
+        self.key("Enter")
+        self.until_titled("Untitled - coaster", 30)
 
     def test_fingers_orbit_pan_and_zoom(self):
         self.touch_screen(2)
