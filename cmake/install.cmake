@@ -12,7 +12,8 @@ install(RUNTIME_DEPENDENCY_SET coaster_libraries
         LIBRARY DESTINATION lib/coaster COMPONENT libraries EXCLUDE_FROM_ALL)
 foreach(data tracks envelopes challenges tutorials)
   if(IS_DIRECTORY ${CMAKE_SOURCE_DIR}/${data})
-    install(DIRECTORY ${data} DESTINATION ${CMAKE_INSTALL_DATADIR}/coaster)
+    # Tracks that are open have locks beside them.
+    install(DIRECTORY ${data} DESTINATION ${CMAKE_INSTALL_DATADIR}/coaster PATTERN "*.lock" EXCLUDE)
   endif()
 endforeach()
 install(FILES README.md CHANGELOG.md CONTRIBUTING.md packaging/copyright DESTINATION ${CMAKE_INSTALL_DOCDIR})
