@@ -62,7 +62,7 @@ void Dialogs::build_browser(Ui& ui, const platform::Events& events, bool text_ha
   if (!saving && !sections_ && pasted(events)) ui.out.wants_link = true;
   const SystemDialog system = ui.state.kept != nullptr ? ui.state.kept->system : SystemDialog{};
   if (system.running) {
-    paragraph(ui, "Waiting", "The desktop's file dialog is open.", palette().text);
+    paragraph(ui, "Waiting", "The system's file dialog is open.", palette().text);
     if (button(ui, "Cancel", "Stop waiting for it.") || pressed(events, Key::escape)) abandon();
     return;
   }

@@ -197,7 +197,7 @@ FileBrowser::Answer FileBrowser::draw_buttons(Ui& ui, const Entries& entries, bo
   if (saving && button(ui, "New folder", "Create a folder here.")) answer = Answer::make_folder;
   if (system) {
     if (saving) ImGui::SameLine();
-    if (button(ui, "System dialog", "Use the desktop's file dialog.")) answer = Answer::system;
+    if (button(ui, "System dialog", "Use the system's file dialog.")) answer = Answer::system;
   }
   const float width = std::floor(110 * ui.scale), gap = ImGui::GetStyle().ItemSpacing.x;
   const float right = ImGui::GetWindowContentRegionMax().x - 2 * width - gap;
