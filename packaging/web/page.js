@@ -166,7 +166,10 @@ var Module = {
     canvas.focus();
     if (isLink()) openFile(location.hash);
   }],
-  onAbort: (why) => say(`coaster has stopped: ${why}. Changes since the last autosave are lost.`, 'Reload', reload),
+  onAbort: (why) => {
+    begun = false;
+    say(`coaster has stopped: ${why}. Changes since the last autosave are lost.`, 'Reload', reload);
+  },
   // Also called with 0 when main() has begun the loop of frames.
   quit: (code, thrown) => {
     if (code === 0 && !begun) throw thrown;
@@ -191,12 +194,27 @@ var Module = {
   coasterCopy: copy,
 };
 
-setInterval(keep, 2000);
+// Autosaves; returns whether there are unsaved changes. A page may end at any time, so it is done more often than in a
+// window.
+const autosave = () => begun && Module.ccall('coaster_autosave', 'number', [], []) === 1;
+setInterval(() => {
+  autosave();
+  keep();
+}, 2000);
 addEventListener('pagehide', keep);
+// The browser asks whether to leave unsaved changes, and stores them meanwhile.
+addEventListener('beforeunload', (event) => {
+  const unsaved = autosave();
+  keep();
+  if (!unsaved) return;
+  event.preventDefault();
+  event.returnValue = true;  // for older browsers
+});
 
 // The browser calls no frame of a hidden page, so the ride stands still.
 let hiddenAt = 0;
 document.addEventListener('visibilitychange', () => {
+  if (document.hidden) autosave();
   keep();
   if (document.hidden) return void (hiddenAt = Date.now());
   const minutes = Math.round((Date.now() - hiddenAt) / 60000);

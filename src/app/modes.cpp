@@ -199,6 +199,10 @@ int run_window(const Options& options) {
   if (const base::Status started = start_recording(p); !started) return finish(started);
   if (options.file.empty() && p.keeper->state.settings.start_screen) p.ui->show_start();
   p.surface->answer_by([&p](const std::string& question) { return answer(p, question); });
+  p.surface->before_leaving([&p] {
+    (void)autosave_now(p);  // it reports errors itself
+    return edit::dirty(p.session);
+  });
   p.time.last_frame = p.surface->clock();
   const auto step = [program, left = options.frames]() mutable {
     if (program->quit || platform::pending_signal() || (left && (*left)-- <= 0)) return false;

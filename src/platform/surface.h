@@ -46,6 +46,9 @@ class Surface {
   virtual void take_text(bool wanted) { (void)wanted; }
   // Lets whoever shows the window ask by text: a browser's page. `ask` must be callable as long as the surface lives.
   virtual void answer_by(const std::function<std::string(const std::string& question)>& ask) { (void)ask; }
+  // A browser's page calls `autosave` when it is hidden or left; it returns whether there are unsaved changes, and the
+  // browser then asks. It must be callable as long as the surface lives.
+  virtual void before_leaving(const std::function<bool()>& autosave) { (void)autosave; }
   virtual bool is_window() const = 0;
   virtual std::string library() const = 0;  // that created the context: "GLFW 3.3.8", "OSMesa", "EGL"
   // Returns the window's position; nothing for memory and while minimised. A maximised window has the size of the

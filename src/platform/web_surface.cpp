@@ -100,12 +100,14 @@ class WebSurface final : public Surface {
     // clang-format on
   }
   void answer_by(const std::function<std::string(const std::string& question)>& ask) override { ask_ = ask; }
+  void before_leaving(const std::function<bool()>& autosave) override { autosave_ = autosave; }
   bool is_window() const override { return window_; }
   std::string library() const override { return "WebGL 2"; }
   std::optional<Placement> placement() const override { return std::nullopt; }
   void place(const Placement&) override {}
 
   std::string answer(const std::string& question) const { return ask_ ? ask_(question) : ""; }
+  bool autosave() const { return autosave_ && autosave_(); }
 
   // From the page: a file or a link to open, and text that the browser pastes.
   void drop(const char* path) { pending_.push_back(Drop{path}); }
@@ -248,6 +250,7 @@ class WebSurface final : public Surface {
   Size size_;
   std::function<void()> lost_;
   std::function<std::string(const std::string& question)> ask_;
+  std::function<bool()> autosave_;
   Events pending_;
   std::deque<Events> typed_;  // one a frame
   bool takes_text_ = false;
@@ -287,6 +290,7 @@ EMSCRIPTEN_KEEPALIVE void coaster_paste(const char* text) {
 EMSCRIPTEN_KEEPALIVE void coaster_type(int removed, const char* text) {
   if (of_page != nullptr) of_page->type(removed, text);
 }
+EMSCRIPTEN_KEEPALIVE int coaster_autosave() { return of_page != nullptr && of_page->autosave() ? 1 : 0; }
 // Returns the value of a query or the place of a widget (app/script_host.h), valid until the next call.
 EMSCRIPTEN_KEEPALIVE const char* coaster_answer(const char* question) {
   static std::string text;

@@ -5,7 +5,7 @@ Usage: PAGE_FOLDER SOURCE_FOLDER [CLASS.TEST...]
 """
 from selenium.common.exceptions import WebDriverException
 
-from page import A_MINUTE_LATER, CATCH_DOWNLOADS, CTRL, DRAWN, Page, main
+from page import CATCH_DOWNLOADS, CTRL, DRAWN, Page, main
 
 # Listens to sound devices: loudest() returns the loudest sample since the last call.
 LISTEN = """
@@ -78,7 +78,6 @@ class Kept(Page):
         self.command("new")
         self.command("element straight length 40")
         before = self.document()
-        self.execute(A_MINUTE_LATER)
         self.until(lambda: self.stores(before), "an autosave")
         first = self.page.current_window_handle
         self.page.switch_to.new_window("tab")
@@ -92,6 +91,22 @@ class Kept(Page):
         self.press("Recover")
         self.until_titled("Untitled* - coaster")
         self.assertEqual(self.document(), before)
+
+    def test_work_is_kept_by_a_reload_and_the_browser_asks(self):
+        asks = lambda: self.js("!window.dispatchEvent(new Event('beforeunload', { cancelable: true }))")
+        self.open_track()
+        self.assertFalse(asks(), "nothing is unsaved")
+        self.command("new")
+        self.command("element straight length 40")
+        self.assertTrue(asks())
+        self.command("element straight length 50")
+        after = self.document()
+        self.until(lambda: self.stores(after), "an autosave after some seconds", 30)
+        self.page.refresh()
+        self.until_begun()
+        self.press("Recover")
+        self.until_titled("Untitled* - coaster")
+        self.assertEqual(self.document(), after)
 
     def test_a_photo_is_downloaded(self):
         self.open_track()

@@ -13,7 +13,7 @@ import sys
 import tempfile
 
 import browser
-from page import A_MINUTE_LATER, Page, main, source
+from page import Page, main, source
 
 WITHOUT_WEBGL = "HTMLCanvasElement.prototype.getContext = () => null;"
 WITHOUT_STORAGE = """
@@ -173,7 +173,6 @@ class Limits(Page):
         self.command("new")
         self.command("element straight length 40")
         document = self.document()
-        self.execute(A_MINUTE_LATER)
         self.until(lambda: self.number("autosaves") > 0, "an autosave in the tab's memory")
         self.execute("keep()")
         self.page.close()

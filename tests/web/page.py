@@ -25,11 +25,6 @@ const next = () => {
 };
 next();
 """
-# Moves the page's time past the next autosave.
-A_MINUTE_LATER = """
-const now = performance.now.bind(performance);
-performance.now = () => now() + 60e3;
-"""
 # Lists downloads instead of starting them: name and address.
 CATCH_DOWNLOADS = """
 window.downloads = [];
@@ -146,6 +141,9 @@ class Page(unittest.TestCase):
     def open(self, fragment=""):
         self.page.get("about:blank")
         self.page.get(self.address + "/index.html" + fragment)
+        self.until_begun()
+
+    def until_begun(self):
         self.until(lambda: self.js("said.hidden"), "the program has started")
         self.frames(4)
 
