@@ -100,10 +100,10 @@ int run_script(const Options& options) {
   Program& p = **program;
   p.stats.hide_times = true;
   p.files = base::Files(*out);
+  platform::watch_signals();
   if (!options.config.empty()) {
     start_keeping(p, {options.config, options.config}, {}, options.reset_layout);  // the user named it
-    platform::watch_signals();
-    run.environment.scale = p.session.settings.look->ui_scale;  // until the script changes it
+    run.environment.scale = p.session.settings.look->ui_scale;                     // until the script changes it
   }
   if (!options.file.empty())
     if (const base::Status opened = open_track(p, options.file); !opened) return finish(opened);
@@ -115,9 +115,10 @@ int run_script(const Options& options) {
   base::Status ran = script::run_script(*script, host, run);
   if (const base::Status filmed = finish_movie(p); ran && !filmed) ran = filmed;
   if (const base::Status recorded = finish_recording(p); ran && !recorded) ran = recorded;
+  const int code = finish(ran);
   if (const int signal = platform::pending_signal()) return leave_by(p, signal);
   stop_keeping(p, p.quit);
-  return finish(ran);
+  return code;
 }
 
 // With --frames: draws that many frames. Else rides a lap (two minutes at most) without drawing, and takes one picture

@@ -64,6 +64,7 @@ void hold_streams() {
   do fd = ::open("/dev/null", O_RDONLY | O_CLOEXEC);
   while (fd >= 0 && fd <= STDERR_FILENO);
   if (fd > STDERR_FILENO) ::close(fd);
+  (void)std::setvbuf(stdout, nullptr, _IOLBF, BUFSIZ);
 }
 
 void print(std::string_view text) {

@@ -15,7 +15,8 @@ namespace coaster::base {
 std::string visible_text(std::string_view text);
 
 // Takes the numbers of standard streams that are closed, so that no file gets them, and with them what is printed.
-// Printing to a closed stdout still fails. Call first.
+// Printing to a closed stdout still fails. Writes stdout line by line, so that whatever ends the program loses no line.
+// Call first.
 void hold_streams();
 
 // Prints to stdout. finish_printing() reports failures.

@@ -73,13 +73,10 @@ base::Status Runner::error_of(const Failure& result) {
 
 Failure Runner::run(const Statement& statement) {
   source_ = statement.source;
-  if (frames_.interrupted()) {
-    failed_at_ = &statement;
-    return failed("stopped by a signal");
-  }
   if (frames_.host().progress) frames_.host().progress(statement.line, static_cast<int>(source().lines.size()));
   failed_at_ = nullptr;
   Failure result = std::visit([this](const auto& action) { return perform(action); }, statement.action);
+  if (frames_.interrupted()) result = failed("stopped by a signal");
   if (!result && !failed_at_) failed_at_ = &statement;
   return result;
 }

@@ -69,6 +69,7 @@ cmp -s "$OUT/own.json" "$OUT/before.json" && fail "what was recovered is not sav
 script signalled 'env size 64x36
 load "$OUT/own.json"
 move @k2 to 5 8 4
+log "moved"
 shot "ready.png"
 frames 1000000'
 for signal in 15 2 1 13 3 24; do
@@ -80,6 +81,8 @@ for signal in 15 2 1 13 3 24; do
   code=$?
   [ $code = $((128 + signal)) ] || fail "signal $signal: exit code $code"
   [ "$(left)" = 1 ] || fail "signal $signal: no autosave was left"
+  expect_text stdout.signalled moved
+  expect_text stderr.signalled "error: stopped by a signal"
   script drop 'expect recoverable == 1
 ui.click "Recovery/Discard"
 frames 1
@@ -89,6 +92,22 @@ expect knots == 0'
   [ "$(left)" = 0 ] || fail "Discard left an autosave"
 done
 find "$OUT/home/recovery" -type f | grep . && fail "files are left in the recovery folder"
+
+# The same without a folder for autosaves. Whatever else ends the program, the lines it has printed are there.
+user=(--out "$OUT" --record "$OUT/recorded.coaster")
+for signal in 15 9; do
+  rm -f "$OUT/recorded.coaster"
+  launch signalled
+  kill -$signal $pid
+  wait $pid 2>/dev/null
+  check_code $? $((128 + signal)) "signal $signal"
+  expect_text stdout.signalled moved
+  if [ $signal = 15 ]; then
+    expect_text stderr.signalled "error: stopped by a signal"
+    expect_text recorded.coaster "move @k2 to 5 8 4"
+  fi
+done
+user=(--config "$OUT/home" --out "$OUT" --size 480x270)
 
 # Two programs and one file, by its name and by a link.
 ln -s own.json "$OUT/link.json"

@@ -59,8 +59,9 @@ TEST(runner, a_signal_ends_ticks_and_waits_early) {
     Host host = fake.host();
     int asked = 0;
     host.interrupted = [&asked] { return ++asked > 5; };
-    (void)run_script(parsed.script, host, {*base::Root().open(test_folder() / "out"), false, {}});
+    const base::Status ended = run_script(parsed.script, host, {*base::Root().open(test_folder() / "out"), false, {}});
     EXPECT_LE(fake.session.tick, 10 * world::kTicksPerSecond) << line;
+    EXPECT_TRUE(ended.message.starts_with("test.coaster:2:1: error: stopped by a signal")) << ended.message;
   }
 }
 
