@@ -149,8 +149,8 @@ bool check_numbers(Words& words, const Query& query, const Condition& c, std::si
 
 // Checks that the query can have these values and that the operator can compare them.
 bool check_values(Words& words, const Query& query, const Condition& c, const base::Token& op) {
-  const Type type = query.values.type;
-  if (c.op == Op::contains || type == Type::any) return true;
+  const auto [type, names] = values_with(query, c.argument);
+  if (c.op == Op::contains) return true;
   const bool equality = c.op == Op::equal || c.op == Op::not_equal;
   if (!equality && (type == Type::text || type == Type::vector))
     return words.fail(op.column,
@@ -159,8 +159,7 @@ bool check_values(Words& words, const Query& query, const Condition& c, const ba
   const std::string all = joined(c.values);
   if (all == kNone && (type != Type::ranked || !query.argument.empty())) return true;
   if (type == Type::number || type == Type::vector) return check_numbers(words, query, c, type == Type::number ? 1 : 3);
-  if (query.values.words == nullptr) return true;
-  const std::vector<std::string> names = query.values.words();
+  if (names.empty()) return true;
   if (type == Type::ranked ? rank_of(query, all).has_value()
                            : std::find(names.begin(), names.end(), all) != names.end())
     return true;

@@ -55,7 +55,7 @@ std::optional<Goal> parse_goal(base::Words& words) {
     return std::nullopt;
   };
   const Query* const query = find_query(condition.query);
-  const bool numeric = query->values.type == Type::number || query->values.type == Type::any;
+  const bool numeric = values_with(*query, condition.argument).type == Type::number;
   if (!may_be_sought(*query) || !numeric)
     return fail(condition.column,
                 base::quoted(condition.query) + " cannot be sought: expected a query of track or ride with a number");

@@ -57,6 +57,20 @@ std::optional<int> rank_of(const Query& query, std::string_view word) {
   return found == words.end() ? std::nullopt : std::optional(static_cast<int>(found - words.begin()));
 }
 
+// A parameter has the same choices in each element that has it.
+ValuesNow values_with(const Query& query, std::string_view argument) {
+  const auto& [type, words] = query.values;
+  if (type != Type::parameter) return {type, words ? words() : std::vector<std::string>()};
+  const std::string_view name = argument.substr(argument.rfind('.') + 1);
+  ValuesNow values;
+  for (const world::ElementRow& row : world::rows_of(world::ElementKind{}))
+    for (const world::ElementParameter& p : row.parameters)
+      if (p.name == name && values.words.empty())
+        for (const base::NameRow& choice : p.names) values.words.emplace_back(choice.name);
+  if (!values.words.empty()) values.type = Type::text;
+  return values;
+}
+
 std::vector<std::string> on_off() { return {"off", "on"}; }
 
 std::vector<std::string> parameter_names() {

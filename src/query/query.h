@@ -28,8 +28,9 @@ using Value = std::variant<double, std::string, Ranked, glm::dvec3>;
 
 std::string to_text(const Value& value);
 
-// What the values of a query are; numbers and texts may be the text "none" instead. any: the argument decides.
-enum class Type : std::uint8_t { number, text, ranked, vector, any };
+// What the values of a query are; numbers and texts may be the text "none" instead. parameter: the argument ends in a
+// parameter of an element, so they are numbers or the names of its choices.
+enum class Type : std::uint8_t { number, text, ranked, vector, parameter };
 struct Values {
   Type type = Type::number;
   std::vector<std::string> (*words)() = nullptr;  // all texts, besides none, or null for any text; all ranks, ascending
@@ -49,6 +50,13 @@ struct Query {
 
 std::span<const Query> queries();
 const Query* find_query(std::string_view name);
+
+// What the values are with that argument; never Type::parameter. No words: any.
+struct ValuesNow {
+  Type type = Type::number;
+  std::vector<std::string> words;
+};
+ValuesNow values_with(const Query& query, std::string_view argument);
 
 // Returns the rank of a word among the values of a ranked query, ignoring case; on and off have the synonyms true, yes,
 // 1 and false, no, 0. Nothing for other words.

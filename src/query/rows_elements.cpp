@@ -71,7 +71,7 @@ constexpr std::array kElementRows{
           "",
           "A parameter of the palette's element, such as radius, within its limits; none if it has no such parameter.",
           value,
-          {Type::any}},
+          {Type::parameter}},
     Query{"element.error", kNoArgument, "m",
           "Largest distance of the palette's element, as Bezier spans, from its ideal curve.", error},
     Query{"element.roll_error", kNoArgument, "deg", "Largest angle between the spans' frames and the ideal curve's.",

@@ -97,7 +97,7 @@ constexpr std::array kSectionRows{
           "",
           "A parameter that a section was planned with, such as @q2.height; none if it has no such parameter.",
           section_value,
-          {Type::any}},
+          {Type::parameter}},
     Query{"section.length", kSection, "m", "A section's length.", section_length},
     Query{"section.top", kSection, "m", "A section's largest height.", section_figure<&sim::SectionFigures::top>},
     Query{"section.speed_in", kSection, "m/s",

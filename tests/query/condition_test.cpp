@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include "world/element_rows.h"
+
 namespace coaster::query {
 namespace condition_test {
 
@@ -98,6 +100,22 @@ TEST(condition, the_values_have_the_type_of_the_query) {
   EXPECT_EQ(parse_error("closed == none"), "11: expected off or on, found \"none\"");
   EXPECT_EQ(parse_error("geometric @k3 >= C1"), "18: expected none, G0, G1 or G2, found \"C1\"; did you mean \"G1\"?");
   EXPECT_EQ(parse_error("shown comb == maybe").substr(0, 25), "15: expected off or on, f");
+}
+
+TEST(condition, a_parameter_of_an_element_is_a_number_or_one_of_its_choices) {
+  EXPECT_EQ(parse_error("section.value @q1.height == tall"), "29: expected a number, found \"tall\"");
+  EXPECT_EQ(parse_error("element.value height <= 3"), "");
+  EXPECT_EQ(parse_error("element.value radius == none"), "");
+  EXPECT_EQ(parse_error("element.value ends == rising"), "23: expected level or falling, found \"rising\"");
+  EXPECT_EQ(parse_error("section.value @q1.ends == fallng").substr(0, 26), "27: expected level or fall");
+  EXPECT_EQ(parse_error("section.value @q1.ends < level"),
+            "24: a text can be compared only with ==, != and ~, found \"<\"");
+  for (const world::ElementRow& row : world::rows_of(world::ElementKind{}))
+    for (const world::ElementParameter& p : row.parameters) {
+      std::vector<std::string> choices;
+      for (const base::NameRow& choice : p.names) choices.emplace_back(choice.name);
+      EXPECT_EQ(values_with(*find_query("element.value"), p.name).words, choices) << row.name << " " << p.name;
+    }
 }
 
 TEST(condition, an_argument_is_what_the_query_takes) {
