@@ -10,12 +10,19 @@
 
 namespace coaster::query {
 
+// What scripts check of a widget.
+struct Widget {
+  std::string text;  // what it shows
+  bool visible = true, covered = false, enabled = true;
+};
+
 struct Context {
   edit::Finder find;
   const FrameStats& stats;
   std::string_view toast;  // text of the newest notice, "" if none is shown
   std::string_view title;
-  std::function<base::Result<std::string>(std::string_view path)> widget_text = {};  // empty outside scripts
+  // Code::refused if there is none of that path. Empty outside scripts.
+  std::function<base::Result<Widget>(std::string_view path)> widget = {};
   const edit::Session& session = find.session();
 };
 

@@ -32,10 +32,25 @@ Answer undo_depth(const Context& c, View) { return number(c.session.history.undo
 Answer redo_depth(const Context& c, View) { return number(c.session.history.redo.size()); }
 Answer dirty(const Context& c, View) { return yes_no(edit::dirty(c.find)); }
 Answer toast(const Context& c, View) { return text(c.toast); }
+base::Result<Widget> widget(const Context& c, View path) {
+  return c.widget ? c.widget(path) : base::Status{base::Code::refused, "there are no panels"};
+}
 Answer widget_text(const Context& c, View path) {
-  if (!c.widget_text) return base::Status{base::Code::refused, "there are no panels"};
-  const auto shown = c.widget_text(path);
-  return shown ? Answer(text(*shown)) : shown.status();
+  const auto found = widget(c, path);
+  return found ? Answer(text(found->text)) : found.status();
+}
+Answer enabled(const Context& c, View path) {
+  const auto found = widget(c, path);
+  return found ? Answer(yes_no(found->enabled)) : found.status();
+}
+// Off has the reason as its text.
+Answer visible(const Context& c, View path) {
+  const auto found = widget(c, path);
+  if (!found && (!c.widget || found.status().code != base::Code::refused)) return found.status();
+  const std::string why = !found           ? found.status().message
+                          : found->covered ? "covered by another window"
+                                           : "out of sight";
+  return found && found->visible && !found->covered ? yes_no(true) : Ranked{0, why};
 }
 constexpr ArgumentPart kWidget[]{{.usage = "\"PATH\""}};
 Answer title(const Context& c, View) { return text(c.title); }
@@ -79,6 +94,9 @@ constexpr std::array kSessionRows{
     Query{"title", kNoArgument, "", "The window's title.", title, kText},
     Query{"text", kWidget, "", "What a widget shows: its value; of a button or a text without a value, its label.",
           widget_text, kText},
+    Query{"visible", kWidget, "", "on if a widget is in sight and not covered; off if there is none.", visible,
+          kSwitch},
+    Query{"enabled", kWidget, "", "on if a widget can be operated, off if it is greyed out.", enabled, kSwitch},
     Query{"polyline", kNoArgument, "", "on if the evaluated polyline is shown.", polyline, kSwitch},
     Query{"track_file", kNoArgument, "", "Name of the track's file without its folder, empty if it has none.", file,
           kText},

@@ -1,4 +1,4 @@
-// Parses expect and lesson: a condition, a widget's state, a file, or a statement that must fail.
+// Parses expect and lesson: a condition, a file, or a statement that must fail.
 #include "query/condition.h"
 #include "script/grammar.h"
 #include "script/lines.h"
@@ -9,18 +9,6 @@
 
 namespace coaster::script {
 namespace {
-
-bool parse_widget(Words& words, ExpectWidget::What what, bool negated, Action& action) {
-  ExpectWidget expect{{}, what, negated};
-  if (!take(words, "a widget's path", expect.path)) return false;
-  if (!words.at_end()) {  // "expect visible "path" off"
-    const auto on = words.on_off();
-    if (!on) return false;
-    expect.negated = negated == *on;
-  }
-  action = std::move(expect);
-  return words.end();
-}
 
 bool parse_file(Words& words, bool negated, Action& action) {
   ExpectFile expect;
@@ -71,10 +59,6 @@ bool parse_error(Words& words, Action& action) {
 
 bool parse_expect(Words& words, Action& action) {
   const bool negated = words.accept("not");
-  if (words.accept("visible")) return parse_widget(words, ExpectWidget::What::visible, negated, action);
-  if (words.accept("enabled")) return parse_widget(words, ExpectWidget::What::enabled, negated, action);
-  if (words.accept("hidden")) return parse_widget(words, ExpectWidget::What::visible, !negated, action);
-  if (words.accept("disabled")) return parse_widget(words, ExpectWidget::What::enabled, !negated, action);
   if (words.accept("file")) return parse_file(words, negated, action);
   if (!negated && words.accept("error")) return parse_error(words, action);
   Expect expect;

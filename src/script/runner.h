@@ -92,7 +92,6 @@ class Runner {
 
   Failure perform(const Expect& expect);
   Failure perform(const Wait& wait);
-  Failure perform(const ExpectWidget& expect);
   Failure perform(const ExpectFile& expect);
   Failure perform(const ExpectError& expect);
 

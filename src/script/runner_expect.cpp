@@ -23,13 +23,16 @@ base::Result<query::Value> Runner::value_of(std::string_view query, const std::s
   const query::Query* const row = query::find_query(query);
   COASTER_CHECK(row, "the grammar rejects unknown queries");
   query::Context context = frames_.host().context();
-  context.widget_text = [this](std::string_view path) -> base::Result<std::string> {
+  context.widget = [this](std::string_view path) -> base::Result<query::Widget> {
     if (const base::Status status = frames_.settle_panels(); !status) return status;
     const std::vector<WidgetState> widgets = frames_.host().widgets();
     const base::Result<std::size_t> found = find_widget(widgets, path);
-    if (found) return text_of(widgets[*found]);
-    const bool absent = find_widgets(widgets, path).empty();
-    return base::Status{absent ? base::Code::refused : base::Code::usage, found.status().message};
+    if (!found) {
+      const bool absent = find_widgets(widgets, path).empty();
+      return base::Status{absent ? base::Code::refused : base::Code::usage, found.status().message};
+    }
+    const WidgetState& widget = widgets[*found];
+    return query::Widget{text_of(widget), widget.visible, widget.covered, widget.enabled};
   };
   return row->evaluate(context, argument);
 }
@@ -71,27 +74,6 @@ Failure Runner::perform(const Wait& wait) {
       base::Code::timeout,
       fmt::format("waited {}{} for {}, {}", wait.most, wait.frames ? " frames" : " ticks", wait.condition.text, found),
       wait.condition.column};
-}
-
-Failure Runner::perform(const ExpectWidget& expect) {
-  if (const base::Status status = frames_.settle_panels(); !status) return failure(status);
-  const std::vector<WidgetState> widgets = frames_.host().widgets();
-  const base::Result<std::size_t> found = find_widget(widgets, expect.path.text);
-  const bool asks_visible = expect.what == ExpectWidget::What::visible;
-  if (!found) {
-    const bool absent = find_widgets(widgets, expect.path.text).empty();
-    if (absent && asks_visible && expect.negated) return {};
-    return {absent && asks_visible ? base::Code::expectation : base::Code::usage, found.status().message,
-            expect.path.column};
-  }
-  const WidgetState& widget = widgets[*found];
-  const bool is = asks_visible ? widget.visible && !widget.covered : widget.enabled;
-  if (is != expect.negated) return {};
-  const std::string word = asks_visible ? (is               ? "visible"
-                                           : widget.covered ? "covered"
-                                                            : "not visible")
-                                        : (is ? "enabled" : "disabled");
-  return failed(fmt::format("{} is {}", base::quoted(widget.path), word), expect.path.column);
 }
 
 Failure Runner::perform(const ExpectFile& expect) {

@@ -69,11 +69,6 @@ struct Lesson {
   Condition until;
   Block body;
 };
-struct ExpectWidget {
-  base::Token path;
-  enum class What : std::uint8_t { visible, enabled } what = What::visible;
-  bool negated = false;
-};
 // exists, or same as another file byte by byte.
 struct ExpectFile {
   base::Token path;
@@ -178,8 +173,8 @@ struct SlowImport {
 };
 
 using Action = std::variant<RunCommand, SetEnvironment, Frames, Ticks, Repeat, Gesture, Lesson, Include, Expect, Wait,
-                            ExpectWidget, ExpectFile, ExpectError, UiAction, Input, AimAction, FitCamera, Snap, Shot,
-                            Sheet, Dump, Log, StartMovie, StopMovie, Needs, Fault, SlowImport>;
+                            ExpectFile, ExpectError, UiAction, Input, AimAction, FitCamera, Snap, Shot, Sheet, Dump,
+                            Log, StartMovie, StopMovie, Needs, Fault, SlowImport>;
 
 struct Statement {
   int source = 0;  // index into Script::sources

@@ -32,7 +32,7 @@ class QueryTest : public test::SessionTest {
   }
 
   Context context() {
-    return {session, stats, toast, title, [](std::string_view path) { return std::string(path); }};
+    return {session, stats, toast, title, [](std::string_view path) { return Widget{std::string(path)}; }};
   }
 
   FrameStats stats;

@@ -76,6 +76,37 @@ TEST(ui_driver, disabled_covered_hidden_missing_and_ambiguous_widgets_are_refuse
                   .ok());
   EXPECT_EQ(run_lines(fake, "expect visible \"A/never\"\n").code, base::Code::expectation);
   EXPECT_EQ(run_lines(fake, "expect enabled \"A/off\"\n").code, base::Code::expectation);
+  const auto contains = [&](const std::string& line, const std::string& text) {
+    const base::Status status = run_lines(fake, line + "\n");
+    EXPECT_NE(status.message.find(text), std::string::npos) << status.message;
+  };
+  contains("expect visible \"A/under\"", "expected visible \"A/under\", found covered by another window");
+  contains("expect visible \"A/gone\"", "found out of sight");
+  contains("expect visible \"A/twin\"", "matches several widgets");
+  contains("expect enabled \"A/never\"", "no widget \"A/never\"");
+}
+
+TEST(ui_driver, a_wait_for_a_widget_ends_when_it_shows_and_else_suggests_the_nearest) {
+  FakeHost fake;
+  fake.widgets = {widget("A/later")};
+  EXPECT_TRUE(run_lines(fake, "wait not visible \"A/never\" max 3 ticks\nlog visible \"A/later\"\n").ok());
+  for (const char* const line : {"visible \"A/laetr\"", "not enabled \"A/laetr\"", "text \"A/laetr\" == on"}) {
+    const base::Status late = run_lines(fake, fmt::format("wait {} max 3 ticks\n", line));
+    EXPECT_EQ(late.code, base::Code::timeout);
+    EXPECT_NE(late.message.find("no widget \"A/laetr\""), std::string::npos) << late.message;
+    EXPECT_NE(late.message.find("did you mean \"A/later\"?"), std::string::npos) << late.message;
+  }
+  Host host = fake.host();
+  host.widgets = [&fake] {
+    std::vector<WidgetState> shown{widget("A/later")};
+    shown[0].enabled = fake.frames.size() >= 5;
+    return shown;
+  };
+  base::Files files;
+  const ParsedScript parsed =
+      parse_script("coaster-script 1\nwait enabled \"later\" max 60 frames\n", "a.coaster", test_folder(), files);
+  EXPECT_TRUE(run_script(parsed.script, host, {*base::Root().open(test_folder() / "out"), false, {}}).ok());
+  EXPECT_EQ(fake.frames.size(), 5u);
 }
 
 TEST(ui_driver, a_widget_of_another_workspace_is_refused_with_its_name_and_the_workspace_stays) {
