@@ -142,6 +142,7 @@ Attempt attempt(const ForceTask& task, const ForcePath& path, const std::vector<
 
 // Returns the span to halve in order to mend a failing one: itself, or a longer neighbour at the joint where it fails.
 std::size_t longer(const Attempt& attempt, std::size_t k) {
+  if (attempt.errors[k].felt.error >= kNoSpan) return k;
   const auto length = [&](std::size_t i) { return attempt.at[i + 1] - attempt.at[i]; };
   const std::size_t worst = attempt.errors[k].felt.at;
   if (worst == attempt.at[k] && k > 0 && length(k - 1) > length(k)) return k - 1;
@@ -149,15 +150,17 @@ std::size_t longer(const Attempt& attempt, std::size_t k) {
   return k;
 }
 
-// Halves spans until none fails or none can be halved.
+// Halves spans until none fails or none can be halved. Those that do not follow the path are halved even where
+// rounding will then be felt.
 Attempt mended(const ForceTask& task, const ForcePath& path, Attempt now) {
   constexpr int kRounds = 8;
   for (int round = 0; round < kRounds && !now.failing.empty(); ++round) {
     std::vector<std::size_t> at = now.at;
-    for (const std::size_t k : now.failing)
-      if (const std::size_t first = now.at[longer(now, k)], last = now.at[longer(now, k) + 1];
-          last - first >= 2 * fewest_points(task, path, first))
-        at.push_back((first + last) / 2);
+    for (const std::size_t k : now.failing) {
+      const std::size_t halved = longer(now, k), first = now.at[halved], last = now.at[halved + 1];
+      const bool follows = now.errors[halved].felt.error < kNoSpan;
+      if (last - first >= 2 * (follows ? fewest_points(task, path, first) : 1)) at.push_back((first + last) / 2);
+    }
     std::sort(at.begin(), at.end());
     at.erase(std::unique(at.begin(), at.end()), at.end());
     if (at.size() == now.at.size()) break;

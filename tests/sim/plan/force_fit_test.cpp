@@ -180,6 +180,29 @@ TEST(force_fit, spans_of_curvature_bend_and_roll_as_asked_for) {
   }
 }
 
+// Where coordinates are coarse, riders feel the rounding of short spans. Bends that need short spans get them.
+TEST(force_fit, spans_far_from_the_origin_are_within_a_centimetre_of_sharp_bends) {
+  std::mt19937 random(2);
+  const auto uniform = [&](double low, double high) {
+    return std::uniform_real_distribution<double>(low, high)(random);
+  };
+  for (int i = 0; i < test::tries(40); ++i) {
+    ForceTask task;
+    const double far = uniform(500, 8000);
+    task.end.position = {far, 60, -0.7 * far};
+    world::ForceProgram& program = task.program;
+    program.of = world::ForceOf::curvature, program.tolerance = i % 2 == 0 ? 0.02 : 0.05, program.length = 60;
+    for (double at = 0; at < program.length; at += uniform(2, 12)) {
+      program.keys(ForceChannel::vertical).push_back({at, uniform(-0.3, 0.3)});
+      program.keys(ForceChannel::lateral).push_back({at, uniform(-0.1, 0.1)});
+    }
+    const ForcePlan plan = plan_force(task);
+    if (!plan.refusal.empty()) continue;
+    EXPECT_LE(worst_of(plan).distance, kElementDistance) << i << ", " << far << " m from the origin";
+    EXPECT_LT(plan.fit.felt_error, 100) << i << ": what riders feel";
+  }
+}
+
 TEST(force_fit, a_wider_tolerance_takes_fewer_spans) {
   test::RandomForces random(9);
   ForceTask task = random.next(150);
