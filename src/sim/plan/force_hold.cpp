@@ -282,18 +282,4 @@ class Holding {
 
 std::optional<ForceTask> hold_end(const ForceTask& task) { return Holding(task).run(); }
 
-double added_square(const ForceTask& task) {
-  if (!task.added) return 0;
-  const std::array<double, 3> units = units_of(task.program);
-  double sum = 0;
-  for (std::size_t c = 0; c < 3; ++c) {
-    const std::vector<world::ForceKey>& keys = task.added->channels[c];
-    for (std::size_t i = 0; i < keys.size(); ++i) {
-      const double value = keys[i].value / units[c];
-      sum += (i + 1 == keys.size() ? 0.5 : 1.0) * value * value;
-    }
-  }
-  return sum;
-}
-
 }  // namespace coaster::sim

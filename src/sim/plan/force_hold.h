@@ -18,7 +18,4 @@ inline constexpr double kRollPerG = 10;
 // per metre, a few times that where the end is far off.
 std::optional<ForceTask> hold_end(const ForceTask& task);
 
-// Returns that sum, in g^2: what hold_end() makes least. 0 without additions.
-double added_square(const ForceTask& task);
-
 }  // namespace coaster::sim

@@ -17,6 +17,25 @@ TrackEnd end_of(const ForceTask& task) {
   return {last.position, last.tangent, last.up, last.curvature, last.spin};
 }
 
+// Returns how much roll counts as much as 1 g, in the keys' units.
+double roll_per_g(const world::ForceProgram& program) {
+  return kRollPerG * (program.over == world::ForceOver::time ? program.speed : 1.0);
+}
+
+// Returns the sum that hold_end() makes least, g^2: over half a gap for the last key.
+double added_square(const ForceTask& task) {
+  const double bend = task.program.of == world::ForceOf::curvature ? kCurvaturePerG : 1.0;
+  double sum = 0;
+  for (std::size_t c = 0; c < 3; ++c) {
+    const std::vector<world::ForceKey>& keys = task.added->channels[c];
+    for (const world::ForceKey& key : keys) {
+      const double value = key.value / (c == 2 ? roll_per_g(task.program) : bend);
+      sum += (key == keys.back() ? 0.5 : 1.0) * value * value;
+    }
+  }
+  return sum;
+}
+
 // Turns an end about an axis of its own.
 void turn(TrackEnd& end, dvec3 axis, double angle) {
   for (dvec3* const v : {&end.forward, &end.up, &end.curvature})
@@ -164,7 +183,7 @@ TEST(force_hold, no_additions_beside_it_are_less) {
     const double least = added_square(*held);
     EXPECT_GT(least, 0.001);
     const std::size_t count = held->added->channels[0].size();
-    const double per_g = kRollPerG * (task.program.over == world::ForceOver::time ? task.program.speed : 1.0);
+    const double per_g = roll_per_g(task.program);
     int tried = 0;
     for (int k = 0; k < 12; ++k) {
       std::vector<std::pair<std::size_t, std::size_t>> nodes;
