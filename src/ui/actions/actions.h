@@ -33,7 +33,7 @@ struct Action {
   std::string_view menu;  // "View", or "View/Camera" for a menu inside; "" if it is in none
   platform::Chord chord;  // default key; Key::unknown for none (the user's settings may replace it: key_map.h)
   // kRepeats: again while the key is held; kInDrag: while the mouse drags something, too; kOnStart: on the start
-  // screen, too; kInList: while a list or menu is open, too.
+  // screen, too.
   unsigned keys;
   std::string_view help;
   void (*run)(Act& act);
@@ -41,7 +41,7 @@ struct Action {
   bool (*checked)(const Act& act) = nullptr;  // null: no mark
   platform::Chord other = {};                 // a second default key
 };
-inline constexpr unsigned kRepeats = 1, kInDrag = 2, kOnStart = 4, kInList = 8;
+inline constexpr unsigned kRepeats = 1, kInDrag = 2, kOnStart = 4;
 
 std::span<const Action> actions();
 // Returns the names and default keys of the actions, in the order of actions().

@@ -79,8 +79,7 @@ void next_snapping(Act& act) {
 
 void escape(Act& act) {
   if (cancel_drags(act) || act.ui.state.job.progress) return;  // the job's card takes it
-  if (ImGui::GetCurrentContext()->OpenPopupStack.Size > 0) ImGui::ClosePopupToLevel(0, true);
-  else if (card_shows(act.ui.session())) act.ui.emit(edit::CloseCard{});
+  if (card_shows(act.ui.session())) act.ui.emit(edit::CloseCard{});
   else if (on<&Aids::append_mode>(act)) toggle<&Aids::append_mode>(act);
   else if (act.ui.session().settings.aids->circuit > 0) act.ui.emit(edit::Set<&Aids::circuit>{0});
   else if (on<&Aids::show_element>(act)) toggle<&Aids::show_element>(act);
@@ -177,9 +176,8 @@ constexpr Action kEditActions[] = {
     {"Goal", "Edit", kNoKey, 0, "Let the program change numbers of the selection until the ride reaches a goal.",
      set_goal, kAnySelected},
 
-    {"Cancel", "", key(Key::escape), kInDrag | kInList,
-     "Cancel a drag, close a list or the score card, end append mode, hide the preview, or clear the selection.",
-     escape},
+    {"Cancel", "", key(Key::escape), kInDrag,
+     "Cancel a drag, close the score card, end append mode, hide the preview, or clear the selection.", escape},
 };
 
 }  // namespace

@@ -153,12 +153,11 @@ void Host::Parts::lay_out(Ui& ui, const platform::Events& events, int width, int
   const bool framed = std::exchange(frame_next, false);
   const view::Viewport& beside = ui.out.free = beside_hints(ui, layout.scene, 300 * ui.scale);
   if (framed) ui.emit(edit::set_camera(framed_all(session, layout.scene, beside)));
-  const bool typing = text_has_keyboard(), asking = dialogs.open() || start.open(), listing = list_open();
+  const bool typing = text_has_keyboard(), asking = dialogs.open() || start.open(), listing = input.listing();
   take_files(ui, events);
   Act act{ui, tool, layout.scene, beside, hovered, palette};
   if (start.open() && !dialogs.open()) run_keys(act, events, kOnStart);
-  else if (!typing && !asking && listing) run_keys(act, events, kInList);
-  else if (!typing && !asking)
+  else if (!typing && !asking && !listing)
     tool.transform().active() ? run_transform_keys(act, events) : run_keys(act, without_force_keys(ui, events));
   take_want(ui);
   fly_keys.fly(ui, events, typing || listing || asking || dialogs.open());
@@ -176,7 +175,8 @@ void Host::Parts::lay_out(Ui& ui, const platform::Events& events, int width, int
   take_want(ui);
   if (!dialogs.open()) start.build(ui, events, static_cast<float>(width), static_cast<float>(height));
   take_want(ui);
-  dialogs.build(ui, events, typing, static_cast<float>(width), static_cast<float>(height));
+  dialogs.build(ui, listing ? platform::Events{} : events, typing, static_cast<float>(width),
+                static_cast<float>(height));
   settle_gesture(ui);
   hovered = tool.update(ui, view);
   if (hovered.kind == view::PickKind::none) hovered = ui.pointed;

@@ -8,6 +8,7 @@
 #include <utility>
 #include <variant>
 
+#include "ui/screens/dialogs.h"
 #include "ui/widgets/imgui_compat.h"
 
 namespace coaster::ui {
@@ -38,6 +39,15 @@ constexpr std::pair<Key, ImGuiKey> kKeys[] = {{Key::tab, ImGuiKey_Tab},
                                               {Key::x, ImGuiKey_X},
                                               {Key::y, ImGuiKey_Y},
                                               {Key::z, ImGuiKey_Z}};
+
+// Returns how many of the open popups are not lists and menus in front of everything: a dialog.
+int popups_behind_lists() {
+  const auto& popups = ImGui::GetCurrentContext()->OpenPopupStack;
+  int count = popups.Size;
+  const auto is_dialog = [](const ImGuiWindow* w) { return w != nullptr && (w->Flags & ImGuiWindowFlags_Modal) != 0; };
+  while (count > 0 && !is_dialog(popups[count - 1].Window)) --count;
+  return count;
+}
 
 }  // namespace
 
@@ -141,6 +151,12 @@ void ImGuiInput::feed(const platform::Events& events, int width, int height, boo
   show_mouse(wheel);
   for (std::size_t i = 0; i < keys.size(); ++i) set_key(kKeys[i].second, keys[i]);
   set_modifiers(modifiers_.ctrl, modifiers_.shift, modifiers_.alt);
+  const int behind = popups_behind_lists();
+  listing_ = behind < ImGui::GetCurrentContext()->OpenPopupStack.Size;
+  const bool choosing = listing_ && !text_has_keyboard;
+  set_list_keys(choosing);
+  // All of them: a menu inside another one would open again under the mouse.
+  if (choosing && pressed(events, Key::escape)) ImGui::ClosePopupToLevel(behind, true);
   // For fingers widgets reach half of the way to the next one.
   ImGuiStyle& style = ImGui::GetStyle();
   style.TouchExtraPadding = finger_ ? ImVec2(0.5f * style.ItemSpacing.x, 0.5f * style.ItemSpacing.y) : ImVec2();

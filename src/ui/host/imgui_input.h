@@ -20,6 +20,7 @@ class ImGuiInput {
   // before NewFrame. Tab goes to ImGui only while `text_has_keyboard`; otherwise it is the program's.
   void feed(const platform::Events& events, int width, int height, bool text_has_keyboard);
   bool clicks_wait() const { return !waiting_.empty(); }  // for the next frames: one takes a single change of a button
+  bool listing() const { return listing_; }               // a list or menu is open, which gets this frame's keys
   bool finger() const { return finger_; }                 // the mouse is a finger on a touch screen
 
  private:
@@ -50,7 +51,7 @@ class ImGuiInput {
   std::array<Press, 3> presses_;
   ImVec2 mouse_{-FLT_MAX, -FLT_MAX};  // ImGui's value for "no mouse"
   Buttons down_{};
-  bool finger_ = false;
+  bool finger_ = false, listing_ = false;
   Keys held_{};
   platform::Modifiers modifiers_;
   std::string late_text_;

@@ -249,6 +249,7 @@ std::optional<int> combo(WidgetFrame& ui, std::string_view label, std::span<cons
     for (std::size_t i = 0; i < choices.size(); ++i) {
       const bool on = static_cast<int>(i) == current;
       if (ImGui::Selectable(choices[i].label.c_str(), on) && !on) chosen = static_cast<int>(i);
+      if (on) ImGui::SetItemDefaultFocus();  // the arrows start here
       note_item(ui, fmt::format("{}/{}", label, choices[i].label), "item", choices[i].tooltip, true, on ? "on" : "off");
     }
     ImGui::PopStyleColor();

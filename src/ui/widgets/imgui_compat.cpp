@@ -46,6 +46,30 @@ void set_modifiers(bool ctrl, bool shift, bool alt) {
 #endif
 }
 
+void set_list_keys(bool on) {
+  ImGuiIO& io = ImGui::GetIO();
+  ImGuiContext& g = *ImGui::GetCurrentContext();
+  io.ConfigFlags = on ? ImGuiConfigFlags_NavEnableKeyboard : ImGuiConfigFlags_None;
+#if IMGUI_VERSION_NUM < 18700
+  // Enter chooses only in newer versions; Space does in all.
+  if (on && (io.KeysDown[ImGuiKey_Enter] || io.KeysDown[kKeypadEnter])) io.KeysDown[ImGuiKey_Space] = true;
+#endif
+#if IMGUI_VERSION_NUM >= 19140
+  bool& visible = g.NavCursorVisible;
+  visible = visible && on;
+#else
+  g.NavDisableHighlight = g.NavDisableHighlight || !on;
+  const bool visible = !g.NavDisableHighlight;
+#endif
+  // A menu opened by the mouse has no item chosen yet: the first press of Down chooses the first one, not the second.
+  if (!on || visible || g.NavWindow == nullptr || (g.NavWindow->Flags & ImGuiWindowFlags_ChildMenu) == 0) return;
+#if IMGUI_VERSION_NUM >= 19000
+  g.NavInitResult.ID = 0;
+#else
+  g.NavInitResultId = 0;
+#endif
+}
+
 #if IMGUI_VERSION_NUM >= 19200
 
 namespace {

@@ -23,6 +23,8 @@ void set_mouse(ImVec2 position, ImVec2 wheel);  // pixels; notches since the las
 void set_button(int button, bool down);
 void set_key(ImGuiKey key, bool down);
 void set_modifiers(bool ctrl, bool shift, bool alt);
+// With `on`, the arrows, Home, End, Enter and Escape move, choose and close in the lists and menus of the next frame.
+void set_list_keys(bool on);
 
 // Returns the line height of a font, px.
 float pixels_of(const ImFont& font);

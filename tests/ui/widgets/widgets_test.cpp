@@ -9,6 +9,7 @@
 #include "edit/commands/set_setting.h"
 #include "ui/stage.h"
 #include "world/evaluation.h"
+#include "world/look.h"
 
 namespace coaster::ui {
 namespace widgets_test {
@@ -144,6 +145,64 @@ TEST_F(WidgetsTest, a_list_opens_covers_what_is_under_it_and_chooses) {
   EXPECT_EQ(session_.settings.evaluation->arc_length, static_cast<curve::ArcLengthId>(1));
   EXPECT_EQ(find(second), nullptr);
   EXPECT_FALSE(find("Evaluation/Show polyline")->covered);
+}
+
+TEST_F(WidgetsTest, keys_choose_in_a_list_and_do_not_reach_the_track) {
+  const auto methods = curve::arc_length_methods();
+  const auto chosen = [&] { return static_cast<std::size_t>(session_.settings.evaluation->arc_length); };
+  const auto choose = [&](std::initializer_list<platform::Key> keys) {
+    click("Evaluation/Arc length");
+    for (const platform::Key k : keys) key(k), frames(2);
+    EXPECT_FALSE(host_->wants_keyboard()) << "the list is closed";
+    return chosen();
+  };
+  using platform::Key;
+  const std::size_t first = chosen(), last = methods.size() - 1;
+  ASSERT_LT(first + 2, last);
+  EXPECT_EQ(choose({Key::down, Key::down, Key::enter}), first + 2) << "it starts at the current choice";
+  EXPECT_EQ(choose({Key::up, Key::keypad_enter}), first + 1);
+  EXPECT_EQ(choose({Key::end, Key::enter}), last);
+  EXPECT_EQ(choose({Key::home, Key::down, Key::enter}), 1u);
+  EXPECT_EQ(choose({Key::down, Key::escape}), 1u);
+  EXPECT_TRUE(all<edit::PlaceElement>().empty());
+  EXPECT_EQ(session_.motion.state, world::RideState::stopped);
+}
+
+TEST_F(WidgetsTest, keys_walk_through_menus_from_the_first_item_on) {
+  using platform::Key;
+  const auto press_keys = [&](std::initializer_list<Key> keys) {
+    for (const Key k : keys) key(k), frames(2);
+  };
+  click("Menu/Edit");
+  frames(2);
+  ASSERT_TRUE(find("Menu/Edit/Undo")->enabled);
+  const std::size_t knots = session_.document.track.knots.size(), steps = session_.history.undo.size();
+  press_keys({Key::down, Key::enter});
+  EXPECT_EQ(session_.history.undo.size(), steps - 1);
+  press_keys({Key::enter, Key::space, Key::down});
+  EXPECT_EQ(session_.history.undo.size(), steps - 1) << "the menu is closed";
+  EXPECT_EQ(session_.motion.state, world::RideState::running) << "Space is the ride's again";
+  EXPECT_EQ(session_.document.track.knots.size(), knots);
+}
+
+TEST_F(WidgetsTest, escape_closes_a_list_before_its_dialog) {
+  user_.emplace();
+  key(platform::Key::comma, {.ctrl = true});
+  frames(3);
+  ASSERT_NE(find("Settings/Theme"), nullptr);
+  click("Settings/Theme");
+  const std::string item = "Settings/Theme/" + std::string(base::row_of(world::Theme::light).label);
+  ASSERT_NE(find(item), nullptr);
+  key(platform::Key::escape);
+  frames(2);
+  EXPECT_EQ(find(item), nullptr);
+  ASSERT_NE(find("Settings/Theme"), nullptr);
+  click("Settings/Theme");
+  key(platform::Key::down), frames(2), key(platform::Key::enter), frames(2);
+  EXPECT_NE(session_.settings.look->theme, world::Theme::dark) << "not the dialog's Enter";
+  key(platform::Key::escape);
+  frames(2);
+  EXPECT_EQ(find("Settings/Theme"), nullptr);
 }
 
 TEST_F(WidgetsTest, a_closed_header_hides_its_panel_and_opens_again) {
