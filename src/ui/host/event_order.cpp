@@ -26,19 +26,20 @@ platform::Events EventOrder::take(const platform::Events& events, bool text_has_
   const bool opens = opening_ > 0 && opening_ <= kMostFrames;
   platform::Events taken;
   const platform::Events before = std::exchange(waiting_, {});
-  bool clicked = clicks_wait || opens, pressed = false;
+  bool clicked = clicks_wait || opens, pressed = false, chorded = false;
   const auto take_one = [&](const platform::Event& event) {
     const auto* const press = std::get_if<platform::KeyPress>(&event);
     const bool button = std::holds_alternative<platform::MouseButton>(event);
     const bool key = press != nullptr && press->down && press->key != Key::unknown;
     // The text of a key comes right after it.
     const bool text = std::holds_alternative<platform::TextInput>(event);
-    if (!waiting_.empty() || (clicked && (key || text)) || (pressed && (key || button))) {
+    if (!waiting_.empty() || chorded || (clicked && (key || text)) || (pressed && (key || button))) {
       waiting_.push_back(event);
       return;
     }
     clicked = clicked || button;
     pressed = pressed || (press != nullptr && acts(*press, text_has_keyboard));
+    chorded = key && text_has_keyboard && press->modifiers.ctrl;
     taken.push_back(event);
   };
   for (const platform::Event& event : before) take_one(event);

@@ -47,6 +47,12 @@ TEST_F(EventOrderTest, a_key_waits_for_the_click_before_it) {
   EXPECT_FALSE(order.waits());
 }
 
+TEST_F(EventOrderTest, in_a_text_field_everything_waits_for_a_key_with_ctrl) {
+  const KeyPress ctrl_a{Key::a, true, false, {.ctrl = true}};
+  EXPECT_EQ(frame({ctrl_a, KeyPress{Key::a, false}, TextInput{"x"}}, true), "A");
+  EXPECT_EQ(frame({}, true), "-A'x'");
+}
+
 TEST_F(EventOrderTest, a_click_waits_for_the_key_before_it) {
   EXPECT_EQ(frame({KeyPress{Key::n}, TextInput{"n"}, kDown, kUp}), "N'n'");
   EXPECT_EQ(frame({}), "v^");
