@@ -5,10 +5,14 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <functional>
 #include <optional>
-#include <sstream>
+#include <tuple>
 #include <vector>
 
+#include <fmt/format.h>
+
+#include "base/text.h"
 #include "base/words.h"
 #include "edit/commands/codec.h"
 #include "edit/commands/commands_challenge.h"
@@ -28,8 +32,26 @@ struct PaletteLine {
   std::string_view command;  // its first word
   bool typed = false;
   bool enabled = true;  // otherwise `help` says why not
-  int score = 0;
+  Match match;
 };
+
+std::vector<std::string> words_of(std::string_view text) {
+  std::vector<std::string> words(1);
+  for (const char c : base::lower(text))
+    if (std::string_view(" ._/,:;|").find(c) == std::string_view::npos) words.back() += c;
+    else if (!words.back().empty()) words.emplace_back();
+  if (words.back().empty()) words.pop_back();
+  return words;
+}
+
+// True if the word is nearly one of the name, or its beginning.
+bool is_typo(const std::string& word, const std::vector<std::string>& in_name) {
+  constexpr std::size_t kShort = 4;  // letters; nearly everything is near to shorter words
+  if (word.size() < kShort) return false;
+  std::vector<std::string> near = in_name;
+  for (const std::string& whole : in_name) near.push_back(whole.substr(0, word.size()));
+  return base::nearest(word, near).has_value();
+}
 
 std::optional<edit::Command> parsed(const char* line) {
   std::vector<base::Token> tokens;
@@ -39,24 +61,43 @@ std::optional<edit::Command> parsed(const char* line) {
   return command ? std::optional(*command) : std::nullopt;
 }
 
-// Returns what matches the words, best first; of equals what can run now.
+// Returns what is wrong in a line that begins with the command and goes on; "" for other lines.
+std::string wrong_in(const char* line, std::string_view command) {
+  std::vector<base::Token> tokens;
+  base::TextError error;
+  if (!base::tokenise(line, tokens, error)) return base::sentence(error.message);
+  if (tokens.size() < 2 || tokens[0].text != command || edit::parse(tokens, error)) return "";
+  return base::sentence(error.message);
+}
+
+// Returns the entries that miss the least of the words, best first: what can run now, then the grey ones. A name typed
+// in full is first in any case, to say why it cannot run.
 std::vector<PaletteLine> entries(Act& act, const char* words) {
   std::vector<PaletteLine> list;
   for (const Action& action : actions())
-    if (const int score = match(words, action.name, action.help); score > 0 && action.name != "Command palette") {
+    if (action.name != "Command palette") {
       const bool enabled = action.enabled.holds(act);
       list.push_back({.name = std::string(action.name),
                       .keys = act.ui.keys.shown(action.name),
                       .help = enabled ? action.help : action.enabled.otherwise,
                       .action = &action,
                       .enabled = enabled,
-                      .score = score + (enabled ? 1 : 0)});
+                      .match = match(words, action.name, action.help)});
     }
   for (const edit::CommandHelp& command : edit::command_table())
-    if (const int score = match(words, command.info.name, command.info.help); score > 0)
-      list.push_back({.name = command.usage, .help = command.info.help, .command = command.info.name, .score = score});
-  std::stable_sort(list.begin(), list.end(),
-                   [](const PaletteLine& a, const PaletteLine& b) { return a.score > b.score; });
+    list.push_back({.name = command.usage,
+                    .help = command.info.help,
+                    .command = command.info.name,
+                    .match = match(words, command.info.name, fmt::format("{} {}", command.usage, command.info.help))});
+  int least = 2 * static_cast<int>(words_of(words).size());
+  for (const PaletteLine& line : list) least = std::min(least, line.match.missing);
+  if (least > 0 && least == 2 * static_cast<int>(words_of(words).size())) list.clear();
+  std::erase_if(list, [&](const PaletteLine& line) { return line.match.missing > least; });
+  const std::string wanted = base::lower(words);
+  const auto rank = [&](const PaletteLine& line) {
+    return std::tuple(base::lower(line.name) == wanted, line.enabled, line.match.score);
+  };
+  std::ranges::stable_sort(list, std::greater(), rank);
   if (parsed(words))
     list.insert(list.begin(), PaletteLine{.name = words, .keys = "Enter", .help = "Run this command.", .typed = true});
   return list;
@@ -81,6 +122,9 @@ void choose(Act& act, CommandPalette& palette, const PaletteLine& entry) {
   } else if (entry.typed) {
     palette.open = false;
     run_command(act.ui, *parsed(palette.text.data()));
+  } else if (const std::string problem = wrong_in(palette.text.data(), entry.command); !problem.empty()) {
+    act.ui.warn(problem);
+    palette.filled = true;
   } else {  // a command needs its arguments
     const std::string line = std::string(entry.command) + " ";
     std::memcpy(palette.text.data(), line.c_str(), std::min(line.size() + 1, palette.text.size()));
@@ -120,18 +164,20 @@ bool draw_row(Ui& ui, const PaletteLine& entry, bool chosen) {
 
 }  // namespace
 
-int match(std::string_view words, std::string_view name, std::string_view help) {
-  const std::string in_name = base::lower(name), in_help = base::lower(help);
-  std::istringstream wanted(base::lower(words));
-  int score = 1;
-  for (std::string word; wanted >> word;) {
-    const std::size_t place = in_name.find(word);
-    if (place == 0) score += 20;
-    else if (place != std::string::npos) score += in_name[place - 1] == ' ' || in_name[place - 1] == '_' ? 12 : 8;
-    else if (in_help.find(word) != std::string::npos) score += 2;
-    else return 0;
+Match match(std::string_view words, std::string_view name, std::string_view help) {
+  const std::vector<std::string> in_name = words_of(name), in_help = words_of(help);
+  const auto starts = [](const std::string& word) {
+    return [&](const std::string& other) { return other.starts_with(word); };
+  };
+  Match result;
+  for (const std::string& word : words_of(words)) {
+    const auto found = std::ranges::find_if(in_name, starts(word));
+    if (found != in_name.end()) result.score += (found == in_name.begin() ? 20 : 12) + (*found == word ? 4 : 0);
+    else if (base::lower(name).find(word) != std::string::npos) result.score += 8;
+    else if (std::ranges::any_of(in_help, starts(word))) result.score += 2;
+    else result.missing += is_typo(word, in_name) ? 1 : 2;
   }
-  return score;
+  return result;
 }
 
 void toggle_palette(CommandPalette& palette) {
@@ -173,7 +219,7 @@ void build_palette(Act& act, CommandPalette& palette) {
     for (int i = first; i < std::min(count, first + kShown); ++i)
       if (const PaletteLine& line = list[static_cast<std::size_t>(i)]; draw_row(ui, line, i == palette.row))
         choose(act, palette, line);
-    if (count == 0) heading(ui, "No matches.###Nothing is called that.", "");
+    if (count == 0) heading(ui, "No matches.", "");
     if (entered && count > 0) choose(act, palette, list[static_cast<std::size_t>(palette.row)]);
     else if (entered) palette.filled = true;
     // Escape, or a click elsewhere.

@@ -17,8 +17,12 @@ struct CommandPalette {
 void toggle_palette(CommandPalette& palette);
 void build_palette(Act& act, CommandPalette& palette);
 
-// Returns how well `words` (separated by spaces) match an entry. 0 unless all of them occur in name or help, ignoring
-// case.
-int match(std::string_view words, std::string_view name, std::string_view help);
+// How well words match an entry.
+struct Match {
+  int missing = 0;  // 2 for each word that occurs neither in name nor help, 1 for one that is a typo of the name's
+  int score = 0;    // more for the beginning of a word of the name than for a part of one, and for those than for help
+};
+// Matches words (separated by spaces, in any order) with an entry, ignoring case.
+Match match(std::string_view words, std::string_view name, std::string_view help);
 
 }  // namespace coaster::ui

@@ -1,5 +1,8 @@
 #include "ui/actions/command_palette.h"
 
+#include <algorithm>
+
+#include "edit/commands/commands_shape.h"
 #include "ui/stage.h"
 
 namespace coaster::ui {
@@ -12,11 +15,22 @@ using platform::TextInput;
 struct CommandPaletteTest : Stage {};
 
 TEST(command_palette, words_are_found_in_any_order_and_names_count_more_than_help) {
-  EXPECT_EQ(match("xyz", "Select all", "Select every knot."), 0);
-  EXPECT_GT(match("all sel", "Select all", "Select every knot."), 0);
-  EXPECT_GT(match("sel", "Select all", ""), match("sel", "Box select", ""));
-  EXPECT_GT(match("knot", "move @knot", ""), match("knot", "Select all", "Select every knot."));
-  EXPECT_GT(match("", "anything", ""), 0);
+  const auto score = [](std::string_view words, std::string_view name, std::string_view help) {
+    return match(words, name, help).score;
+  };
+  EXPECT_EQ(match("all sel", "Select all", "Select every knot.").missing, 0);
+  EXPECT_GT(score("sel", "Select all", ""), score("sel", "Box select", ""));
+  EXPECT_GT(score("sel", "Box select", ""), score("sel", "Unselect", ""));
+  EXPECT_GT(score("knot", "move_knot", ""), score("knot", "Select all", "Select every knot."));
+  EXPECT_GT(score("go", "Go", ""), score("go", "Goal", ""));
+  EXPECT_EQ(match("", "anything", "").missing, 0);
+}
+
+TEST(command_palette, a_typo_is_nearer_than_another_word) {
+  EXPECT_EQ(match("srceen", "Start screen", "").missing, 1);
+  EXPECT_EQ(match("srceen", "Screenshot", "").missing, 1) << "the beginning of a word";
+  EXPECT_EQ(match("xyz", "Select all", "Select every knot.").missing, 2);
+  EXPECT_EQ(match("lap", "Map", "").missing, 2) << "short words are near to everything";
 }
 
 TEST_F(CommandPaletteTest, a_key_pressed_right_after_it_opens_is_text_and_no_shortcut) {
@@ -44,12 +58,63 @@ TEST_F(CommandPaletteTest, what_cannot_run_now_says_why_and_words_without_a_matc
   frames(3);
   EXPECT_EQ(find("Palette/Text")->value, "mirror section") << "still open";
   EXPECT_NE(host_->toast().find("elect"), std::string::npos) << host_->toast();
+  key(Key::escape);
+  key(Key::p, {.ctrl = true});
+  frames(4);
   text("xyz");
   key(Key::enter);
   frames(3);
   text("c");
-  EXPECT_EQ(find("Palette/Text")->value, "mirror sectionxyzc");
+  EXPECT_EQ(find("Palette/Text")->value, "xyzc");
   EXPECT_TRUE(commands_.empty());
+}
+
+TEST_F(CommandPaletteTest, what_can_run_comes_first_and_near_misses_are_listed) {
+  const auto lines = [&](const char* words) {
+    key(Key::p, {.ctrl = true});
+    frames(4);
+    frame({TextInput{words}});
+    frames(3);
+    std::vector<std::pair<std::string, bool>> found;
+    for (const Widget& widget : host_->widgets())
+      if (widget.kind == "item" && widget.path.starts_with("Palette/"))
+        found.emplace_back(widget.path.substr(8), widget.enabled);
+    key(Key::escape);
+    frames(2);
+    return found;
+  };
+  const auto mirror = lines("mirror");
+  ASSERT_GE(mirror.size(), 3u);
+  EXPECT_TRUE(mirror[0].first.starts_with("mirror @knot")) << mirror[0].first;
+  EXPECT_FALSE(mirror.back().second) << "no section is selected";
+  const auto near = lines("mirror selected z");
+  ASSERT_FALSE(near.empty());
+  EXPECT_TRUE(near[0].first.starts_with("mirror @knot")) << near[0].first;
+  const auto typo = lines("srceen");
+  EXPECT_NE(std::ranges::find(typo, std::pair<std::string, bool>("Start screen", true)), typo.end());
+  EXPECT_TRUE(lines("qqqq").empty());
+  EXPECT_TRUE(lines("qqqq wwww").empty());
+}
+
+TEST_F(CommandPaletteTest, a_wrong_argument_is_explained_and_stays) {
+  key(Key::p, {.ctrl = true});
+  frames(4);
+  frame({TextInput{"mirror selected z"}});
+  frames(2);
+  key(Key::enter);
+  frames(2);
+  EXPECT_EQ(find("Palette/Text")->value, "mirror selected z");
+  EXPECT_NE(host_->toast().find("across"), std::string::npos) << host_->toast();
+  EXPECT_TRUE(all<edit::Mirror>().empty());
+}
+
+TEST_F(CommandPaletteTest, text_typed_right_after_ctrl_a_replaces_everything) {
+  key(Key::p, {.ctrl = true});
+  frames(4);
+  frame({TextInput{"mirror"}});
+  frame({KeyPress{Key::a, true, false, {.ctrl = true}}, KeyPress{Key::a, false, false, {}}, TextInput{"fov"}});
+  frames(3);
+  EXPECT_EQ(find("Palette/Text")->value, "fov");
 }
 
 TEST_F(CommandPaletteTest, a_camera_line_keeps_the_values_that_it_does_not_give) {
