@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "base/names.h"
+#include "query/rows.h"
 
 namespace coaster::query {
 namespace {
@@ -182,9 +183,11 @@ bool parse_condition(Words& words, Condition& condition, std::string_view stop) 
   const base::Token* const name = words.take("a query");
   if (!name) return false;
   condition.column = name->column;
-  condition.query = name->text;
   condition.text = name->text;
-  const Query* const query = find_query(name->text);
+  const bool hidden = name->text == "hidden", opposite = hidden || name->text == "disabled";
+  condition.query = !opposite ? name->text : hidden ? "visible" : "enabled";
+  condition.negated = condition.negated != opposite;
+  const Query* const query = find_query(condition.query);
   if (!query)
     return words.fail(name->column, fmt::format("no query {}{}", base::quoted(name->text),
                                                 base::suggestion(name->text, base::names_in(queries()))));
@@ -205,11 +208,16 @@ bool parse_condition(Words& words, Condition& condition, std::string_view stop) 
     return words.at_end() || (!stop.empty() && !words.peek()->quoted && words.peek()->text == stop);
   };
   if (stops()) return true;
-  const base::Token* const op = words.take("an operator");
-  condition.op = op_of(*op);
-  if (!condition.op)
-    return words.fail(op->column, "expected == != < <= > >= or ~ (contains), found " + base::quoted(op->text));
-  condition.text += " " + op->text;
+  const base::Token* const op = words.peek();
+  if (query->values.words == on_off && rank_of(*query, op->text)) {  // "closed off"
+    condition.op = Op::equal;
+  } else {
+    words.take("an operator");
+    condition.op = op_of(*op);
+    if (!condition.op)
+      return words.fail(op->column, "expected == != < <= > >= or ~ (contains), found " + base::quoted(op->text));
+    condition.text += " " + op->text;
+  }
   while (!stops() && !tolerance_in(*words.peek())) {
     const base::Token* const value = words.take("a value");
     condition.text += " " + as_written(*value);

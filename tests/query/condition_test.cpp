@@ -102,6 +102,22 @@ TEST(condition, the_values_have_the_type_of_the_query) {
   EXPECT_EQ(parse_error("shown comb == maybe").substr(0, 25), "15: expected off or on, f");
 }
 
+TEST(condition, switches_are_asked_for_by_value_and_widgets_by_opposites) {
+  const query::Value on = query::Ranked{1, "on"}, off = query::Ranked{0, "off"};
+  EXPECT_EQ(holds_for("on", on), 1);
+  EXPECT_EQ(holds_for("off", on), 0);
+  EXPECT_EQ(holds_for("off", off), 1);
+  EXPECT_EQ(holds_for("3", 3.0, "knots"), -1) << "numbers want an operator";
+  for (const std::string query : {"visible", "enabled"}) {
+    const std::string opposite = query == "visible" ? "hidden" : "disabled";
+    EXPECT_EQ(holds_for("Track", on, query), 1);
+    EXPECT_EQ(holds_for("Track", on, opposite), 0);
+    EXPECT_EQ(holds_for("Track off", off, query), 1);
+    EXPECT_EQ(holds_for("Track", off, opposite), 1);
+    EXPECT_EQ(holds_for("Track", off, "not " + opposite), 0);
+  }
+}
+
 TEST(condition, a_parameter_of_an_element_is_a_number_or_one_of_its_choices) {
   EXPECT_EQ(parse_error("section.value @q1.height == tall"), "29: expected a number, found \"tall\"");
   EXPECT_EQ(parse_error("element.value height <= 3"), "");
