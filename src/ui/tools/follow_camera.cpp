@@ -68,6 +68,7 @@ void FollowCamera::update(Ui& ui, const view::View& view, const view::Viewport& 
     now.last = knots.back(), now.end = world::knot(session.document, now.last).position;
     points.push_back(now.end);
   }
+  const bool undo = session.history.redo.size() > std::exchange(undone_, session.history.redo.size());
   const bool may = settings.feel->follow && settings.camera_mode == world::CameraMode::orbit && !busy;
   const auto there = [&](const std::vector<glm::vec3>& shown) {
     return view::kept_in_view(settings.camera, shown, view.viewport, free);
@@ -78,7 +79,7 @@ void FollowCamera::update(Ui& ui, const view::View& view, const view::Viewport& 
     if (before && *before != now) {
       to_.reset();
       const bool carried = before->last.valid() && before->last == now.last && before->end != now.end;
-      if (may && !points.empty() && (!carried || near(settings.camera, there({before->end}))) &&
+      if (may && !points.empty() && (!carried || (!undo && near(settings.camera, there({before->end})))) &&
           !near(settings.camera, there(points)))
         to_ = there(points), sent_ = settings.camera;
     }

@@ -1,6 +1,6 @@
 // Keeps new track in view: when the open end or the palette's preview leaves the picture, the orbit camera moves,
 // damped, until it is visible. Never while the mouse or a number field drags something, and not for an end that a
-// change of earlier track moves while it is out of the picture.
+// change of earlier track moves while it is out of the picture, or that undo moves back.
 #pragma once
 
 #include <optional>
@@ -24,6 +24,7 @@ class FollowCamera {
     std::vector<glm::vec3> preview;  // preview_points()
     friend bool operator==(const Seen&, const Seen&) = default;
   };
+  std::size_t undone_ = 0;           // steps that redo has in the last frame: more of them are an undo
   bool busy_ = false;                // in the last frame: its commands may still change the track
   std::optional<Seen> seen_;         // the last state; nothing before the first frame
   std::optional<world::Camera> to_;  // target of the camera's motion

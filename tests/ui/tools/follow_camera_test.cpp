@@ -85,6 +85,23 @@ TEST_F(FollowCameraTest, leaves_the_camera_where_it_looks_when_an_end_out_of_the
   EXPECT_TRUE(shows({150, 9, 3})) << "it leaves the picture";
 }
 
+TEST_F(FollowCameraTest, stays_when_undo_moves_the_end_out_of_the_picture_again) {
+  append({150, 6, 3});
+  frames(2);
+  follow(true);
+  ASSERT_TRUE(edit::apply(session_, files_, edit::MoveKnot{{{world::Kind::knot, 4}}, {21, 9, 3}}));
+  frames(30);
+  ASSERT_TRUE(shows({21, 9, 3}));
+  key(platform::Key::z, {.ctrl = true});
+  frames(60);
+  EXPECT_FALSE(shows(knot(4).position));
+  EXPECT_TRUE(all<edit::SetCamera>().empty());
+  key(platform::Key::y, {.ctrl = true});
+  key(platform::Key::z, {.ctrl = true}), key(platform::Key::z, {.ctrl = true});
+  frames(60);
+  EXPECT_TRUE(all<edit::SetCamera>().empty()) << "the end of the shorter track shows";
+}
+
 TEST_F(FollowCameraTest, does_not_follow_a_drag_that_is_cancelled) {
   follow(true);
   const glm::vec2 knot = pixel_of(3);
