@@ -50,20 +50,29 @@ Entity section_after(const Document& document, const SectionRun& run) {
 // Changes of speed up to this leave a section as it is.
 constexpr double kSameSpeed = 0.002;  // m/s
 
-// Returns the speed at which the train will come to the force section behind a plan's: from its start the train gains
-// and loses the same energy as in the session's document, but for the heights. 0 if the sections are new.
-double speed_behind(const Session& session, const sim::ForcePlan& plan, Entity section, Entity next) {
-  const Document& former = session.document;
-  const auto energy = [](double speed, double height) { return speed * speed + 2 * world::kGravity * height; };
-  const auto known = [&](Entity e) -> std::optional<double> {
-    const auto* const value = former.entities.find<world::Section>(e);
-    if (value == nullptr || value->kind != SectionKind::force) return std::nullopt;
-    return energy(value->force.speed, nth_knot(former, world::run_of(former, e).first).position.y);
-  };
-  const std::optional<double> from = known(section), to = known(next);
-  if (!from || !to) return 0;
-  const double now = energy(plan.task.program.speed, plan.task.end.position.y) + *to - *from;
-  return std::sqrt(std::max(now - energy(0, plan.fit.spans.knots.back().position.y), 0.0));
+// Returns the energy with which the train comes to a force section of the document, m^2/s^2: twice that of a kilogram.
+// Nothing for other sections, and where the document has none of that name.
+std::optional<double> energy_at(const Document& document, Entity section) {
+  const auto* const value = document.entities.find<world::Section>(section);
+  if (value == nullptr || value->kind != SectionKind::force) return std::nullopt;
+  const double height = nth_knot(document, world::run_of(document, section).first).position.y;
+  return value->force.speed * value->force.speed + 2 * world::kGravity * height;
+}
+
+// Gives a force section the speed at which the train comes with what it has gained.
+void put_speed(const Session& session, const Change& change, Document& document, Entity section) {
+  const std::optional<double> former = energy_at(session.document, section);
+  if (!change.gained || !former) return;
+  double& speed = document.entities.get<world::Section>(section).force.speed;
+  const double square = speed * speed + *former + *change.gained - *energy_at(document, section);
+  if (square < world::kSlowestForce * world::kSlowestForce) return;
+  if (const double now = std::sqrt(square); std::abs(now - speed) > kSameSpeed) speed = now;
+}
+
+bool has_equipment(const Document& document, const SectionRun& run) {
+  for (std::size_t i = run.first; i < run.end(); ++i)
+    if (document.entities.find<world::Equipment>(document.track.segments[i]) != nullptr) return true;
+  return false;
 }
 
 // Gives the section the fit's shape and its last knot the fit's spin; the following track does not move.
@@ -77,7 +86,7 @@ void put_end(Document& document, const SectionRun& run, const sim::ElementFit& f
 }  // namespace
 
 Status put_and_follow(Session& session, Change& change, Document& document, const SectionRun& run,
-                      const sim::ElementFit& fit, const sim::ForcePlan* plan) {
+                      const sim::ElementFit& fit) {
   const Entity next = section_after(document, run);
   const auto home = world::completing(document, run.end());
   if (home && home->first == run.end()) return put_end(document, run, fit), Status{};
@@ -92,11 +101,7 @@ Status put_and_follow(Session& session, Change& change, Document& document, cons
     return put_in_place(document, run, fit);
   }
   change.planned.push_back(next);
-  if (kind == SectionKind::force && plan != nullptr)
-    if (const double speed = speed_behind(session, *plan, run.section, next); speed >= world::kSlowestForce)
-      if (double& planned = document.entities.get<world::Section>(next).force.speed;
-          std::abs(speed - planned) > kSameSpeed)
-        planned = speed;
+  if (has_equipment(document, run)) change.gained.reset();
   return kind == SectionKind::element
              ? replan(session, change, document, next, world::section(document, next).element, Following::planned)
              : replan_force(session, change, document, next);
@@ -104,6 +109,9 @@ Status put_and_follow(Session& session, Change& change, Document& document, cons
 
 Status replan_force(Session& session, Change& change, Document& document, Entity section) {
   const SectionRun run = world::run_of(document, section);
+  put_speed(session, change, document, section);
+  if (const std::optional<double> former = energy_at(session.document, section))
+    change.gained = *energy_at(document, section) - *former;
   const sim::ForceTask task = sim::force_task(document, run, world::section(document, section).force);
   const sim::ForcePlan& plan = session.findings.memory.forces.plan(task);
   if (!plan.refusal.empty()) return refused(plan.refusal);
@@ -116,8 +124,8 @@ Status replan_force(Session& session, Change& change, Document& document, Entity
       change.clamped.push_back(unmet);
     return reshape(document, section, plan.fit.spans, SectionEnd::stays), Status{};
   }
-  const sim::ForcePlan planned = plan;  // the memory may move while what follows is planned
-  return put_and_follow(session, change, document, run, planned.fit.spans, &planned);
+  const sim::ElementFit fit = plan.fit.spans;  // the memory may move while what follows is planned
+  return put_and_follow(session, change, document, run, fit);
 }
 
 bool follow_speeds(Session& session, Change& change) {
@@ -139,6 +147,7 @@ bool follow_speeds(Session& session, Change& change) {
     if (session.findings.memory.forces.has(task)) continue;
     Document next = session.document;
     next.entities.get<world::Section>(section).force = program;
+    change.gained.reset();
     Status status = replan_force(session, change, next, section);
     const bool differs = !(next == session.document);
     if (status && differs) status = adopt(session, change, session.document, std::move(next));

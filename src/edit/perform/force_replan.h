@@ -11,12 +11,11 @@ namespace coaster::edit {
 // replan(). Changes nothing on failure, except that `document` is unusable then.
 base::Status replan_force(Session& session, Change& change, world::Document& document, world::Entity section);
 
-// Gives a section the shape of a fit, of that plan if it is a force section. A planned section that follows is planned
-// again if the new end has another direction or curvature, and so on; other track moves along if it fits the end
-// (put_in_place). Speeds of following force sections change as the plan's, so that follow_speeds() rarely plans them
-// again.
+// Gives a section the shape of a fit. A planned section that follows is planned again if the new end has another
+// direction or curvature, and so on; other track moves along if it fits the end (put_in_place). What the train gains at
+// a force section it still has at the next one (Change::gained), so that follow_speeds() rarely plans that again.
 base::Status put_and_follow(Session& session, Change& change, world::Document& document, const world::SectionRun& run,
-                            const sim::ElementFit& fit, const sim::ForcePlan* plan = nullptr);
+                            const sim::ElementFit& fit);
 
 // Gives a force section another program and plans it again, with what follows; refused if it cannot be planned.
 base::Status change_forces(Session& session, Change& change, world::Entity section, const world::ForceProgram& to);

@@ -29,7 +29,9 @@ struct Change {
   std::optional<world::Entity> select{};  // the selection on success
   std::vector<world::Entity> also{};      // further selected knots
   std::vector<world::Entity> planned{};   // sections that the command planned again, besides its own
-  bool remeasure = false;                 // a setting that derived data depends on has changed
+  // m^2/s^2: twice the energy of a kilogram that the train has more than before where sections are planned again
+  std::optional<double> gained{};
+  bool remeasure = false;  // a setting that derived data depends on has changed
 
   // Returns `value` clamped to [low,high]; adds a sentence about WHAT and the limit if that changed it. Finite values
   // only: double, float, int and std::int64_t.

@@ -96,22 +96,28 @@ TEST_F(Forces, many_keep_their_plans) {
 }
 
 // The speed at each follows from the one before it, so none is planned for a speed that the train no longer has.
-TEST_F(Forces, neighbours_are_planned_once_each_when_the_train_comes_faster) {
+class ForcesInARow : public Forces, public testing::WithParamInterface<const char*> {};
+INSTANTIATE_TEST_SUITE_P(between, ForcesInARow,
+                         testing::Values("", "element straight length 15", "element curve left radius 60 angle 40"));
+
+TEST_P(ForcesInARow, are_planned_once_each_when_the_train_comes_faster) {
   for (const char* const line : {"start_speed 38", "element straight length 10", "element climb height 30"}) good(line);
-  for (int i = 3; i <= 5; ++i) {
+  std::vector<std::string> names;
+  for (int i = 0; i < 3; ++i) {
     good("force.add length 50");
-    section = fmt::format("q{}", i);
+    names.push_back(section = world::label_of(session.document, last()));
     key("vertical key 1 at 0"), key("vertical key 1.8 at 14"), key("vertical key 0.2 at 30");
     key("vertical key 1.3 at 48"), key("roll key 0.8 at 15"), key("roll key -0.8 at 35");
+    if (i < 2 && *GetParam() != '\0') good(GetParam());
   }
   for (const char* const cars : {"1", "6"}) {
     good(std::string("train @c1 cars ") + cars);
     const std::uint64_t before = plan().serial;
     good(std::string("start_speed ") + (*cars == '1' ? "38.03" : "38.06"));
     EXPECT_EQ(plan().serial, before + 3) << cars << " cars";
-    for (const char* const name : {"q3", "q4", "q5"}) {
+    for (const std::string& name : names) {
       section = name;
-      const std::size_t first = world::run_of(session.document, entity(name)).first;
+      const std::size_t first = world::run_of(session.document, entity(name.c_str())).first;
       EXPECT_NEAR(program().speed, *edit::speed_at(session, session.derived.starts[first]), 0.002) << name;
       EXPECT_LT(missed(), 0.06) << name;
     }
