@@ -231,6 +231,15 @@ addEventListener('drop', (event) => {
   if (event.dataTransfer.files.length > 0) take(event.dataTransfer.files[0]).then(openFile);
 });
 
+// A page may play after an input, a finger only where it is lifted; Emscripten tries where it is put down. A call or
+// another tab may have silenced the page.
+function play() {
+  if (!window.AL) return;
+  for (const { audioCtx } of Object.values(AL.contexts))
+    if (audioCtx.state !== 'running' && audioCtx.state !== 'closed') audioCtx.resume();
+}
+for (const input of ['touchend', 'mouseup', 'keydown']) addEventListener(input, play, true);
+
 // Some browsers let a page write the clipboard only during an input, and in timers that begin there and last at most a
 // second (WebKit). The program copies in a later frame. What none of them takes waits for the next input.
 let copied = null;  // what the clipboard does not have yet
@@ -252,7 +261,9 @@ function writeClipboard(failed) {
 }
 function copy(text) {
   copied = text;
-  const tell = () => { if (copied === text) note('This browser copies only during a click or a key: press once more.'); };
+  const tell = () => {
+    if (copied === text) note('This browser copies only during a click or a key: press once more.');
+  };
   writeClipboard();
   setTimeout(() => writeClipboard(tell), 1000);
 }

@@ -84,9 +84,7 @@ class WebSurface final : public Surface {
     // clang-format on
   }
   void toggle_full_screen() override {
-    // clang-format off
-    if (window_) EM_ASM({ Module.coasterFullScreen(); });
-    // clang-format on
+    if (window_) EM_ASM(Module.coasterFullScreen());
   }
   void end_sound() override {
     // clang-format off
@@ -231,17 +229,6 @@ class WebSurface final : public Surface {
     emscripten_set_wheel_callback(kCanvas, this, EM_FALSE, on_wheel);
     emscripten_set_keydown_callback(EMSCRIPTEN_EVENT_TARGET_WINDOW, this, EM_FALSE, on_key);
     emscripten_set_keyup_callback(EMSCRIPTEN_EVENT_TARGET_WINDOW, this, EM_FALSE, on_key);
-    // A finger lets a page play where it is lifted; Emscripten tries where it is put down. A call or another tab may
-    // have silenced the page.
-    // clang-format off
-    EM_ASM({
-      const play = () => {
-        for (const device of Object.values(AL.contexts))
-          if (device.audioCtx.state !== 'running' && device.audioCtx.state !== 'closed') device.audioCtx.resume();
-      };
-      for (const input of ['touchend', 'mouseup', 'keydown']) addEventListener(input, play, true);
-    });
-    // clang-format on
     emscripten_set_focus_callback(EMSCRIPTEN_EVENT_TARGET_WINDOW, this, EM_FALSE, on_focus);
     emscripten_set_blur_callback(EMSCRIPTEN_EVENT_TARGET_WINDOW, this, EM_FALSE, on_focus);
   }

@@ -96,17 +96,18 @@ TEST(ui_driver, a_wait_for_a_widget_ends_when_it_shows_and_else_suggests_the_nea
     EXPECT_NE(late.message.find("no widget \"A/laetr\""), std::string::npos) << late.message;
     EXPECT_NE(late.message.find("did you mean \"A/later\"?"), std::string::npos) << late.message;
   }
-  Host host = fake.host();
-  host.widgets = [&fake] {
+  FakeHost later;
+  Host host = later.host();
+  host.widgets = [&later] {
     std::vector<WidgetState> shown{widget("A/later")};
-    shown[0].enabled = fake.frames.size() >= 5;
+    shown[0].enabled = later.frames.size() >= 5;
     return shown;
   };
   base::Files files;
   const ParsedScript parsed =
       parse_script("coaster-script 1\nwait enabled \"later\" max 60 frames\n", "a.coaster", test_folder(), files);
   EXPECT_TRUE(run_script(parsed.script, host, {*base::Root().open(test_folder() / "out"), false, {}}).ok());
-  EXPECT_EQ(fake.frames.size(), 5u);
+  EXPECT_EQ(later.frames.size(), 5u);
 }
 
 TEST(ui_driver, a_widget_of_another_workspace_is_refused_with_its_name_and_the_workspace_stays) {

@@ -36,6 +36,11 @@ if (navigator.clipboard) {
   navigator.clipboard.writeText = (text) => answering ? write(text) : Promise.reject(new Error('no input'));
 }
 """
+# As in a page that does not come by https, until the test reads the clipboard.
+WITHOUT_CLIPBOARD = """
+const later = navigator.clipboard;
+Object.defineProperty(Navigator.prototype, 'clipboard', { get: () => window.given && later });
+"""
 # Opens no dialog for a file: its field stays in the page.
 CATCH_FILE_DIALOG = "HTMLInputElement.prototype.click = function () { document.body.append(this); };"
 
@@ -110,7 +115,10 @@ class Hands(Page):
         self.open_track()
         self.assertTrue(self.copied(lambda: self.key("l", CTRL | SHIFT)).startswith(self.address))
         # A copy that no input asked for is taken at the next one, and the page says so.
-        write = lambda: self.execute("document.getElementById('note').hidden = true; Module.coasterCopy('late')")
+        def write():
+            time.sleep(1.5)  # the timers of the last input have ended
+            self.execute("document.getElementById('note').hidden = true; Module.coasterCopy('late')")
+
         write()
         self.until(lambda: not self.js("document.getElementById('note').hidden"), "the page asks for an input")
         self.assertEqual(self.copied(lambda: self.click(800, 90)), "late")
@@ -120,8 +128,7 @@ class Hands(Page):
         self.assertEqual(self.copied(lambda: self.click(800, 90)), "")
 
     def test_a_link_is_copied_without_https(self):
-        self.before_load("const later = navigator.clipboard;"
-                         "Object.defineProperty(Navigator.prototype, 'clipboard', { get: () => window.given && later });")
+        self.before_load(WITHOUT_CLIPBOARD)
         self.open_track()
         self.key("l", CTRL | SHIFT)
         self.execute("window.given = true")

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
-#include <functional>
 #include <optional>
 #include <tuple>
 #include <vector>
@@ -97,7 +96,8 @@ std::vector<PaletteLine> entries(Act& act, const char* words) {
   const auto rank = [&](const PaletteLine& line) {
     return std::tuple(base::lower(line.name) == wanted, line.enabled, line.match.score);
   };
-  std::ranges::stable_sort(list, std::greater(), rank);
+  std::stable_sort(list.begin(), list.end(),
+                   [&](const PaletteLine& a, const PaletteLine& b) { return rank(a) > rank(b); });
   if (parsed(words))
     list.insert(list.begin(), PaletteLine{.name = words, .keys = "Enter", .help = "Run this command.", .typed = true});
   return list;
