@@ -28,12 +28,6 @@ void NearTrack::update(const Derived& derived) {
   std::sort(indices_.begin(), indices_.end());
 }
 
-NearTrack NearTrack::without_eye(const Derived& derived) {
-  NearTrack near;
-  near.everywhere_ = detail_of(derived).parts;
-  return near;
-}
-
 // Returns false if more is within reach than may be near.
 bool NearTrack::gather(const Derived& derived, float reach) {
   const float most = reach + kEyeOff;

@@ -31,9 +31,6 @@ class NearTrack {
   // segment, none for the others.
   void update(const Derived& derived);
 
-  // Everything, if the track has parts everywhere without regard to the number of segments.
-  static NearTrack without_eye(const Derived& derived);
-
   bool everywhere() const { return everywhere_; }
   // Indices into derived.order, ascending; none if everything is near.
   const std::vector<std::size_t>& indices() const { return indices_; }
