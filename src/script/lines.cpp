@@ -188,10 +188,16 @@ constexpr Elsewhere kElsewhere[]{
     {"while", kNoConditions}, {"let", kNoVariables},
     {"var", kNoVariables},    {"set", "; a setting is set by its name and value, such as steps 64"}};
 
-// Returns what the message about an unknown first word ends with: what another language's word is here, else the word
-// that was probably meant, else one with the same last part (click: ui.click), else where all are listed.
-std::string near_words(std::string_view word) {
+// Returns what the message about an unknown first word ends with: the word that it and the next one are with a dot
+// (ride start), else what another language's word is here, else the word that was probably meant, else one with the
+// same last part (click: ui.click), else where all are listed.
+std::string near_words(std::span<const base::Token> line) {
   const std::vector<std::string>& known = statement_words();
+  const std::string_view word = line[0].text;
+  if (line.size() > 1)
+    if (const std::string dotted = fmt::format("{}.{}", word, line[1].text);
+        std::find(known.begin(), known.end(), dotted) != known.end())
+      return base::suggestion(dotted, known);
   for (const Elsewhere& row : kElsewhere)
     if (row.word == word) return row.here.starts_with(';') ? std::string(row.here) : base::suggestion(row.here, known);
   if (std::string near = base::suggestion(word, known); !near.empty()) return near;
@@ -229,7 +235,7 @@ bool parse_line(std::span<const base::Token> line, base::TextError& error, Actio
     const bool spans_lines = std::find(known.begin(), known.end(), first.text) != known.end();
     error = {first.column, spans_lines
                                ? fmt::format("expected a statement of one line, found {}", base::quoted(first.text))
-                               : fmt::format("no command {}{}", base::quoted(first.text), near_words(first.text))};
+                               : fmt::format("no command {}{}", base::quoted(first.text), near_words(line))};
     return false;
   }
   auto command = edit::parse(line, error);

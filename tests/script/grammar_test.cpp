@@ -80,6 +80,8 @@ TEST(grammar, words_of_other_programs_lead_to_what_to_write) {
   ends("paste", "^ did you mean \"section.paste\"?");
   ends("assert knots == 3", "^ did you mean \"expect\"?");
   ends("screenshot \"a.png\"", "^ did you mean \"shot\"?");
+  ends("ride start", "^ did you mean \"ride.start\"?");
+  ends("ui click \"Ride/Play\"", "^ did you mean \"ui.click\"?");
   ends("for i in 1..3", "^ did you mean \"repeat\"?");
   ends("check \"Track/Closed\" on", "^ did you mean \"ui.check\"?");
   EXPECT_NE(message("let n = 3").find("scripts have no variables"), std::string::npos);
