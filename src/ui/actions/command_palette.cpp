@@ -88,9 +88,10 @@ std::vector<PaletteLine> entries(Act& act, const char* words) {
                     .help = command.info.help,
                     .command = command.info.name,
                     .match = match(words, command.info.name, fmt::format("{} {}", command.usage, command.info.help))});
-  int least = 2 * static_cast<int>(words_of(words).size());
+  const int all = 2 * static_cast<int>(words_of(words).size());
+  int least = all;
   for (const PaletteLine& line : list) least = std::min(least, line.match.missing);
-  if (least > 0 && least == 2 * static_cast<int>(words_of(words).size())) list.clear();
+  if (all > 0 && least == all) list.clear();
   std::erase_if(list, [&](const PaletteLine& line) { return line.match.missing > least; });
   const std::string wanted = base::lower(words);
   const auto rank = [&](const PaletteLine& line) {
