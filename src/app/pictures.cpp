@@ -154,8 +154,8 @@ base::Status compare_picture(Program& program, const std::string& name, const st
   if (!reference) return reference.status();
   // Goldens are Mesa's pictures; browsers draw by ANGLE.
   const bool as_mesa = program.surface->library() != "WebGL 2";
-  const gfx::Difference difference = gfx::compare(
-      picture, *reference, as_mesa ? gfx::Difference::kMostShare : gfx::Difference::kMostShareOfOtherSamples);
+  const gfx::Tolerance tolerance = as_mesa ? gfx::Difference::kSameSamples : gfx::Difference::kOtherSamples;
+  const gfx::Difference difference = gfx::compare(picture, *reference, tolerance);
   if (difference.acceptable) return {};
   for (const base::Status& wrote : {write(root, at("new.png"), picture), write(root, at("reference.png"), *reference)})
     if (!wrote) return wrote;
@@ -171,8 +171,8 @@ base::Status compare_picture(Program& program, const std::string& name, const st
       base::Code::expectation,
       fmt::format("the picture differs from {} in {} pixels, {} of them in an 8x8 block; another driver may change {} "
                   "and {}; see {}",
-                  golden.string(), difference.pixels, difference.worst_block, difference.most_pixels,
-                  gfx::Difference::kMostInBlock, at("html").string())};
+                  golden.string(), difference.pixels, difference.worst_block, difference.most_pixels, tolerance.block,
+                  at("html").string())};
 }
 
 }  // namespace coaster::app

@@ -19,7 +19,7 @@ bool differs(const std::uint8_t* a, const std::uint8_t* b) {
 
 }  // namespace
 
-Difference compare(const Image& picture, const Image& golden, double most_share) {
+Difference compare(const Image& picture, const Image& golden, Tolerance tolerance) {
   Difference result;
   result.same_size = picture.width == golden.width && picture.height == golden.height;
   if (!result.same_size) {
@@ -47,8 +47,8 @@ Difference compare(const Image& picture, const Image& golden, double most_share)
       out[3] = 255;
     }
   }
-  result.most_pixels = static_cast<long>(most_share * double(width) * double(height));
-  result.acceptable = result.pixels <= result.most_pixels && result.worst_block <= Difference::kMostInBlock;
+  result.most_pixels = static_cast<long>(tolerance.share * double(width) * double(height));
+  result.acceptable = result.pixels <= result.most_pixels && result.worst_block <= tolerance.block;
   return result;
 }
 

@@ -25,14 +25,18 @@ Image half_size(const Image& picture);
 // with a margin of `gap` px around every cell.
 Image contact_sheet(std::span<const Image> pictures, int columns, int gap);
 
+// What a driver may change in a golden picture: a fraction of all pixels, and pixels of one aligned 8x8 block.
+struct Tolerance {
+  double share;
+  int block;
+};
+
 // The rule of golden pictures: sizes are equal; a pixel differs if a channel differs by more than 16; pictures differ
-// if over 0.05 % of the pixels differ or any aligned 8x8 block has more than 8 differing pixels. This distinguishes
-// drivers from defects: a driver that rounds differently changes isolated pixels at edges; a defect is a patch. A patch
-// of 10x10 pixels, wherever it lies, covers at least 5x5 of one block. A driver with other samples changes more of the
-// isolated pixels.
+// if more pixels differ than the tolerance says. This distinguishes drivers from defects: a driver that rounds
+// differently changes isolated pixels at edges; a defect is a patch. A patch of 10x10 pixels, wherever it lies, covers
+// at least 5x5 of one block. A driver with other samples changes more isolated pixels, and both edges of a thin post.
 struct Difference {
-  static constexpr int kMostInBlock = 8;
-  static constexpr double kMostShare = 0.0005, kMostShareOfOtherSamples = 0.004;  // fractions of the pixels
+  static constexpr Tolerance kSameSamples{0.0005, 8}, kOtherSamples{0.004, 16};
   bool same_size = true;
   long pixels = 0;       // number of differing pixels
   long most_pixels = 0;  // acceptable number
@@ -40,6 +44,6 @@ struct Difference {
   bool acceptable = true;
   Image picture;  // differing pixels in red over a grey copy
 };
-Difference compare(const Image& picture, const Image& golden, double most_share = Difference::kMostShare);
+Difference compare(const Image& picture, const Image& golden, Tolerance tolerance = Difference::kSameSamples);
 
 }  // namespace coaster::gfx

@@ -7,9 +7,10 @@ namespace {
 
 constexpr float kTrackSide = 256, kTrainSide = 16;  // m, the smallest squares
 
-// Returns the texels per side: no more than the picture can show, which matters for small pictures.
+// Returns the texels per side: no more than the picture can show, which matters for small pictures, but so many that
+// one is smaller than the track is wide: wider ones shade the track itself where the light grazes it.
 int texels_for(const view::Viewport& viewport) {
-  int size = 512;
+  int size = 1024;
   while (size < 2048 && static_cast<float>(size) < 2 * std::max(viewport.width, viewport.height)) size *= 2;
   return size;
 }
