@@ -69,8 +69,9 @@ void WidgetList::add(std::string_view path, std::string_view kind, glm::vec2 low
   const ImGuiWindow* window = ImGui::GetCurrentWindowRead();
   const glm::vec2 middle = (low + high) * 0.5f;
   Widget widget;
-  widget.path = joined(path, false);
-  if (path.find(kId) != std::string_view::npos) widget.alias = joined(path, true);
+  const bool has_id = path.find(kId) != std::string_view::npos;
+  widget.path = has_id ? joined(path, false) : std::string(path);
+  if (has_id) widget.alias = joined(path, true);
   widget.kind = kind;
   widget.x = low.x;
   widget.y = low.y;
