@@ -15,9 +15,17 @@ namespace complete_circuit_test {
 constexpr float kLength = 60;  // m
 constexpr double kLeastRadius = 8;
 
-world::Document straight() {
+world::Document straight(float length = kLength) {
   world::Document d;
-  for (const float x : {0.0f, kLength}) world::append_knot(d, test::skew_knot({x, 5, 0}, {1, 0, 0}, 20, 20));
+  for (const float x : {0.0f, length}) world::append_knot(d, test::skew_knot({x, 5, 0}, {1, 0, 0}, 20, 20));
+  return d;
+}
+
+// Its train passes the open end at about `speed`, m/s.
+world::Document ridden_straight(float length, float speed) {
+  world::Document d = straight(length);
+  d.start_speed = speed;
+  world::add_cart(d, d.track.segments.front(), 0);
   return d;
 }
 
@@ -25,8 +33,9 @@ CircuitProposals ways_home(const world::Document& document) {
   const Derived derived = test::derived_of(document);
   Conflicts conflicts;
   conflicts.update(derived);
+  GhostMemo rides;
   CircuitMemo memo;
-  return memo.update(document, derived, conflicts, nullptr);
+  return memo.update(document, derived, conflicts, rides.ride(document, derived, world::first_cart(document)));
 }
 
 // The shortest path back to the start of a straight, in its direction, is two half circles and a straight.
@@ -63,6 +72,22 @@ TEST(complete_circuit, plans_with_the_drag_that_the_train_has_by_its_mass) {
     const double drag = std::log(ride.samples.front().speed / last.speed) / last.travelled;
     EXPECT_NEAR(task->losses.drag, drag, 1e-3 * drag) << mass << " kg";
   }
+}
+
+// Rougher ways are offered only where no gentle one is found.
+TEST(complete_circuit, offers_gentle_ways_alone_where_there_are_any) {
+  int gentle = 0, ways = 0;
+  for (const float speed : {12.0f, 18.0f, 24.0f})
+    for (const float length : {40.0f, 120.0f}) {
+      const CircuitProposals found = ways_home(ridden_straight(length, speed));
+      ASSERT_FALSE(found.assumed);
+      int of_these = 0;
+      for (const CircuitProposal& way : found.list) of_these += way.felt.side <= kGentleSide;
+      EXPECT_TRUE(of_these == 0 || of_these == static_cast<int>(found.list.size()))
+          << speed << " m/s, " << length << " m";
+      gentle += of_these, ways += static_cast<int>(found.list.size());
+    }
+  EXPECT_GT(gentle, ways / 2);
 }
 
 TEST(complete_circuit, is_refused_without_a_segment_and_for_a_closed_track) {
