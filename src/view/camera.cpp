@@ -18,7 +18,6 @@ namespace {
 
 constexpr float kNearPlane = 0.2f;      // m
 constexpr float kFarPlane = 20'000.0f;  // m, at least; more for distant eyes
-constexpr float kMargin = 1.1f;         // framing leaves a tenth of the picture free
 constexpr float kNearest = 2.0f;        // m, the smallest distance of framing
 constexpr float kFurthest = 1e5f;       // m, for intersections
 
@@ -203,7 +202,7 @@ std::optional<float> meet_vertical(const Ray& ray, glm::vec3 point) {
 }
 
 world::Camera kept_in_view(const world::Camera& camera, std::span<const glm::vec3> points, Viewport viewport,
-                           Viewport free) {
+                           Viewport free, float margin) {
   if (points.empty()) return camera;
   viewport = with_area(viewport), free = with_area(free);
   const glm::mat3 axes = axes_of(camera);
@@ -211,7 +210,7 @@ world::Camera kept_in_view(const world::Camera& camera, std::span<const glm::vec
   const glm::vec2 size(viewport.width, viewport.height), free_size(free.width, free.height);
   const glm::vec2 tangent = std::tan(glm::radians(camera.field_of_view_deg) * 0.5f) * glm::vec2(size.x / size.y, 1);
   const glm::vec2 off = (2.0f * glm::vec2(free.x - viewport.x, free.y - viewport.y) + free_size - size) / size;
-  const glm::vec2 centre(off.x, -off.y), half = free_size / size / kMargin;
+  const glm::vec2 centre(off.x, -off.y), half = free_size / size / margin;
   // From an eye at x0, d back, a point at x, b back shows if -(d - b) under <= x - x0 <= (d - b) over: bounds of x0,
   // and likewise of y0.
   const glm::vec2 over = tangent * (half + centre), under = tangent * (half - centre);

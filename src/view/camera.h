@@ -87,10 +87,12 @@ std::optional<float> meet_vertical(const Ray& ray, glm::vec3 point);
 // ratio.
 world::Camera frame_box(const world::Camera& from, glm::vec3 low, glm::vec3 high, Viewport viewport);
 // Returns the camera moved perpendicular to its line of sight, and back if that is not enough, by the least amount that
-// shows all points with a margin in `free`, the part of the viewport that nothing covers, none of them nearer than a
-// fifth of its distance. Returns the camera itself if it already does.
+// shows all points in `free`, the part of the viewport that nothing covers, and leaves a margin: `free` is at least
+// `margin` (>= 1) times as wide and high as what they take around its middle. No point is nearer than a fifth of its
+// distance. Returns the camera itself if it already does.
+inline constexpr float kMargin = 1.1f;  // a tenth of the picture stays free
 world::Camera kept_in_view(const world::Camera& camera, std::span<const glm::vec3> points, Viewport viewport,
-                           Viewport free);
+                           Viewport free, float margin = kMargin);
 // Does the same as frame_box() for the whole track (40 m about the origin if it is empty) or for one entity.
 world::Camera frame_all(const world::Camera& from, const world::Document& document, Viewport viewport);
 world::Camera frame_entity(const world::Camera& from, const world::Document& document, world::Entity entity,

@@ -12,11 +12,13 @@
 #include "ui/tools/viewport_tool.h"
 #include "world/aids.h"
 #include "world/camera_feel.h"
+#include "world/sections.h"
 
 namespace coaster::ui {
 namespace {
 
 constexpr float kLag = 0.15f;  // s
+constexpr float kRoom = 1.4f;  // a camera that has to move leaves room for what comes next
 
 world::Camera between(const world::Camera& from, const world::Camera& to, float part) {
   world::Camera camera = from;
@@ -28,6 +30,15 @@ world::Camera between(const world::Camera& from, const world::Camera& to, float 
 bool near(const world::Camera& a, const world::Camera& b) {
   const float least = 2e-3f * b.distance;
   return glm::distance(a.target, b.target) < least && std::abs(a.distance - b.distance) < least;
+}
+
+// Appends the knots of the section that ends at a knot, if it is not free.
+void add_section(const world::Document& document, world::Entity last, std::vector<glm::vec3>& points) {
+  const world::Entity section = world::section_of_knot(document, last);
+  if (!section.valid() || world::is_free(document, section)) return;
+  const world::SectionRun run = world::run_of(document, section);
+  for (std::size_t i = run.first; i < run.end(); ++i)
+    points.emplace_back(world::knot(document, document.track.knots[i]).position);
 }
 
 }  // namespace
@@ -70,8 +81,8 @@ void FollowCamera::update(Ui& ui, const view::View& view, const view::Viewport& 
   }
   const bool undo = session.history.redo.size() > std::exchange(undone_, session.history.redo.size());
   const bool may = settings.feel->follow && settings.camera_mode == world::CameraMode::orbit && !busy;
-  const auto there = [&](const std::vector<glm::vec3>& shown) {
-    return view::kept_in_view(settings.camera, shown, view.viewport, free);
+  const auto there = [&](const std::vector<glm::vec3>& shown, float margin = view::kMargin) {
+    return view::kept_in_view(settings.camera, shown, view.viewport, free, margin);
   };
   // Changes during a drag are followed when it has ended.
   if (!std::exchange(busy_, busy) && !busy) {
@@ -79,9 +90,10 @@ void FollowCamera::update(Ui& ui, const view::View& view, const view::Viewport& 
     if (before && *before != now) {
       to_.reset();
       const bool carried = before->last.valid() && before->last == now.last && before->end != now.end;
+      if (now.last.valid() && before->last != now.last && !undo) add_section(session.document, now.last, points);
       if (may && !points.empty() && (!carried || (!undo && near(settings.camera, there({before->end})))) &&
           !near(settings.camera, there(points)))
-        to_ = there(points), sent_ = settings.camera;
+        to_ = there(points, kRoom), sent_ = settings.camera;
     }
   }
   if (!to_) return;

@@ -21,6 +21,11 @@ struct FollowCameraTest : Stage {
   }
   void follow(bool on) { ASSERT_TRUE(edit::apply(session_, files_, edit::Set<&world::CameraFeel::follow>{on})); }
   void append(glm::vec3 at) { ASSERT_TRUE(edit::apply(session_, files_, edit::AppendKnot{at})); }
+  void place_straight(double length) {
+    world::Element element = world::usual_element(world::ElementKind::straight);
+    element.values[0] = length;
+    ASSERT_TRUE(edit::apply(session_, files_, edit::PlaceElement{element}));
+  }
   bool shows(glm::vec3 at) const {
     const auto pixel = view::project(host_->view(), at);
     return pixel && host_->view().viewport.contains(glm::vec2(*pixel));
@@ -134,14 +139,34 @@ TEST_F(FollowCameraTest, keeps_the_end_and_what_is_framed_beside_the_first_steps
   for (std::uint32_t number = 1; number <= 4; ++number) EXPECT_GT(pixel_of(number).x, right) << number;
 }
 
-TEST_F(FollowCameraTest, shows_the_way_home_and_the_next_one) {
-  const auto straight = [&](double length) {
-    world::Element element = world::usual_element(world::ElementKind::straight);
-    element.values[0] = length;
-    ASSERT_TRUE(edit::apply(session_, files_, edit::PlaceElement{element}));
-  };
+TEST_F(FollowCameraTest, shows_the_section_just_placed_and_leaves_it_out_of_sight_later) {
   ASSERT_TRUE(edit::apply(session_, files_, edit::NewTrack{}));
-  straight(60), straight(60);
+  ASSERT_TRUE(edit::apply(session_, files_, edit::set_camera({.target = {150, 2, 0}, .distance = 60})));
+  follow(true);
+  frames(3);
+  place_straight(120);
+  frames(120);
+  EXPECT_TRUE(shows({0, 2, 0}) && shows({120, 2, 0})) << "both of its ends";
+  ASSERT_TRUE(edit::apply(session_, files_, edit::set_camera({.target = {150, 2, 0}, .distance = 60})));
+  frames(3);
+  commands_.clear();
+  ASSERT_TRUE(edit::apply(session_, files_, edit::Set<&world::Aids::show_element>{true}));
+  frames(60);
+  EXPECT_FALSE(shows({0, 2, 0})) << "the user has turned to its end, where the preview is";
+}
+
+TEST_F(FollowCameraTest, leaves_room_beside_what_it_brings_into_view) {
+  follow(true);
+  append({150, 6, 3});
+  frames(120);
+  const view::Viewport& all = host_->view().viewport;
+  EXPECT_LT(pixel_of(4).x - all.x, 0.9f * all.width);
+  EXPECT_GT(pixel_of(4).x - all.x, 0.5f * all.width);
+}
+
+TEST_F(FollowCameraTest, shows_the_way_home_and_the_next_one) {
+  ASSERT_TRUE(edit::apply(session_, files_, edit::NewTrack{}));
+  place_straight(60), place_straight(60);
   ASSERT_TRUE(edit::apply(session_, files_, edit::set_camera({.target = {120, 2, 0}, .distance = 40})));
   follow(true);
   frames(3);
