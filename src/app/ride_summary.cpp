@@ -60,7 +60,7 @@ void finish_summary(edit::Session& session, RideSummary& summary) {
   const edit::Findings& found = edit::find(session, edit::Want::ride);
   if (found.ride == nullptr) return;
   const sim::Ratings felt = sim::rate(*found.ride, *found.tables, summary.cutoff);
-  summary.most_up = felt.up_most.value, summary.least_up = felt.up_least.value,
+  summary.most_up = felt.up_most.value, summary.least_up = felt.up_least.value;
   summary.most_side = felt.side_most.value;
 }
 
