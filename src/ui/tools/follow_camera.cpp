@@ -32,13 +32,20 @@ bool near(const world::Camera& a, const world::Camera& b) {
   return glm::distance(a.target, b.target) < least && std::abs(a.distance - b.distance) < least;
 }
 
-// Appends the knots of the section that ends at a knot, if it is not free.
-void add_section(const world::Document& document, world::Entity last, std::vector<glm::vec3>& points) {
-  const world::Entity section = world::section_of_knot(document, last);
+void add_knots(const world::Document& document, std::size_t first, std::size_t end, std::vector<glm::vec3>& points) {
+  for (std::size_t i = first; i < end; ++i)
+    points.emplace_back(world::knot(document, document.track.knots[i]).position);
+}
+
+// Appends the knots of what is new: all of a track that was closed, or else the section, if it is not free, that ends
+// at the open end.
+void add_new(const world::Document& document, std::vector<glm::vec3>& points) {
+  const std::vector<world::Entity>& knots = document.track.knots;
+  if (document.track.closed) return add_knots(document, 0, knots.size(), points);
+  const world::Entity section = knots.empty() ? world::kNone : world::section_of_knot(document, knots.back());
   if (!section.valid() || world::is_free(document, section)) return;
   const world::SectionRun run = world::run_of(document, section);
-  for (std::size_t i = run.first; i < run.end(); ++i)
-    points.emplace_back(world::knot(document, document.track.knots[i]).position);
+  add_knots(document, run.first, run.end(), points);
 }
 
 }  // namespace
@@ -90,7 +97,7 @@ void FollowCamera::update(Ui& ui, const view::View& view, const view::Viewport& 
     if (before && *before != now) {
       to_.reset();
       const bool carried = before->last.valid() && before->last == now.last && before->end != now.end;
-      if (now.last.valid() && before->last != now.last && !undo) add_section(session.document, now.last, points);
+      if (before->last != now.last && !undo) add_new(session.document, points);
       if (may && !points.empty() && (!carried || (!undo && near(settings.camera, there({before->end})))) &&
           !near(settings.camera, there(points)))
         to_ = there(points, kRoom), sent_ = settings.camera;

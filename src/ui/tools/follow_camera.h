@@ -1,7 +1,7 @@
 // Keeps new track in view: when the open end, the section just placed there or the palette's preview leaves the
-// picture, the orbit camera moves, damped, until it is visible. Never while the mouse or a number field drags
-// something, and not for an end that a change of earlier track moves while it is out of the picture, or that undo moves
-// back.
+// picture, or the track is closed, the orbit camera moves, damped, until it is visible. Never while the mouse or a
+// number field drags something, and not for an end that a change of earlier track moves while it is out of the picture,
+// or that undo moves back.
 #pragma once
 
 #include <optional>

@@ -164,7 +164,7 @@ TEST_F(FollowCameraTest, leaves_room_beside_what_it_brings_into_view) {
   EXPECT_GT(pixel_of(4).x - all.x, 0.5f * all.width);
 }
 
-TEST_F(FollowCameraTest, shows_the_way_home_and_the_next_one) {
+TEST_F(FollowCameraTest, shows_the_way_home_and_the_completed_circuit) {
   ASSERT_TRUE(edit::apply(session_, files_, edit::NewTrack{}));
   place_straight(60), place_straight(60);
   ASSERT_TRUE(edit::apply(session_, files_, edit::set_camera({.target = {120, 2, 0}, .distance = 40})));
@@ -174,6 +174,13 @@ TEST_F(FollowCameraTest, shows_the_way_home_and_the_next_one) {
   ASSERT_TRUE(edit::apply(session_, files_, edit::Set<&world::Aids::circuit>{1}));
   frames(120);
   EXPECT_TRUE(shows({0, 2, 0})) << "it ends there";
+  ASSERT_TRUE(edit::apply(session_, files_, edit::set_camera({.target = {0, 2, 0}, .distance = 40})));
+  frames(3);
+  ASSERT_FALSE(shows({120, 2, 0}));
+  ASSERT_TRUE(edit::apply(session_, files_, edit::CompleteCircuit{1}));
+  frames(120);
+  for (const world::Entity at : session_.document.track.knots)
+    EXPECT_TRUE(shows(world::knot(session_.document, at).position)) << "all of the circuit";
 }
 
 }  // namespace follow_camera_test
