@@ -66,6 +66,7 @@ struct RideResult {
   RideEnd end = RideEnd::lap;
   std::string reason;           // reason of a failure: "stalled at 132.4 m, 2.1 m below the top at 141.0 m, ..."
   std::optional<double> place;  // m along the track, where it failed
+  bool below_top = false;       // it stopped on the way up: a lift there would take it over the top
   bool whole = true;            // the train ran from its start on this track, and `ratings` are of this ride
   sim::Ratings ratings;
   double seconds = 0;              // from the start to the end of the ride

@@ -49,17 +49,19 @@ std::optional<Shortfall> shortfall(const sim::Ghost& ghost, const sim::RailTable
   return Shortfall{top - from, along(top_at), along(furthest)};
 }
 
-std::string failure_words(Session& session, const sim::Ghost* ghost, double& place) {
+// Sets the reason and the place of a failure. `ghost`: the ride, if it was whole.
+void explain(Session& session, const sim::Ghost* ghost, RideResult& result) {
   const world::Failure& failure = session.motion.failure;
-  place = failure.distance;
   const std::string_view what = base::name_of(failure.kind);
   const bool climbed = failure.kind == FailureKind::stall || failure.kind == FailureKind::rollback;
   const auto missing = ghost && climbed ? shortfall(*ghost, *find(session, Want::ride).tables) : std::nullopt;
-  if (!missing) return fmt::format("{} at {:.1f} m, {:.1f} m/s", what, failure.distance, std::abs(failure.speed));
-  place = missing->furthest;
-  return fmt::format("{} at {:.1f} m, {:.1f} m below the top at {:.1f} m: {:.1f} m/s more would take it over", what,
-                     missing->furthest, missing->height, missing->distance,
-                     std::sqrt(2 * world::kGravity * missing->height));
+  result.place = missing ? missing->furthest : failure.distance;
+  result.below_top = missing.has_value();
+  if (missing)
+    result.reason = fmt::format(
+        "{} at {:.1f} m, {:.1f} m below the top at {:.1f} m: {:.1f} m/s more or a lift would take it over", what,
+        missing->furthest, missing->height, missing->distance, std::sqrt(2 * world::kGravity * missing->height));
+  else result.reason = fmt::format("{} at {:.1f} m, {:.1f} m/s", what, failure.distance, std::abs(failure.speed));
 }
 
 void judge(Session& session, RideResult* result) {
@@ -89,11 +91,7 @@ void end_ride(Session& session, RideEnd end) {
   result.seconds = static_cast<double>(run.ticks) * world::kTick;
   const Findings& found = find(session, Want::ratings);
   result.ratings = *found.ratings;
-  if (end == RideEnd::failed || end == RideEnd::open_end) {
-    double place = 0;
-    result.reason = failure_words(session, result.whole ? found.ride : nullptr, place);
-    result.place = place;
-  }
+  if (end == RideEnd::failed || end == RideEnd::open_end) explain(session, result.whole ? found.ride : nullptr, result);
   judge(session, &result);
   session.game.result = std::move(result);
   session.game.show_result = true;

@@ -12,6 +12,7 @@
 #include "base/text.h"
 #include "edit/commands/commands_challenge.h"
 #include "edit/commands/commands_ride.h"
+#include "edit/commands/commands_sections.h"
 #include "ui/context/challenge_files.h"
 #include "ui/tools/places.h"
 #include "ui/widgets/medals.h"
@@ -117,6 +118,9 @@ bool buttons(Ui& ui, const edit::Session& session) {
   CardRow row{ui};
   if (const auto next = next_challenge(session); next && row.button("Next challenge", "Begin the next challenge."))
     ui.want = {Want::Kind::challenge, next->string()};
+  if (const auto climb = climb_without_lift(session);
+      climb && row.button("Add a lift", "Put a lift on the section where the train stopped."))
+    ui.emit(edit::EquipSection{{world::name_of(session.document, *climb)}, {world::EquipmentKind::lift}});
   if (row.button("Ride again", "Start the ride again.")) {
     ui.emit(edit::RideStop{});
     ui.emit(edit::RideStart{});

@@ -6,6 +6,7 @@
 #include "edit/commands/commands_settings.h"
 #include "edit/commands/set_setting.h"
 #include "world/aids.h"
+#include "world/sections.h"
 
 namespace coaster::ui {
 namespace {
@@ -59,6 +60,18 @@ std::optional<double> failed_place(const edit::Session& session) {
   if (!session.game.result) return std::nullopt;
   if (session.game.result->verdict && session.game.result->verdict->place) return session.game.result->verdict->place;
   return session.game.result->end == edit::RideEnd::failed ? session.game.result->place : std::nullopt;
+}
+
+std::optional<world::Entity> climb_without_lift(const edit::Session& session) {
+  const world::Document& document = session.document;
+  if (session.game.challenge || !session.game.result || !session.game.result->below_top ||
+      session.derived.order.empty())
+    return std::nullopt;
+  const world::Entity segment =
+      session.derived.order[sim::place_at(session.derived, *session.game.result->place).index];
+  const world::Entity section = world::segment(document, segment).section;
+  if (world::is_free(document, section) || document.entities.find<world::Equipment>(segment)) return std::nullopt;
+  return section;
 }
 
 void show_place(Ui& ui, double distance) {

@@ -16,6 +16,9 @@ bool append_mode_switches(const edit::Session& session);
 bool card_shows(const edit::Session& session);
 // Returns where the last ride or its challenge failed, m along the track; nothing if the failure has no position.
 std::optional<double> failed_place(const edit::Session& session);
+// Returns the section on which the last ride stopped below a top; nothing for a free section, for equipment there, and
+// in a challenge.
+std::optional<world::Entity> climb_without_lift(const edit::Session& session);
 // Selects the segment at `distance` (m along the track), points the orbit camera there, and closes the score card.
 void show_place(Ui& ui, double distance);
 // Selects the next conflict after the selected place and points the orbit camera there; no-op without conflicts.

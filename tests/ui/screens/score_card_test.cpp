@@ -4,6 +4,7 @@
 #include <filesystem>
 
 #include "edit/commands/commands_challenge.h"
+#include "edit/commands/commands_elements.h"
 #include "edit/commands/commands_operation.h"
 #include "edit/commands/commands_ride.h"
 #include "edit/commands/set_setting.h"
@@ -12,6 +13,7 @@
 #include "ui/widgets/medals.h"
 #include "ui/widgets/widgets.h"
 #include "world/aids.h"
+#include "world/sections.h"
 
 namespace coaster::ui {
 namespace score_card_test {
@@ -97,6 +99,40 @@ TEST_F(ScoreCardTest, notices_and_the_hint_of_a_transform_are_above_the_card) {
     ASSERT_LE(vertex.pos.y, top);
     ASSERT_GE(vertex.pos.y, last_.view.viewport.y);
   }
+}
+
+TEST_F(ScoreCardTest, a_climb_without_a_lift_gets_one_by_a_click) {
+  ASSERT_TRUE(edit::apply(session_, files_, edit::NewTrack{}));
+  for (const world::ElementKind kind : {world::ElementKind::straight, world::ElementKind::climb})
+    ASSERT_TRUE(edit::apply(session_, files_, edit::PlaceElement{world::usual_element(kind)}));
+  end_a_ride();
+  ASSERT_EQ(session_.game.result->end, edit::RideEnd::failed);
+  EXPECT_NE(find("Score/Reason")->value.find("or a lift would take it over"), std::string::npos);
+  EXPECT_TRUE(climb_without_lift(session_));
+  session_.game.challenge.emplace();
+  EXPECT_FALSE(climb_without_lift(session_)) << "a challenge is solved by its player";
+  session_.game.challenge.reset();
+  click("Score/Add a lift");
+  frames(2);
+  EXPECT_EQ(find("Score/Add a lift"), nullptr) << "it has one";
+  const std::vector<world::SectionRun> runs = world::sections_of(session_.document);
+  for (std::size_t i = 0; i < session_.document.track.segments.size(); ++i) {
+    const auto* const on = session_.document.entities.find<world::Equipment>(session_.document.track.segments[i]);
+    EXPECT_EQ(on && on->kind == world::EquipmentKind::lift, i >= runs[1].first) << i;
+  }
+  click("Score/Ride again");
+  edit::advance(session_, 120 * 120);
+  frames(3);
+  EXPECT_EQ(session_.game.result->end, edit::RideEnd::open_end) << session_.game.result->reason;
+}
+
+TEST_F(ScoreCardTest, a_lift_is_offered_for_placed_climbs_alone) {
+  ASSERT_TRUE(edit::apply(session_, files_, edit::SetLosses{0.5f, 0}));
+  end_a_ride();
+  ASSERT_EQ(session_.game.result->end, edit::RideEnd::failed);
+  EXPECT_EQ(find("Score/Add a lift"), nullptr) << "drawn by hand";
+  session_.game.result->below_top = true;
+  EXPECT_FALSE(climb_without_lift(session_));
 }
 
 TEST_F(ScoreCardTest, the_next_challenge_is_offered_once_this_one_is_passed) {
