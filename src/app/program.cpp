@@ -25,6 +25,7 @@
 #include "edit/commands/set_setting.h"
 #include "edit/perform/apply.h"
 #include "query/challenge.h"
+#include "script/paths.h"
 #include "ui/tools/follow_camera.h"
 #include "view/camera.h"
 #include "world/evaluation.h"
@@ -62,8 +63,8 @@ void keep_recording(Program& program, const base::Status& wrote) {
 // Applies and records one command.
 base::Status apply_one(Program& program, const edit::Command& command) {
   if (const std::string* const path = edit::output_path(command); path && !program.files.root().contains(*path)) {
-    const base::Status refused{base::Code::refused, fmt::format("{}: scripts write only below $OUT, found {}",
-                                                                edit::info(command).name, base::quoted(*path))};
+    const base::Status refused{base::Code::refused,
+                               fmt::format("{}: {}", edit::info(command).name, script::not_below_out(*path))};
     edit::notify(program.session, refused);
     return refused;
   }

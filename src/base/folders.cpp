@@ -63,6 +63,11 @@ Status make_folders(const std::filesystem::path& folder, unsigned mode) {
   if (::mkdir(folder.c_str(), static_cast<mode_t>(mode)) == 0) return {};
   const int reason = errno;
   if (std::filesystem::is_directory(folder, error)) return {};
+  if (std::filesystem::is_symlink(folder, error))
+    return {Code::io, fmt::format("{}: is a symbolic link that leads to no folder; expected a folder or a new name",
+                                  folder.string())};
+  if (reason == EEXIST)
+    return {Code::io, fmt::format("{}: is a file; expected a folder or a new name", folder.string())};
   return {Code::io, fmt::format("{}: cannot be made: {}", folder.string(), std::strerror(reason))};
 }
 

@@ -46,10 +46,13 @@ constexpr std::array kFormats{
 // m: no coaster is half as long, or a third as high from its lowest to its highest point.
 constexpr double kMostLength = 20'000, kMostHeight = 600;
 
-// Returns "a.txt: error: expected a file ending in .json"; names a format that works only in the other direction.
+// Returns "a.txt: error: expected a file ending in .json"; says if it is a folder, and names a format that works only
+// in the other direction.
 std::string unfit_ending(const std::filesystem::path& path, const Format* format, Direction direction) {
   const std::string_view other = direction == Direction::read ? "written" : "read";
-  return fmt::format("{}: error: {}expected a file ending in {}", path.string(),
+  std::error_code ignored;
+  return fmt::format("{}: error: {}{}expected a file ending in {}", path.string(),
+                     std::filesystem::is_directory(path, ignored) ? "this is a folder; " : "",
                      format ? fmt::format("{} ({}) can only be {}; ", format->ending, format->label, other) : "",
                      known_endings(direction));
 }

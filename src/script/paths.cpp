@@ -3,6 +3,8 @@
 
 #include <system_error>
 
+#include <fmt/format.h>
+
 #include "base/text.h"
 
 namespace coaster::script {
@@ -32,10 +34,17 @@ std::filesystem::path find_input(const std::filesystem::path& folder, std::strin
   return std::filesystem::exists(beside, ignored) ? beside : path;
 }
 
+std::string not_below_out(std::string_view written) {
+  std::string name = std::filesystem::path(written).filename().string();
+  if (name.empty() || name == ".." || name == "." || name == kOut) name = "NAME";
+  return fmt::format("scripts write only below $OUT: expected a file such as {}, found {}",
+                     base::quoted(fmt::format("{}/{}", kOut, name)), base::quoted(written));
+}
+
 base::Result<std::filesystem::path> find_output(std::string_view written, const base::Root& out) {
   std::string_view rest;
   if (!below_out(written, rest) || rest.empty() || !out.contains(out.folder() / rest))
-    return base::Status{base::Code::usage, "scripts write only below $OUT, found " + base::quoted(written)};
+    return base::Status{base::Code::usage, not_below_out(written)};
   const std::filesystem::path path = out.folder() / rest;
   if (const base::Status made = out.make_folders(path.parent_path()); !made) return made;
   return path;

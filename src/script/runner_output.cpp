@@ -82,12 +82,13 @@ std::string Runner::write_evidence() {
   Host& host = frames_.host();
   const query::Context context = host.context();
   const std::filesystem::path& out = options_.out.folder();
-  std::string note = fmt::format("frame {}; {}", context.stats.frame, (out / "frame.png").string());
-  const bool written = host.screenshot(out / "frame.png").ok();
-  if (!written) note = fmt::format("frame {}; {}/", context.stats.frame, out.string());
-  const bool texts = files_.write_atomic(out / "widgets.txt", widgets_text(host.widgets())).ok() &&
-                     files_.write_atomic(out / "state.json", state_json(context)).ok();
-  if (texts) note += written ? ", widgets.txt, state.json" : "widgets.txt, state.json";
+  const base::Status picture = host.screenshot(out / "frame.png");
+  base::Status texts = files_.write_atomic(out / "widgets.txt", widgets_text(host.widgets()));
+  if (texts) texts = files_.write_atomic(out / "state.json", state_json(context));
+  std::string note = fmt::format("frame {}", context.stats.frame);
+  if (picture) note += fmt::format("; {}", (out / "frame.png").string());
+  if (texts) note += fmt::format("{}, state.json", picture ? ", widgets.txt" : "; " + (out / "widgets.txt").string());
+  if (!picture || !texts) note += fmt::format("; {}", (picture ? texts : picture).message);
   return note;
 }
 

@@ -74,7 +74,10 @@ TEST_F(folders, a_folder_is_made_with_those_above_it) {
   std::ofstream(folder / "file") << "x";
   const Status refused = make_folders(folder / "file" / "c");
   EXPECT_EQ(refused.code, Code::io);
-  EXPECT_NE(refused.message.find("cannot be made"), std::string::npos);
+  EXPECT_EQ(refused.message, (folder / "file").string() + ": is a file; expected a folder or a new name");
+  fs::create_symlink(folder / "nowhere", folder / "dangling");
+  EXPECT_NE(make_folders(folder / "dangling").message.find("dangling: is a symbolic link that leads to no folder"),
+            std::string::npos);
 }
 
 // The kernel's own folders take none, and give another reason than that there is none yet.

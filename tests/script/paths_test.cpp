@@ -40,6 +40,10 @@ TEST_F(Paths, a_file_is_written_below_out_and_nowhere_else) {
   for (const char* const bad :
        {"a.png", "/tmp/a.png", "$OUT", "$OUT/", "$OUT/../a.png", "$OUT/x/../../a.png", "$OUTSIDE/a.png", ""})
     EXPECT_EQ(find_output(bad, *root).status().code, base::Code::usage) << bad;
+  EXPECT_EQ(find_output("../a.png", *root).status().message,
+            "scripts write only below $OUT: expected a file such as \"$OUT/a.png\", found \"../a.png\"");
+  EXPECT_EQ(find_output("$OUT/", *root).status().message,
+            "scripts write only below $OUT: expected a file such as \"$OUT/NAME\", found \"$OUT/\"");
   std::filesystem::create_directory_symlink(root_ / "script", out_ / "link");
   EXPECT_FALSE(find_output("$OUT/link/a.png", *root)) << "a link may lead anywhere";
 }

@@ -130,6 +130,21 @@ TEST(runner, a_failed_expectation_names_place_value_frame_and_evidence) {
     EXPECT_TRUE(std::filesystem::exists(test_folder() / "out" / name)) << name;
 }
 
+TEST(runner, a_failure_says_which_of_its_files_could_not_be_written_and_why) {
+  FakeHost fake;
+  const std::filesystem::path out = test_folder() / "out", picture = out / "frame.png", state = out / "state.json";
+  const auto note = [&](const std::filesystem::path& taken) {
+    std::filesystem::remove_all(out);
+    std::filesystem::create_directories(taken / "x");  // a folder of that name
+    const std::string message = run_lines(fake, "expect knots == 4\n").message;
+    return message.substr(message.find("frame "));
+  };
+  EXPECT_EQ(note(picture).find(fmt::format("frame 1; {0}/widgets.txt, state.json; {0}/frame.png: ", out.string())), 0u)
+      << note(picture);
+  EXPECT_EQ(note(state).find(fmt::format("frame 2; {0}/frame.png; {0}/state.json: ", out.string())), 0u) << note(state);
+  std::filesystem::remove_all(out);
+}
+
 TEST(runner, codes_tell_refused_commands_bad_files_and_forbidden_writes_apart) {
   FakeHost fake;
   EXPECT_EQ(base::exit_code(run_lines(fake, "move @k9 to 1 2 3\n").code), 2);
