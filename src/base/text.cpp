@@ -6,10 +6,19 @@
 
 #include <fmt/format.h>
 
+#include "base/console.h"
+
 namespace coaster::base {
 namespace {
 
 bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\r'; }
+
+// True of escape, delete and the like. Blanks are none.
+bool is_unexpected(char c) { return !is_blank(c) && (static_cast<unsigned char>(c) < 0x20 || c == 0x7f); }
+
+TextError control_error(std::string_view line, std::size_t i) {
+  return {static_cast<int>(i) + 1, fmt::format("unexpected control character {}", visible_text(line.substr(i, 1)))};
+}
 
 // Reads a quoted word whose opening quote is at `i`; moves `i` past the closing one.
 bool read_quoted(std::string_view line, std::size_t& i, Token& token, TextError& error) {
@@ -17,6 +26,7 @@ bool read_quoted(std::string_view line, std::size_t& i, Token& token, TextError&
   token.quoted = true;
   while (i < line.size() && line[i] != '"') {
     char c = line[i];
+    if (c == '\0') return error = control_error(line, i), false;
     if (c == '\\') {
       if (++i >= line.size()) break;
       switch (line[i]) {
@@ -73,8 +83,7 @@ bool tokenise(std::string_view line, std::vector<Token>& tokens, TextError& erro
       if (i < line.size() && !is_blank(line[i])) return fail(i, "expected a blank behind the quote");
     } else {
       while (i < line.size() && !is_blank(line[i]) && line[i] != '#' && line[i] != '"') {
-        if (static_cast<unsigned char>(line[i]) < 0x20 || line[i] == 0x7f)
-          return fail(i, "control character in the line");
+        if (is_unexpected(line[i])) return error = control_error(line, i), false;
         token.text += line[i++];
       }
       if (i < line.size() && line[i] == '"') return fail(i, "expected a blank before the quote");

@@ -29,11 +29,11 @@ struct TextError {
   bool suggests = false;      // the message names the word that was probably meant
 };
 
-// Splits a line at blanks; `#` outside quotes starts a comment. On an unclosed quote or a control character returns
-// false and fills `error`.
+// Splits a line at blanks; `#` outside quotes starts a comment. On an unclosed quote, a control character
+// outside quotes or a NUL in them returns false and fills `error`.
 bool tokenise(std::string_view line, std::vector<Token>& tokens, TextError& error);
 
-// Returns the text in quotes with escapes, so that tokenise reads it back.
+// Returns the text in quotes with escapes, so that tokenise reads it back unless it has a NUL.
 std::string quoted(std::string_view text);
 // Returns quoted text for messages, truncated to 40 bytes, followed by "...".
 std::string quoted_start(std::string_view text);

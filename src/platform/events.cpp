@@ -26,8 +26,9 @@ constexpr std::pair<std::string_view, Key> kNames[] = {
     {"ArrowDown", Key::down}};
 
 constexpr std::pair<std::string_view, bool Modifiers::*> kModifiers[] = {
-    {"ctrl", &Modifiers::ctrl},   {"control", &Modifiers::ctrl}, {"cmd", &Modifiers::ctrl},  {"meta", &Modifiers::ctrl},
-    {"shift", &Modifiers::shift}, {"alt", &Modifiers::alt},      {"option", &Modifiers::alt}};
+    {"ctrl", &Modifiers::ctrl}, {"strg", &Modifiers::ctrl}, {"control", &Modifiers::ctrl},
+    {"cmd", &Modifiers::ctrl},  {"meta", &Modifiers::ctrl}, {"shift", &Modifiers::shift},
+    {"alt", &Modifiers::alt},   {"option", &Modifiers::alt}};
 
 Key key_named(const std::string& lower_name) {
   for (const auto& [name, key] : kNames)

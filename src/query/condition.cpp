@@ -168,6 +168,16 @@ bool check_values(Words& words, const Query& query, const Condition& c, const ba
                                                          base::quoted(all), base::suggestion(all, names)));
 }
 
+// Returns what the message about an unknown query ends with: the one that was probably meant, else one with the same
+// last part (speed: ride.speed), else where all are listed.
+std::string near_query(std::string_view name) {
+  const std::vector<std::string> known = base::names_in(queries());
+  if (std::string near = base::suggestion(name, known); !near.empty()) return near;
+  const std::string end = fmt::format(".{}", name);
+  const auto found = std::find_if(known.begin(), known.end(), [&](const std::string& k) { return k.ends_with(end); });
+  return found != known.end() ? base::suggestion(*found, known) : "; coaster --help-script lists all";
+}
+
 bool is_true(const Value& value) {
   if (const double* const number = std::get_if<double>(&value)) return *number != 0;
   if (const Ranked* const ranked = std::get_if<Ranked>(&value)) return ranked->rank != 0;
@@ -189,8 +199,7 @@ bool parse_condition(Words& words, Condition& condition, std::string_view stop) 
   condition.negated = condition.negated != opposite;
   const Query* const query = find_query(condition.query);
   if (!query)
-    return words.fail(name->column, fmt::format("no query {}{}", base::quoted(name->text),
-                                                base::suggestion(name->text, base::names_in(queries()))));
+    return words.fail(name->column, fmt::format("no query {}{}", base::quoted(name->text), near_query(name->text)));
   if (!query->argument.empty()) {
     const std::string usage = usage_of(query->argument);
     const base::Token* const argument = words.take(usage);

@@ -33,10 +33,12 @@ class Parser {
 
   using Tokens = std::span<const base::Token>;
   void line(const std::string& text);
+  void unreadable(const std::string& text, const base::TextError& problem);
   void statement(Tokens tokens);
   void header(Tokens tokens);
   void include(Tokens tokens);
   void close(Tokens tokens);
+  bool split(std::string_view text, Source& made);
   const Source& source() const { return out_.script.sources[static_cast<std::size_t>(source_)]; }
   void error(int column, const std::string& message) {
     if (++errors_ <= kMaxErrors) out_.errors.push_back(describe_error(source(), line_, column, message));
@@ -50,6 +52,7 @@ class Parser {
   std::vector<Open> open_;
   Block* block_ = nullptr;
   std::size_t& errors_;
+  int too_deep_ = 0;                                   // open blocks beyond the limit, which have their "end", too
   int first_line_ = 0;                                 // the first one with words, 0: none
   int first_error_ = 0;                                // its line in this file, 0: none
   int source_ = 0, line_ = 0;                          // the line being parsed
@@ -73,7 +76,7 @@ void Parser::include(Tokens tokens) {
   if (std::find(including_.begin(), including_.end(), canonical) != including_.end())
     return error(tokens[1].column, fmt::format("the file {} includes itself", base::quoted(tokens[1].text)));
   if (static_cast<int>(including_.size()) > kMaxIncludeDepth)
-    return error(tokens[1].column, "includes are nested too deeply");
+    return error(tokens[1].column, fmt::format("includes are nested more than {} deep", kMaxIncludeDepth));
   const auto text = files_.read(path);
   if (!text) return error(tokens[1].column, text.status().message);
   Statement statement{source_, line_, tokens[0].column, {}};
@@ -96,6 +99,7 @@ void Parser::include(Tokens tokens) {
 
 void Parser::close(Tokens tokens) {
   if (tokens.size() > 1) error(tokens[1].column, fmt::format("unexpected {} after end", base::quoted(tokens[1].text)));
+  if (too_deep_ > 0) return void(--too_deep_);
   if (open_.empty()) return error(tokens[0].column, "\"end\" without repeat, gesture or lesson");
   Open closed = std::move(open_.back());
   open_.pop_back();
@@ -118,7 +122,10 @@ void Parser::statement(Tokens tokens) {
     else if (first.text == "gesture") made.action = Gesture{};
     else if (!parse_lesson(words, made.action)) made.action = Lesson{};  // its end belongs to it all the same
     if (!words.end()) error(problem.column, problem.message);
-    if (static_cast<int>(open_.size()) >= kMaxBlockDepth) return error(first.column, "blocks are nested too deeply");
+    if (static_cast<int>(open_.size()) >= kMaxBlockDepth) {
+      if (too_deep_++ == 0) error(first.column, fmt::format("blocks are nested more than {} deep", kMaxBlockDepth));
+      return;
+    }
     open_.push_back({std::move(made), {}});
     return;
   }
@@ -126,12 +133,24 @@ void Parser::statement(Tokens tokens) {
   add(std::move(made));
 }
 
+// Reports a line that is not words. ctx.ItemClick("x") of another language is an unknown command, not a wrong quote.
+void Parser::unreadable(const std::string& text, const base::TextError& problem) {
+  std::vector<base::Token> called;
+  base::TextError ignored;
+  const std::vector<std::string>& known = statement_words();
+  if (const std::size_t end = text.find('('); end != text.npos && static_cast<int>(end) < problem.column)
+    if (base::tokenise(std::string_view(text).substr(0, end), called, ignored) && !called.empty() &&
+        std::find(known.begin(), known.end(), called[0].text) == known.end())
+      return statement(called);
+  error(problem.column, problem.message);
+}
+
 void Parser::line(const std::string& text) {
   std::vector<base::Token> tokens;
   base::TextError problem;
   const bool readable = base::tokenise(text, tokens, problem);
   if (first_line_ == 0 && (!readable || !tokens.empty())) first_line_ = line_;
-  if (!readable) return error(problem.column, problem.message);
+  if (!readable) return unreadable(text, problem);
   if (tokens.empty()) return;
   if (tokens[0].text == "coaster-script") {
     if (header_seen_) return error(tokens[0].column, "a second \"coaster-script\" line");
@@ -145,28 +164,40 @@ void Parser::line(const std::string& text) {
   statement(tokens);
 }
 
-void Parser::file(std::string_view text, const std::string& name, const std::filesystem::path& folder,
-                  bool header_required, Block& block) {
+// Splits a file into lines, which end in \n, \r\n or \r. Returns false after an error of the file as a whole; the
+// source then has no lines, so that none is printed.
+bool Parser::split(std::string_view text, Source& made) {
   constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
-  if (text.starts_with(kByteOrderMark)) text.remove_prefix(kByteOrderMark.size());
-  source_ = static_cast<int>(out_.script.sources.size());
-  Source made{name, folder, {}};
-  out_.lines += static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n')) + 1;
-  if (out_.lines > kMaxLines) {
-    out_.script.sources.push_back(std::move(made));
+  const auto refuse = [&](const std::string& message) {
+    made.lines.clear();
     header_seen_ = true, line_ = 1;
-    return error(1, fmt::format("more than the limit of {} lines with everything included", kMaxLines));
-  }
+    error(1, message);
+    return false;
+  };
+  if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF") || text.substr(0, 2).find('\0') != text.npos)
+    return refuse("UTF-16 text: save it as UTF-8");
+  if (text.starts_with(kByteOrderMark)) text.remove_prefix(kByteOrderMark.size());
   while (!text.empty()) {
-    const std::size_t end = std::min(text.find('\n'), text.size());
+    if (++out_.lines > kMaxLines)
+      return refuse(fmt::format("more than the limit of {} lines with everything included", kMaxLines));
+    const std::size_t end = std::min(text.find_first_of("\r\n"), text.size());
     std::string one(text.substr(0, end));
-    if (one.ends_with('\r')) one.pop_back();
     std::replace(one.begin(), one.end(), '\t', ' ');
     made.lines.push_back(std::move(one));
-    text.remove_prefix(std::min(end + 1, text.size()));
+    text.remove_prefix(end);
+    text.remove_prefix(text.starts_with("\r\n") ? 2 : std::min<std::size_t>(text.size(), 1));
   }
+  return true;
+}
+
+void Parser::file(std::string_view text, const std::string& name, const std::filesystem::path& folder,
+                  bool header_required, Block& block) {
+  source_ = static_cast<int>(out_.script.sources.size());
+  out_.script.sources.push_back({name, folder, {}});
+  Source made{name, folder, {}};
+  if (!split(text, made)) return;
+  out_.script.sources.back().lines = made.lines;
   const std::vector<std::string> lines = made.lines;  // an include adds to the sources
-  out_.script.sources.push_back(std::move(made));
   block_ = &block;
   header_required_ = header_required;
   for (const std::string& one : lines) ++line_, line(one);

@@ -19,6 +19,14 @@ namespace {
 
 constexpr std::int64_t kMostFrames = 10'000'000;
 
+std::optional<float> number_within(Words& words, std::string_view what, double low, double high) {
+  const auto number = words.number(what);
+  if (!number) return std::nullopt;
+  if (*number >= low && *number <= high) return static_cast<float>(*number);
+  words.reject_number(what);
+  return std::nullopt;
+}
+
 bool parse_env(Words& words, Action& action) {
   static const std::vector<std::string> kNames{"size", "seed", "scale", "msaa", "home", "density"};
   SetEnvironment env;
@@ -37,15 +45,11 @@ bool parse_env(Words& words, Action& action) {
       if (!seed) return false;
       env.seed = static_cast<std::uint64_t>(*seed);
     } else if (*name == 2) {
-      const auto scale = words.number("a scale");
-      if (!scale) return false;
-      env.scale = static_cast<float>(*scale);
+      env.scale = number_within(words, "a scale from 0.75 to 3", 0.75, 3);
+      if (!env.scale) return false;
     } else if (*name == 5) {
-      constexpr std::string_view kDensity = "a density from 0.5 to 4";
-      const auto density = words.number(kDensity);
-      if (!density) return false;
-      if (!(*density >= 0.5 && *density <= 4)) return words.reject_number(kDensity);
-      env.density = static_cast<float>(*density);
+      env.density = number_within(words, "a density from 0.5 to 4", 0.5, 4);
+      if (!env.density) return false;
     } else if (*name == 4) {
       if (!take(words, "a folder below $OUT", env.home.emplace())) return false;
     } else {
@@ -119,7 +123,7 @@ bool parse_fault(Words& words, Action& action) {
   }
   if (!words.accept("fail")) return words.fail(next_column(words), "expected \"fail\"");
   const auto nth =
-      words.at_end() ? std::optional<std::int64_t>(1) : words.whole("the number of the call that fails", 0, 1'000'000);
+      words.at_end() ? std::optional<std::int64_t>(1) : words.whole("the number of the call that fails", 1, 1'000'000);
   if (!nth) return false;
   action = Fault{static_cast<base::IoOperation>(*operation), static_cast<int>(*nth)};
   return words.end();
@@ -169,42 +173,6 @@ std::vector<std::string> line_words() {
 }
 
 namespace {
-
-// First words of other languages, and what a script says in their place: a word or, after a semicolon, how to do it.
-struct Elsewhere {
-  std::string_view word, here;
-};
-constexpr std::string_view kNoConditions = "; scripts have no conditions: wait waits for one, expect checks one",
-                           kNoVariables = "; scripts have no variables";
-constexpr Elsewhere kElsewhere[]{
-    {"assert", "expect"},     {"verify", "expect"},
-    {"echo", "log"},          {"print", "log"},
-    {"press", "key"},         {"capture", "shot"},
-    {"sleep", "frames"},      {"screenshot", "shot"},
-    {"import", "load"},       {"open", "load"},
-    {"export", "save"},       {"write", "save"},
-    {"source", "include"},    {"for", "repeat"},
-    {"loop", "repeat"},       {"if", kNoConditions},
-    {"while", kNoConditions}, {"let", kNoVariables},
-    {"var", kNoVariables},    {"set", "; a setting is set by its name and value, such as steps 64"}};
-
-// Returns what the message about an unknown first word ends with: the word that it and the next one are with a dot
-// (ride start), else what another language's word is here, else the word that was probably meant, else one with the
-// same last part (click: ui.click), else where all are listed.
-std::string near_words(std::span<const base::Token> line) {
-  const std::vector<std::string>& known = statement_words();
-  const std::string_view word = line[0].text;
-  if (line.size() > 1)
-    if (const std::string dotted = fmt::format("{}.{}", word, line[1].text);
-        std::find(known.begin(), known.end(), dotted) != known.end())
-      return base::suggestion(dotted, known);
-  for (const Elsewhere& row : kElsewhere)
-    if (row.word == word) return row.here.starts_with(';') ? std::string(row.here) : base::suggestion(row.here, known);
-  if (std::string near = base::suggestion(word, known); !near.empty()) return near;
-  const std::string end = fmt::format(".{}", word);
-  const auto found = std::find_if(known.begin(), known.end(), [&](const std::string& k) { return k.ends_with(end); });
-  return found != known.end() ? base::suggestion(*found, known) : "; coaster --help-script lists all";
-}
 
 // Checks what a search aims for and changes, so that errors have their place and are found before the script runs.
 bool check_seek(std::span<const base::Token> line, const edit::Command& command, base::TextError& error) {

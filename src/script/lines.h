@@ -20,6 +20,11 @@ std::vector<std::string> line_words();
 // Parses the words of a line (at least one). On failure returns false and sets `error` to what was expected and where.
 bool parse_line(std::span<const base::Token> line, base::TextError& error, Action& action);
 
+// Returns what the message about an unknown first word ends with: the word that it and the next one are with a dot
+// (ride start), else what another language's word is here, else the word that was probably meant, else one with the
+// same last part (click: ui.click), else where all are listed.
+std::string near_words(std::span<const base::Token> line);
+
 // A statement's first word, and the reader of the words after it.
 struct LineRow {
   std::string_view word;

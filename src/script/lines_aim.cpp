@@ -18,7 +18,9 @@ constexpr std::string_view kTargets =
     "X Y Z";
 
 bool refuse(Words& words, const base::Token& word) {
-  return words.fail(word.column, fmt::format("expected {}, found {}", kTargets, base::quoted(word.text)));
+  const std::string at = "@" + word.text.substr(0, word.text.find_first_of(".:"));
+  const std::string hint = world::parse_name(at.substr(1)) ? fmt::format("; did you mean \"@{}\"?", word.text) : "";
+  return words.fail(word.column, fmt::format("expected {}, found {}{}", kTargets, base::quoted(word.text), hint));
 }
 
 // Parses "@k3.in", "@s2:0.4" and so on.

@@ -1,6 +1,8 @@
 // Parses input: keys, text, wheel, dropped files, focus, size, and raw events.
 #include "script/lines.h"
 
+#include <algorithm>
+
 #include <fmt/format.h>
 
 namespace coaster::script {
@@ -11,15 +13,25 @@ bool finish(Words& words, Action& action, Input input) {
   return words.end();
 }
 
+// Returns what the message about an unknown key ends with: the same with plus signs, else the nearest key, else which
+// keys may come before it.
+std::string near_chord(std::string text) {
+  std::string joined = text;
+  std::replace(joined.begin(), joined.end(), '-', '+');
+  if (const auto chord = platform::parse_chord(joined))
+    return fmt::format("; did you mean {}?", base::quoted(to_text(*chord)));
+  const std::string key = text.substr(text.rfind('+') + 1);
+  if (platform::parse_chord(key)) return "; only Ctrl, Shift and Alt can come before a key";
+  return base::suggestion(key, platform::key_names());
+}
+
 std::optional<platform::Chord> take_chord(Words& words) {
   const base::Token* const word = words.take("a key such as F or Ctrl+Z");
   if (!word) return std::nullopt;
   const auto chord = platform::parse_chord(word->text);
-  if (!chord) {
-    const std::string key = word->text.substr(word->text.rfind('+') + 1);
+  if (!chord)
     words.fail(word->column, fmt::format("expected a key such as F, Escape, Left or Ctrl+Z, found {}{}",
-                                         base::quoted(word->text), base::suggestion(key, platform::key_names())));
-  }
+                                         base::quoted(word->text), near_chord(word->text)));
   return chord;
 }
 

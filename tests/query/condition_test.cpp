@@ -96,6 +96,9 @@ TEST(condition, the_values_have_the_type_of_the_query) {
   EXPECT_EQ(parse_error("position @k3 > 1 2 3"), "14: a vector can be compared only with == and !=, found \">\"");
   EXPECT_EQ(parse_error("length == 3 km"), "11: expected one number (m), found \"3 km\"");
   EXPECT_EQ(parse_error("name < 3"), "6: a text can be compared only with ==, != and ~, found \"<\"");
+  EXPECT_EQ(parse_error("knotz == 3"), "1: no query \"knotz\"; did you mean \"knots\"?");
+  EXPECT_EQ(parse_error("lap_time == 3"), "1: no query \"lap_time\"; did you mean \"ride.lap_time\"?");
+  EXPECT_EQ(parse_error("qqqqqq == 3"), "1: no query \"qqqqqq\"; coaster --help-script lists all");
   EXPECT_EQ(parse_error("closed == onn"), "11: expected off or on, found \"onn\"; did you mean \"on\"?");
   EXPECT_EQ(parse_error("closed == none"), "11: expected off or on, found \"none\"");
   EXPECT_EQ(parse_error("geometric @k3 >= C1"), "18: expected none, G0, G1 or G2, found \"C1\"; did you mean \"G1\"?");

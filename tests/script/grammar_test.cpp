@@ -86,10 +86,37 @@ TEST(grammar, words_of_other_programs_lead_to_what_to_write) {
   ends("check \"Track/Closed\" on", "^ did you mean \"ui.check\"?");
   EXPECT_NE(message("let n = 3").find("scripts have no variables"), std::string::npos);
   EXPECT_NE(message("while knots < 3").find("wait waits for one"), std::string::npos);
-  EXPECT_NE(message("goto 1").find("no command \"goto\"; coaster --help-script lists all"), std::string::npos);
+  ends("goto \"tracks/loop.json\"", "^ did you mean \"load\"?");
+  ends("await page.fill('#length', '3');", "^ did you mean \"ui.type\"?");
+  ends("page.getByRole('button').click()",
+       "widgets are named by label: ui.click \"Track/Insert point\"\n"
+       "    page.getByRole('button').click()\n    ^");
+  ends("ctx->ItemClick(\"Track/Insert point\");", "^ did you mean \"ui.click\"?");
+  ends("log(\"a\")", "    log(\"a\")\n        ^");
+  ends("expect(page).toBeVisible()", "^ did you mean \"expect\"?");
+  EXPECT_NE(message("waitForSelector \"Track/Length\"").find("; wait visible \"Track/Insert point\" waits"),
+            std::string::npos);
+  EXPECT_NE(message("qqqqqq 1").find("no command \"qqqqqq\"; coaster --help-script lists all"), std::string::npos);
   EXPECT_NE(
       message("wait 100").find(":2:6: error: expected a query such as ride.lap, found \"100\"; ticks N or frames N"),
       std::string::npos);
+}
+
+TEST(grammar, keys_and_targets_of_other_programs_lead_to_what_to_write) {
+  const auto ends = [](const std::string& line, const std::string& end) {
+    const ParsedScript parsed = parse_lines(line + "\n");
+    ASSERT_EQ(parsed.errors.size(), 1u) << line;
+    EXPECT_NE(parsed.errors[0].find(end), std::string::npos) << line << ": " << parsed.errors[0];
+  };
+  ends("key Ctrl-Z", "^ did you mean \"Ctrl+Z\"?");
+  ends("key Super+Z", "found \"Super+Z\"; only Ctrl, Shift and Alt can come before a key");
+  ends("key Ctrl+Escpe", "^ did you mean \"Escape\"?");
+  EXPECT_TRUE(parse_lines("key Strg+Z\n").errors.empty());
+  ends("aim.click k1", "^ did you mean \"@k1\"?");
+  ends("aim.drag k1.out by 0 1 0", "^ did you mean \"@k1.out\"?");
+  ends("aim.click knob", "or world X Y Z, found \"knob\"\n");
+  ends("env scale 0", "expected a scale from 0.75 to 3, found \"0\"");
+  ends("fault io.read fail 0", "expected the number of the call that fails (1..1000000), found \"0\"");
 }
 
 TEST(grammar, the_goal_of_a_search_is_parsed_before_the_script_runs) {
@@ -137,6 +164,48 @@ TEST(grammar, the_header_is_required_and_newer_versions_are_refused) {
   EXPECT_NE(parse("coaster-script 2\n").errors[0].find("version 2"), std::string::npos);
   EXPECT_EQ(parse("coaster-script\n").errors.size(), 1u);
   EXPECT_TRUE(parse("\xEF\xBB\xBF# mark\r\ncoaster-script 1\r\n\tframes 1\r\n").errors.empty());
+}
+
+TEST(grammar, lines_end_as_on_any_system_and_text_is_utf8) {
+  const ParsedScript old = parse("coaster-script 1\rframes 1\r\rfrmaes 2\r");
+  ASSERT_EQ(old.errors.size(), 1u);
+  EXPECT_EQ(old.errors[0].find("a.coaster:4:1: error: no command \"frmaes\""), 0u) << old.errors[0];
+  for (const std::string& wide :
+       {std::string("\xff\xfe"
+                    "c\0\n\0",
+                    6),
+        std::string("\xfe\xff\0c\0\n", 6), std::string("c\0\n\0", 4), std::string("\0c\0\n", 4)}) {
+    const ParsedScript parsed = parse(wide);
+    ASSERT_EQ(parsed.errors.size(), 1u);
+    EXPECT_EQ(parsed.errors[0], "a.coaster:1:1: error: UTF-16 text: save it as UTF-8");
+  }
+}
+
+TEST(grammar, a_nul_is_refused_in_quotes_and_outside) {
+  for (const std::string& line : {std::string("log \"a\0b\"", 9), std::string("log  a\0b", 8)}) {
+    const ParsedScript parsed = parse_lines(line);
+    ASSERT_EQ(parsed.errors.size(), 1u);
+    EXPECT_EQ(parsed.errors[0].find("a.coaster:2:7: error: unexpected control character \\u0000"), 0u)
+        << parsed.errors[0];
+  }
+}
+
+TEST(grammar, nesting_beyond_the_limit_is_one_error_with_the_limit) {
+  std::string lines;
+  for (int i = 0; i < kMaxBlockDepth + 3; ++i) lines += "repeat 1\n";
+  for (int i = 0; i < kMaxBlockDepth + 3; ++i) lines += "end\n";
+  const ParsedScript parsed = parse_lines(lines);
+  ASSERT_EQ(parsed.errors.size(), 1u);
+  EXPECT_EQ(parsed.errors[0].find("a.coaster:66:1: error: blocks are nested more than 64 deep"), 0u)
+      << parsed.errors[0];
+  const std::string header = "coaster-script 1\n";
+  write("deep0.coaster", header + "frames 1\n");
+  for (int i = 1; i <= kMaxIncludeDepth + 1; ++i)
+    write("deep" + std::to_string(i) + ".coaster", header + "include \"deep" + std::to_string(i - 1) + ".coaster\"\n");
+  EXPECT_TRUE(parse_lines("include \"deep" + std::to_string(kMaxIncludeDepth - 1) + ".coaster\"\n").errors.empty());
+  const ParsedScript deep = parse_lines("include \"deep" + std::to_string(kMaxIncludeDepth) + ".coaster\"\n");
+  ASSERT_EQ(deep.errors.size(), 1u);
+  EXPECT_NE(deep.errors[0].find("includes are nested more than 16 deep"), std::string::npos) << deep.errors[0];
 }
 
 TEST(grammar, blocks_nest_and_must_be_closed) {
