@@ -73,7 +73,8 @@ bool parse_count(Words& words, Action& action) {
 
 bool parse_wait(Words& words, Action& action) {
   Wait wait;
-  if (const base::Token* const first = words.peek(); first && base::is_number(first->text))
+  if (const base::Token* const first = words.peek();
+      first && (base::is_number(first->text) || first->text.find_first_of("0123456789") == 0))
     return words.fail(first->column, fmt::format("expected a query such as ride.lap, found {}; ticks N or frames N "
                                                  "advances time without a condition",
                                                  base::quoted(first->text)));

@@ -48,6 +48,13 @@ inline bool take(Words& words, std::string_view what, base::Token& to) {
   return word != nullptr;
 }
 
+// Like Words::end() after a text or a path, whose words need quotes.
+inline bool end_of_text(Words& words) {
+  if (words.failed() || words.at_end()) return words.end();
+  return words.fail(words.peek()->column,
+                    "unexpected " + base::quoted(words.peek()->text) + ": a text with blanks needs quotes");
+}
+
 // Takes any of +shift, +ctrl and +alt.
 void take_modifiers(Words& words, platform::Modifiers& modifiers);
 

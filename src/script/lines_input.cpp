@@ -65,7 +65,8 @@ bool parse_key(Words& words, Action& action) {
 bool parse_text(Words& words, Action& action) {
   const base::Token* const text = words.take("a text");
   if (!text) return false;
-  return finish(words, action, {{{platform::TextInput{text->text}}}});
+  action = Input{{{platform::TextInput{text->text}}}};
+  return end_of_text(words);
 }
 
 bool parse_wheel(Words& words, Action& action) {
@@ -84,7 +85,8 @@ bool parse_wheel(Words& words, Action& action) {
 bool parse_drop(Words& words, Action& action) {
   const base::Token* const path = words.take("a file");
   if (!path) return false;
-  return finish(words, action, {{{platform::Drop{path->text}}}});
+  action = Input{{{platform::Drop{path->text}}}};
+  return end_of_text(words);
 }
 
 // Parses "pad left 0 0.5 right 0 0 triggers 0 1", which releases everything that is not named, and "pad a", which

@@ -18,7 +18,7 @@ template <UiVerb verb>
 bool path_alone(Words& words, Action& action) {
   auto ui = take_path(words, verb);
   if (ui) action = *std::move(ui);
-  return words.end();
+  return end_of_text(words);
 }
 
 bool parse_ui_check(Words& words, Action& action) {
@@ -40,7 +40,7 @@ bool parse_ui_type(Words& words, Action& action) {
   if (!text) return false;
   ui->text = text->text;
   action = *std::move(ui);
-  return words.end();
+  return end_of_text(words);
 }
 
 bool parse_ui_drag(Words& words, Action& action) {

@@ -23,6 +23,7 @@ constexpr std::string_view kNoConditions = "; scripts have no conditions: wait w
 constexpr Elsewhere kElsewhere[]{{"//", "; comments begin with #"},
                                  {"assert", "expect"},
                                  {"capture", "shot"},
+                                 {"click", "ui.click"},
                                  {"const", kNoVariables},
                                  {"dblclick", "ui.doubleclick"},
                                  {"dragto", "ui.drag"},
@@ -34,8 +35,10 @@ constexpr Elsewhere kElsewhere[]{{"//", "; comments begin with #"},
                                  {"getbyrole", kLabels},
                                  {"getbytext", kLabels},
                                  {"goto", "load"},
+                                 {"hover", "ui.hover"},
                                  {"if", kNoConditions},
                                  {"im_check", "expect"},
+                                 {"im_check_eq", "expect"},
                                  {"import", "load"},
                                  {"itemcheck", "ui.check"},
                                  {"itemclick", "ui.click"},
@@ -70,7 +73,8 @@ constexpr Elsewhere kElsewhere[]{{"//", "; comments begin with #"},
                                  {"waitfortimeout", "frames"},
                                  {"while", kNoConditions},
                                  {"write", "save"},
-                                 {"yield", "frames"}};
+                                 {"yield", "frames"},
+                                 {"}", "end"}};
 
 }  // namespace
 

@@ -92,6 +92,13 @@ TEST(grammar, words_of_other_programs_lead_to_what_to_write) {
        "widgets are named by label: ui.click \"Track/Insert point\"\n"
        "    page.getByRole('button').click()\n    ^");
   ends("ctx->ItemClick(\"Track/Insert point\");", "^ did you mean \"ui.click\"?");
+  ends("page.click(\"Track/Insert point\")", "^ did you mean \"ui.click\"?");
+  ends("}", "^ did you mean \"end\"?");
+  EXPECT_NE(message("ui.click Track/Insert point")
+                .find(":2:23: error: unexpected \"point\": a text with blanks needs quotes"),
+            std::string::npos);
+  EXPECT_NE(message("text hello world").find("unexpected \"world\": a text"), std::string::npos);
+  EXPECT_NE(message("wait 500ms").find("found \"500ms\"; ticks N or frames N"), std::string::npos);
   ends("log(\"a\")", "    log(\"a\")\n        ^");
   ends("expect(page).toBeVisible()", "^ did you mean \"expect\"?");
   EXPECT_NE(message("waitForSelector \"Track/Length\"").find("; wait visible \"Track/Insert point\" waits"),
