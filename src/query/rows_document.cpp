@@ -116,7 +116,7 @@ constexpr std::array kDocumentRows{
     Query{"datum", kNoArgument, "m", "Height at which potential energy is zero.", of_document<&world::Document::datum>},
     Query{"longest", kNoArgument, "", "The longest segment; none without a segment.", longest, kText},
     Query{"conflicts", kNoArgument, "",
-          "Places where the track lacks clearance from itself: a train has too little room beside, under or over "
+          "Places where the track lacks clearance from itself: a train has too little room beside, below or above "
           "another stretch.",
           conflicts},
     Query{"conflict.missing", kNoArgument, "m", "Clearance missing at the worst conflict; 0 if there is none.",
@@ -161,7 +161,8 @@ constexpr std::array kDocumentRows{
           "Largest distance of an imported file's rows from the fitted track; 0 without an import.",
           of_import<&exchange::ImportReport::max_error>},
     Query{"import.frame_error", kNoArgument, "deg",
-          "Largest angle between a row's frame and the fitted track's, but within 0.5 m of where rows jump; 0 without "
+          "Largest angle between a row's frame and the fitted track's, except within 0.5 m of a jump between "
+          "rows; 0 without "
           "an import.",
           of_import<&exchange::ImportReport::frame_error>},
     Query{"import.rms_error", kNoArgument, "m", "Root mean square of the distances of import.max_error.",

@@ -126,10 +126,11 @@ constexpr std::array kForceRows{
           of_force<&sim::ForcePlan::fit, &sim::ForceFit::spans, &sim::ElementFit::error>},
     Query{"force.hold", kSection, "", "Whether both ends of a force section stay.",
           of_program<&world::ForceProgram::hold>, kSwitch},
-    Query{"force.unmet", kSection, "",
-          "Most that riders feel more or less than the keys say, vertical or lateral, because both ends stay: g; of "
-          "curvature 1/m.",
-          of_force<&sim::ForcePlan::unmet>},
+    Query{
+        "force.unmet", kSection, "",
+        "Largest difference between what riders feel and the keys, vertical or lateral, because both ends stay: g; of "
+        "curvature 1/m.",
+        of_force<&sim::ForcePlan::unmet>},
     Query{"force.unmet_at", kSection, "", "Where that is, m or s from its start.", of_force<&sim::ForcePlan::unmet_at>},
     Query{"force.ramp", kSection, "",
           "Length of the ramp at its start from the felt values to those of the keys, m or s.",

@@ -20,7 +20,8 @@ struct HelpRow {
 constexpr std::array kSession{
     HelpRow{"coaster-script 1", "The first line of every script."},
     HelpRow{"env [size WxH] [seed N] [scale X] [density X] [msaa N]",
-            "Sets picture size (640x360), seed, scale of the panels, pixels per point (1), samples per pixel (0)."},
+            "Sets picture size (640x360), seed, scale of the panels (0.75..3), pixels per point (0.5..4), samples per "
+            "pixel (0)."},
     HelpRow{"env home \"$OUT/FOLDER\"",
             "Keeps settings and autosaves in that folder. The first line starts with an empty folder; a later one acts "
             "like a restart after a crash."},

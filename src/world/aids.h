@@ -19,12 +19,12 @@ struct Aids {
               {.kept_as = "hints", .on_for_user = true}),
       setting(&Aids::show_card, "card", "Whether the score card shows when a ride ends.",
               {.kept_as = "card", .on_for_user = true}),
-      setting(&Aids::show_gizmo, "gizmo", "Whether arrows show that move the selected knots.",
+      setting(&Aids::show_gizmo, "gizmo", "Whether the selected knots have arrows that move them.",
               {.kept_as = "gizmo", .on_for_user = true}),
       setting(&Aids::append_mode, "append_mode", "Whether a click on the ground appends a knot."),
-      setting(&Aids::show_element, "element.preview", "Whether the palette's element shows where it would go."),
-      setting(&Aids::circuit, "complete.choose", "Way home that shows, from 1: see complete. 0: none.",
-              {.low = 0, .high = 3})};
+      setting(&Aids::show_element, "element.preview", "Whether the palette's element is previewed at the open end."),
+      setting(&Aids::circuit, "complete.choose",
+              "Way home that is previewed, from 1; complete takes the same numbers. 0: none.", {.low = 0, .high = 3})};
 };
 
 }  // namespace coaster::world

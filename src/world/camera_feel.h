@@ -33,7 +33,7 @@ struct CameraFeel {
       setting(&CameraFeel::head_bob, "camera.head_bob", "Whether the rider's head moves with g.",
               {.query = "head_bob", .kept_as = "head_bob"}),
       setting(&CameraFeel::follow, "camera.follow",
-              "Whether the orbit camera follows the open end and the preview where they leave the picture.",
+              "Whether the orbit camera follows the open end and the preview when they leave the picture.",
               {.query = "follow", .kept_as = "follow", .on_for_user = true})};
 };
 

@@ -11,7 +11,7 @@ struct StartChallenge {
   std::string path;
   COASTER_COMMAND(
       StartChallenge, "challenge",
-      "Begin a challenge: opens its start track, which has no file then. Forces are compared with the built-in limits.",
+      "Begin a challenge: opens its start track as an unsaved track. Forces are compared with the built-in limits.",
       Effect::session);
   COASTER_FIELDS(visit("", self.path))
 };

@@ -68,7 +68,7 @@ struct ShapeForceKey {
   double at = 0, slope = 0, before = 0, after = 0;
   COASTER_COMMAND(ShapeForceKey, "force.handle",
                   "Set the slope of a channel's curve at a key, and how far its handles reach (m or s; 0: a third of "
-                  "the way to the next key).",
+                  "the distance to the next key).",
                   Effect::document, "Shaped a key of {}");
   COASTER_FIELDS(visit("", self.section), visit("from_start?", self.from_start), visit("", self.channel),
                  visit("at", self.at), visit("slope", self.slope), visit("before?", self.before),
@@ -130,10 +130,11 @@ struct SetForceOf {
 struct HoldForces {
   Target section;
   bool on{};
-  COASTER_COMMAND(HoldForces, "force.hold",
-                  "Let both ends of a force section stay when its keys change: riders then feel what the keys say as "
-                  "nearly as that allows, and force.unmet is what they miss.",
-                  Effect::document, "Set whether both ends of {} stay");
+  COASTER_COMMAND(
+      HoldForces, "force.hold",
+      "Keep both ends of a force section in place when its keys change. Riders then feel the keys as closely "
+      "as that allows; force.unmet is the difference.",
+      Effect::document, "Set whether both ends of {} stay");
   COASTER_FIELDS(visit("", self.section), visit("", self.on))
 };
 

@@ -95,16 +95,17 @@ struct Reverse {
 };
 struct Duplicate {
   Knots knots;
-  COASTER_COMMAND(Duplicate, "duplicate",
-                  "Copy the track between neighbouring knots to the end of an open track, turned to go on from there.",
-                  Effect::document, "Duplicated {}");
+  COASTER_COMMAND(
+      Duplicate, "duplicate",
+      "Copy the track between neighbouring knots to the end of an open track, turned to continue from there.",
+      Effect::document, "Duplicated {}");
   COASTER_FIELDS(visit("", self.knots))
 };
 struct CloseExactly {
   double within = 2;
   COASTER_COMMAND(
       CloseExactly, "close",
-      "Close the track: ends that are within a distance (m) become one knot, others get a segment between them.",
+      "Close the track: ends within a distance (m) of each other become one knot, others get a segment between them.",
       Effect::document, "Closed the track");
   COASTER_FIELDS(visit("within?", self.within))
 };

@@ -37,7 +37,7 @@ Status perform(Session& session, Change& change, const MakeSection& command) {
   const std::size_t first = runs.front().places.front(), count = knots->size() - (runs.front().whole ? 0 : 1);
   if (runs.size() != 1 || count == 0) return refused("expected two or more neighbouring knots");
   if (first + count > document.track.segments.size())
-    return refused("a section cannot go on beyond the first knot of a closed track");
+    return refused("a section cannot continue beyond the first knot of a closed track");
   change.select = world::make_section(document, first, count, {});
   return {};
 }

@@ -84,7 +84,7 @@ Status take_up(Session& session, Change& change, const Document& former, Documen
   const std::optional<SectionRun> run = world::completing(next, 0);
   const std::size_t count = next.track.segments.size();
   if (!run || !former.entities.find<world::Section>(run->section)) return {};
-  if (run->count == count) return refused("a circuit has a section besides the one that completes it");
+  if (run->count == count) return refused("a circuit needs a section besides the one that completes it");
   const SectionRun was = world::run_of(former, run->section);
   if (alike(ends_of(former, was), ends_of(next, *run))) return {};
   const std::optional<sim::ChangedWay> found = way_for(session, change_of(session, former, was, next, *run));
