@@ -61,4 +61,14 @@ completed --seed ""
 sed -n '/^```$/,/^```$/{/^```$/!p}; /^Run it with/q' "$SOURCE/docs/script.md" >"$OUT/example.coaster"
 expect_text example.coaster "coaster-script 1"
 run_script 0 example
+# The lines of docs/movies-and-sound.md are a script, and the example of docs/track-format.md is one.
+{
+  printf 'coaster-script 1\nenv size 64x36\nload "%s/tracks/loop.json"\nride.start\n' "$SOURCE"
+  sed -n '/^    movie\.start/,/^$/p' "$SOURCE/docs/movies-and-sound.md"
+} >"$OUT/movie.coaster"
+expect_text movie.coaster "movie.stop"
+expect_code 0 --validate "$OUT/movie.coaster"
+sed -n '/^```json$/,/^```$/{/^```/!p}' "$SOURCE/docs/track-format.md" >"$OUT/example.json"
+expect_text example.json '"coaster-track"'
+expect_code 0 --validate "$OUT/example.json"
 finish
