@@ -86,20 +86,9 @@ Status change_forces(Session& session, Change& change, Entity section, const For
   });
 }
 
-namespace {
-
-// Returns " at 20 m/s" if the section's spans are judged at that speed.
-std::string judged_text(const ForceProgram& program) {
-  return program.of == world::ForceOf::curvature ? fmt::format(" at {} m/s", base::to_text(world::kCurvatureSpeed))
-                                                 : "";
-}
-
-}  // namespace
-
 void report_missed(const sim::ForcePlan& plan, Change& change) {
-  if (plan.fit.within) return;
-  change.clamped.push_back(fmt::format("Riders feel up to {:.2f} g more or less than the keys say{}, at {:.1f} m.",
-                                       plan.fit.felt_error, judged_text(plan.task.program), plan.fit.felt_at));
+  if (const std::string missed = sim::missed_text(plan); !missed.empty())
+    change.clamped.push_back(base::sentence(missed));
 }
 
 void report_forces(const sim::ForcePlan& plan, Change& change) {
@@ -109,7 +98,7 @@ void report_forces(const sim::ForcePlan& plan, Change& change) {
   if (change.clamped.empty())
     change.note =
         fmt::format("Placed a force section: {:.1f} m, {} {}, felt g{} within {:.2f} g.", plan.length, plan.spans(),
-                    plan.spans() == 1 ? "span" : "spans", judged_text(plan.task.program), plan.fit.felt_error);
+                    plan.spans() == 1 ? "span" : "spans", sim::judged_text(plan.task.program), plan.fit.felt_error);
 }
 
 Status add_force(Session& session, Change& change, ForceProgram program) {

@@ -11,6 +11,7 @@
 #include "edit/session/ride_watch.h"
 #include "exchange/own/link.h"
 #include "world/evaluation.h"
+#include "world/sections.h"
 
 namespace coaster::edit {
 
@@ -72,11 +73,36 @@ world::Entity chosen_cart(const Session& session) {
   return selected ? session.settings.selected : world::first_cart(session.document);
 }
 
+namespace {
+
+// Returns a line for each force section whose spans miss its tolerance, below a line with their number; empty without
+// force sections.
+std::string missed_forces(const Finder& find) {
+  const world::Document& document = find.session().document;
+  std::string lines;
+  std::size_t sections = 0, missed = 0;
+  for (const world::SectionRun& run : world::sections_of(document)) {
+    const sim::ForcePlan* const plan = find.force(run.section);
+    if (plan == nullptr) continue;
+    ++sections;
+    const std::string text = sim::missed_text(*plan);
+    if (!plan->refusal.empty() || text.empty()) continue;
+    ++missed;
+    lines += fmt::format("    section {}: {}; tolerance {} g\n", world::label_of(document, run.section), text,
+                         base::to_text(plan->task.program.tolerance));
+  }
+  if (sections == 0) return {};
+  return fmt::format("  {:<22} {:8} (force sections over their tolerance)\n", "missed forces", missed) + lines;
+}
+
+}  // namespace
+
 std::optional<std::string> ride_report(const Finder& find) {
   const Findings& found = find(Want::ratings | Want::overloads | Want::riders);
   if (found.ride == nullptr) return std::nullopt;
   std::string text =
       sim::report_text(*found.ride, *found.ratings, found.riders->all(), found.overloads, find.session().document.name);
+  text += missed_forces(find);
   if (const auto& import = find.session().file.import) {
     text += fmt::format("  {:<22} {:8.2f} mm, {:.3f} deg, of the file's rows; at their jumps {:.3f} deg\n",
                         "largest deviation", 1e3 * import->max_error, import->frame_error, import->jump_error);

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "base/text.h"
 #include "curve/continuity.h"
 #include "curve/frames.h"
 #include "sim/plan/elements.h"
@@ -138,6 +139,17 @@ std::string unmet_text(const ForcePlan& plan) {
                      world::unit_of(program.over), bends ? "the track bends" : "riders feel", plan.unmet, bends ? 4 : 2,
                      world::unit_of(program, channel), added[static_cast<std::size_t>(channel)] > 0 ? "more" : "less",
                      base::name_of(channel));
+}
+
+std::string judged_text(const world::ForceProgram& program) {
+  return program.of == world::ForceOf::curvature ? fmt::format(" at {} m/s", base::to_text(world::kCurvatureSpeed))
+                                                 : "";
+}
+
+std::string missed_text(const ForcePlan& plan) {
+  if (plan.fit.within) return {};
+  return fmt::format("riders feel up to {:.2f} g more or less than the keys say{}, at {:.1f} m", plan.fit.felt_error,
+                     judged_text(plan.task.program), plan.fit.felt_at);
 }
 
 std::string stop_text(const ForcePlan& plan) {

@@ -67,6 +67,13 @@ ForceTask force_task(const world::Document& document, const TrackEnd& end, const
 // bends 0.0103 1/m more". Empty if not held, or for less than 0.005 g.
 std::string unmet_text(const ForcePlan& plan);
 
+// Returns " at 20 m/s" if the section's spans are judged at that speed.
+std::string judged_text(const world::ForceProgram& program);
+
+// Returns "riders feel up to 0.21 g more or less than the keys say, at 12.3 m"; empty if the spans are within the
+// tolerance.
+std::string missed_text(const ForcePlan& plan);
+
 // Returns "the section ends at 41.2 m: the train falls below 3 m/s there"; empty if it reaches its end.
 std::string stop_text(const ForcePlan& plan);
 

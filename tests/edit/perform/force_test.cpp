@@ -198,7 +198,7 @@ TEST_F(Forces, bad_values_are_refused_with_a_clear_word) {
 }
 
 // 5 g within a metre at some 24 m/s: no span of half a metre follows that within 0.02 g.
-TEST_F(Forces, each_change_that_misses_the_tolerance_says_by_how_much_and_where) {
+TEST_F(Forces, each_change_that_misses_the_tolerance_says_by_how_much_and_where_and_the_report_too) {
   drop_and_force();
   good("force.tolerance @" + section + " to 0.02");
   key("vertical key 1 at 20");
@@ -210,8 +210,19 @@ TEST_F(Forces, each_change_that_misses_the_tolerance_says_by_how_much_and_where)
   EXPECT_EQ(session.notices.list.back().text,
             fmt::format("Riders feel up to {:.2f} g more or less than the keys say, at {:.1f} m.",
                         missed.fit.felt_error, missed.fit.felt_at));
+  const std::string line = fmt::format(
+      "    section {}: riders feel up to {:.2f} g more or less than the keys say, at {:.1f} m; tolerance "
+      "0.02 g\n",
+      section, missed.fit.felt_error, missed.fit.felt_at);
+  EXPECT_NE(
+      ride_report(session)->find("  missed forces                 1 (force sections over their tolerance)\n" + line),
+      std::string::npos)
+      << *ride_report(session);
   good("force.tolerance @" + section + " to 0.5");
   EXPECT_TRUE(plan().fit.within);
+  EXPECT_NE(ride_report(session)->find("  missed forces                 0 "), std::string::npos);
+  good("force.free @" + section);
+  EXPECT_EQ(ride_report(session)->find("missed forces"), std::string::npos);
 }
 
 TEST_F(Forces, a_drag_changes_the_keys_that_it_began_with) {
