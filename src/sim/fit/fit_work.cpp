@@ -6,6 +6,7 @@ namespace {
 constexpr std::size_t kFirstStride = 32;  // rows of the first span to try
 constexpr double kLeastSpan = 0.06;       // m: in a shorter span the least handle length would not fit
 constexpr double kLeastScale = 0.4;       // relative to the bounds
+constexpr double kCopyScale = 0.2;        // the same for the rows of a track that was fitted before
 
 // Returns the longest span from `first`: doubles the last one's length, then bisects. Assumes that a shorter part of a
 // fitting span fits too.
@@ -88,20 +89,22 @@ void fit_spans(FitWork& w, std::size_t most_spans) {
 void even_out(FitWork& w) {
   if (w.spans.size() < 2 || w.rows.size() > kEvenedRows) return;
   std::vector<Span> best = w.spans;
-  const auto suffice = [&](double scale) {
+  const std::size_t fewest = best.size();
+  const auto suffice = [&](double scale, std::size_t most) {
     w.scale = scale;
-    fit_spans(w, best.size());
-    if (w.spans.size() > best.size()) return false;
+    fit_spans(w, most);
+    if (w.spans.size() > most) return false;
     best = std::move(w.spans);
     return true;
   };
-  // The rows of a track that was fitted before lie on spans that meet much tighter bounds. On other rows a span's
-  // length scales with the second to fourth root of the bound: with n spans the bounds can shrink by 4 / n at most.
-  if (!suffice(kLeastScale)) {
-    double low = std::max(kLeastScale, 1 - 4.0 / static_cast<double>(best.size())), high = 1;
+  // The rows of a track that was fitted before lie on spans that meet much tighter bounds with about as many knots. On
+  // other rows a span's length scales with the second to fourth root of the bound: at kCopyScale there are half as many
+  // spans more, and with n spans the bounds can shrink by 4 / n at most.
+  if (!suffice(kCopyScale, fewest + fewest / 8 + 1) && !suffice(kLeastScale, fewest)) {
+    double low = std::max(kLeastScale, 1 - 4.0 / static_cast<double>(fewest)), high = 1;
     for (int i = 0; i < kEvenings && !w.cancelled(); ++i) {
       const double middle = 0.5 * (low + high);
-      (suffice(middle) ? high : low) = middle;
+      (suffice(middle, fewest) ? high : low) = middle;
     }
   }
   w.scale = 1;

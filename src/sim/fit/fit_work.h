@@ -44,7 +44,7 @@ struct FitWork {
   bool cancelled() const { return progress && progress->cancelled; }
   // Reports progress within the present pass, 0..1. The passes take about the same time, the rest little.
   void tell(double part) const {
-    const double all = (rows.size() > kEvenedRows ? 1 : 2 + kEvenings) + 0.2;
+    const double all = (rows.size() > kEvenedRows ? 1 : 3 + kEvenings) + 0.2;
     if (progress) progress->report(std::max(progress->done.load(), std::min(1.0, (passes + part) / all)));
   }
 
