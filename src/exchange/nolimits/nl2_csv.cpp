@@ -200,12 +200,25 @@ bool check_steps(Reader& r) {
   return true;
 }
 
+// Warns of rows with Up mostly along Z although Front turns in the plane of X and Y: those of a program with Z up.
+void check_axes(Reader& r) {
+  constexpr double kUpright = 0.6, kTurns = 0.2;  // Z of the mean Up; X and Y of Front, root mean square
+  dvec3 up(0), squares(0);
+  for (const sim::FitRow& row : r.rows) up += row.up, squares += row.forward * row.forward;
+  const auto count = static_cast<double>(r.rows.size());
+  if (std::abs(up.z) > kUpright * count && std::min(squares.x, squares.y) > kTurns * kTurns * count)
+    r.warn(r.row_lines[0],
+           "Up is mostly along Z, but the format has Y up: if the file has Z up, write (x, z, -y) for each (x, y, z), "
+           "in positions and vectors");
+}
+
 bool read_rows(Reader& r) {
   if (!read_header(r)) return false;
   std::string_view line;
   while (!r.lines.only_blanks_left() && r.lines.next(line))
     if (!read_row(r, line)) return false;
   if (r.rows.size() < 2) return r.fail("at least 2 rows at different positions", std::to_string(r.rows.size()));
+  check_axes(r);
   return check_steps(r);
 }
 

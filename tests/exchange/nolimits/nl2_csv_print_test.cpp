@@ -1,8 +1,12 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <fstream>
 #include <sstream>
+
+#include <fmt/format.h>
 
 #include "exchange/nolimits/nl2_csv.h"
 #include "exchange/nolimits/nl2_header.h"
@@ -123,6 +127,41 @@ TEST(nl2_csv_print, copies_of_copies_stay_near_the_first_and_have_about_as_many_
       EXPECT_LE(step.angle_deg, 0.11);
       EXPECT_LE(test::misses_of(last->document, rows_of(first)).distance, 0.01);
     }
+  }
+}
+
+// The rows with each of their vectors (x, y, z) turned.
+template <class Turn>
+std::string turned(const std::vector<sim::FitRow>& rows, const Turn& turn) {
+  std::string text(test::kNl2Header);
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const sim::FitRow& r = rows[i];
+    text += std::to_string(i + 1);
+    for (const glm::dvec3& v : {turn(r.position), turn(r.forward), glm::cross(turn(r.up), turn(r.forward)), turn(r.up)})
+      text += fmt::format("\t{:.6f}\t{:.6f}\t{:.6f}", v.x, v.y, v.z);
+    text += '\n';
+  }
+  return text;
+}
+
+TEST(nl2_csv_print, rows_with_z_up_are_warned_of_and_turned_or_mirrored_rows_are_not) {
+  const auto warned = [](const std::string& text) {
+    const auto loaded = parse_nl2_csv(text, "t.csv");
+    EXPECT_TRUE(loaded.ok()) << loaded.status().message;
+    return loaded && std::any_of(loaded->warnings.begin(), loaded->warnings.end(), [](const std::string& w) {
+             return w.find("Up is mostly along Z") != std::string::npos;
+           });
+  };
+  for (const char* name : {"gentle.json", "helix.json", "kingfisher.json", "loop.json", "old_timber.json"}) {
+    SCOPED_TRACE(name);
+    const std::vector<sim::FitRow> rows = rows_of(print_nl2_csv(sample(name), 1));
+    EXPECT_TRUE(warned(turned(rows, [](glm::dvec3 v) { return glm::dvec3(v.x, -v.z, v.y); })));
+    EXPECT_FALSE(warned(turned(rows, [](glm::dvec3 v) { return glm::dvec3(v.x, v.y, -v.z); })));
+    for (const double angle : {0.0, 0.7, 1.6, 4.0})
+      EXPECT_FALSE(warned(turned(rows, [&](glm::dvec3 v) {
+        const double c = std::cos(angle), s = std::sin(angle);
+        return glm::dvec3(c * v.x + s * v.z, v.y, c * v.z - s * v.x);
+      })));
   }
 }
 
