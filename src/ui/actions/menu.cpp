@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <string>
 #include <vector>
 
@@ -10,6 +11,7 @@
 
 #include "ui/actions/actions_parts.h"
 #include "ui/context/rows.h"
+#include "ui/widgets/imgui_compat.h"
 #include "ui/widgets/theme.h"
 #include "world/panels.h"
 
@@ -85,6 +87,19 @@ void build_items(Act& act, std::string_view menu) {
   }
 }
 
+void build_menus(Act& act) {
+  constexpr const char* kMenus[] = {"File", "Edit", "View", "Ride", "Window"};
+  constexpr int kCount = std::size(kMenus);
+  const int popups = open_popups();
+  int open = -1;
+  for (int i = 0; i < kCount; ++i) {
+    if (ImGui::IsPopupOpen(kMenus[i])) open = i;
+    build_one(act, kMenus[i]);
+  }
+  const int step = open < 0 ? 0 : take_menu_step(popups);
+  if (step != 0) ImGui::OpenPopup(kMenus[(open + step + kCount) % kCount]);
+}
+
 struct Tab {
   world::Workspace workspace;
   std::string_view action;
@@ -145,7 +160,7 @@ void build_file_mark(Ui& ui) {
 void build_menu(Act& act) {
   if (!ImGui::BeginMainMenuBar()) return;
   act.ui.panel = "Menu";
-  for (const std::string_view menu : {"File", "Edit", "View", "Ride", "Window"}) build_one(act, menu);
+  build_menus(act);
   build_tabs(act.ui);
   build_file_mark(act.ui);
   act.ui.panel.clear();

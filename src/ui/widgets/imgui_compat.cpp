@@ -70,6 +70,24 @@ void set_list_keys(bool on) {
 #endif
 }
 
+int open_popups() { return ImGui::GetCurrentContext()->OpenPopupStack.Size; }
+
+int take_menu_step(int popups_before) {
+  ImGuiContext& g = *ImGui::GetCurrentContext();
+  const int step = int{ImGui::IsKeyPressed(ImGuiKey_RightArrow)} - int{ImGui::IsKeyPressed(ImGuiKey_LeftArrow)};
+  if (step == 0 || open_popups() != popups_before || (step < 0 && popups_before > 1)) return 0;
+  ImGui::NavMoveRequestCancel();  // ImGui would close the menu
+  // No item of the neighbour is chosen yet, and the title under a resting mouse does not open again.
+#if IMGUI_VERSION_NUM >= 19140
+  g.NavCursorVisible = false;
+  g.NavHighlightItemUnderNav = true;
+#else
+  g.NavDisableHighlight = true;
+  g.NavDisableMouseHover = true;
+#endif
+  return step;
+}
+
 #if IMGUI_VERSION_NUM >= 19200
 
 namespace {

@@ -26,6 +26,12 @@ void set_modifiers(bool ctrl, bool shift, bool alt);
 // With `on`, the arrows, Home, End, Enter and Escape move, choose and close in the lists and menus of the next frame.
 void set_list_keys(bool on);
 
+// Returns how many lists, menus and dialogs are open, one inside another.
+int open_popups();
+// Returns 1 or -1 if Right or Left leaves the open menu of the menu bar for its neighbour, otherwise 0: a menu inside
+// it opens or closes. Call it after all menus, with open_popups() before them; then open the neighbour.
+int take_menu_step(int popups_before);
+
 // Returns the line height of a font, px.
 float pixels_of(const ImFont& font);
 bool has_glyph(ImFont& font, ImWchar character);

@@ -4,6 +4,7 @@
 #include <imgui_internal.h>
 
 #include "edit/commands/commands_ride.h"
+#include "edit/commands/commands_session.h"
 #include "edit/commands/commands_settings.h"
 #include "edit/commands/set_setting.h"
 #include "ui/stage.h"
@@ -219,6 +220,38 @@ TEST_F(ActionsTest, an_empty_list_of_recent_files_says_so) {
     }
     key(platform::Key::escape);
   }
+}
+
+TEST_F(ActionsTest, right_and_left_open_the_menu_beside_the_open_one) {
+  using platform::Key;
+  const auto expect_open = [&](const std::string& open) {
+    frames(3);
+    for (const std::string menu : {"File", "Edit", "View", "Ride", "Window"})
+      EXPECT_EQ(find("Menu/" + menu)->value, menu == open ? "open" : "closed") << menu << ", not " << open;
+  };
+  ASSERT_TRUE(edit::apply(session_, files_, edit::NewTrack{}));  // the first item of Edit that is not grey is a menu
+  click("Menu/File");
+  expect_open("File");
+  for (const char* menu : {"Edit", "View", "Ride", "Window", "File"}) key(Key::right), expect_open(menu);
+  for (const char* menu : {"Window", "Ride", "View"}) key(Key::left), expect_open(menu);
+  const auto camera = [&] {
+    const Widget* const inside = find("Menu/View/Camera");
+    return inside != nullptr ? inside->value : "no menu";
+  };
+  for (int downs = 1; downs <= 20 && camera() != "open"; ++downs) {
+    if (downs > 1) key(Key::left), expect_open("View");  // the last item was no menu
+    for (int i = 0; i < downs; ++i) key(Key::down);
+    key(Key::right), frames(3);
+  }
+  expect_open("View");
+  ASSERT_EQ(camera(), "open") << "Right enters the menu inside";
+  key(Key::left), expect_open("View");
+  EXPECT_EQ(camera(), "closed") << "Left leaves it";
+  key(Key::right), expect_open("View");
+  EXPECT_EQ(camera(), "open");
+  key(Key::right), expect_open("Ride");
+  key(Key::escape);
+  expect_open("none");
 }
 
 TEST_F(ActionsTest, the_laboratory_is_ticked_only_where_it_shows) {
