@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "base/scratch_folder.h"
 #include "edit/perform/apply.h"
 #include "edit/session/session.h"
 #include "query/context.h"
@@ -89,7 +90,11 @@ struct FakeHost {
   }
 };
 
-inline std::filesystem::path test_folder() { return std::filesystem::path(testing::TempDir()) / "coaster_script_test"; }
+// A folder of this process alone.
+inline const std::filesystem::path& test_folder() {
+  static const test::ScratchFolder folder;
+  return folder.path();
+}
 
 // Parses and runs the lines below the header.
 inline base::Status run_lines(FakeHost& fake, const std::string& lines, bool update = false) {

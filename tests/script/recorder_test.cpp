@@ -28,7 +28,6 @@ std::string hashes(const edit::Session& session) {
 }
 
 TEST(recorder, a_replay_has_the_same_hashes) {
-  std::filesystem::create_directories(test_folder());
   base::Files files;
   FakeHost original;
   const std::string track = std::string(COASTER_SOURCE_DIR) + "/tracks/loop.json";
@@ -86,7 +85,6 @@ world::Settings other_settings(const edit::Session& session) {
 }
 
 TEST(recorder, a_replay_has_the_same_settings) {
-  std::filesystem::create_directories(test_folder());
   base::Files files;
   FakeHost original;
   ASSERT_TRUE(original.apply(edit::Load{std::string(COASTER_SOURCE_DIR) + "/tracks/loop.json"}).ok());
