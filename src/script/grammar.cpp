@@ -138,7 +138,7 @@ void Parser::unreadable(const std::string& text, const base::TextError& problem)
   std::vector<base::Token> called;
   base::TextError ignored;
   const std::vector<std::string>& known = statement_words();
-  if (const std::size_t end = text.find('('); end != text.npos && static_cast<int>(end) < problem.column)
+  if (const std::size_t end = text.find('('); end != std::string::npos && static_cast<int>(end) < problem.column)
     if (base::tokenise(std::string_view(text).substr(0, end), called, ignored) && !called.empty() &&
         std::find(known.begin(), known.end(), called[0].text) == known.end())
       return statement(called);
@@ -174,7 +174,8 @@ bool Parser::split(std::string_view text, Source& made) {
     error(1, message);
     return false;
   };
-  if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF") || text.substr(0, 2).find('\0') != text.npos)
+  if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF") ||
+      text.substr(0, 2).find('\0') != std::string_view::npos)
     return refuse("UTF-16 text: save it as UTF-8");
   if (text.starts_with(kByteOrderMark)) text.remove_prefix(kByteOrderMark.size());
   while (!text.empty()) {

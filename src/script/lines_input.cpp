@@ -15,7 +15,7 @@ bool finish(Words& words, Action& action, Input input) {
 
 // Returns what the message about an unknown key ends with: the same with plus signs, else the nearest key, else which
 // keys may come before it.
-std::string near_chord(std::string text) {
+std::string near_chord(const std::string& text) {
   std::string joined = text;
   std::replace(joined.begin(), joined.end(), '-', '+');
   if (const auto chord = platform::parse_chord(joined))
