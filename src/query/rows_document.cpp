@@ -161,9 +161,8 @@ constexpr std::array kDocumentRows{
           "Largest distance of an imported file's rows from the fitted track; 0 without an import.",
           of_import<&exchange::ImportReport::max_error>},
     Query{"import.frame_error", kNoArgument, "deg",
-          "Largest angle between a row's frame and the fitted track's, except within 0.5 m of a jump between "
-          "rows; 0 without "
-          "an import.",
+          "Largest angle between a row's frame and the fitted track's, except within 0.5 m of a jump between rows; 0 "
+          "without an import.",
           of_import<&exchange::ImportReport::frame_error>},
     Query{"import.rms_error", kNoArgument, "m", "Root mean square of the distances of import.max_error.",
           of_import<&exchange::ImportReport::rms_error>},

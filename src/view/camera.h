@@ -83,6 +83,7 @@ std::optional<glm::vec3> meet_plane(const Ray& ray, glm::vec3 point, glm::vec3 n
 // Returns the height (y) on the vertical line through `point` that is nearest to the ray.
 std::optional<float> meet_vertical(const Ray& ray, glm::vec3 point);
 
+inline constexpr float kMargin = 1.1f;  // a tenth of the picture stays free
 // Returns the nearest camera with the same yaw and pitch that shows a box with a margin, at the viewport's aspect
 // ratio.
 world::Camera frame_box(const world::Camera& from, glm::vec3 low, glm::vec3 high, Viewport viewport);
@@ -90,7 +91,6 @@ world::Camera frame_box(const world::Camera& from, glm::vec3 low, glm::vec3 high
 // shows all points in `free`, the part of the viewport that nothing covers, and leaves a margin: `free` is at least
 // `margin` (>= 1) times as wide and high as what they take around its middle. No point is nearer than a fifth of its
 // distance. Returns the camera itself if it already does.
-inline constexpr float kMargin = 1.1f;  // a tenth of the picture stays free
 world::Camera kept_in_view(const world::Camera& camera, std::span<const glm::vec3> points, Viewport viewport,
                            Viewport free, float margin = kMargin);
 // Does the same as frame_box() for the whole track (40 m about the origin if it is empty) or for one entity.
