@@ -235,7 +235,7 @@ constexpr Action kViewActions[] = {
      "Move the selected position backward along the track by 1/64 of a segment.", probe_back, kProbing},
     {"Probe on", "View", key(Key::right_bracket), kRepeats,
      "Move the selected position forward along the track by 1/64 of a segment.", probe_on, kProbing},
-    {"Command palette", "View", ctrl(Key::p), 0, "Find an action or a command.", open_palette},
+    {"Command palette", "View", ctrl(Key::p), kOnStart, "Find an action or a command.", open_palette},
     {"Panels", "View", key(Key::tab), 0,
      "Show or hide menu, panels and status bar. While ways home show: the next of them.", panels_or_next_way, kAlways,
      on<&Panels::show_panels>},

@@ -157,6 +157,7 @@ void Host::Parts::lay_out(Ui& ui, const platform::Events& events, int width, int
   take_files(ui, events);
   Act act{ui, tool, layout.scene, beside, hovered, palette};
   if (start.open() && !dialogs.open()) run_keys(act, events, kOnStart);
+  if (palette.open) start.hide();  // it searches the actions on the track
   else if (!typing && !asking && !listing)
     tool.transform().active() ? run_transform_keys(act, events) : run_keys(act, without_force_keys(ui, events));
   take_want(ui);
@@ -225,7 +226,7 @@ Output Host::build(const platform::Events& polled, const State& state, int width
   p.follow_session(state);
   const bool field_opens = p.palette.open || p.wish.id != 0 || !p.wish.panel.empty();
   const platform::Events events = p.order.take(polled, text_has_keyboard(), p.input.clicks_wait(), field_opens);
-  p.input.feed(events, width, height, text_has_keyboard());
+  p.input.feed(events, width, height, text_has_keyboard(), p.start.open() && !p.dialogs.open());
   ImGui::NewFrame();
   Output out;
   p.list.clear();

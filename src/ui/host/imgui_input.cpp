@@ -112,7 +112,8 @@ float ImGuiInput::scrolled_by_finger() const {
   return (mouse_.y - io.MousePos.y) / (kLines * ImGui::GetFontSize());
 }
 
-void ImGuiInput::feed(const platform::Events& events, int width, int height, bool text_has_keyboard) {
+void ImGuiInput::feed(const platform::Events& events, int width, int height, bool text_has_keyboard,
+                      bool page_of_choices) {
   static_assert(std::tuple_size_v<Keys> == std::size(kKeys));
   ImGuiIO& io = ImGui::GetIO();
   io.DisplaySize = {static_cast<float>(width), static_cast<float>(height)};
@@ -153,10 +154,9 @@ void ImGuiInput::feed(const platform::Events& events, int width, int height, boo
   set_modifiers(modifiers_.ctrl, modifiers_.shift, modifiers_.alt);
   const int behind = popups_behind_lists();
   listing_ = behind < ImGui::GetCurrentContext()->OpenPopupStack.Size;
-  const bool choosing = listing_ && !text_has_keyboard;
-  set_list_keys(choosing);
+  set_list_keys((listing_ || page_of_choices) && !text_has_keyboard);
   // All of them: a menu inside another one would open again under the mouse.
-  if (choosing && pressed(events, Key::escape)) ImGui::ClosePopupToLevel(behind, true);
+  if (listing_ && !text_has_keyboard && pressed(events, Key::escape)) ImGui::ClosePopupToLevel(behind, true);
   // For fingers widgets reach half of the way to the next one.
   ImGuiStyle& style = ImGui::GetStyle();
   style.TouchExtraPadding = finger_ ? ImVec2(0.5f * style.ItemSpacing.x, 0.5f * style.ItemSpacing.y) : ImVec2();

@@ -17,8 +17,10 @@ namespace coaster::ui {
 class ImGuiInput {
  public:
   // Sets the display's size, the time step (the sum of the ticks), mouse, keys and text of the current context. Call it
-  // before NewFrame. Tab goes to ImGui only while `text_has_keyboard`; otherwise it is the program's.
-  void feed(const platform::Events& events, int width, int height, bool text_has_keyboard);
+  // before NewFrame. Tab goes to ImGui only while `text_has_keyboard`; otherwise it is the program's. Keys choose in
+  // lists and menus, and with `page_of_choices` in the window with the focus.
+  void feed(const platform::Events& events, int width, int height, bool text_has_keyboard,
+            bool page_of_choices = false);
   bool clicks_wait() const { return !waiting_.empty(); }  // for the next frames: one takes a single change of a button
   bool listing() const { return listing_; }               // a list or menu is open, which gets this frame's keys
   bool finger() const { return finger_; }                 // the mouse is a finger on a touch screen

@@ -7,11 +7,13 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <utility>
 
 #include <fmt/format.h>
 
 #include "base/folders.h"
 #include "ui/screens/dialogs.h"
+#include "ui/widgets/imgui_compat.h"
 #include "ui/widgets/medals.h"
 #include "ui/widgets/theme.h"
 #include "world/track_name.h"
@@ -160,25 +162,27 @@ void StartScreen::build(Ui& ui, const platform::Events& events, float width, flo
   constexpr ImGuiWindowFlags kFlags =
       ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings;
   ImGui::Begin("##start", nullptr, kFlags);
+  if (std::exchange(appearing_, false)) choose_first();
   ui.panel = "Start";
   const float wide = std::min(width - 24 * ui.scale, 1180 * ui.scale),
               high = std::min(height - 24 * ui.scale, 760 * ui.scale);
   ImGui::SetCursorPos({std::floor((width - wide) / 2), std::floor((height - high) / 2)});
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(24 * ui.scale, 22 * ui.scale));
   ImGui::PushStyleColor(ImGuiCol_ChildBg, colour(palette().background, 0.97f));
-  if (ImGui::BeginChild("##page", {wide, high}, true)) {
+  ImGui::PushStyleColor(ImGuiCol_NavHighlight, colour(palette().accent));
+  if (begin_part("##page", {wide, high}, true)) {
     const float left = std::floor(kChoices * ui.scale);
-    ImGui::BeginChild("##choices", {left, 0});
+    begin_part("##choices", {left, 0});
     build_choices(ui, left);
     ImGui::EndChild();
     ImGui::SameLine(0, std::floor(24 * ui.scale));
-    ImGui::BeginChild("##tracks", {0, 0});
+    begin_part("##tracks", {0, 0});
     ui.panel = "Start";
     build_tracks(ui);
     ImGui::EndChild();
   }
   ImGui::EndChild();
-  ImGui::PopStyleColor();
+  ImGui::PopStyleColor(2);
   ImGui::PopStyleVar();
   ui.panel.clear();
   ImGui::End();

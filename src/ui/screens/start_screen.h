@@ -13,7 +13,7 @@ namespace coaster::ui {
 class StartScreen {
  public:
   bool open() const { return open_; }
-  void show() { open_ = true, samples_.clear(), challenges_.clear(); }
+  void show() { open_ = appearing_ = true, samples_.clear(), challenges_.clear(); }
   void hide() { open_ = false; }
 
   // width, height: size of the window, px. Draws nothing while closed.
@@ -31,7 +31,7 @@ class StartScreen {
   };
   bool draw(Ui& ui, const Card& card, float width);
 
-  bool open_ = false;
+  bool open_ = false, appearing_ = false;
   std::vector<std::filesystem::path> samples_;  // listed when the screen opens, as are the challenges
   std::vector<ChallengeEntry> challenges_;
 };

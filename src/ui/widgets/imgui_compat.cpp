@@ -70,6 +70,25 @@ void set_list_keys(bool on) {
 #endif
 }
 
+void choose_first() {
+  ImGuiContext& g = *ImGui::GetCurrentContext();
+  ImGui::SetWindowFocus();
+  ImGui::NavInitWindow(ImGui::GetCurrentWindow(), true);
+#if IMGUI_VERSION_NUM >= 19140
+  g.NavCursorVisible = true;
+#else
+  g.NavDisableHighlight = false;
+#endif
+}
+
+bool begin_part(const char* id, ImVec2 size, bool border) {
+#if IMGUI_VERSION_NUM >= 19090
+  return ImGui::BeginChild(id, size, ImGuiChildFlags_NavFlattened | static_cast<ImGuiChildFlags>(border));
+#else
+  return ImGui::BeginChild(id, size, border, ImGuiWindowFlags_NavFlattened);
+#endif
+}
+
 int open_popups() { return ImGui::GetCurrentContext()->OpenPopupStack.Size; }
 
 int take_menu_step(int popups_before) {

@@ -23,8 +23,13 @@ void set_mouse(ImVec2 position, ImVec2 wheel);  // pixels; notches since the las
 void set_button(int button, bool down);
 void set_key(ImGuiKey key, bool down);
 void set_modifiers(bool ctrl, bool shift, bool alt);
-// With `on`, the arrows, Home, End, Enter and Escape move, choose and close in the lists and menus of the next frame.
+// With `on`, the arrows, Home, End, Enter and Escape move, choose and close in the next frame's lists and menus, or in
+// its window with the focus.
 void set_list_keys(bool on);
+// Gives the focus to the current window, and chooses the first of the widgets that follow.
+void choose_first();
+// A child window whose widgets the arrows reach from its parent's.
+bool begin_part(const char* id, ImVec2 size, bool border = false);
 
 // Returns how many lists, menus and dialogs are open, one inside another.
 int open_popups();

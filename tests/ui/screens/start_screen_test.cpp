@@ -54,11 +54,41 @@ TEST_F(StartScreenTest, leaves_other_keys_to_the_track) {
   host_->show_start();
   frames(2);
   const std::size_t before = commands_.size();
-  for (const platform::Key other : {platform::Key::c, platform::Key::space, platform::Key::f9})
+  for (const platform::Key other : {platform::Key::c, platform::Key::r, platform::Key::f9})
     EXPECT_FALSE(frame({platform::KeyPress{other, true, false, {}}}).toggles_full_screen);
   EXPECT_EQ(commands_.size(), before);
   EXPECT_TRUE(frame({platform::KeyPress{platform::Key::f11, true, false, {}}}).toggles_full_screen);
   EXPECT_FALSE(frame({platform::KeyPress{platform::Key::f11, true, true, {}}}).toggles_full_screen) << "held";
+}
+
+TEST_F(StartScreenTest, arrows_and_Enter_choose) {
+  ASSERT_TRUE(edit::apply(session_, files_, edit::NewTrack{}).ok());  // nothing to ask about
+  const auto choose = [&](std::initializer_list<platform::Key> keys) {
+    host_->show_start();
+    frames(3);
+    for (const platform::Key k : keys) key(k), frames(2);
+    commands_.clear();
+    key(platform::Key::enter);
+    frames(3);
+  };
+  using platform::Key;
+  choose({Key::down});
+  EXPECT_NE(find("Open/Cancel"), nullptr) << "the second choice: nothing can be continued";
+  EXPECT_EQ(commands_.size(), 0u);
+  key(Key::escape);
+  frames(2);
+  choose({Key::right});
+  ASSERT_EQ(all<edit::Load>().size(), 1u) << "a sample, beside the choices";
+  EXPECT_EQ(find("Start/New track"), nullptr);
+}
+
+TEST_F(StartScreenTest, a_search_of_actions_returns_to_the_track) {
+  host_->show_start();
+  frames(2);
+  key(platform::Key::p, {.ctrl = true});
+  frames(2);
+  EXPECT_NE(find("Palette/Text"), nullptr);
+  EXPECT_EQ(find("Start/New track"), nullptr);
 }
 
 }  // namespace start_screen_test
