@@ -8,6 +8,7 @@
 #include "edit/commands/commands_session.h"
 #include "ui/actions/actions_parts.h"
 #include "ui/context/ways_home.h"
+#include "ui/tools/palette_element.h"
 #include "ui/tools/places.h"
 #include "world/panels.h"
 #include "world/selection.h"
@@ -110,7 +111,7 @@ constexpr Condition kPlaceable{[](const Act& act) { return preview_shows(act) ||
 void place_element(Act& act) {
   if (has_cell(act)) act.ui.inputs.cell = EditedCell{*selected(act), {}};
   else if (act.ui.session().settings.aids->circuit > 0) place_way_home(act.ui);
-  else act.ui.emit(edit::PlaceElement{act.ui.session().settings.element});
+  else place_shown_element(act.ui);
 }
 
 constexpr Condition kAppendable{[](const Act& act) { return append_mode_switches(act.ui.session()); },
@@ -123,13 +124,13 @@ void complete_circuit(Act& act) { show_ways_home(act.ui); }
 // Steps among the shapes or among the force elements. The first press shows the preview of the present one.
 void step_element(Act& act, bool forwards) {
   if (act.ui.session().settings.aids->circuit > 0) act.ui.emit(edit::Set<&Aids::circuit>{0});
-  if (!on<&Aids::show_element>(act)) return toggle<&Aids::show_element>(act);
   const auto kind = act.ui.session().settings.element.kind;
+  if (!on<&Aids::show_element>(act)) return choose_element(act.ui, kind);
   const bool of_forces = world::is_of_forces(kind);
   const std::size_t first = of_forces ? world::elements().size() : 0,
                     count = of_forces ? world::force_elements().size() : world::elements().size();
   const std::size_t next = first + (static_cast<std::size_t>(kind) - first + (forwards ? 1 : count - 1)) % count;
-  act.ui.emit(edit::ChooseElement{act.ui.inputs.elements[next]});
+  choose_element(act.ui, static_cast<world::ElementKind>(next));
 }
 void next_element(Act& act) { step_element(act, true); }
 void previous_element(Act& act) { step_element(act, false); }

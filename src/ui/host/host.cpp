@@ -157,7 +157,6 @@ void Host::Parts::lay_out(Ui& ui, const platform::Events& events, int width, int
   take_files(ui, events);
   Act act{ui, tool, layout.scene, beside, hovered, palette};
   if (start.open() && !dialogs.open()) run_keys(act, events, kOnStart);
-  if (palette.open) start.hide();  // it searches the actions on the track
   else if (!typing && !asking && !listing)
     tool.transform().active() ? run_transform_keys(act, events) : run_keys(act, without_force_keys(ui, events));
   take_want(ui);
@@ -189,7 +188,7 @@ void Host::Parts::lay_out(Ui& ui, const platform::Events& events, int width, int
   for (const edit::Command& command : ui.out.commands)
     if (command.is<edit::Load>() || command.is<edit::NewTrack>() || command.is<edit::StartChallenge>())
       frame_next = !edit::opens_link(command), start.hide();
-  if (ui.out.wants_tutorial || ui.out.recovery == Recovery::recover) start.hide();
+  if (ui.out.wants_tutorial || ui.out.recovery == Recovery::recover || palette.open) start.hide();
 }
 
 base::Result<std::unique_ptr<Host>> Host::make(const gfx::Gl& gl) {

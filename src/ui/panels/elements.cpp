@@ -11,6 +11,7 @@
 #include "ui/context/ways_home.h"
 #include "ui/panels/element_fields.h"
 #include "ui/panels/palette.h"
+#include "ui/tools/palette_element.h"
 #include "ui/widgets/theme.h"
 #include "world/aids.h"
 #include "world/panels.h"
@@ -104,7 +105,7 @@ void elements_panel(Ui& ui) {
   const std::string help =
       fmt::format("Place the element at the open end of the track. {} hides the preview.", ui.keys.shown("Cancel"));
   if (button(ui, "Place", with_keys(ui.keys, help, "Place element"), possible, ImGui::GetContentRegionAvail().x))
-    ui.emit(edit::PlaceElement{session.settings.element});
+    place_shown_element(ui);
   if (possible) outcome(ui, plan);
 }
 

@@ -9,9 +9,9 @@
 
 #include <fmt/format.h>
 
-#include "edit/commands/commands_elements.h"
 #include "edit/commands/set_setting.h"
 #include "ui/context/ways_home.h"
+#include "ui/tools/palette_element.h"
 #include "ui/tools/places.h"
 #include "ui/widgets/icons.h"
 #include "ui/widgets/theme.h"
@@ -28,8 +28,7 @@ void choose(Ui& ui, ElementKind kind, bool chosen) {
   const world::Settings& settings = ui.session().settings;
   if (settings.aids->circuit > 0) ui.emit(edit::Set<&Aids::circuit>{0});
   if (chosen) ui.emit(edit::Set<&Aids::show_element>{false});
-  else if (settings.element.kind == kind) ui.emit(edit::Set<&Aids::show_element>{true});
-  else ui.emit(edit::ChooseElement{ui.inputs.elements[static_cast<std::size_t>(kind)]});
+  else choose_element(ui, kind);
 }
 
 struct Face {
