@@ -63,7 +63,14 @@ double brake(const world::Equipment& e, const Moment& now, double share, Control
   return now.speed > 0 ? -std::min(most, std::max(-to_rest, 0.0)) : std::min(most, std::max(to_rest, 0.0));
 }
 
-// Stops a train with its first car at the span's end, waits, and dispatches it.
+// Returns where a train's first car stops: at the span's end, or so far before it that the train leaves the span at the
+// speed of its dispatch, but in its second half.
+double stopping_point(const EquipmentSpan& span, const TrainPlace& train) {
+  const double speed = span.equipment.speed, run_up = 0.5 * speed * speed / span.equipment.acceleration;
+  return span.to - std::clamp(run_up - (train.cars - 1) * train.spacing, 0.0, 0.5 * (span.to - span.from));
+}
+
+// Stops a train at its stopping point, waits, and dispatches it. `left`: m to that point.
 Drive stop_and_go(const EquipmentSpan& span, const Moment& now, double left, bool way_free, ControlState& state) {
   const world::Equipment& e = span.equipment;
   const double push = e.acceleration;
@@ -115,7 +122,7 @@ Drive drive_of(std::span<const EquipmentSpan> spans, const Rails& rails, const T
     const double share = share_on(span, rails, train);
     const EquipmentKind kind = span.equipment.kind;
     const bool stops = kind == EquipmentKind::station || kind == EquipmentKind::block;
-    // The stopping point is exactly the span's end: a first car that stands there belongs to it.
+    // A stopping point may be exactly the span's end: a first car that stands there belongs to it.
     const bool front_on =
         inside(span, front) || (stops && state.dwell > 0 && std::abs(front - span.to) < 2 * kStopWithin);
     if (share == 0 && !front_on) continue;
@@ -124,7 +131,7 @@ Drive drive_of(std::span<const EquipmentSpan> spans, const Rails& rails, const T
     if (stops) {
       on_stop = true;
       if (front_on && (kind == EquipmentKind::station || !way_free || state.dwell > 0)) {
-        const Drive stop = stop_and_go(span, now, span.to - front, way_free, state);
+        const Drive stop = stop_and_go(span, now, stopping_point(span, train) - front, way_free, state);
         drive.acceleration += stop.acceleration, drive.held |= stop.held;
       } else if (state.dwell < 0) {
         drive.acceleration +=

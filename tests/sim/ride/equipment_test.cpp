@@ -117,11 +117,35 @@ TEST(equipment, a_station_stops_at_its_end_waits_and_sends_off) {
   EXPECT_NEAR(ride.train().speed, 2.0, 0.05);
 }
 
+// v^2 = 2 a d: 4 m/s take 8 / 3 m at 3 m/s^2, which the cars behind the first one have, or the first one is given.
+TEST(equipment, a_short_train_stops_early_enough_to_leave_at_its_speed) {
+  const auto stop_and_speed = [](float speed, int cars) {
+    world::Document d = runway(0, {{3, {world::EquipmentKind::station, speed, 3.0f, 0, 0.5f}}}, cars);
+    d.start_speed = 4;
+    Ride ride(d);
+    double place = 0;
+    while (ride.train().track_distance - (cars - 1) * 3.0 < ride.derived.starts[4] + 0.5) {
+      ride.step(1);
+      if (ride.train().speed == 0) place = ride.derived.starts[4] - ride.train().track_distance;
+    }
+    return std::pair(place, ride.train().speed);
+  };
+  const auto expect = [&](float speed, int cars, double place, double leaves) {
+    const auto [stopped, left] = stop_and_speed(speed, cars);
+    EXPECT_NEAR(stopped, place, 0.03) << speed << " m/s, " << cars;
+    EXPECT_NEAR(left, leaves, 0.05) << speed << " m/s, " << cars;
+  };
+  expect(4, 1, 8.0 / 3, 4);
+  expect(4, 2, 0, 4);
+  expect(6, 2, 3, 6);
+  expect(9, 1, 5, std::sqrt(2 * 3 * 5.0));  // never in the first half
+}
+
 // Constant deceleration: v^2 = 2 a d at d metres before the stopping place. A tick's way behind at most, since the
 // speed at its end answers the place at its start.
 TEST(equipment, a_station_brakes_a_train_by_its_own_acceleration) {
   const double a = 2.0;
-  world::Document d = runway(0, {{3, {world::EquipmentKind::station, 6.0f, static_cast<float>(a), 0, 1.5f}}});
+  world::Document d = runway(0, {{3, {world::EquipmentKind::station, 6.0f, static_cast<float>(a), 0, 1.5f}}}, 4);
   d.start_speed = 6;
   Ride ride(d);
   int seen = 0;
