@@ -30,8 +30,7 @@ struct Shortfall {
 };
 std::optional<Shortfall> shortfall(const sim::Ghost& ghost, const sim::RailTables& tables) {
   if (ghost.samples.empty() || tables.size() == 0) return std::nullopt;
-  double furthest = 0;
-  for (const sim::GhostSample& sample : ghost.samples) furthest = std::max(furthest, sample.travelled);
+  const double furthest = ghost.furthest();
   constexpr double kSearchStep = 0.25, kRise = 0.02;  // m
   std::size_t hint = 0;
   const double from = mean_height(ghost, tables, furthest, hint);

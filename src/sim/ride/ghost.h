@@ -2,6 +2,7 @@
 // track is being dragged, and is the timetable of the integrator `precomputed`.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <deque>
 #include <span>
@@ -69,6 +70,12 @@ struct Ghost {
   double lap_time = 0;                                // s, duration of the lap, if `lap`
 
   double seconds() const { return samples.empty() ? 0.0 : static_cast<double>(samples.size() - 1) * world::kTick; }
+  // Returns how far the train gets from its start, m.
+  double furthest() const {
+    double most = 0;
+    for (const GhostSample& sample : samples) most = std::max(most, sample.travelled);
+    return most;
+  }
   // Returns the track distance (m) of car `car` (0: the first) after the train has travelled that far from its start,
   // minus whole laps on a closed track.
   double place(double travelled, int car = 0) const {

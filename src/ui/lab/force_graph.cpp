@@ -77,6 +77,21 @@ const char* no_ride(const world::Document& document) {
              : "No ride: the track has no train. Add a train in the Track panel.";
 }
 
+// Says at the end of the bar where the ride ends before the track does, which a short curve alone hardly shows.
+void early_end(Ui& ui, const sim::Ghost& ride, float bar) {
+  const bool stalls = ride.end == world::FailureKind::stall;
+  if (!stalls && ride.end != world::FailureKind::rollback) return;
+  const std::string words = fmt::format("The train {} at {}", stalls ? "stalls" : "rolls back",
+                                        measured(ui, ride.place(ride.furthest()), 1, "m"));
+  const ImVec2 room = small_size(words), corner = ImGui::GetWindowPos();
+  const float left = corner.x + ImGui::GetWindowWidth() - room.x - std::floor(10 * ui.scale);
+  if (left < ImGui::GetCursorScreenPos().x) return;
+  draw_small(*ImGui::GetWindowDrawList(), {left, std::floor(corner.y + (bar - room.y) * 0.5f)}, palette().warning,
+             words);
+  note(ui, "Ride ends", "label", "It is too slow there. A lift, a launch or a higher start takes it further.", true,
+       words, {left, corner.y}, {left + room.x, corner.y + bar});
+}
+
 void curves(Ui& ui, const RidePlots& plots) {
   std::vector<RideValue> left, right;
   for (std::size_t i = 0; i < kValues.size(); ++i)
@@ -106,6 +121,7 @@ void build_force_graph(Ui& ui, const view::Viewport& area) {
     if (edited.valid()) force_channels(ui, bar);
     for (std::size_t i = 0; !edited.valid() && i < kValues.size(); ++i)
       legend_item(ui, kValues[i], plots ? plots->shown(ui, kValues[i]) : "--", ui.lab.graph_hidden[i], bar);
+    if (!edited.valid() && plots) early_end(ui, plots->ride(), bar);
   }
   ImGui::End();
   ImGui::PopStyleColor();
