@@ -121,11 +121,13 @@ constexpr Condition kCompletable{[](const Act& act) { return completable(act.ui.
                                  "Only an open track with a segment can be completed."};
 void complete_circuit(Act& act) { show_ways_home(act.ui); }
 
-// Steps among the shapes or among the force elements. The first press shows the preview of the present one.
+// Steps among the shapes or among the force elements. The first press shows the preview of the present one, on an empty
+// track that of a straight, where a ride begins.
 void step_element(Act& act, bool forwards) {
   if (act.ui.session().settings.aids->circuit > 0) act.ui.emit(edit::Set<&Aids::circuit>{0});
   const auto kind = act.ui.session().settings.element.kind;
-  if (!on<&Aids::show_element>(act)) return choose_element(act.ui, kind);
+  if (!on<&Aids::show_element>(act))
+    return choose_element(act.ui, act.ui.session().document.track.knots.empty() ? world::ElementKind::straight : kind);
   const bool of_forces = world::is_of_forces(kind);
   const std::size_t first = of_forces ? world::elements().size() : 0,
                     count = of_forces ? world::force_elements().size() : world::elements().size();

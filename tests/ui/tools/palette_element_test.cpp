@@ -45,6 +45,17 @@ TEST_F(PaletteElementTest, a_first_straight_is_a_station_and_a_first_climb_a_lif
   EXPECT_EQ(all<edit::PlaceElement>().size(), 2u);
 }
 
+TEST_F(PaletteElementTest, the_keyboard_begins_with_a_station_too) {
+  key(platform::Key::n);
+  frames(2);
+  EXPECT_EQ(session_.settings.element.kind, world::ElementKind::straight);
+  EXPECT_EQ(world::value_of(session_.settings.element, "equipment"), kStation);
+  place();
+  key(platform::Key::n);
+  frames(2);
+  EXPECT_EQ(session_.settings.element.kind, world::ElementKind::curve);
+}
+
 TEST_F(PaletteElementTest, a_launch_needs_no_lift_behind_it) {
   EXPECT_EQ(offered("Climb"), kLift) << "the train has no other drive yet";
   EXPECT_EQ(offered("Straight"), kStation);
