@@ -49,8 +49,9 @@ std::string hopeless(const CircuitTask& task) {
   if (gap > kFarthestHome)
     return fmt::format("the first knot is too far away: {}, where the limit is {}", metres(gap), metres(kFarthestHome));
   if (task.coasts && square_speed(task, rise, gap) < slowest(task) * slowest(task))
-    return fmt::format("the train is too slow: it would reach the first knot, {} higher, at less than {} m/s",
-                       metres(rise), base::to_text(slowest(task)));
+    return fmt::format(
+        "the train would reach the first knot, {} higher, at less than {} m/s: climb by a lift, or add a launch",
+        metres(rise), base::to_text(slowest(task)));
   return {};
 }
 

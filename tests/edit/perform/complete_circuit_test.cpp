@@ -198,7 +198,8 @@ TEST_F(CompleteCircuitTest, says_what_is_in_the_way) {
   EXPECT_TRUE(proposals().assumed);
   good("start_speed 1");
   EXPECT_FALSE(proposals().assumed);
-  refused("complete 1", "the train is too slow: it would reach the first knot, 20 m higher, at less than 2 m/s");
+  refused("complete 1",
+          "the train would reach the first knot, 20 m higher, at less than 2 m/s: climb by a lift, or add a launch");
   // Four metres before a straight that the train must not come near.
   start_on(world::Document{});
   for (const char* const at : {"0 5 0", "60 5 0", "90 5 60", "60 5 95", "30 5 70", "30 5 40", "30 5 4"})

@@ -253,7 +253,7 @@ TEST(circuit_search, says_what_makes_a_way_home_impossible) {
   task.from.position = {0, 3, 0}, task.home.position = {40, 30, 10};
   task.speed = 9;
   EXPECT_EQ(circuit_candidates(task).refusal,
-            "the train is too slow: it would reach the first knot, 27 m higher, at less than 2 m/s");
+            "the train would reach the first knot, 27 m higher, at less than 2 m/s: climb by a lift, or add a launch");
   task.coasts = false;
   EXPECT_EQ(circuit_candidates(task).refusal, "");
   task.home.curvature = {0, 0, 1};
