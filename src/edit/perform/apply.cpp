@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <type_traits>
 #include <utility>
 
 #include <fmt/format.h>
@@ -64,13 +63,24 @@ void follow_document(Session& session, const Change& change, const sim::Roll& ro
   world::drop_dead(session.document, session.settings);
 }
 
-template <class C>
-Status document_command(Session& session, const C& command, Change& change) {
+using Perform = Status (*)(Session&, Change&, const Command&);
+constexpr auto kPerform = Commands::table([]<class C>() -> Perform {
+  return [](Session& session, Change& change, const Command& command) -> Status {
+    return perform(session, change, *command.as<C>());
+  };
+});
+
+// Performs the command alone, whatever its effect.
+Status perform_one(Session& session, Change& change, const Command& command) {
+  return kPerform[index_of(command)](session, change, command);
+}
+
+Status document_command(Session& session, Change& change, const Command& command) {
   History& history = session.history;
   std::optional<world::Document> before;  // inside a gesture, the gesture's start is the snapshot
   if (!history.in_gesture) before = session.document;
   const std::vector<PlannedSection> planned = planned_sections(session.document);
-  const Status status = perform(session, change, command);
+  const Status status = perform_one(session, change, command);
   if (!status) return status;
   session.way_search.beside = false;  // the document has changed: the command can no longer be refused
   world::settle_joints(session.document);
@@ -89,9 +99,8 @@ Status document_command(Session& session, const C& command, Change& change) {
   return {};
 }
 
-template <class C>
-Status settings_command(Session& session, const C& command, Change& change) {
-  const Status status = perform(session, change, command);
+Status settings_command(Session& session, Change& change, const Command& command) {
+  const Status status = perform_one(session, change, command);
   if (status && change.remeasure) derive(session);
   return status;
 }
@@ -118,16 +127,6 @@ Status cancel(Session& session, Change& change) {
   return {};
 }
 
-using Perform = Status (*)(Session&, Change&, const Command&);
-constexpr auto kPerform = Commands::table([]<class C>() -> Perform {
-  return [](Session& session, Change& change, const Command& command) -> Status {
-    const C& c = *command.as<C>();
-    if constexpr (C::kInfo.effect == Effect::document) return document_command(session, c, change);
-    else if constexpr (C::kInfo.effect == Effect::settings) return settings_command(session, c, change);
-    else return perform(session, change, c);
-  };
-});
-
 // Refused for a command that the challenge locks.
 Status allowed(const Session& session, const Command& command) {
   const std::string_view name = info(command).name;
@@ -139,7 +138,10 @@ Status carry_out(Session& session, base::Files& files, const Command& command) {
   const Effect effect = info(command).effect;
   const bool complete = session.history.dropped == 0;
   const Status open = allowed(session, command);
-  const Status status = open ? kPerform[index_of(command)](session, change, command) : open;
+  const Status status = !open                        ? open
+                        : effect == Effect::document ? document_command(session, change, command)
+                        : effect == Effect::settings ? settings_command(session, change, command)
+                                                     : perform_one(session, change, command);
   if (session.way_search.wanted) return status;  // to be applied again: nothing has happened
   if (effect != Effect::settings && effect != Effect::motion) ++session.edits;
   if (!status) {
