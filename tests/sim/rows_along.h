@@ -26,19 +26,28 @@ inline std::vector<sim::FitRow> rows_along(const std::function<glm::dvec3(double
   return rows;
 }
 
-// Whether the frame at each row counts: no step of over 5 degrees (and 100 degrees/m) begins or ends within 0.5 m,
-// along the rows.
+// Whether the frame at each row counts: no step of over 5 degrees (and 100 degrees/m, and twice the rates of the steps
+// beside it) begins or ends within 0.5 m, along the rows.
 inline std::vector<bool> counted_rows(const std::vector<sim::FitRow>& rows, bool closed) {
   const std::size_t n = rows.size();
   std::vector<double> along{0};
   for (std::size_t i = 0; i < n; ++i)
     along.push_back(along.back() + glm::distance(rows[i].position, rows[(i + 1) % n].position));
   std::vector<bool> counted(n, true);
-  for (std::size_t i = 0; i + (closed ? 0 : 1) < n; ++i) {
+  const auto angle_of = [&](std::size_t i) {
     const sim::FitRow &a = rows[i], &b = rows[(i + 1) % n];
     const glm::dvec3 left_a = glm::cross(a.up, a.forward), left_b = glm::cross(b.up, b.forward);
     const double trace = glm::dot(a.forward, b.forward) + glm::dot(a.up, b.up) + glm::dot(left_a, left_b);
-    const double angle = std::acos(std::clamp((trace - 1) / 2, -1.0, 1.0)) * 180 / M_PI;
+    return std::acos(std::clamp((trace - 1) / 2, -1.0, 1.0)) * 180 / M_PI;
+  };
+  const std::size_t steps = closed ? n : n - 1;
+  const auto rate_of = [&](std::size_t i, bool exists) {
+    return exists ? angle_of(i % steps) / (along[i % steps + 1] - along[i % steps]) : 0;
+  };
+  for (std::size_t i = 0; i < steps; ++i) {
+    const double angle = angle_of(i), rate = rate_of(i, true);
+    if (rate <= 2 * rate_of(i + steps - 1, closed || i > 0) || rate <= 2 * rate_of(i + 1, closed || i + 1 < steps))
+      continue;
     if (angle <= 5 || angle <= 100 * (along[i + 1] - along[i])) continue;
     for (std::size_t k = 0; k < n; ++k) {
       const double whole = along[n], middle = 0.5 * (along[i] + along[i + 1]);

@@ -189,13 +189,14 @@ bool check_steps(Reader& r) {
   std::vector<double> sorted = lengths;
   const auto middle = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2);
   std::nth_element(sorted.begin(), middle, sorted.end());
+  const std::vector<double> jumps = sim::row_jumps(r.rows, false);
   for (std::size_t i = 1; i < r.rows.size(); ++i) {
     if (lengths[i - 1] > kGap * *middle)
       r.warn(r.row_lines[i], fmt::format("a gap of {:.3f} m from the previous row; the usual spacing is {:.3f} m",
                                          lengths[i - 1], *middle));
-    if (const double jump = sim::jump_deg(r.rows[i - 1], r.rows[i]); jump > 0)
-      r.warn(r.row_lines[i], fmt::format("the frame jumps by {:.2f} degrees from the previous row, over {:.3f} m", jump,
-                                         lengths[i - 1]));
+    if (jumps[i - 1] > 0)
+      r.warn(r.row_lines[i], fmt::format("the frame jumps by {:.2f} degrees from the previous row, over {:.3f} m",
+                                         jumps[i - 1], lengths[i - 1]));
   }
   return true;
 }

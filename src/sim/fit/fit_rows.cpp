@@ -18,9 +18,21 @@ double frame_angle_deg(const curve::Frame& a, const curve::Frame& b) {
   return base::degrees(2 * base::arc_tangent(sine, std::sqrt(1 - sine * sine)));
 }
 
-double jump_deg(const FitRow& a, const FitRow& b) {
-  const double angle = frame_angle_deg({a.forward, a.up}, {b.forward, b.up});
-  return angle > kJumpAngle && angle > kJumpRate * glm::distance(a.position, b.position) ? angle : 0;
+std::vector<double> row_jumps(std::span<const FitRow> rows, bool closed) {
+  const std::size_t count = rows.size(), steps = closed ? count : count - 1;
+  std::vector<double> angles, rates, jumps(steps, 0);
+  for (std::size_t i = 0; i < steps; ++i) {
+    const FitRow &a = rows[i], &b = rows[(i + 1) % count];
+    angles.push_back(frame_angle_deg({a.forward, a.up}, {b.forward, b.up}));
+    rates.push_back(angles[i] / std::max(glm::distance(a.position, b.position), 1e-9));
+  }
+  for (std::size_t i = 0; i < steps; ++i) {
+    const double before = closed || i > 0 ? rates[(i + steps - 1) % steps] : 0,
+                 after = closed || i + 1 < steps ? rates[(i + 1) % steps] : 0;
+    if (angles[i] > kJumpAngle && rates[i] > std::max(kJumpRate, kJumpTimes * std::max(before, after)))
+      jumps[i] = angles[i];
+  }
+  return jumps;
 }
 
 double off_deg(const FitRow& a, const FitRow& b) {
@@ -85,26 +97,24 @@ std::vector<double> row_speeds(std::span<const FitRow> rows) {
 
 std::vector<char> near_jumps(std::span<const FitRow> rows, bool closed, double reach) {
   const std::size_t count = rows.size();
-  std::vector<char> near(count, 0), jumps(count, 0);  // jumps: from row i to the next
-  std::vector<double> steps(count, 0);
-  for (std::size_t i = 0; i + (closed ? 0 : 1) < count; ++i) {
-    const FitRow &a = rows[i], &b = rows[(i + 1) % count];
-    steps[i] = glm::distance(a.position, b.position);
-    jumps[i] = jump_deg(a, b) > 0 ? 1 : 0;
-  }
+  std::vector<char> near(count, 0);
+  std::vector<double> steps(count, 0), jumps = row_jumps(rows, closed);
+  jumps.resize(count);
+  for (std::size_t i = 0; i + (closed ? 0 : 1) < count; ++i)
+    steps[i] = glm::distance(rows[i].position, rows[(i + 1) % count].position);
   // Computes the distance to the last jump in a forward pass, then to the next in a backward pass, from the middle of
   // the jump's step. A closed track needs two rounds, because the second knows the jumps of the first.
   const std::size_t laps = closed ? 2 * count : count;
   double gone = 2 * reach + 1;
   for (std::size_t n = 1; n < laps; ++n) {
     const std::size_t k = n % count, before = (n - 1) % count;
-    gone = jumps[before] ? 0.5 * steps[before] : gone + steps[before];
+    gone = jumps[before] > 0 ? 0.5 * steps[before] : gone + steps[before];
     if (gone <= reach) near[k] = 1;
   }
   gone = 2 * reach + 1;
   for (std::size_t n = laps - (closed ? 0 : 1); n-- > 0;) {
     const std::size_t k = n % count;
-    gone = jumps[k] ? 0.5 * steps[k] : gone + steps[k];
+    gone = jumps[k] > 0 ? 0.5 * steps[k] : gone + steps[k];
     if (gone <= reach) near[k] = 1;
   }
   return near;

@@ -13,17 +13,19 @@ struct FitRow {
   glm::dvec3 position{0}, forward{1, 0, 0}, up{0, 1, 0};
 };
 
-// The rows jump where the frame turns by more than kJumpAngle and more than kJumpRate from one row to the next: no
-// smooth rail turns so fast.
+// The rows jump where the frame turns by more than kJumpAngle and more than kJumpRate from one row to the next, and
+// more than kJumpTimes as fast as in the steps beside it: no smooth rail turns so suddenly.
 inline constexpr double kJumpReach = 0.5;   // m along the rows
 inline constexpr double kJumpAngle = 5.0;   // degrees
 inline constexpr double kJumpRate = 100.0;  // degrees per m
+inline constexpr double kJumpTimes = 2.0;
 
 // Returns the angle of the rotation from one frame to the other, degrees.
 double frame_angle_deg(const curve::Frame& a, const curve::Frame& b);
 
-// Returns the angle by which the frame jumps from one row to the next, degrees; 0 if it does not jump.
-double jump_deg(const FitRow& a, const FitRow& b);
+// Returns for each step from a row to the next (closed: from the last to the first too) the angle by which the frame
+// jumps, degrees; 0 if it does not jump.
+std::vector<double> row_jumps(std::span<const FitRow> rows, bool closed);
 
 // Returns the angle between the step from one row to the next and the mean of their directions, degrees; 0 if it is at
 // most kOffForward more than half the angle between these: what a bend explains.

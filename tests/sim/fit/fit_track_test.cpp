@@ -167,6 +167,23 @@ TEST(fit_track, a_jump_of_up_costs_a_few_knots_and_nothing_beyond_half_a_metre) 
     EXPECT_EQ(near[i] != 0, std::abs(0.05 * static_cast<double>(i) - 20.025) <= 0.5) << i;
 }
 
+TEST(fit_track, a_quick_roll_is_no_jump_and_is_followed_at_every_row) {
+  // 90 degrees within 1.6 m, at up to 105 degrees/m, which changes by no more than 15 from row to row.
+  const dvec3 direction(0.6, 0.1, 0.7);
+  const auto up = rolled(direction, [](double s) {
+    const double u = std::clamp((s - 9.98) / 1.6, 0.0, 1.0);
+    return 90 * u * u * u * (10 - 15 * u + 6 * u * u);
+  });
+  for (const double step : {0.05, 0.1}) {
+    const std::vector<FitRow> rows = rows_along(straight(direction), up, step, static_cast<int>(20 / step));
+    const std::vector<double> jumps = row_jumps(rows, false);
+    EXPECT_EQ(*std::max_element(jumps.begin(), jumps.end()), 0) << step;
+    const FittedTrack fitted = fit_track(rows, false);
+    EXPECT_EQ(fitted.report.jump_error, 0) << step;
+    EXPECT_LE(test::misses_of(fitted.document, rows).angle_deg, kFitAngle) << step;
+  }
+}
+
 TEST(fit_track, a_jump_at_the_seam_of_a_closed_track_is_near_on_both_sides_of_it) {
   const auto circle = [](double s) { return kOrigin + 9.7 * dvec3(std::sin(s / 9.7), 0, std::cos(s / 9.7)); };
   const auto up = [](double s) {
