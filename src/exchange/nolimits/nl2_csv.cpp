@@ -24,7 +24,8 @@ constexpr auto& kColumns = kNl2Columns;
 constexpr double kSquare = 0.01;     // tolerance for unit and perpendicular frames
 constexpr double kSamePlace = 2e-6;  // m: rounding of printed positions
 constexpr double kWrong = 0.75;      // of the steps against Front or off it: the rows are refused
-constexpr double kDoubt = 0.4;       // g: what riders may feel more or less before it is reported
+constexpr double kRollDoubt = 0.4;   // g: what riders may feel more or less before it is reported
+constexpr double kBendDoubt = 0.8;   // the same of bends, whose figure is up to 16 times the error
 constexpr double kNoisySpan = 1;     // m a span on average: smooth rows of a whole track never need so many
 constexpr int kNoisyKnots = 20;      // the least number of knots for that
 constexpr double kGap = 3;           // times the usual spacing: longer steps are reported
@@ -240,12 +241,15 @@ base::Result<LoadedTrack> parse_nl2_csv(std::string_view text, std::string_view 
   loaded.document.name = name_of_file(name);
   world::add_cart(loaded.document, loaded.document.track.segments[0], 0);
   const sim::FitReport& report = fitted.report;
-  if (report.doubt > kDoubt)
-    r.warn(
-        r.row_lines[report.doubt_row],
-        fmt::format("the rows are too far apart for the roll here: riders may feel {:.1f} g more or less than on the "
-                    "track they were taken from",
-                    report.doubt));
+  const auto tell = [&](const sim::Doubt& doubt, double most, std::string_view what) {
+    if (doubt.g > most)
+      r.warn(
+          r.row_lines[doubt.row],
+          fmt::format("the rows are too far apart for the {} here: riders may feel {:.1f} g more or less than on the "
+                      "track they were taken from",
+                      what, doubt.g));
+  };
+  tell(report.roll_doubt, kRollDoubt, "roll"), tell(report.bend_doubt, kBendDoubt, "bends");
   const double span = world::exact_length(loaded.document) / report.knots;
   if (report.knots >= kNoisyKnots && span < kNoisySpan)
     r.warn(r.row_lines[0],

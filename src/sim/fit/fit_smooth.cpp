@@ -6,8 +6,8 @@
 
 #include "base/portable_math.h"
 #include "curve/natural_spline.h"
+#include "sim/fit/row_quintic.h"
 #include "sim/shape/roll.h"
-#include "world/motion.h"
 
 namespace coaster::sim {
 
@@ -190,25 +190,6 @@ std::vector<dvec3> row_curvatures(std::span<const FitRow> rows, bool closed) {
   return curvatures;
 }
 
-namespace {
-
-// The curve of degree 5 over the length with places, directions and curvatures at both ends.
-struct RowQuintic {
-  dvec3 c[6];  // coefficients of the powers of x in [0, 1]
-  RowQuintic(const FitRow& a, dvec3 bend_a, const FitRow& b, dvec3 bend_b, double length) {
-    c[0] = a.position, c[1] = length * a.forward, c[2] = 0.5 * length * length * bend_a;
-    const dvec3 d = b.position - c[0] - c[1] - c[2], v = length * b.forward - c[1] - 2.0 * c[2],
-                w = length * length * bend_b - 2.0 * c[2];
-    c[3] = 10.0 * d - 4.0 * v + 0.5 * w, c[4] = -15.0 * d + 7.0 * v - w, c[5] = 6.0 * d - 3.0 * v + 0.5 * w;
-  }
-  dvec3 point(double x) const { return c[0] + x * (c[1] + x * (c[2] + x * (c[3] + x * (c[4] + x * c[5])))); }
-  dvec3 direction(double x) const {
-    return glm::normalize(c[1] + x * (2.0 * c[2] + x * (3.0 * c[3] + x * (4.0 * c[4] + x * 5.0 * c[5]))));
-  }
-};
-
-}  // namespace
-
 FilledRows fill_rows(std::span<const FitRow> rows, bool closed) {
   constexpr int kFine = 8;         // steps of the frame per part
   constexpr double kSwing = 1.15;  // the curve swings slightly beside a bend; a span fitted to it bends less
@@ -245,28 +226,6 @@ FilledRows fill_rows(std::span<const FitRow> rows, bool closed) {
     }
   }
   return filled;
-}
-
-std::vector<double> felt_doubts(std::span<const FitRow> rows, bool closed, const RowRolls& rolls,
-                                std::span<const double> speeds, double heartline) {
-  constexpr double kCutoff = 5;  // Hz
-  const std::size_t count = rows.size();
-  std::vector<double> doubts(count, 0);
-  for (std::size_t i = closed ? 0 : 1; i + (closed ? 0 : 1) < count; ++i) {
-    const std::size_t before = (i + count - 1) % count, after = (i + 1) % count;
-    const double a = glm::distance(rows[before].position, rows[i].position),
-                 b = glm::distance(rows[i].position, rows[after].position);
-    if (std::max(a, b) < kMoment * std::sqrt(speeds[i] * world::kGravity)) continue;
-    const double fourth = 2 *
-                          ((rolls.slopes[after] - rolls.slopes[i]) / std::max(b, 1e-9) -
-                           (rolls.slopes[i] - rolls.slopes[before]) / std::max(a, 1e-9)) /
-                          std::max(a + b, 1e-9);
-    // Squared frequency of the error, relative to the cutoff's.
-    const double wave = 2 * kCutoff * std::max(a, b), share = speeds[i] * world::kGravity / (wave * wave);
-    const double passed = 1 / std::sqrt(1 + share * share * share * share);  // a Butterworth low-pass of four poles
-    doubts[i] = 4 * passed * a * b / 12 * std::abs(fourth) * heartline * speeds[i];
-  }
-  return doubts;
 }
 
 }  // namespace coaster::sim

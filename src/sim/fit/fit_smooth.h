@@ -43,13 +43,7 @@ inline constexpr double kFillStep = 2.5;                    // m
 inline constexpr double kLeastFill = 3.75, kMostFill = 10;  // m
 FilledRows fill_rows(std::span<const FitRow> rows, bool closed);
 
-// Returns for each row what riders `heartline` m above the rails may feel more or less there, g, than on the track that
-// the rows were taken from, because its roll changes within a few rows: four times the first term of the error of the
-// smooth roll's second derivative, h^2 / 12 of its fourth, because later terms can be larger. The error changes its
-// sign within a step, so it counts as after a low-pass of 5 Hz at one wave in 1.5 steps. 0 where steps are shorter than
-// kMoment of the ride at these speeds: there rows are close enough.
-inline constexpr double kMoment = 0.064;  // s: second differences over this time act as a low-pass of 5 Hz
-std::vector<double> felt_doubts(std::span<const FitRow> rows, bool closed, const RowRolls& rolls,
-                                std::span<const double> speeds, double heartline);
+// s: second differences over this time act as a low-pass of 5 Hz.
+inline constexpr double kMoment = 0.064;
 
 }  // namespace coaster::sim

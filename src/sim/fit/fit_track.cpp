@@ -5,6 +5,7 @@
 
 #include "base/check.h"
 #include "base/portable_math.h"
+#include "sim/fit/fit_doubt.h"
 #include "sim/fit/fit_smooth.h"
 #include "sim/fit/fit_work.h"
 #include "world/topology.h"
@@ -97,11 +98,6 @@ FitWork prepare(std::span<const FitRow> given, const FilledRows& filled, bool cl
   w.speeds = row_speeds(rows), w.curvatures = row_curvatures(rows, closed);
   for (std::size_t i = 0; i < rows.size(); ++i)
     if (w.free[i]) w.curvatures[i] = dvec3(0);
-  const std::vector<double> doubts =
-      felt_doubts(given, closed, row_rolls(given, closed), row_speeds(given), world::Document{}.heartline);
-  const std::vector<char> jumps = near_jumps(given, closed, kInnerReach);
-  for (std::size_t i = 0; i < given.size(); ++i)
-    if (!jumps[i] && doubts[i] > w.doubt) w.doubt = doubts[i], w.doubt_row = i;
   for (double& spin : w.row_rolls.spins)
     spin = std::abs(spin) < kLeastSpin ? 0 : std::clamp<double>(spin, -world::kMaxSpin, world::kMaxSpin);
   if (closed) {
@@ -131,6 +127,14 @@ void fit_all(FitWork& w) {
   }
 }
 
+Doubt worst_doubt(std::span<const FitRow> rows, bool closed, const std::vector<double>& doubts) {
+  const std::vector<char> jumps = near_jumps(rows, closed, kInnerReach);
+  Doubt worst;
+  for (std::size_t i = 0; i < rows.size(); ++i)
+    if (!jumps[i] && doubts[i] > worst.g) worst = {doubts[i], i};
+  return worst;
+}
+
 }  // namespace
 
 FittedTrack fit_track(std::span<const FitRow> rows, bool closed, base::Progress* progress) {
@@ -147,6 +151,9 @@ FittedTrack fit_track(std::span<const FitRow> rows, bool closed, base::Progress*
     w.spans = std::move(two);
   }
   const std::vector<char> free = near_jumps(filled.rows, closed, kJumpReach);
+  const Doubt roll_doubt = worst_doubt(
+      rows, closed, roll_doubts(rows, closed, row_rolls(rows, closed), row_speeds(rows), world::Document{}.heartline));
+  const Doubt bend_doubt = worst_doubt(rows, closed, bend_doubts(rows, closed, row_speeds(rows)));
   std::vector<char> given;
   for (std::size_t i = 0; i < filled.rows.size(); ++i) given.push_back(filled.given(i) ? 1 : 0);
   FittedTrack fitted;
@@ -157,7 +164,7 @@ FittedTrack fit_track(std::span<const FitRow> rows, bool closed, base::Progress*
     for (const Span& span : w.spans) ends.push_back(span.first);
     ends.push_back(w.spans.back().last);
     const std::vector<FitReport> reports = measure_spans(derived, filled.rows, ends, free, given);
-    fitted.report = {0, 0, 0, static_cast<int>(fitted.document.track.knots.size()), w.doubt, w.doubt_row};
+    fitted.report = {0, 0, 0, static_cast<int>(fitted.document.track.knots.size()), roll_doubt, bend_doubt};
     std::vector<Span> next;
     for (std::size_t i = 0; i < reports.size(); ++i) {
       fitted.report.max_error = std::max(fitted.report.max_error, reports[i].max_error);

@@ -22,6 +22,12 @@ struct MeanSquare {
   double root() const { return count > 0 ? std::sqrt(sum / static_cast<double>(count)) : 0.0; }
 };
 
+// What riders may feel more or less than on the track that the rows were taken from, and the row where.
+struct Doubt {
+  double g = 0;
+  std::size_t row = 0;
+};
+
 // The errors of the document's own curve and frames (world::cubic_of, sim::frame_at) at the rows; every row is
 // measured.
 struct FitReport {
@@ -29,8 +35,7 @@ struct FitReport {
   double frame_error = 0;  // degrees, the largest angle between a row's frame and the track's, except near jumps
   double jump_error = 0;   // degrees, the same near jumps, where frames are ignored
   int knots = 0;
-  double doubt = 0;              // g, the largest of felt_doubts(), except near jumps
-  std::size_t doubt_row = 0;     // its row
+  Doubt roll_doubt, bend_doubt;  // the largest of roll_doubts() and bend_doubts(), except near jumps
   MeanSquare distances, angles;  // m and degrees, of the rows that `max_error` and `frame_error` are the largest of
 };
 

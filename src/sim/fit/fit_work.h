@@ -30,8 +30,6 @@ struct FitWork {
   std::vector<double> bends, speeds;
   RowRolls row_rolls;
   std::vector<glm::dvec3> curvatures;
-  double doubt = 0;  // as in FitReport
-  std::size_t doubt_row = 0;
   bool closed = false;
   double scale = 1;       // relative to the bounds
   double felt_scale = 1;  // the same of what riders feel

@@ -354,6 +354,54 @@ TEST(nl2_csv_felt, rolls_that_start_at_once_throw_riders_as_hard_as_in_closed_fo
   }
 }
 
+// A level bend by 100 degrees, a hyperbola whose radius is 1.6 m at x = 0, at a constant 10 m/s.
+struct Corner {
+  static constexpr double kAside = 1.2, kNear = kAside * kAside * 1.6;
+  Place operator()(double x) const {
+    const double y = std::hypot(kNear, kAside * x), slope = kAside * kAside * x / y;
+    const dvec3 d(1, 0, slope);
+    return {dvec3(x - 3.3, 20, y + 7.1), glm::normalize(d), {0, 1, 0}, glm::length(d)};
+  }
+  double bend(double x) const {  // 1/m, to the right
+    const double y = std::hypot(kNear, kAside * x), slope = kAside * kAside * x / y;
+    return kAside * kAside * kNear * kNear / (y * y * y) / std::pow(1 + slope * slope, 1.5);
+  }
+};
+
+TEST(nl2_csv_felt, rows_too_far_apart_for_a_bend_are_warned_of_with_their_line_and_about_how_much) {
+  constexpr double kHalfway = 30, kV2 = 100 / world::kGravity;
+  const Corner curve;
+  const auto moved = [&](double x) { return curve(x - kHalfway); };
+  std::vector<Moment> ride;
+  for (double x = 0; x < 2 * kHalfway;) {
+    const Place at = moved(x);
+    ride.push_back({at.place, at.forward, kV2, {1, -kV2 * curve.bend(x - kHalfway)}});
+    x += 10 / kRate / at.metres;
+  }
+  const std::string what = "the rows are too far apart for the bends here: riders may feel ";
+  int over = 0;
+  for (const double spacing : {0.5, 1.0, 4.0, 5.0})
+    for (std::uint32_t seed = 0; seed < 4; ++seed) {
+      SCOPED_TRACE(fmt::format("rows every {} m, seed {}", spacing, seed));
+      const auto loaded = parse_nl2_csv(rows_on(moved, 2 * kHalfway, spacing, seed), "t.csv");
+      ASSERT_TRUE(loaded.ok()) << loaded.status().message;
+      const double most = wrong_on(loaded->document, 0, ride).most;
+      if (spacing <= 1) {
+        EXPECT_TRUE(loaded->warnings.empty()) << loaded->warnings[0];
+        EXPECT_LE(most, 0.4);
+        continue;
+      }
+      over += most > 0.4 ? 1 : 0;
+      ASSERT_EQ(loaded->warnings.size(), 1u);
+      const std::string& told = loaded->warnings[0];
+      ASSERT_NE(told.find(what), std::string::npos) << told;
+      EXPECT_GT(std::stod(told.substr(told.find(what) + what.size())), most / 3) << told;
+      // The bend is at 43 of 86 m of rows, whose first line is 2.
+      EXPECT_NEAR((std::stoi(told.substr(6)) - 2) * spacing, 43, 1.6 * spacing) << told;
+    }
+  EXPECT_GE(over, 4) << "files whose forces are off";
+}
+
 TEST(nl2_csv_felt, rows_too_far_apart_for_a_roll_are_warned_of_with_their_line) {
   const auto warnings = [](double width, double spacing) {
     return parse_nl2_csv(rows_on(Rolling{width}, 200, spacing, 3), "t.csv")->warnings;

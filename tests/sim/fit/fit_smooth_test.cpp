@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 
 #include "base/portable_math.h"
-#include "world/motion.h"
 
 namespace coaster::sim {
 namespace fit_smooth_test {
@@ -97,27 +96,6 @@ TEST(fit_smooth, rows_between_are_on_the_helix_of_the_rows) {
   }
   const std::vector<FitRow> far{at(0), at(12), at(15.6), at(40)};
   EXPECT_EQ(fill_rows(far, false).rows.size(), 4u) << "gaps stay, and so do short steps";
-}
-
-TEST(fit_smooth, quick_rolls_between_rows_far_apart_are_in_doubt) {
-  const auto doubt = [](double width, double spacing) {
-    const auto roll = [&](double s) {
-      const double u = std::clamp((s - 40) / width, 0.0, 1.0);
-      return 1.2 * u * u * u * (10 - 15 * u + 6 * u * u);
-    };
-    const std::vector<FitRow> rows = straight_rows(roll, 100, spacing);
-    const std::vector<double> speeds(rows.size(), 400 / world::kGravity);  // 20 m/s
-    double most = 0;
-    for (const double d : felt_doubts(rows, false, row_rolls(rows, false), speeds, 1.1)) most = std::max(most, d);
-    return most;
-  };
-  EXPECT_GT(doubt(14, 4.5), 0.4);
-  EXPECT_LT(doubt(40, 4.5), 0.1);
-  // Four times h^2 / 12 of the fourth derivative, which is largest where the roll begins and ends, at 20 / 3 Hz.
-  const double passed = 1 / std::sqrt(1 + std::pow(20 / 3.0 / 5, 8));
-  EXPECT_NEAR(doubt(14, 1.5) / (2 * passed),
-              2 * 1.5 * 1.5 / 12 * 1.2 * 360 / std::pow(14, 4) * 1.1 * 400 / world::kGravity, 0.03);
-  EXPECT_EQ(doubt(14, 0.05), 0);
 }
 
 }  // namespace fit_smooth_test
