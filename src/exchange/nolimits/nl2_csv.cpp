@@ -6,7 +6,6 @@
 #include <cmath>
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include "base/text.h"
 #include "base/words.h"
@@ -46,6 +45,7 @@ struct Reader {
   std::size_t more_warnings = 0;  // number of omitted warnings
   Separator separator = kSeparators[0];
   std::size_t data_rows = 0;
+  std::int64_t first_number = 1;   // of the rows: 0 or 1
   std::size_t first_decimals = 0;  // the fewest decimals of the first row's numbers
   std::string error;
 
@@ -60,33 +60,32 @@ struct Reader {
   }
 };
 
-bool read_header(Reader& r) {
-  std::string_view line;
-  do {
-    if (r.lines.next(line)) continue;
-    r.error = std::string(r.name) + ":1: error: expected the header \"No.\" \"PosX\" ..., found an empty file";
-    return false;
-  } while (line.find_first_not_of(" \t") == std::string_view::npos);
-  // Column names contain no separators, so the separator in the header is the file's.
+// Finds the file's separator in its first line, which blanks may only be if there is no other.
+bool find_separator(Reader& r, std::string_view line) {
   std::size_t kinds = 0;
   for (const Separator& s : kSeparators)
-    if (line.find(s.mark) != std::string_view::npos) r.separator = s, ++kinds;
-  if (kinds != 1)
-    return r.fail("a header of 13 columns, separated by tabs",
-                  kinds > 1 ? "several separators" : base::quoted_start(line));
+    if (line.find(s.mark) != std::string_view::npos && (kinds == 0 || s.mark != ' ')) r.separator = s, ++kinds;
+  return kinds == 1 || r.fail("a header of 13 columns, separated by tabs",
+                              kinds > 1 ? "several separators" : base::quoted_start(line));
+}
+
+// True if the line is a row, so that the file has no header: the checks of frames find columns of another order.
+bool all_numbers(const Reader& r, std::string_view line) {
+  Cells cells;
+  return split(line, r.separator.mark, cells) == cells.size() &&
+         std::all_of(cells.begin(), cells.end(), [](std::string_view cell) { return base::parse_double(cell); });
+}
+
+bool read_header(Reader& r, std::string_view line) {
   Cells cells;
   const std::size_t count = split(line, r.separator.mark, cells);
-  if (base::parse_double(cells[0]))
-    return r.fail(fmt::format("a header above the rows: \"{}\"", fmt::join(kColumns, "\" \"")), "a row of numbers");
   for (std::size_t i = 0; i < kColumns.size() && i < count; ++i) {
     if (!same_word(cells[i], kColumns[i]) && !(i == 0 && same_word(cells[i], "No")))
       return r.fail(fmt::format("column {} of the header to be \"{}\"", i + 1, kColumns[i]),
                     base::quoted_start(cells[i]) + ": name and order the columns as NoLimits 2 does");
   }
-  if (count != kColumns.size())
-    return r.fail(fmt::format("a header of 13 columns, separated by {}", r.separator.name),
-                  count > kColumns.size() ? "more" : std::to_string(count));
-  return true;
+  return count == kColumns.size() || r.fail(fmt::format("a header of 13 columns, separated by {}", r.separator.name),
+                                            count > kColumns.size() ? "more" : std::to_string(count));
 }
 
 bool read_vector(Reader& r, const Cells& cells, std::size_t first, double limit, dvec3& v) {
@@ -143,7 +142,8 @@ bool read_row(Reader& r, std::string_view line) {
                   count > kColumns.size() ? "more" : std::to_string(count));
   if (r.data_rows >= kMaxNl2Rows) return r.fail(fmt::format("at most {} rows", kMaxNl2Rows), "more");
   const auto number = base::parse_int(cells[0]);
-  const auto expected = static_cast<std::int64_t>(r.data_rows + 1);
+  if (r.data_rows == 0 && number == 0) r.first_number = 0;
+  const auto expected = r.first_number + static_cast<std::int64_t>(r.data_rows);
   if (!number || *number != expected)
     return r.fail(fmt::format("the row's number {}", expected), base::quoted_start(cells[0]));
   sim::FitRow row;
@@ -215,9 +215,13 @@ void check_axes(Reader& r) {
 }
 
 bool read_rows(Reader& r) {
-  if (!read_header(r)) return false;
   std::string_view line;
-  while (!r.lines.only_blanks_left() && r.lines.next(line))
+  if (!r.lines.next(line)) {
+    r.error = std::string(r.name) + ":1: error: expected the header \"No.\" \"PosX\" ..., found an empty file";
+    return false;
+  }
+  if (!find_separator(r, line) || !(all_numbers(r, line) ? read_row(r, line) : read_header(r, line))) return false;
+  while (r.lines.next(line))
     if (!read_row(r, line)) return false;
   if (r.rows.size() < 2) return r.fail("at least 2 rows at different positions", std::to_string(r.rows.size()));
   check_axes(r);

@@ -16,13 +16,14 @@ inline constexpr std::size_t kMaxNl2Rows = 500'000;
 inline constexpr double kNl2Spacing = 0.05;  // m between saved rows; the same as in NoLimits 2
 
 // Parses a whole file and fits a track to its rows (sim/fit/fit_track.h), with one train at its start. Errors are
-// Code::bad_file with one line "NAME:LINE: error: expected ..., found ...". Columns are separated by tabs, commas or
-// semicolons; LF, CRLF or CR; accepts a byte-order mark, blank lines at both ends, separators at the end of lines, a
-// missing last newline, and column names without quotes. Rejects other columns, row numbers that do not count up from
-// 1, NaN, infinities, positions beyond world::kMaxCoordinate, frames that are not unit, perpendicular and right-handed
-// to 1 % (better ones are made exact), fewer than 2 rows, more than kMaxNl2Rows, a truncated last number, and rows that
-// run against Front. Leaves out rows at the position of the previous row, with a warning. Warns of single steps against
-// Front, of gaps and of jumps of the frame. Reports `progress`, and is refused once it is cancelled.
+// Code::bad_file with one line "NAME:LINE: error: expected ..., found ...". Columns are separated by tabs, commas,
+// semicolons or blanks; LF, CRLF or CR; accepts a byte-order mark, blank lines, comments (# and //), separators at the
+// end of lines, a missing last newline, column names without quotes, a missing header, and rows that count from 0.
+// Rejects other columns, row numbers that do not count up, NaN, infinities, positions beyond world::kMaxCoordinate,
+// frames that are not unit, perpendicular and right-handed to 1 % (better ones are made exact), fewer than 2 rows, more
+// than kMaxNl2Rows, a truncated last number, and rows that run against Front. Leaves out rows at the position of the
+// previous row, with a warning. Warns of single steps against Front, of gaps and of jumps of the frame. Reports
+// `progress`, and is refused once it is cancelled.
 base::Result<LoadedTrack> parse_nl2_csv(std::string_view text, std::string_view name,
                                         base::Progress* progress = nullptr);
 

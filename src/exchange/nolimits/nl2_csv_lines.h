@@ -16,32 +16,37 @@ inline std::string_view trimmed(std::string_view text) {
   return text.substr(0, text.find_last_not_of(' ') + 1);
 }
 
-// Returns a cell's text without blanks and quotes around it.
+// Returns a cell's text without blanks and quotes around it, a number without a plus sign.
 inline std::string_view content(std::string_view cell) {
   cell = trimmed(cell);
   const bool in_quotes = cell.size() >= 2 && cell.front() == '"' && cell.back() == '"';
-  return in_quotes ? trimmed(cell.substr(1, cell.size() - 2)) : cell;
+  if (in_quotes) cell = trimmed(cell.substr(1, cell.size() - 2));
+  const bool plus = cell.size() >= 2 && cell[0] == '+' && (cell[1] == '.' || (cell[1] >= '0' && cell[1] <= '9'));
+  return plus ? cell.substr(1) : cell;
 }
 
-// Iterates over the lines of a text, numbered from 1, without line endings: LF, CRLF or CR.
+// Iterates over the lines of a text, numbered from 1, without line endings: LF, CRLF or CR. Skips blank lines and
+// comments: lines that start with # or //.
 class Lines {
  public:
   explicit Lines(std::string_view text) : rest_(text) {
     if (rest_.starts_with("\xef\xbb\xbf")) rest_.remove_prefix(3);
   }
   bool next(std::string_view& line) {
-    if (rest_.empty()) return false;
-    const std::size_t end = rest_.find_first_of("\r\n");
-    line = rest_.substr(0, end);
-    ended_ = end != std::string_view::npos;
-    rest_.remove_prefix(line.size());
-    rest_.remove_prefix(rest_.starts_with("\r\n") ? 2 : ended_ ? 1 : 0);
-    ++number_;
+    do {
+      if (rest_.empty()) return false;
+      const std::size_t end = rest_.find_first_of("\r\n");
+      line = rest_.substr(0, end);
+      ended_ = end != std::string_view::npos;
+      rest_.remove_prefix(line.size());
+      rest_.remove_prefix(rest_.starts_with("\r\n") ? 2 : ended_ ? 1 : 0);
+      ++number_;
+      line.remove_prefix(std::min(line.find_first_not_of(" \t"), line.size()));
+    } while (line.empty() || line.starts_with('#') || line.starts_with("//"));
     return true;
   }
   int number() const { return number_; }
   bool ended() const { return ended_; }  // the line ends with a newline
-  bool only_blanks_left() const { return rest_.find_first_not_of(" \t\r\n") == std::string_view::npos; }
 
  private:
   std::string_view rest_;
@@ -53,9 +58,10 @@ struct Separator {
   char mark;
   std::string_view name;
 };
-inline constexpr Separator kSeparators[]{{'\t', "tabs"}, {',', "commas"}, {';', "semicolons"}};
+inline constexpr Separator kSeparators[]{{'\t', "tabs"}, {',', "commas"}, {';', "semicolons"}, {' ', "blanks"}};
 
-// Splits a line into cells; returns at most one more than there are columns. Separators at its end count for nothing.
+// Splits a line into cells; returns at most one more than there are columns. Separators at its end count for nothing,
+// several blanks as one.
 inline std::size_t split(std::string_view line, char separator, Cells& cells) {
   std::size_t count = 0;
   for (;;) {
@@ -65,6 +71,7 @@ inline std::size_t split(std::string_view line, char separator, Cells& cells) {
     if (count == cells.size() && line.find_first_not_of(" \t,;", end) == std::string_view::npos) return count;
     if (end == std::string_view::npos || count > cells.size()) return count;
     line.remove_prefix(end + 1);
+    if (separator == ' ') line.remove_prefix(std::min(line.find_first_not_of(' '), line.size()));
   }
 }
 
