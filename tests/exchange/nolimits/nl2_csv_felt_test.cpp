@@ -3,6 +3,7 @@
 
 #include <array>
 #include <fstream>
+#include <iostream>
 #include <random>
 #include <sstream>
 #include <tuple>
@@ -145,23 +146,52 @@ void expect_felt(const std::string& rows, const std::vector<Moment>& ride, doubl
   EXPECT_LE(wrong.most, 0.4);
 }
 
+world::Document sample_track(const std::string& name) {
+  std::ifstream in(std::string(COASTER_SOURCE_DIR) + "/tracks/" + name + ".json");
+  std::ostringstream file;
+  file << in.rdbuf();
+  return parse_track(file.str(), name)->document;
+}
+constexpr const char* kSamples[] = {"gentle", "helix", "kingfisher", "loop", "old_timber"};
+
 TEST(nl2_csv_felt, imported_samples_are_felt_as_the_originals_at_any_spacing_of_rows) {
   int number = 0;
-  for (const char* name : {"gentle", "helix", "kingfisher", "loop", "old_timber"}) {
-    std::ifstream in(std::string(COASTER_SOURCE_DIR) + "/tracks/" + name + ".json");
-    std::ostringstream file;
-    file << in.rdbuf();
-    const auto sample = parse_track(file.str(), name);
-    ASSERT_TRUE(sample.ok());
-    const std::string text = print_nl2_csv(sample->document, kNl2Spacing);
-    const double heart = sample->document.heartline;
-    const std::vector<Moment> ride = ride_on(sample->document, heart);
+  for (const char* name : kSamples) {
+    const world::Document sample = sample_track(name);
+    const std::string text = print_nl2_csv(sample, kNl2Spacing);
+    const double heart = sample.heartline;
+    const std::vector<Moment> ride = ride_on(sample, heart);
     for (const auto& [spacing, seed] :
          {std::pair(0.05, 7u), {0.5, 7u}, {1.0, 7u}, {2.0, 7u}, {3.0, 7u}, {5.0, 2u}, {5.0, 7u}, {5.0, 12u}}) {
       if (test::kSanitized && ++number % 4 != 0) continue;
       SCOPED_TRACE(fmt::format("{}, rows every {} m, seed {}", name, spacing, seed));
       expect_felt(thinned(text, spacing, seed), ride, heart);
     }
+  }
+}
+
+// Prints the table of docs/track-format.md.
+TEST(nl2_csv_felt, DISABLED_table_of_the_samples) {
+  for (const double spacing : {0.05, 0.5, 1.0, 2.0, 3.0, 4.0, 5.0}) {
+    int knots = 0;
+    Wrong rails, riders;
+    for (const char* name : kSamples) {
+      const world::Document sample = sample_track(name);
+      const std::string text = print_nl2_csv(sample, kNl2Spacing);
+      const std::vector<Moment> on_rails = ride_on(sample, 0), above = ride_on(sample, sample.heartline);
+      for (std::uint32_t seed = 1; seed <= (spacing < 0.1 ? 1 : 5); ++seed) {
+        const auto loaded = parse_nl2_csv(thinned(text, spacing, seed), name);
+        ASSERT_TRUE(loaded.ok()) << loaded.status().message;
+        if (seed == 1) knots += loaded->import->knots;
+        const auto worst = [&](Wrong& of, double heart, const std::vector<Moment>& ride) {
+          const Wrong wrong = wrong_on(loaded->document, heart, ride);
+          of = {std::max(of.rms, wrong.rms), std::max(of.most, wrong.most)};
+        };
+        worst(rails, 0, on_rails), worst(riders, sample.heartline, above);
+      }
+    }
+    std::cout << fmt::format("| {} m | {} | {:.3f} g | {:.2f} g | {:.2f} g |\n", spacing, knots,
+                             std::max(rails.rms, riders.rms), rails.most, riders.most);
   }
 }
 
