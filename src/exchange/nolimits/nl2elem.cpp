@@ -36,17 +36,35 @@ std::string_view without_blanks(std::string_view text) {
   return text.substr(first, text.find_last_not_of(kBlanks) + 1 - first);
 }
 
-std::string_view text_of(const XMLElement& element) {
-  return element.GetText() ? without_blanks(element.GetText()) : std::string_view();
+// Tags mean the same in any case: one that was left out for its case would change the track.
+bool is_tag(const XMLElement& element, std::string_view tag) { return base::lower(element.Name()) == tag; }
+
+// Returns the element's text, around comments too; tags in it are named, so that they are no number.
+std::string text_of(const XMLElement& element) {
+  std::string text;
+  for (const tinyxml2::XMLNode* node = element.FirstChild(); node; node = node->NextSibling())
+    if (node->ToText()) text += node->Value();
+    else if (node->ToElement()) text += fmt::format("<{}>", node->Value());
+  return std::string(without_blanks(text));
 }
 
-bool read_number(XmlReader& r, const XMLElement& parent, const char* tag, double limit, double& value) {
-  const XMLElement* const element = parent.FirstChildElement(tag);
+// Finds the tag in `parent`; null if there is none. Fails on a second one.
+bool find_one(XmlReader& r, const XMLElement& parent, std::string_view tag, const XMLElement*& found) {
+  found = nullptr;
+  for (const XMLElement* e = parent.FirstChildElement(); e; e = e->NextSiblingElement()) {
+    if (!is_tag(*e, tag)) continue;
+    if (found) return r.fail(e->GetLineNum(), fmt::format("one <{}>", tag), "a second one");
+    found = e;
+  }
+  return true;
+}
+
+bool read_number(XmlReader& r, const XMLElement& parent, std::string_view tag, double limit, double& value) {
+  const XMLElement* element = nullptr;
+  if (!find_one(r, parent, tag, element)) return false;
   const std::string what = fmt::format("<{}>", tag);
   if (!element) return r.fail(parent.GetLineNum(), fmt::format("{} in <{}>", what, parent.Name()), "none");
-  if (const XMLElement* const second = element->NextSiblingElement(tag))
-    return r.fail(second->GetLineNum(), "one " + what, "a second one");
-  const std::string_view text = text_of(*element);
+  const std::string text = text_of(*element);
   const auto number = base::parse_double(text);
   if (!number || !std::isfinite(*number))
     return r.fail(element->GetLineNum(), "a finite number in " + what, base::quoted_number(text));
@@ -59,15 +77,16 @@ bool read_number(XmlReader& r, const XMLElement& parent, const char* tag, double
 // Reads "ux", "uy" and "uz" for the prefix "u".
 bool read_vector(XmlReader& r, const XMLElement& parent, std::string_view prefix, double limit, dvec3& v) {
   for (int axis = 0; axis < 3; ++axis)
-    if (!read_number(r, parent, fmt::format("{}{}", prefix, "xyz"[axis]).c_str(), limit, v[axis])) return false;
+    if (!read_number(r, parent, fmt::format("{}{}", prefix, "xyz"[axis]), limit, v[axis])) return false;
   return true;
 }
 
 bool read_strict(XmlReader& r, const XMLElement& parent, bool& strict) {
   strict = false;
-  const XMLElement* const element = parent.FirstChildElement("strict");
+  const XMLElement* element = nullptr;
+  if (!find_one(r, parent, "strict", element)) return false;
   if (!element) return true;
-  const std::string_view text = text_of(*element);
+  const std::string text = base::lower(text_of(*element));
   strict = text == "true" || text == "1";
   return strict || text.empty() || text == "false" || text == "0" ||
          r.fail(element->GetLineNum(), "true or false in <strict>", base::quoted_start(text));
@@ -126,9 +145,8 @@ bool read_roll(XmlReader& r, const XMLElement& element, ElementFile& file) {
 
 bool read_element(XmlReader& r, const XMLElement& element, ElementFile& file) {
   for (const XMLElement* e = element.FirstChildElement(); e; e = e->NextSiblingElement()) {
-    const std::string_view tag = e->Name();
-    if (tag == "vertex" && !read_vertex(r, *e, file)) return false;
-    if (tag == "roll" && !read_roll(r, *e, file)) return false;
+    if (is_tag(*e, "vertex") && !read_vertex(r, *e, file)) return false;
+    if (is_tag(*e, "roll") && !read_roll(r, *e, file)) return false;
   }
   const int line = element.GetLineNum();
   if (file.vertices.size() < 2) return r.fail(line, "at least 2 vertices", std::to_string(file.vertices.size()));
@@ -177,13 +195,16 @@ bool read_file(XmlReader& r, std::string_view text, ElementFile& file, std::vect
   if (xml.Parse(text.data(), text.size()) != tinyxml2::XML_SUCCESS)
     return r.fail(std::max(xml.ErrorLineNum(), 1), "well-formed XML", fault_of(xml.ErrorID()));
   const XMLElement* const root = xml.RootElement();
-  if (!root || std::string_view(root->Name()) != "root")
+  if (!root || !is_tag(*root, "root"))
     return r.fail(root ? root->GetLineNum() : 1, "<root>", root ? base::quoted_start(root->Name()) : "none");
-  const XMLElement* const element = root->FirstChildElement("element");
-  if (!element) return r.fail(root->GetLineNum(), "<element> in <root>", "none");
-  if (const XMLElement* const second = element->NextSiblingElement("element"))
-    warnings.push_back(fmt::format("{}:{}: warning: only the first <element> is read", r.name, second->GetLineNum()));
-  return read_element(r, *element, file);
+  std::vector<const XMLElement*> elements;
+  for (const XMLElement* e = root->FirstChildElement(); e; e = e->NextSiblingElement())
+    if (is_tag(*e, "element")) elements.push_back(e);
+  if (elements.empty()) return r.fail(root->GetLineNum(), "<element> in <root>", "none");
+  if (elements.size() > 1)
+    warnings.push_back(
+        fmt::format("{}:{}: warning: only the first <element> is read", r.name, elements[1]->GetLineNum()));
+  return read_element(r, *elements[0], file);
 }
 
 }  // namespace

@@ -186,6 +186,31 @@ TEST(nl2elem, rolls_that_contradict_each_other_are_told_of) {
       << both->warnings[0];
 }
 
+TEST(nl2elem, tags_in_any_case_and_numbers_around_comments_mean_the_same) {
+  std::mt19937 bits(8);
+  std::vector<Vertex> vertices = wandering(bits, 9, 0.3);
+  straighten(vertices);
+  const std::string text = encode(vertices);
+  const auto expected = parse_nl2elem(text, "x");
+  ASSERT_TRUE(expected) << expected.status().message;
+  const auto with = [&](const std::vector<std::pair<std::string, std::string>>& changes) {
+    std::string changed = text;
+    for (const auto& [from, to] : changes)
+      for (std::size_t at = changed.find(from, changed.find('\n')); at != std::string::npos;
+           at = changed.find(from, at + to.size()))
+        changed.replace(at, from.size(), to);
+    EXPECT_NE(changed, text);
+    const auto loaded = parse_nl2elem(changed, "x");
+    ASSERT_TRUE(loaded) << loaded.status().message;
+    EXPECT_TRUE(loaded->document == expected->document) << changed;
+  };
+  with({{"<vertex>", "<Vertex>"}, {"</vertex>", "</Vertex>"}});
+  with({{"<strict>", "<STRICT>"}, {"</strict>", "</STRICT>"}, {"true", "True"}, {"false", "FALSE"}});
+  with({{"<root>", "<Root>"}, {"</root>", "</Root>"}, {"<element>", "<ELEMENT>"}, {"</element>", "</ELEMENT>"}});
+  with({{"<x>", "<X>"}, {"</x>", "</X>"}, {"<vertex>", "<vertex><!-- here -->"}});
+  with({{".", "<!-- point -->."}});
+}
+
 TEST(nl2elem, bad_files_are_refused_with_line_and_reason) {
   const std::string vertex = "<vertex><x>1</x>\n<y>2</y>\n<z>3</z></vertex>\n",
                     other = "<vertex><x>9</x><y>2</y><z>3</z></vertex>\n";
@@ -209,6 +234,10 @@ TEST(nl2elem, bad_files_are_refused_with_line_and_reason) {
        "x:6: error: expected a position within 100000 m in <x>"},
       {with(vertex + "<vertex><x>5</x><y>2</y><z>3</z><strict>maybe</strict></vertex>"),
        "expected true or false in <strict>"},
+      {with(vertex + "<vertex><x>5</x><y>2</y><z>3</z><strict>false</strict>\n<Strict>true</Strict></vertex>"),
+       "x:7: error: expected one <strict>, found a second one"},
+      {with(vertex + "<vertex><x>1<b/>0</x><y>2</y><z>3</z></vertex>"),
+       "x:6: error: expected a finite number in <x>, found \"1<b>0\""},
       {with(vertex + vertex), "x:3: error: expected vertices at different places, found all at one"},
       {with(vertex + "<vertex><x>5</x>\n<y>2</y><z>3</z><weight>2</weight></vertex>"),
        "x:7: error: expected vertices without weights, found <weight> of \"2\""},
