@@ -19,6 +19,7 @@ using glm::dvec3;
 
 constexpr std::size_t kMaxTold = 20;  // corners with a warning each
 constexpr double kRollTold = 0.5;     // degrees from a roll: more is reported
+constexpr double kAlongTold = 45;     // degrees of a roll's up from perpendicular to the track: the same
 
 std::string rounded_degrees(double radians) { return fmt::format("{:.3g}", base::degrees(radians)); }
 
@@ -126,8 +127,13 @@ void set_turns(const std::vector<Stop>& stops, world::Document& document) {
   }
 }
 
-void measure(const world::Document& document, const std::vector<Bezier>& segments, const ElementFile& file,
-             ImportReport& report) {
+// The roll whose up is furthest from perpendicular to the track, which says little about the track's roll.
+struct RollAlong {
+  double coord = 0, degrees = 0;
+};
+
+RollAlong measure(const world::Document& document, const std::vector<Bezier>& segments, const ElementFile& file,
+                  ImportReport& report) {
   report.knots = static_cast<int>(document.track.knots.size());
   const sim::Derived derived = sim::shapes_of(document);
   sim::MeanSquare distances, angles;
@@ -138,6 +144,7 @@ void measure(const world::Document& document, const std::vector<Bezier>& segment
       report.max_error = std::max(report.max_error, distance);
       distances.add(distance);
     }
+  RollAlong along;
   for (const ElementRoll& roll : file.rolls) {
     const double fraction = std::min(roll.coord, derived.closed ? 1 - 1e-12 : 1.0);
     const curve::Frame frame = place_on(derived, fraction * derived.length).frame;
@@ -145,8 +152,12 @@ void measure(const world::Document& document, const std::vector<Bezier>& segment
     const double angle = base::degrees(std::abs(curve::signed_angle(frame.up, wanted, frame.forward)));
     report.frame_error = std::max(report.frame_error, angle);
     angles.add(angle);
+    const double sine = glm::dot(frame.forward, roll.up), cosine = glm::length(glm::cross(frame.forward, roll.up));
+    if (const double off = base::degrees(base::arc_tangent(std::abs(sine), cosine)); off > along.degrees)
+      along = {roll.coord, off};
   }
   report.rms_error = distances.root(), report.rms_frame_error = angles.root();
+  return along;
 }
 
 }  // namespace
@@ -172,10 +183,14 @@ ElementTrack track_of(const ElementFile& file) {
   if (!file.rolls.empty()) set_turns(stops, out.document);
   else sim::set_automatic_spins(out.document);
   world::add_cart(out.document, out.document.track.segments[0], 0);
-  measure(out.document, segments, file, out.report);
+  const RollAlong along = measure(out.document, segments, file, out.report);
   if (out.report.frame_error > kRollTold)
     out.warnings.emplace_back(0, fmt::format("the track is up to {} degrees off the file's rolls",
                                              rounded_degrees(base::radians(out.report.frame_error))));
+  if (along.degrees > kAlongTold)
+    out.warnings.emplace_back(
+        0, fmt::format("the up of the roll at coord {:.4g} is {:.0f} degrees off perpendicular to the track there",
+                       along.coord, along.degrees));
   return out;
 }
 

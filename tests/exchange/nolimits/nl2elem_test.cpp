@@ -186,6 +186,22 @@ TEST(nl2elem, rolls_that_contradict_each_other_are_told_of) {
       << both->warnings[0];
 }
 
+TEST(nl2elem, a_roll_whose_up_is_along_the_track_is_told_of) {
+  std::vector<Vertex> vertical;
+  for (int i = 0; i < 5; ++i) vertical.push_back({{3.1, 2.0 + 8 * i, -7.7}, false});
+  const dvec3 level(0.6, 0, 0.8), upright(0, 1, 0);
+  const auto sound = parse_nl2elem(encode(vertical, {{0.25, level}, {0.75, level}}), "x");
+  ASSERT_TRUE(sound) << sound.status().message;
+  EXPECT_TRUE(sound->warnings.empty()) << sound->warnings[0];
+  const auto along =
+      parse_nl2elem(encode(vertical, {{0.25, level}, {0.75, glm::normalize(0.6 * level + 0.8 * upright)}}), "x");
+  ASSERT_TRUE(along) << along.status().message;
+  ASSERT_EQ(along->warnings.size(), 1u);  // asin 0.8
+  EXPECT_NE(along->warnings[0].find("the up of the roll at coord 0.75 is 53 degrees off perpendicular to the track"),
+            std::string::npos)
+      << along->warnings[0];
+}
+
 TEST(nl2elem, tags_in_any_case_and_numbers_around_comments_mean_the_same) {
   std::mt19937 bits(8);
   std::vector<Vertex> vertices = wandering(bits, 9, 0.3);
