@@ -22,15 +22,35 @@ using glm::dvec3;
 
 constexpr double kWorthATell = base::radians(0.1);  // larger turns between handles are reported
 constexpr double kCorner = base::radians(90.0);     // larger turns are rejected
-constexpr double kRollSign = -1.0;  // roll is positive to the left in the file, to the right in the document
-constexpr double kSteep = 0.9;      // sine of the slope above which the horizon does not define roll well
-constexpr int kHorizonSteps = 64;   // per segment, to follow the horizon's rotation relative to the frame
+constexpr double kRollSign = -1.0;   // roll is positive to the left in the file, to the right in the document
+constexpr double kSteep = 0.9;       // sine of the slope above which the horizon does not define roll well
+constexpr float kSamePlace = 1e-3f;  // m: closer knots are one
+constexpr int kHorizonSteps = 64;    // per segment, to follow the horizon's rotation relative to the frame
 
 // Changes that were needed to fit a document.
 struct Changes {
-  std::size_t lengthened = 0, straightened = 0;
-  double largest_turn = 0;  // rad
+  std::size_t lengthened = 0, straightened = 0, repeated = 0;
+  double largest_turn = 0;                          // rad
+  std::size_t turned_most = 0, repeated_first = 0;  // numbers of knots in the file, counted from 1
 };
+
+// Makes one of neighbouring knots at the same place, with the in-handle of the first and the out-handle of the last:
+// between them the track would lead out and back. On a closed track the last knot may repeat the first.
+std::vector<NltrackKnot> without_repeats(const std::vector<NltrackKnot>& all, bool closed, Changes& changes) {
+  const auto same = [](const NltrackKnot& a, const NltrackKnot& b) {
+    return glm::distance(a.point, b.point) < kSamePlace;
+  };
+  const auto told = [&](std::size_t i) {
+    if (changes.repeated++ == 0) changes.repeated_first = i + 1;
+  };
+  std::vector<NltrackKnot> kept;
+  for (std::size_t i = 0; i < all.size(); ++i)
+    if (kept.empty() || !same(kept.back(), all[i])) kept.push_back(all[i]);
+    else kept.back().out = all[i].out, told(i);
+  if (closed && kept.size() > 2 && same(kept.back(), kept.front()))
+    kept.front().in = kept.back().in, kept.pop_back(), told(all.size() - 1);
+  return kept;
+}
 
 // Returns the direction of travel if both handles have zero length: towards the next control points.
 dvec3 between_neighbours(const std::vector<NltrackKnot>& records, std::size_t i, bool closed) {
@@ -52,14 +72,15 @@ base::Result<world::Knot> make_knot(std::string_view name, const std::vector<Nlt
   dvec3 direction = a + b > 0 ? in + out : between_neighbours(records, i, closed);
   if (!(glm::length(direction) > 0))
     return bad_nltrack(name, r.offset,
-                       fmt::format("knot {} has no direction: its handles cancel out or have no length", i + 1));
+                       fmt::format("knot {} has no direction: its handles cancel out or have no length", r.number));
   if (a > 0 && b > 0) {
     const double turn = base::arc_tangent(glm::length(glm::cross(in, out)), glm::dot(in, out));
     if (turn > kCorner)
       return bad_nltrack(name, r.offset,
-                         fmt::format("knot {} is a corner of {} degrees", i + 1,
+                         fmt::format("knot {} is a corner of {} degrees", r.number,
                                      base::to_text(static_cast<float>(base::degrees(turn)))));
-    if (turn > kWorthATell) ++changes.straightened, changes.largest_turn = std::max(changes.largest_turn, turn);
+    if (turn > kWorthATell) ++changes.straightened;
+    if (turn > std::max(kWorthATell, changes.largest_turn)) changes.largest_turn = turn, changes.turned_most = r.number;
   }
   world::Knot knot;
   knot.joint = world::JointKind::aligned;
@@ -68,7 +89,7 @@ base::Result<world::Knot> make_knot(std::string_view name, const std::vector<Nlt
   for (const auto& [length, stored, used] : {std::tuple{a, &knot.in_length, comes}, {b, &knot.out_length, goes}}) {
     if (length > world::kMaxHandle)
       return bad_nltrack(name, r.offset,
-                         fmt::format("knot {} has a handle of {} m, over the limit of {}", i + 1,
+                         fmt::format("knot {} has a handle of {} m, over the limit of {}", r.number,
                                      base::to_text(static_cast<float>(length)), base::to_text(world::kMaxHandle)));
     *stored = std::max(static_cast<float>(length), world::kMinHandle);
     if (used && length < world::kMinHandle) ++changes.lengthened;
@@ -175,9 +196,13 @@ std::vector<std::string> warnings_of(const Changes& changes) {
     warnings.push_back(fmt::format("{} handles shorter than {} m were lengthened to it", changes.lengthened,
                                    base::to_text(world::kMinHandle)));
   if (changes.straightened > 0)
-    warnings.push_back(
-        fmt::format("{} knots had handles that were not collinear, by up to {} degrees; they were straightened",
-                    changes.straightened, base::to_text(static_cast<float>(base::degrees(changes.largest_turn)))));
+    warnings.push_back(fmt::format(
+        "{} knots had handles that were not collinear, by up to {} degrees at knot {}; they were straightened",
+        changes.straightened, base::to_text(static_cast<float>(base::degrees(changes.largest_turn))),
+        changes.turned_most));
+  if (changes.repeated > 0)
+    warnings.push_back(fmt::format("{} knots repeat the place of the one before, the first is knot {}; left out",
+                                   changes.repeated, changes.repeated_first));
   return warnings;
 }
 
@@ -186,13 +211,14 @@ std::vector<std::string> warnings_of(const Changes& changes) {
 base::Result<LoadedTrack> parse_nltrack(std::string_view bytes, std::string_view name) {
   const auto file = read_nltrack_records(bytes, name);
   if (!file) return file.status();
-  const std::vector<NltrackKnot>& records = file->knots;
   const bool closed = file->closed;
+  Changes changes;
+  const std::vector<NltrackKnot> records = without_repeats(file->knots, closed, changes);
+  if (records.size() < 2) return bad_nltrack(name, records[0].offset, "expected knots at different places, found one");
 
   LoadedTrack track;
   world::Document& document = track.document;
   document.name = name_of_file(name);
-  Changes changes;
   for (std::size_t i = 0; i < records.size(); ++i) {
     const auto knot = make_knot(name, records, i, closed, changes);
     if (!knot) return knot.status();

@@ -107,6 +107,7 @@ base::Result<std::vector<NltrackKnot>> read_records(const ChunkReader& reader, c
   records.reserve(count);
   for (std::size_t i = 0; i < count; ++i) {
     NltrackKnot record;
+    record.number = i + 1;
     record.offset = chunk.payload + kVerticesHead + i * kRecordBytes;
     const std::pair<glm::vec3*, const char*> points[]{
         {&record.point, "point"}, {&record.in, "in-handle"}, {&record.out, "out-handle"}};

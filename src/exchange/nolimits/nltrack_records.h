@@ -15,6 +15,7 @@ namespace coaster::exchange {
 struct NltrackKnot {
   glm::vec3 point, in, out;  // m: the knot, the ends of its handles
   float roll = 0;            // radians, within 10,000 turns; positive to the left in the file
+  std::size_t number = 0;    // in the file, from 1
   std::size_t offset = 0;    // byte of the record in the file
 };
 

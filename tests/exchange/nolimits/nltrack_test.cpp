@@ -68,6 +68,24 @@ void refused(const std::string& bytes, const std::string& place, const std::stri
   EXPECT_NE(loaded.status().message.find(part), std::string::npos) << loaded.status().message;
 }
 
+TEST(NoLimitsTrack, a_knot_at_the_place_of_the_one_before_is_left_out) {
+  for (const bool closed : {false, true}) {
+    const std::vector<Vertex> once = ring();
+    std::vector<Vertex> twice;
+    for (const Vertex& v : once) twice.push_back(v), twice.push_back(v);
+    twice[2].out = twice[2].point, twice[3].in = twice[3].point + glm::vec3(0.3f, 2, 0.1f);  // unused
+    if (closed) twice.push_back(twice[0]), twice.back().out += glm::vec3(1, 0.2f, 0);
+    const auto loaded = parse_nltrack(encode(twice, closed), "a.nltrack"),
+               simple = parse_nltrack(encode(once, closed), "a");
+    ASSERT_TRUE(loaded) << loaded.status().message;
+    EXPECT_TRUE(loaded->document == simple->document);
+    ASSERT_EQ(loaded->warnings.size(), 1u);
+    EXPECT_EQ(loaded->warnings[0], std::string(closed ? "5" : "4") +
+                                       " knots repeat the place of the one before, the first is knot 2; left out");
+  }
+  refused(encode({ring()[0], ring()[0]}, false), "49", "expected knots at different places, found one");
+}
+
 TEST(NoLimitsTrack, knots_come_over_with_their_bits_and_handles_to_rounding) {
   for (const bool closed : {false, true}) {
     const auto loaded = parse_nltrack(encode(ring(), closed), "somewhere/My ring.nltrack");
@@ -239,12 +257,13 @@ TEST(NoLimitsTrack, handles_without_length_and_bent_ones_are_told_of) {
   loaded = parse_nltrack(encode(vertices, true), "x.nltrack");
   ASSERT_TRUE(loaded);
   ASSERT_EQ(loaded->warnings.size(), 1u);
-  EXPECT_NE(loaded->warnings[0].find("1 knots had handles that were not collinear"), std::string::npos);
+  EXPECT_NE(loaded->warnings[0].find("1 knots had handles that were not collinear, by up to "), std::string::npos);
   std::swap(vertices[1].in, vertices[2].in);
   refused(encode(vertices, true), std::to_string(kFirst + 60) + ":", "corner");
   vertices = ring();
-  for (Vertex& v : vertices) v.point = v.in = v.out = {1, 2, 3};
-  refused(encode(vertices, true), std::to_string(kFirst) + ":", "no direction");
+  vertices[1].in = vertices[1].point, vertices[1].out = vertices[1].point;
+  vertices[0].out = vertices[2].in;  // no direction from one neighbour to the other either
+  refused(encode(vertices, true), std::to_string(kFirst + 60) + ":", "knot 2 has no direction");
 }
 
 TEST(NoLimitsTrack, handles_may_bend_by_a_right_angle_and_no_more) {
