@@ -18,6 +18,7 @@ namespace {
 using glm::dvec3;
 
 constexpr double kStep = 0.05, kPointStep = 0.25, kShortestLead = 1;  // m
+constexpr double kNoLead = 1e-9;                                      // m
 constexpr double kSlowest = 1;                                        // m/s
 constexpr dvec3 kUp{0, 1, 0};
 
@@ -57,6 +58,7 @@ class Walk {
   std::size_t piece_ = ~std::size_t{0};  // index of the roll's piece; none at first
   std::optional<double> out_from_;       // m where a turn's lead-out begins
   double lead_in_ = 0, lead_out_ = 0;    // m
+  double lead_out_angle_ = 0;            // degrees of the turn left where the lead-out begins
   std::vector<double> corners_;          // of `at`
   FvdPath path_;
 };
@@ -82,9 +84,11 @@ Walk::Walk(const FvdTrack& track, FvdSection& section, const FvdStart& start)
     for (const FvdPiece& piece : *function) corners_.push_back(piece.from);
   }
   std::ranges::sort(corners_);
-  const double radius = std::max(section.radius, 1e-3), degree = 1.997 * radius * base::kPi / 180;
-  lead_in_ = std::max(degree * section.lead_in, kShortestLead);
-  lead_out_ = std::max(degree * section.lead_out, kShortestLead);
+  // A turn of a small angle has room for shorter leads only: one turns by half of its length over the radius.
+  const double radius = std::max(section.radius, 1e-3), turn = base::radians(length_);
+  lead_in_ = std::max(1.997 * radius * base::radians(section.lead_in), std::min(kShortestLead, radius * turn));
+  lead_out_angle_ = std::max(section.lead_out, base::degrees(std::min(kShortestLead / radius, turn) / 2));
+  lead_in_ = std::max(lead_in_, kNoLead);
 }
 
 // Returns the curvature of a turn, which rises and falls as a smooth step of the length.
@@ -153,9 +157,9 @@ void Walk::enter_piece(const Train& train) {
 }
 
 void Walk::enter_lead_out(const Train& train) {
-  if (section_.kind == FvdKind::curved && !out_from_ && train.at >= length_ - std::max(section_.lead_out, 0.0)) {
+  if (section_.kind == FvdKind::curved && !out_from_ && train.at >= length_ - lead_out_angle_) {
     out_from_ = train.s;
-    lead_out_ = std::max(1.997 * section_.radius * base::radians(length_ - train.at), kShortestLead);
+    lead_out_ = std::max(1.997 * section_.radius * base::radians(length_ - train.at), kNoLead);
   }
 }
 

@@ -213,6 +213,30 @@ TEST(Fvd, directions_are_those_of_the_other_program) {
   EXPECT_LT(glm::distance(fvd_path(track, yaw, {}).curve.points.back().tangent, dvec3(-half, 0, -most)), 0.003);
 }
 
+// The other program turns by the angle whatever the lead-out is: one of 0 is none, and any other ends where the angle
+// is reached. Here leads are 1 m at least, within the angle.
+TEST(Fvd, turns_with_short_leads_turn_by_their_angle_too) {
+  FvdTrack track = track_of({});
+  FvdStart start;
+  start.speed = 40;
+  for (const auto& [angle, radius, lead] : {std::tuple{90.0, 10.0, 0.0},
+                                            {90.0, 10.0, 2.0},
+                                            {30.0, 4.0, 0.0},
+                                            {5.0, 20.0, 0.0},
+                                            {1.0, 10.0, 0.0},
+                                            {360.0, 7.0, 0.1}}) {
+    FvdSection turn;
+    turn.kind = FvdKind::curved, turn.roll = steady(angle);
+    turn.angle = angle, turn.radius = radius, turn.direction = 90, turn.lead_in = turn.lead_out = lead;
+    const FvdPath path = fvd_path(track, turn, start);
+    const dvec3 end = path.curve.points.back().tangent;
+    EXPECT_NEAR(std::remainder(std::atan2(-end.x, -end.z) / kDegree - angle, 360), 0, 0.3) << angle << ", " << radius;
+  }
+  FvdSection none;
+  none.kind = FvdKind::curved, none.roll = steady(0), none.radius = 10, none.direction = 90;
+  EXPECT_EQ(fvd_path(track, none, start).curve.points.size(), 1u);
+}
+
 TEST(Fvd, drag_slows_by_its_exponential) {
   FvdSection run;
   run.roll = steady(100);
