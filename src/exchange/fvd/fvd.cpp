@@ -20,7 +20,7 @@ namespace {
 using glm::dvec3;
 using world::ForceChannel;
 
-constexpr double kShortestSection = 0.5;                    // m
+constexpr double kShortestSection = 0.05;                   // m: shorter ones are left out
 constexpr double kKeyTolerance = 0.01, kRollTolerance = 1;  // g, deg/s
 constexpr double kFaster = 0.5;                             // m/s
 
@@ -29,7 +29,7 @@ struct Import {
   const FvdTrack& track;
   LoadedTrack loaded;
   double speed = 0;  // m/s at the open end
-  int forced = 0, shaped = 0;
+  int forced = 0, shaped = 0, short_ones = 0;
 };
 
 // Returns the first knot. openFVD starts towards -Z; pitch turns up, yaw and roll to the left.
@@ -118,11 +118,15 @@ std::string add(Import& import, FvdSection section) {
   const std::optional<sim::TrackEnd> end = sim::open_end(import.loaded.document);
   FvdPath path = fvd_path(import.track, section, {end->position, end->forward, end->up, import.speed});
   if (path.curve.points.size() < 2) return path.stopped;
-  if (path.curve.length() < kShortestSection)
-    return path.stopped.empty() ? fmt::format("it is shorter than {} m", kShortestSection) : path.stopped;
+  if (path.curve.length() < kShortestSection) {
+    ++import.short_ones;
+    return path.stopped;
+  }
   section.name = std::string(base::utf8_start(section.name, world::kMaxNameBytes));
-  return section.kind == FvdKind::forced && section.free_speed ? add_forced(import, section, path)
-                                                               : add_shaped(import, section, path);
+  const world::ForceOver over = section.by_distance ? world::ForceOver::distance : world::ForceOver::time;
+  const bool fits = path.at.back() >= world::shortest_of(over) && path.at.back() <= world::longest_of(over);
+  return section.kind == FvdKind::forced && section.free_speed && fits ? add_forced(import, section, path)
+                                                                       : add_shaped(import, section, path);
 }
 
 }  // namespace
@@ -152,6 +156,8 @@ base::Result<LoadedTrack> parse_fvd(std::string_view bytes, std::string_view nam
         fmt::format("section {} of {} ({}): {}; the track ends there", i + 1, count, track->sections[i].name, stopped));
     break;
   }
+  if (import.short_ones > 0)
+    warn(fmt::format("sections shorter than {} m were left out: {}", kShortestSection, import.short_ones));
   if (track->others > 0) warn(fmt::format("only the first of the {} tracks is read", track->others + 1));
   import.loaded.note = fmt::format("Opened {} force section{} and {} hand-shaped one{}.", import.forced,
                                    import.forced == 1 ? "" : "s", import.shaped, import.shaped == 1 ? "" : "s");

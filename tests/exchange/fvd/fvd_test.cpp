@@ -237,6 +237,27 @@ TEST(Fvd, turns_with_short_leads_turn_by_their_angle_too) {
   EXPECT_EQ(fvd_path(track, none, start).curve.points.size(), 1u);
 }
 
+TEST(Fvd, short_sections_end_no_track) {
+  FvdSection first, zero, tiny, small, force, rest;
+  first.roll = steady(12), zero.roll = steady(0), tiny.roll = steady(0.03), small.roll = steady(0.3);
+  rest.roll = steady(9);
+  force.kind = FvdKind::forced, force.by_distance = true;
+  force.roll = force.lateral = steady(1.7), force.vertical = steady(1.7, 1);  // 3 m at least as a force section
+  FvdTrack track = track_of({first, zero, small, tiny, force, rest});
+  track.pitch = track.yaw = track.roll = 0;
+  const LoadedTrack loaded = opened(track);
+  ASSERT_EQ(loaded.warnings.size(), 1u);
+  EXPECT_NE(loaded.warnings[0].find("sections shorter than 0.05 m were left out: 1"), std::string::npos);
+  const std::vector<world::SectionRun> runs = world::sections_of(loaded.document);
+  ASSERT_EQ(runs.size(), 4u);
+  for (const world::SectionRun& run : runs)
+    EXPECT_EQ(world::section(loaded.document, run.section).kind, world::SectionKind::free);
+  // 1 g on the level is a straight.
+  EXPECT_LT(
+      glm::distance(dvec3(last_knot(loaded.document).position), track.position + dvec3(0, 0, -12 - 0.3 - 1.7 - 9)),
+      0.01);
+}
+
 TEST(Fvd, drag_slows_by_its_exponential) {
   FvdSection run;
   run.roll = steady(100);
