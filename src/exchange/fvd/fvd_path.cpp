@@ -77,7 +77,7 @@ Walk::Walk(const FvdTrack& track, FvdSection& section, const FvdStart& start)
   if (!section.free_speed) train_.square = section.speed * section.speed;
   const bool forced = section.kind == FvdKind::forced || section.kind == FvdKind::geometric;
   const std::array<const FvdFunction*, 3> all{&section.roll, &section.vertical, &section.lateral};
-  length_ = shared_length(std::span(all).first(forced ? 3 : 1));
+  length_ = forced ? shared_length(all) : section.roll.back().to;  // locks mean nothing in straights and curves
   for (FvdFunction* const function : {&section.roll, &section.vertical, &section.lateral}) {
     if (function->empty()) continue;
     join_pieces(*function, function->front().start, length_);
@@ -241,6 +241,10 @@ FvdPath fvd_path(const FvdTrack& track, FvdSection& section, const FvdStart& sta
   for (const FvdFunction* const function : {&section.roll, &section.vertical, &section.lateral})
     if (std::ranges::any_of(*function, [](const FvdPiece& piece) { return piece.shape == FvdShape::free_form; }))
       return stops("openFVD does not store the points of a free-form piece");
+  const bool forced = section.kind == FvdKind::forced || section.kind == FvdKind::geometric;
+  if (forced && std::ranges::all_of(std::array{&section.roll, &section.vertical, &section.lateral},
+                                    [](const FvdFunction* f) { return std::ranges::any_of(*f, &FvdPiece::follows); }))
+    return stops("all of its functions are locked to the end of another");
   if (!section.free_speed && !(section.speed >= kSlowest))
     return stops(fmt::format("it keeps a speed of {} m/s", section.speed));
   if (section.free_speed && !(start.speed >= kSlowest))

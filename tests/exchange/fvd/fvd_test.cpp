@@ -258,6 +258,24 @@ TEST(Fvd, short_sections_end_no_track) {
       0.01);
 }
 
+// The other program lets only functions of forced and geometric sections be locked, and takes the length of straights
+// and curves from the last piece.
+TEST(Fvd, locked_functions_leave_straights_their_length_and_are_refused_without_any_end) {
+  FvdSection straight;
+  straight.roll = steady(20), straight.roll.back().follows = true;
+  EXPECT_NEAR(fvd_path(track_of({}), straight, {}).curve.length(), 20, 1e-3);
+  FvdSection force;
+  force.kind = FvdKind::forced;
+  force.roll = force.lateral = steady(2), force.vertical = steady(2, 1);
+  force.roll.back().follows = force.lateral.back().follows = true;
+  EXPECT_EQ(fvd_path(track_of({}), force, {}).stopped, "");
+  force = {};
+  force.kind = FvdKind::forced;
+  force.roll = force.lateral = steady(2), force.vertical = steady(2, 1);
+  for (FvdFunction* const f : {&force.roll, &force.lateral, &force.vertical}) f->back().follows = true;
+  EXPECT_EQ(fvd_path(track_of({}), force, {}).stopped, "all of its functions are locked to the end of another");
+}
+
 TEST(Fvd, drag_slows_by_its_exponential) {
   FvdSection run;
   run.roll = steady(100);
