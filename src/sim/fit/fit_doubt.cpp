@@ -34,8 +34,10 @@ std::vector<double> roll_doubts(std::span<const FitRow> rows, bool closed, const
                           ((rolls.slopes[n.after] - rolls.slopes[i]) / std::max(n.ahead, 1e-9) -
                            (rolls.slopes[i] - rolls.slopes[n.before]) / std::max(n.back, 1e-9)) /
                           std::max(n.back + n.ahead, 1e-9);
-    // Squared frequency of the error, relative to the cutoff's.
-    const double wave = 2 * kCutoff * n.longest(), share = speeds[i] * world::kGravity / (wave * wave);
+    // Squared frequency of the error, relative to the cutoff's. In steps shorter than kMoment only an error that lasts
+    // several of them is felt.
+    const double steps = n.longest() < kMoment * std::sqrt(speeds[i] * world::kGravity) ? 3 : 2;
+    const double wave = steps * kCutoff * n.longest(), share = speeds[i] * world::kGravity / (wave * wave);
     const double passed = 1 / std::sqrt(1 + share * share * share * share);  // a Butterworth low-pass of four poles
     doubts[i] = 4 * passed * n.back * n.ahead / 12 * std::abs(fourth) * heartline * speeds[i];
   }

@@ -14,7 +14,8 @@ namespace coaster::sim {
 
 // Because the roll changes within a few rows, for riders `heartline` m above the rails: four times the first term of
 // the error of the smooth roll's second derivative, h^2 / 12 of its fourth, because later terms can be larger. The
-// error changes its sign within a step, so it counts as after a low-pass of 5 Hz at one wave in 1.5 steps.
+// error changes its sign within a step, so it counts as after a low-pass of 5 Hz at one wave in 2 steps, or in 3 where
+// these are shorter than kMoment of the ride.
 std::vector<double> roll_doubts(std::span<const FitRow> rows, bool closed, const RowRolls& rolls,
                                 std::span<const double> speeds, double heartline);
 

@@ -129,9 +129,14 @@ void fit_all(FitWork& w) {
 
 Doubt worst_doubt(std::span<const FitRow> rows, bool closed, const std::vector<double>& doubts) {
   const std::vector<char> jumps = near_jumps(rows, closed, kInnerReach);
+  // Rows beside the track are no measure of its roll.
+  const auto beside = [&](std::size_t i) {
+    const std::size_t n = rows.size();
+    return off_deg(rows[(i + n - 1) % n], rows[i]) > 0 || off_deg(rows[i], rows[(i + 1) % n]) > 0;
+  };
   Doubt worst;
   for (std::size_t i = 0; i < rows.size(); ++i)
-    if (!jumps[i] && doubts[i] > worst.g) worst = {doubts[i], i};
+    if (!jumps[i] && doubts[i] > worst.g && !beside(i)) worst = {doubts[i], i};
   return worst;
 }
 

@@ -432,6 +432,46 @@ TEST(nl2_csv_felt, rows_too_far_apart_for_a_bend_are_warned_of_with_their_line_a
   EXPECT_GE(over, 4) << "files whose forces are off";
 }
 
+// A level straight that rolls by 1.5 rad within 1.8 m, at 10 m/s.
+TEST(nl2_csv_felt, rows_too_far_apart_for_a_very_quick_roll_are_warned_of_with_about_how_much) {
+  constexpr double kTurn = 1.5, kWidth = 1.8, kLength = 60, kV2 = 100 / world::kGravity;
+  const double heart = world::Document{}.heartline;
+  const auto roll = [](double s) {  // and its derivatives
+    const double u = std::clamp((s - 30.07) / kWidth, 0.0, 1.0);
+    return kTurn * dvec3(u * u * u * (10 - 15 * u + 6 * u * u), 30 * u * u * (1 - u) * (1 - u) / kWidth,
+                         60 * u * (1 - u) * (1 - 2 * u) / (kWidth * kWidth));
+  };
+  const auto curve = [&](double s) {
+    const dvec3 forward(0.8, 0, 0.6);
+    return Place{dvec3(3.3, 20, -8.1) + s * forward, forward, curve::rotate({0, 1, 0}, forward, roll(s).x)};
+  };
+  std::vector<Moment> ride;
+  for (double s = 0; s < kLength; s += 10 / kRate) {
+    const dvec3 r = roll(s);
+    ride.push_back({curve(s).place,
+                    curve(s).forward,
+                    kV2,
+                    {std::cos(r.x) - heart * r.y * r.y * kV2, std::sin(r.x) - heart * r.z * kV2}});
+  }
+  const std::string what = "the rows are too far apart for the roll here: riders may feel ";
+  for (const double spacing : {0.05, 0.4, 0.55})
+    for (std::uint32_t seed = 0; seed < 3; ++seed) {
+      SCOPED_TRACE(fmt::format("rows every {} m, seed {}", spacing, seed));
+      const auto loaded = parse_nl2_csv(rows_on(curve, kLength, spacing, seed), "t.csv");
+      ASSERT_TRUE(loaded.ok()) << loaded.status().message;
+      const double most = wrong_on(loaded->document, heart, ride).most;
+      if (spacing < 0.1) {
+        EXPECT_TRUE(loaded->warnings.empty()) << loaded->warnings[0];
+        continue;
+      }
+      EXPECT_GT(most, 0.4);
+      ASSERT_EQ(loaded->warnings.size(), 1u);
+      ASSERT_NE(loaded->warnings[0].find(what), std::string::npos) << loaded->warnings[0];
+      EXPECT_GT(std::stod(loaded->warnings[0].substr(loaded->warnings[0].find(what) + what.size())), most / 2)
+          << most << loaded->warnings[0];
+    }
+}
+
 TEST(nl2_csv_felt, rows_too_far_apart_for_a_roll_are_warned_of_with_their_line) {
   const auto warnings = [](double width, double spacing) {
     return parse_nl2_csv(rows_on(Rolling{width}, 200, spacing, 3), "t.csv")->warnings;
