@@ -22,10 +22,10 @@ using glm::dvec3;
 
 constexpr double kWorthATell = base::radians(0.1);  // larger turns between handles are reported
 constexpr double kCorner = base::radians(90.0);     // larger turns are rejected
-constexpr double kRollSign = -1.0;   // roll is positive to the left in the file, to the right in the document
-constexpr double kSteep = 0.9;       // sine of the slope above which the horizon does not define roll well
-constexpr float kSamePlace = 1e-3f;  // m: closer knots are one
-constexpr int kHorizonSteps = 64;    // per segment, to follow the horizon's rotation relative to the frame
+constexpr double kRollSign = -1.0;  // roll is positive to the left in the file, to the right in the document
+constexpr double kSteep = 0.9;      // sine of the slope above which the horizon does not define roll well
+constexpr float kOneKnot = 1e-3f;   // m: closer knots are one
+constexpr int kHorizonSteps = 64;   // per segment, to follow the horizon's rotation relative to the frame
 
 // Changes that were needed to fit a document.
 struct Changes {
@@ -38,7 +38,7 @@ struct Changes {
 // between them the track would lead out and back. On a closed track the last knot may repeat the first.
 std::vector<NltrackKnot> without_repeats(const std::vector<NltrackKnot>& all, bool closed, Changes& changes) {
   const auto same = [](const NltrackKnot& a, const NltrackKnot& b) {
-    return glm::distance(a.point, b.point) < kSamePlace;
+    return glm::distance(a.point, b.point) < kOneKnot;
   };
   const auto told = [&](std::size_t i) {
     if (changes.repeated++ == 0) changes.repeated_first = i + 1;
