@@ -41,6 +41,7 @@ TEST(link, every_sample_track_comes_back_with_its_hash_and_view) {
   base::Files files;
   int tracks = 0;
   for (const auto& entry : std::filesystem::directory_iterator(std::filesystem::path(COASTER_SOURCE_DIR) / "tracks")) {
+    if (entry.path().extension() != ".json") continue;  // the lock of a track that is open
     const auto track = load_track(files, entry.path());
     ASSERT_TRUE(track.ok()) << track.status().message;
     const std::string link = "https://example.org/coaster/" + print_link(track->document, skew_view());
