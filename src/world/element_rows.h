@@ -76,7 +76,7 @@ inline constexpr ElementParameter kEquipment{
     "equipment",      "Equipment", "", 0, 0, kEquipmentChoices.size() - 1, "Equipment of the whole element.",
     kEquipmentChoices};
 inline constexpr ElementParameter kEquipmentSpeed{
-    "speed", "Speed", "m/s", 4, 0, 150, "Speed of the equipment: of the chain, after the launch or brake."};
+    "speed", "Speed", "m/s", 4, 0, 150, "Speed of the chain, of the dispatch, or behind a launch or brake."};
 inline constexpr ElementParameter kStraight[] = {
     {"length", "Length", "m", 30, 2, 2000, "Length of the straight."},
     {"roll", "Roll", "deg", 0, -1440, 1440,

@@ -22,9 +22,10 @@ std::optional<double> parse(WidgetFrame& ui, std::string_view label, const Numbe
   const base::Result<double> value = base::evaluate(words, n.typed_in);
   const bool whole = !n.whole || !value || *value == std::round(*value);
   if (value && whole) return std::clamp(*value, -n.largest, n.largest);
-  ui.warn(fmt::format("{}/{}: {} is not a {}number: {}. Nothing changed.", ui.panel, shown(label),
-                      base::quoted_start(words), whole ? "" : "whole ",
-                      whole ? value.status().message : base::to_text(*value)));
+  const std::string typed = base::quoted_start(words), reason = whole ? value.status().message : base::to_text(*value);
+  const bool says_more = reason != fmt::format("expected a number, found {}", typed);
+  ui.warn(fmt::format("{}/{}: {} is not a {}number{}. Nothing changed.", ui.panel, shown(label), typed,
+                      whole ? "" : "whole ", says_more ? ": " + reason : ""));
   return std::nullopt;
 }
 
