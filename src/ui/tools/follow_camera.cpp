@@ -88,8 +88,8 @@ void FollowCamera::update(Ui& ui, const view::View& view, const view::Viewport& 
   }
   const bool undo = session.history.redo.size() > std::exchange(undone_, session.history.redo.size());
   const bool may = settings.feel->follow && settings.camera_mode == world::CameraMode::orbit && !busy;
-  const auto there = [&](const std::vector<glm::vec3>& shown, float margin = view::kMargin) {
-    return view::kept_in_view(settings.camera, shown, view.viewport, free, margin);
+  const auto there = [&](const world::Camera& from, const std::vector<glm::vec3>& shown, float margin) {
+    return view::kept_in_view(from, shown, view.viewport, free, margin);
   };
   // Changes during a drag are followed when it has ended.
   if (!std::exchange(busy_, busy) && !busy) {
@@ -98,9 +98,16 @@ void FollowCamera::update(Ui& ui, const view::View& view, const view::Viewport& 
       to_.reset();
       const bool carried = before->last.valid() && before->last == now.last && before->end != now.end;
       if (before->last != now.last && !undo) add_new(session.document, points);
-      if (may && !points.empty() && (!carried || (!undo && near(settings.camera, there({before->end})))) &&
-          !near(settings.camera, there(points)))
-        to_ = there(points, kRoom), sent_ = settings.camera;
+      const bool at_end = before->last == now.last && before->end == now.end, turned = settings.camera != sent_;
+      if (!at_end || turned) before_preview_.reset();
+      const world::Camera here = settings.camera,
+                          from = before_preview_ && !now.preview.empty() ? *before_preview_ : here;
+      if (may && !points.empty() && (!carried || (!undo && near(here, there(here, {before->end}, view::kMargin))))) {
+        const bool fits = near(from, there(from, points, view::kMargin));
+        const world::Camera to = fits ? from : there(from, points, kRoom);
+        if (!near(here, to)) to_ = to, sent_ = here;
+        if (to_ && at_end && !before_preview_) before_preview_ = here;
+      }
     }
   }
   if (!to_) return;

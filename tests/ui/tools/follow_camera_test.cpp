@@ -75,6 +75,29 @@ TEST_F(FollowCameraTest, shows_a_preview_and_leaves_the_camera_to_the_user) {
   EXPECT_TRUE(all<edit::SetCamera>().empty()) << "the user has turned the camera";
 }
 
+TEST_F(FollowCameraTest, comes_back_from_a_preview_that_becomes_small) {
+  follow(true);
+  const auto choose = [&](double length) {
+    world::Element element = world::usual_element(world::ElementKind::straight);
+    element.values[0] = length;
+    ASSERT_TRUE(edit::apply(session_, files_, edit::ChooseElement{element}));
+    frames(120);
+  };
+  choose(10);
+  const world::Camera before = session_.settings.camera;
+  choose(900);
+  EXPECT_GT(session_.settings.camera.distance, 3 * before.distance);
+  choose(10);
+  EXPECT_EQ(session_.settings.camera, before);
+  choose(900);
+  world::Camera turned = session_.settings.camera;
+  turned.yaw_deg += 20;
+  ASSERT_TRUE(edit::apply(session_, files_, edit::set_camera(turned)));
+  frames(3);
+  choose(10);
+  EXPECT_EQ(session_.settings.camera, turned) << "where the user looks";
+}
+
 TEST_F(FollowCameraTest, leaves_the_camera_where_it_looks_when_an_end_out_of_the_picture_moves) {
   append({150, 6, 3});
   frames(2);
