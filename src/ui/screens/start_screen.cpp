@@ -85,7 +85,8 @@ bool StartScreen::draw(Ui& ui, const Card& card, float width) {
   ImGui::PushFont(small_font());
   const float height = std::floor(width * 9 / 16), line = ImGui::GetTextLineHeight(), round = 5 * ui.scale;
   const ImVec2 low = ImGui::GetCursorScreenPos(), high(low.x + width, low.y + height);
-  const bool clicked = ImGui::InvisibleButton(hidden(card.label).c_str(), {width, height + std::floor(1.4f * line)});
+  const bool clicked =
+      ImGui::InvisibleButton(hidden(card.label).c_str(), {width, height + std::floor(1.4f * line)}, kChosenByKeys);
   const bool hot = ImGui::IsItemHovered();
   if (!card.picture.empty() && ImGui::IsItemVisible()) ui.out.wanted_pictures.push_back(card.picture);
   ui.out.picture_width = static_cast<int>(width);

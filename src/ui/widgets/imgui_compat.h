@@ -15,6 +15,13 @@ inline constexpr ImGuiKey kKeypadEnter = ImGuiKey_KeypadEnter;
 inline constexpr ImGuiKey kKeypadEnter = ImGuiKey_KeyPadEnter;
 #endif
 
+// For an invisible button that keys choose.
+#if IMGUI_VERSION_NUM >= 19140
+inline constexpr ImGuiButtonFlags kChosenByKeys = ImGuiButtonFlags_EnableNav;
+#else
+inline constexpr ImGuiButtonFlags kChosenByKeys = ImGuiButtonFlags_None;
+#endif
+
 // Prepares a new current context: textures are created by upload_textures(), and a frame gets all input set before it.
 void set_up_context();
 
