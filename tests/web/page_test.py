@@ -50,11 +50,8 @@ class Hands(Page):
         self.before_load(FIXED_STEPS)
         self.open()
         self.press("Start/New track")
-        for element, equipment in (("Straight", "Station"), ("Climb", "Lift"), ("Dive", None), ("Curve", None)):
+        for element in ("Straight", "Climb", "Dive", "Curve"):
             self.press("Elements/" + element)
-            if equipment:
-                self.press("Elements/Equipment")
-                self.press("Elements/Equipment/" + equipment)
             self.key("Enter")
         self.press("Elements/Complete circuit")
         self.until(lambda: self.number("complete.proposals") > 0, "ways home")
@@ -86,10 +83,10 @@ class Hands(Page):
         self.press("Elements/Straight")
         self.until(lambda: self.value("element.preview") == "on", "the second step, by hand")
         self.press("Lesson/Show me")
-        self.until(lambda: self.value("element.value equipment") == "station",
-                   lambda: "the third step; " + self.value("element.value equipment"))
-        self.press("Elements/Place")
-        self.until(lambda: self.number("segments") > 0, "the fourth step, by hand")
+        self.until(lambda: self.number("segments") > 0, "the third step")
+        self.press("Elements/Climb")
+        self.until(lambda: self.value("element") == "climb", "the fourth step, by hand")
+        self.place_of("Lesson/Show me")
         self.press("Lesson/Leave")
 
     def test_a_link_is_the_track(self):
