@@ -32,6 +32,9 @@ Element limited(Element element);
 // Returns the row of a parameter's choice.
 const base::NameRow& choice_of(const ElementParameter& parameter, double value);
 
+// Returns the value of the parameter "equipment" for a kind; 0 is none.
+constexpr double equipment_choice(EquipmentKind kind) { return 1 + static_cast<double>(kind); }
+
 // Returns the value of a parameter; nothing if the element's row does not have it.
 std::optional<double> found_value(const Element& element, std::string_view parameter);
 // Returns the value of a parameter that the row must have (COASTER_CHECK).

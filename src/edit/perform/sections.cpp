@@ -21,7 +21,7 @@ namespace {
 // Stores the present equipment in the parameters of a planned section, so that it keeps it when it is planned again.
 void name_equipment(world::Section& section, const world::Equipment* equipment) {
   if (section.kind != world::SectionKind::element || !world::found_value(section.element, "equipment")) return;
-  world::set_value(section.element, "equipment", equipment ? 1 + static_cast<double>(equipment->kind) : 0);
+  world::set_value(section.element, "equipment", equipment ? world::equipment_choice(equipment->kind) : 0);
   if (!equipment) return;
   world::set_value(section.element, "speed", equipment->speed);
   world::set_value(section.element, "acceleration", equipment->acceleration);

@@ -19,24 +19,6 @@ using glm::dvec3;
 
 constexpr double kLongestElement = 20'000;  // m
 
-// Clamps values to the limits of the table, with a line for each.
-void clamp_values(world::Element& element, std::vector<std::string>& lines) {
-  const world::ElementRow& row = base::row_of(element.kind);
-  element.right = element.right && row.sided;
-  for (std::size_t i = 0; i < element.values.size(); ++i) {
-    double& value = element.values[i];
-    if (i >= row.parameters.size()) {
-      value = 0;
-      continue;
-    }
-    const world::ElementParameter& p = row.parameters[i];
-    if (!std::isfinite(value)) value = p.usual;
-    const double cut = std::clamp(value, p.low, p.high);
-    if (cut != value) lines.push_back(beyond_limit(p, value, cut) + ".");
-    value = p.names.empty() ? cut : std::round(cut);
-  }
-}
-
 bool within_world(const ElementCurve& curve) {
   const double most = world::kMaxCoordinate;
   for (const ElementPoint& p : curve.points)
@@ -107,6 +89,23 @@ ForceTask train_at(const world::Document& document, const TrackEnd& end, std::op
 }
 
 }  // namespace
+
+void clamp_values(world::Element& element, std::vector<std::string>& lines) {
+  const world::ElementRow& row = base::row_of(element.kind);
+  element.right = element.right && row.sided;
+  for (std::size_t i = 0; i < element.values.size(); ++i) {
+    double& value = element.values[i];
+    if (i >= row.parameters.size()) {
+      value = 0;
+      continue;
+    }
+    const world::ElementParameter& p = row.parameters[i];
+    if (!std::isfinite(value)) value = p.usual;
+    const double cut = std::clamp(value, p.low, p.high);
+    if (cut != value) lines.push_back(beyond_limit(p, value, cut) + ".");
+    value = p.names.empty() ? cut : std::round(cut);
+  }
+}
 
 std::optional<TrackEnd> open_end(const world::Document& document) {
   if (document.track.closed) return std::nullopt;

@@ -41,6 +41,10 @@ std::optional<TrackEnd> open_end(const world::Document& document);
 // Returns the same for the knot with that index, as if the track ended there.
 TrackEnd end_at(const world::Document& document, std::size_t knot);
 
+// Makes values beyond the limits of the table the limits, with a line for each, and others that are not numbers the
+// defaults.
+void clamp_values(world::Element& element, std::vector<std::string>& lines);
+
 // Plans an element. Values beyond the limits of its table are clamped; values that are not numbers become the defaults.
 // Takes a few ms.
 ElementPlan plan_element(const world::Element& element, const TrackEnd& end);

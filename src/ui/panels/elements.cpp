@@ -7,7 +7,7 @@
 
 #include "base/text.h"
 #include "edit/commands/commands_elements.h"
-#include "sim/plan/element_shapes.h"
+#include "sim/plan/elements.h"
 #include "ui/context/rows.h"
 #include "ui/context/ways_home.h"
 #include "ui/panels/element_fields.h"
@@ -35,22 +35,14 @@ void kinds_of_forces(Ui& ui) {
   }
 }
 
-// Makes values beyond their limits the limits, as placing would, and says so.
-void keep_within_limits(Ui& ui, Element& element) {
-  const Element kept = world::limited(element);
-  const std::span<const world::ElementParameter> rows = base::row_of(element.kind).parameters;
-  for (std::size_t i = 0; i < rows.size(); ++i)
-    if (kept.values[i] != element.values[i])
-      ui.warn(in_units(ui, sim::beyond_limit(rows[i], element.values[i], kept.values[i]) + "."));
-  element = kept;
-}
-
 void parameters(Ui& ui) {
   Element element = ui.session().settings.element;
   ui.inputs.elements[static_cast<std::size_t>(element.kind)] = element;
   if (world::is_of_forces(element.kind)) kinds_of_forces(ui);
   if (!element_fields(ui, element)) return;
-  keep_within_limits(ui, element);
+  std::vector<std::string> lines;  // said at once: those of the preview may be out of sight
+  sim::clamp_values(element, lines);
+  for (const std::string& line : lines) ui.warn(in_units(ui, line));
   ui.emit(edit::ChooseElement{element});
 }
 

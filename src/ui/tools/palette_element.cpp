@@ -13,7 +13,6 @@ using world::EquipmentKind;
 
 constexpr std::string_view kEquipment = "equipment";
 constexpr double kNone = 0;
-double choice_of(EquipmentKind kind) { return 1 + static_cast<double>(kind); }
 
 bool in_build(const edit::Session& session) {
   return session.settings.panels->workspace == world::Workspace::build && !session.game.challenge;
@@ -29,8 +28,9 @@ bool drives_trains(const world::Document& document) {
 // Returns the equipment offered for an element that has none.
 double offered(const edit::Session& session, ElementKind kind) {
   if (kind == ElementKind::straight && session.document.track.segments.empty())
-    return choice_of(EquipmentKind::station);
-  if (kind == ElementKind::climb && !drives_trains(session.document)) return choice_of(EquipmentKind::lift);
+    return world::equipment_choice(EquipmentKind::station);
+  if (kind == ElementKind::climb && !drives_trains(session.document))
+    return world::equipment_choice(EquipmentKind::lift);
   return kNone;
 }
 
