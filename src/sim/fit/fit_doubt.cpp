@@ -22,6 +22,19 @@ struct Neighbours {
   double back, ahead;
 };
 
+// The same at the first or the last row of an open track. Its rate is that of a parabola, off by a third of h^2 of the
+// roll's third derivative, and the second derivative of a spline with that rate by 2 sqrt(3) / h times as much.
+double end_doubt(std::span<const FitRow> rows, const RowRolls& rolls, std::span<const double> speeds, double heartline,
+                 bool first) {
+  constexpr double kShare = 2 * 1.7320508 / 3;
+  const auto at = [&](std::size_t i) { return first ? i : rows.size() - 1 - i; };  // from the end
+  const auto step = [&](std::size_t i) {
+    return std::max(glm::distance(rows[at(i)].position, rows[at(i + 1)].position), 1e-9);
+  };
+  const auto third = [&](std::size_t i) { return std::abs(rolls.slopes[at(i + 1)] - rolls.slopes[at(i)]) / step(i); };
+  return kShare * step(0) * std::min(third(1), third(2)) * heartline * speeds[at(0)];
+}
+
 }  // namespace
 
 std::vector<double> roll_doubts(std::span<const FitRow> rows, bool closed, const RowRolls& rolls,
@@ -41,6 +54,9 @@ std::vector<double> roll_doubts(std::span<const FitRow> rows, bool closed, const
     const double passed = 1 / std::sqrt(1 + share * share * share * share);  // a Butterworth low-pass of four poles
     doubts[i] = 4 * passed * n.back * n.ahead / 12 * std::abs(fourth) * heartline * speeds[i];
   }
+  if (!closed && rows.size() > 3)
+    for (const bool first : {true, false})
+      doubts[first ? 0 : rows.size() - 1] = end_doubt(rows, rolls, speeds, heartline, first);
   return doubts;
 }
 

@@ -15,7 +15,8 @@ namespace coaster::sim {
 // Because the roll changes within a few rows, for riders `heartline` m above the rails: four times the first term of
 // the error of the smooth roll's second derivative, h^2 / 12 of its fourth, because later terms can be larger. The
 // error changes its sign within a step, so it counts as after a low-pass of 5 Hz at one wave in 2 steps, or in 3 where
-// these are shorter than kMoment of the ride.
+// these are shorter than kMoment of the ride. At an open end, where a ride's first moment is felt without a low-pass:
+// the first term of the error there, h of its third derivative.
 std::vector<double> roll_doubts(std::span<const FitRow> rows, bool closed, const RowRolls& rolls,
                                 std::span<const double> speeds, double heartline);
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 
 #include "base/portable_math.h"
 #include "curve/natural_spline.h"
@@ -15,7 +16,16 @@ using glm::dvec3;
 
 namespace {
 
-// Returns the rates (rad/m) at the rows of the cubic spline that turns by `rates` over the steps of these lengths.
+// Returns the rate (rad/m) at an open end, the first or the last, that changes as evenly as over the two steps beside
+// it.
+double end_rate(std::span<const double> lengths, std::span<const double> rates, bool first) {
+  if (rates.size() < 2) return rates[0];
+  const std::size_t last = first ? 0 : rates.size() - 1, next = first ? 1 : last - 1;
+  return rates[last] + (rates[last] - rates[next]) * lengths[last] / (lengths[last] + lengths[next]);
+}
+
+// Returns the rates (rad/m) at the rows of the cubic spline that turns by `rates` over the steps of these lengths. A
+// track may begin and end within a roll.
 std::vector<double> spline_rates(std::span<const double> lengths, std::span<const double> rates, bool closed) {
   // Round a closed track the roll comes back to its start once the mean rate is taken off.
   double whole = 0, turned = 0;
@@ -24,9 +34,14 @@ std::vector<double> spline_rates(std::span<const double> lengths, std::span<cons
   std::vector<dvec3> rolls{dvec3(0)};
   for (std::size_t i = 0; i < rates.size(); ++i)
     rolls.push_back(rolls.back() + dvec3(lengths[i] * (rates[i] - mean), 0, 0));
+  std::optional<dvec3> first, last;
   if (closed) rolls.pop_back();
+  else
+    first = dvec3(end_rate(lengths, rates, true) - mean, 0, 0),
+    last = dvec3(end_rate(lengths, rates, false) - mean, 0, 0);
   std::vector<double> found;
-  for (const dvec3& rate : curve::spline_derivatives({rolls, lengths, {}, {}, closed})) found.push_back(mean + rate.x);
+  for (const dvec3& rate : curve::spline_derivatives({rolls, lengths, first, last, closed}))
+    found.push_back(mean + rate.x);
   return found;
 }
 
@@ -35,24 +50,29 @@ struct Steps {
   std::span<const double> lengths, rates;  // m, rad/m
   bool closed;
 
-  // Calls take(step, from, to) for the parts of steps within `reach` behind (way -1) or ahead of (1) row i, in that
-  // order, with their distances from it. Beyond an open end the last step goes on.
+  // Calls take(step, rate, from, to) for the parts of steps within `reach` behind (way -1) or ahead of (1) row i, in
+  // that order, with their distances from it. Beyond an open end the rate goes on changing as before it: steps there
+  // are those before it, point for point.
   template <class Take>
   void walk(std::ptrdiff_t i, std::ptrdiff_t way, double reach, const Take& take) const {
     const auto count = static_cast<std::ptrdiff_t>(rates.size());
     double gone = 0;
     for (std::ptrdiff_t k = way > 0 ? i : i - 1; gone < reach; k += way) {
       const bool beyond = !closed && (k < 0 || k >= count);
-      const std::ptrdiff_t step = closed ? (k + 2 * count) % count : std::clamp<std::ptrdiff_t>(k, 0, count - 1);
-      const double to = beyond ? reach : std::min(reach, gone + lengths[step]);
-      take(step, gone, to);
+      const std::ptrdiff_t mirrored = k < 0 ? -1 - k : 2 * count - 1 - k;
+      const std::ptrdiff_t step = closed   ? (k + 2 * count) % count
+                                  : beyond ? std::clamp<std::ptrdiff_t>(mirrored, 0, count - 1)
+                                           : k;
+      const double to = std::min(reach, gone + lengths[step]);
+      take(step, beyond ? 2 * end_rate(lengths, rates, k < 0) - rates[step] : rates[step], gone, to);
       gone = to;
     }
   }
   template <class Take>
   void walk(std::ptrdiff_t i, double reach, const Take& take) const {
     for (const std::ptrdiff_t way : {-1, 1})
-      walk(i, way, reach, [&](std::ptrdiff_t step, double from, double to) { take(way, step, from, to); });
+      walk(i, way, reach,
+           [&](std::ptrdiff_t step, double rate, double from, double to) { take(way, step, rate, from, to); });
   }
 };
 
@@ -60,16 +80,15 @@ struct Steps {
 // kMostLean: a sudden change w, spread by a triangle that reaches a to either side, leans it by w a / 6.
 double spread_of(const Steps& steps, std::ptrdiff_t i) {
   double change = 0;
-  steps.walk(i, kSpinReach, [&](std::ptrdiff_t way, std::ptrdiff_t step, double from, double to) {
-    change += static_cast<double>(way) * (to - from) / kSpinReach * steps.rates[step];
+  steps.walk(i, kSpinReach, [&](std::ptrdiff_t way, std::ptrdiff_t, double rate, double from, double to) {
+    change += static_cast<double>(way) * (to - from) / kSpinReach * rate;
   });
   return std::min(kSpinReach, 6 * kMostLean / std::max(std::abs(change), 1e-9));
 }
 
 double median_rate(const Steps& steps, std::ptrdiff_t i) {
   std::vector<double> near;
-  steps.walk(i, kSpinReach,
-             [&](std::ptrdiff_t, std::ptrdiff_t step, double, double) { near.push_back(steps.rates[step]); });
+  steps.walk(i, kSpinReach, [&](std::ptrdiff_t, std::ptrdiff_t, double rate, double, double) { near.push_back(rate); });
   const auto middle = near.begin() + static_cast<std::ptrdiff_t>(near.size() / 2);
   std::nth_element(near.begin(), middle, near.end());
   return *middle;
@@ -85,13 +104,13 @@ void spread_rolls(const Steps& steps, RowRolls& rolls) {
   for (std::ptrdiff_t i = 0; i < count; ++i) {
     int near = 0;
     double reach = kSpinReach;  // the least spread of the rows within kSpinReach
-    steps.walk(i, kSpinReach, [&](std::ptrdiff_t way, std::ptrdiff_t step, double, double) {
+    steps.walk(i, kSpinReach, [&](std::ptrdiff_t way, std::ptrdiff_t step, double, double, double) {
       reach = std::min(reach, spreads[way > 0 ? step : (step + 1) % count]), ++near;
     });
     if (near == 2) continue;  // rows far apart
     double spin = 0, lean = 0;
-    steps.walk(i, reach, [&](std::ptrdiff_t way, std::ptrdiff_t step, double from, double to) {
-      const double a = 1 - from / reach, b = 1 - to / reach, rate = steps.rates[step];
+    steps.walk(i, reach, [&](std::ptrdiff_t way, std::ptrdiff_t, double rate, double from, double to) {
+      const double a = 1 - from / reach, b = 1 - to / reach;
       spin += rate * (a * a - b * b) / 2;
       lean += static_cast<double>(way) * rate * reach * (a * a * a - b * b * b) / 6;
     });
@@ -116,7 +135,9 @@ RowRolls row_rolls(std::span<const FitRow> rows, bool closed) {
   RowRolls rolls{spline_rates(lengths, rates, closed), {}};
   for (std::ptrdiff_t i = 0; i < steps; ++i)  // the spline's second derivative at the start of each step
     rolls.slopes.push_back(2 * (3 * rates[i] - 2 * rolls.spins[i] - rolls.spins[(i + 1) % count]) / lengths[i]);
-  if (!closed) rolls.slopes.push_back(0);  // a natural spline's
+  if (!closed)  // and at the end of the last one
+    rolls.slopes.push_back(2 * (2 * rolls.spins[steps] + rolls.spins[steps - 1] - 3 * rates[steps - 1]) /
+                           lengths[steps - 1]);
   rolls.leans.assign(rolls.spins.size(), 0);
   spread_rolls({lengths, rates, closed}, rolls);
   return rolls;

@@ -18,7 +18,8 @@ struct RowRolls {
 // Returns the rolls of the rows. Where steps are shorter than kSpinReach, a smooth roll is the mean of the rows' rolls
 // nearby, with weights that fall linearly to 0 within kSpinReach, or within less where that would lean it by over
 // kMostLean: rolls may start at once. Where it leans still more, the rows jump: the spin is the median of the rates
-// within the reach. Where steps are longer, the smooth roll is the cubic spline through all rows.
+// within the reach. Where steps are longer, the smooth roll is the cubic spline through all rows. At open
+// ends the spin goes on changing as before them.
 inline constexpr double kSpinReach = 0.6;   // m
 inline constexpr double kMostLean = 0.006;  // rad, 0.34 degrees
 RowRolls row_rolls(std::span<const FitRow> rows, bool closed);

@@ -132,7 +132,9 @@ Doubt worst_doubt(std::span<const FitRow> rows, bool closed, const std::vector<d
   // Rows beside the track are no measure of its roll.
   const auto beside = [&](std::size_t i) {
     const std::size_t n = rows.size();
-    return off_deg(rows[(i + n - 1) % n], rows[i]) > 0 || off_deg(rows[i], rows[(i + 1) % n]) > 0;
+    const bool first = !closed && i == 0, last = !closed && i + 1 == n;
+    return (!first && off_deg(rows[(i + n - 1) % n], rows[i]) > 0) ||
+           (!last && off_deg(rows[i], rows[(i + 1) % n]) > 0);
   };
   Doubt worst;
   for (std::size_t i = 0; i < rows.size(); ++i)

@@ -322,6 +322,30 @@ TEST(nl2_csv_felt, quick_rolls_are_felt_as_closed_forms_say_though_rows_are_metr
     }
 }
 
+// A level straight whose roll, r s + a s^2 / 2, goes on beyond both of its ends, at a constant 10 m/s. The first moment
+// of a ride is felt without a low-pass.
+TEST(nl2_csv_felt, tracks_that_begin_and_end_within_a_roll_are_felt_as_closed_forms_say) {
+  constexpr double kLength = 16, kStartRate = -0.35, kChange = 0.05, kV2 = 100 / world::kGravity;  // rad/m, rad/m^2
+  const double heart = world::Document{}.heartline;
+  const auto roll = [](double s) { return kStartRate * s + 0.5 * kChange * s * s; };
+  const auto curve = [&](double s) {
+    const dvec3 forward(0.8, 0, 0.6);
+    return Place{dvec3(3.3, 20, -8.1) + s * forward, forward, curve::rotate({0, 1, 0}, forward, roll(s))};
+  };
+  std::vector<Moment> ride;
+  for (double s = 0; s < kLength; s += 10 / kRate) {
+    const double rate = kStartRate + kChange * s;
+    ride.push_back({curve(s).place,
+                    curve(s).forward,
+                    kV2,
+                    {std::cos(roll(s)) - heart * rate * rate * kV2, std::sin(roll(s)) - heart * kChange * kV2}});
+  }
+  for (const double spacing : {0.05, 0.3, 0.5, 1.0, 2.0, 4.0}) {
+    SCOPED_TRACE(fmt::format("rows every {} m", spacing));
+    expect_felt(rows_on(curve, kLength, spacing, 11), ride, heart, 3);
+  }
+}
+
 // Rolls to and fro all along a straight slope, at 38 degrees/m at most: every span would use up its bound, which alone
 // allows 0.14 g on average.
 TEST(nl2_csv_felt, rolls_without_end_are_felt_as_closed_forms_say_on_average_too) {

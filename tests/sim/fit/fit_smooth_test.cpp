@@ -58,6 +58,20 @@ TEST(fit_smooth, smooth_rolls_keep_their_rates_and_jumps_do_not_turn_the_rows_be
   }
 }
 
+TEST(fit_smooth, open_ends_within_a_roll_keep_its_rate) {
+  constexpr double kAcceleration = 0.11, kRate = -0.9;  // rad/m^2, rad/m
+  for (const double spacing : {0.05, 0.2, 0.5, 2.0}) {
+    SCOPED_TRACE(spacing);
+    const std::vector<FitRow> rows =
+        straight_rows([&](double s) { return kRate * s + 0.5 * kAcceleration * s * s; }, 8, spacing);
+    const RowRolls rolls = row_rolls(rows, false);
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+      EXPECT_NEAR(rolls.spins[i], kRate + kAcceleration * spacing * static_cast<double>(i), 1e-6) << i;
+      EXPECT_NEAR(rolls.slopes[i], kAcceleration, 1e-6) << i;
+    }
+  }
+}
+
 TEST(fit_smooth, rows_between_are_on_the_helix_of_the_rows) {
   // Radius 14 m, rising by 0.3 rad, with the roll 0.4 sin(s / 8) to its right against the rotation-minimising frame.
   const double slope = 0.3, turn = std::cos(slope) / 14;
