@@ -86,7 +86,9 @@ bool tokenise(std::string_view line, std::vector<Token>& tokens, TextError& erro
         if (is_unexpected(line[i])) return error = control_error(line, i), false;
         token.text += line[i++];
       }
-      if (i < line.size() && line[i] == '"') return fail(i, "expected a blank before the quote");
+      if (i < line.size() && line[i] == '"')
+        return token.text.ends_with('(') ? fail(i - 1, "expected a blank instead of the bracket")
+                                         : fail(i, "expected a blank before the quote");
     }
     tokens.push_back(std::move(token));
   }

@@ -37,6 +37,22 @@ std::optional<Op> op_of(const base::Token& word) {
   return std::nullopt;
 }
 
+// Operators of other languages, and what a condition says in their place.
+struct OtherOp {
+  std::string_view text, here;
+};
+constexpr OtherOp kOtherOps[]{{"is", "=="},      {"equals", "=="}, {"eq", "=="}, {"===", "=="},     {"ne", "!="},
+                              {"<>", "!="},      {"!==", "!="},    {"gt", ">"},  {"ge", ">="},      {"=>", ">="},
+                              {"lt", "<"},       {"le", "<="},     {"=<", "<="}, {"contains", "~"}, {"has", "~"},
+                              {"includes", "~"}, {"matches", "~"}};
+
+// Returns what the message about an unknown operator ends with; a value alone lacks one.
+std::string near_op(const base::Token& word, bool last) {
+  for (const OtherOp& row : kOtherOps)
+    if (row.text == lower(word.text)) return fmt::format("; did you mean \"{}\"?", row.here);
+  return last && !word.quoted ? fmt::format("; did you mean {}?", base::quoted("== " + word.text)) : "";
+}
+
 constexpr std::string_view kNone = "none";  // a number or word that is not there
 
 constexpr std::array<std::string_view, 3> kToleranceMarks{"+-", "+/-", "\u00b1"};
@@ -224,7 +240,8 @@ bool parse_condition(Words& words, Condition& condition, std::string_view stop) 
     words.take("an operator");
     condition.op = op_of(*op);
     if (!condition.op)
-      return words.fail(op->column, "expected == != < <= > >= or ~ (contains), found " + base::quoted(op->text));
+      return words.fail(op->column, fmt::format("expected == != < <= > >= or ~ (contains), found {}{}",
+                                                base::quoted(op->text), near_op(*op, stops())));
     condition.text += " " + op->text;
   }
   while (!stops() && !tolerance_in(*words.peek())) {

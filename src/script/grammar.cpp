@@ -121,7 +121,10 @@ void Parser::statement(Tokens tokens) {
     if (first.text == "repeat") made.action = Repeat{words.whole("a count", 0, 1'000'000).value_or(1), {}};
     else if (first.text == "gesture") made.action = Gesture{};
     else if (!parse_lesson(words, made.action)) made.action = Lesson{};  // its end belongs to it all the same
-    if (!words.end()) error(problem.column, problem.message);
+    const std::string_view last = tokens.back().text;
+    const bool marked = !tokens.back().quoted && (last.ends_with('{') || last.ends_with(':'));
+    if (!words.end())
+      error(problem.column, problem.message + (marked ? ": a block has no { or :, only an \"end\"" : ""));
     if (static_cast<int>(open_.size()) >= kMaxBlockDepth) {
       if (too_deep_++ == 0) error(first.column, fmt::format("blocks are nested more than {} deep", kMaxBlockDepth));
       return;

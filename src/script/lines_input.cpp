@@ -13,10 +13,11 @@ bool finish(Words& words, Action& action, Input input) {
   return words.end();
 }
 
-// Returns what the message about an unknown key ends with: the same with plus signs, else the nearest key, else which
-// keys may come before it.
-std::string near_chord(const std::string& text) {
+// Returns what the message about an unknown key ends with: the same and the words behind it joined by plus signs, else
+// the nearest key, else which keys may come before it.
+std::string near_chord(const std::string& text, std::span<const base::Token> more) {
   std::string joined = text;
+  for (const base::Token& word : more) joined += "+" + word.text;
   std::replace(joined.begin(), joined.end(), '-', '+');
   if (const auto chord = platform::parse_chord(joined))
     return fmt::format("; did you mean {}?", base::quoted(to_text(*chord)));
@@ -31,7 +32,7 @@ std::optional<platform::Chord> take_chord(Words& words) {
   const auto chord = platform::parse_chord(word->text);
   if (!chord)
     words.fail(word->column, fmt::format("expected a key such as F, Escape, Left or Ctrl+Z, found {}{}",
-                                         base::quoted(word->text), near_chord(word->text)));
+                                         base::quoted(word->text), near_chord(word->text, words.rest())));
   return chord;
 }
 

@@ -99,7 +99,18 @@ TEST(grammar, words_of_other_programs_lead_to_what_to_write) {
             std::string::npos);
   EXPECT_NE(message("text hello world").find("unexpected \"world\": a text"), std::string::npos);
   EXPECT_NE(message("wait 500ms").find("found \"500ms\"; ticks N or frames N"), std::string::npos);
-  ends("log(\"a\")", "    log(\"a\")\n        ^");
+  EXPECT_NE(message("log(\"a\")").find(":2:4: error: expected a blank instead of the bracket\n"), std::string::npos);
+  EXPECT_NE(message("log a\"b\"").find(":2:6: error: expected a blank before the quote\n"), std::string::npos);
+  ends("expect knots 29", "^ did you mean \"== 29\"?");
+  ends("expect knots is 29", "^ did you mean \"==\"?");
+  ends("expect toast contains \"saved\"", "^ did you mean \"~\"?");
+  ends("expect knots at 29", "^");
+  for (const std::string opener : {"repeat 3 {", "repeat 3:"}) {
+    const ParsedScript parsed = parse_lines(opener + "\n  frames\nend\n");
+    ASSERT_EQ(parsed.errors.size(), 1u) << opener;
+    EXPECT_NE(parsed.errors[0].find("a block has no { or :, only an \"end\"\n"), std::string::npos) << parsed.errors[0];
+  }
+  EXPECT_NE(message("hold W 30").find("; raw.key W down presses a key until raw.key W up"), std::string::npos);
   ends("expect(page).toBeVisible()", "^ did you mean \"expect\"?");
   EXPECT_NE(message("waitForSelector \"Track/Length\"").find("; wait visible \"Track/Insert point\" waits"),
             std::string::npos);
@@ -116,6 +127,8 @@ TEST(grammar, keys_and_targets_of_other_programs_lead_to_what_to_write) {
     EXPECT_NE(parsed.errors[0].find(end), std::string::npos) << line << ": " << parsed.errors[0];
   };
   ends("key Ctrl-Z", "^ did you mean \"Ctrl+Z\"?");
+  ends("key ctrl z", "^ did you mean \"Ctrl+Z\"?");
+  ends("key Ctrl Shift Z", "^ did you mean \"Ctrl+Shift+Z\"?");
   ends("key Super+Z", "found \"Super+Z\"; only Ctrl, Shift and Alt can come before a key");
   ends("key Ctrl+Escpe", "^ did you mean \"Escape\"?");
   EXPECT_TRUE(parse_lines("key Strg+Z\n").errors.empty());
