@@ -32,6 +32,12 @@ function(coaster_unity target most)
   set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE ${most})
 endfunction()
 
+# For sources that are hardly optimised: gcc collects garbage only after allocating this much memory (kB), which saves
+# up to a sixth of its time.
+function(coaster_compile_fast target)
+  target_compile_options(${target} PRIVATE $<$<CXX_COMPILER_ID:GNU>:--param=ggc-min-heapsize=600000>)
+endfunction()
+
 function(coaster_room name)
   cmake_parse_arguments(room "COLD" "" "USES;LINK" ${ARGN})
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/src/${name}/*.cpp)
@@ -63,8 +69,7 @@ function(coaster_room name)
     coaster_precompile(coaster_${name} -Oz)  # what a page loads should be small
   elseif(room_COLD AND CMAKE_BUILD_TYPE STREQUAL "Release")
     coaster_precompile(coaster_${name} -O1)
-    # gcc collects garbage only after allocating this much memory (kB), which saves up to a tenth of its time.
-    target_compile_options(coaster_${name} PRIVATE $<$<CXX_COMPILER_ID:GNU>:--param=ggc-min-heapsize=600000>)
+    coaster_compile_fast(coaster_${name})
   else()
     coaster_precompile(coaster_${name} "")
   endif()
