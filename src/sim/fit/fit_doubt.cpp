@@ -22,17 +22,22 @@ struct Neighbours {
   double back, ahead;
 };
 
-// The same at the first or the last row of an open track. Its rate is that of a parabola, off by a third of h^2 of the
-// roll's third derivative, and the second derivative of a spline with that rate by 2 sqrt(3) / h times as much.
+// The same at the first or the last row of an open track. Its rate is that of a cubic, off by a quarter of h^3 of the
+// roll's fourth derivative, and the second derivative of a spline with that rate by 2 sqrt(3) / h times as much.
 double end_doubt(std::span<const FitRow> rows, const RowRolls& rolls, std::span<const double> speeds, double heartline,
                  bool first) {
-  constexpr double kShare = 2 * 1.7320508 / 3;
+  constexpr double kShare = 1.7320508 / 2;
+  constexpr double kNear = 0.2;  // m: between closer rows rounding hides the fourth derivative
   const auto at = [&](std::size_t i) { return first ? i : rows.size() - 1 - i; };  // from the end
-  const auto step = [&](std::size_t i) {
-    return std::max(glm::distance(rows[at(i)].position, rows[at(i + 1)].position), 1e-9);
+  const auto apart = [&](std::size_t i, std::size_t k) {
+    return std::max(glm::distance(rows[at(i)].position, rows[at(k)].position), 1e-9);
   };
-  const auto third = [&](std::size_t i) { return std::abs(rolls.slopes[at(i + 1)] - rolls.slopes[at(i)]) / step(i); };
-  return kShare * step(0) * std::min(third(1), third(2)) * heartline * speeds[at(0)];
+  const double step = apart(0, 1);
+  const std::size_t n = static_cast<std::size_t>(std::max(1.0, std::round(kNear / step)));
+  if (rows.size() <= 3 * n) return 0;
+  const auto third = [&](std::size_t i) { return (rolls.slopes[at(i + n)] - rolls.slopes[at(i)]) / apart(i, i + n); };
+  const double fourth = 2 * std::abs(third(2 * n) - third(n)) / apart(n, 3 * n);
+  return kShare * step * step * fourth * heartline * speeds[at(0)];
 }
 
 }  // namespace
@@ -54,7 +59,7 @@ std::vector<double> roll_doubts(std::span<const FitRow> rows, bool closed, const
     const double passed = 1 / std::sqrt(1 + share * share * share * share);  // a Butterworth low-pass of four poles
     doubts[i] = 4 * passed * n.back * n.ahead / 12 * std::abs(fourth) * heartline * speeds[i];
   }
-  if (!closed && rows.size() > 3)
+  if (!closed)
     for (const bool first : {true, false})
       doubts[first ? 0 : rows.size() - 1] = end_doubt(rows, rolls, speeds, heartline, first);
   return doubts;

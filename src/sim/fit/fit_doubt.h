@@ -16,7 +16,7 @@ namespace coaster::sim {
 // the error of the smooth roll's second derivative, h^2 / 12 of its fourth, because later terms can be larger. The
 // error changes its sign within a step, so it counts as after a low-pass of 5 Hz at one wave in 2 steps, or in 3 where
 // these are shorter than kMoment of the ride. At an open end, where a ride's first moment is felt without a low-pass:
-// the first term of the error there, h of its third derivative.
+// the first term of the error there, h^2 of its fourth derivative.
 std::vector<double> roll_doubts(std::span<const FitRow> rows, bool closed, const RowRolls& rolls,
                                 std::span<const double> speeds, double heartline);
 

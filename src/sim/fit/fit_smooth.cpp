@@ -16,12 +16,16 @@ using glm::dvec3;
 
 namespace {
 
-// Returns the rate (rad/m) at an open end, the first or the last, that changes as evenly as over the two steps beside
-// it.
+// Returns the rate (rad/m) at an open end, the first or the last: that of the polynomial through the rolls of the rows
+// there, four of them if there are as many.
 double end_rate(std::span<const double> lengths, std::span<const double> rates, bool first) {
-  if (rates.size() < 2) return rates[0];
-  const std::size_t last = first ? 0 : rates.size() - 1, next = first ? 1 : last - 1;
-  return rates[last] + (rates[last] - rates[next]) * lengths[last] / (lengths[last] + lengths[next]);
+  const auto at = [&](std::size_t i) { return first ? i : rates.size() - 1 - i; };  // from the end
+  const double a = lengths[at(0)], rate = rates[at(0)];
+  if (rates.size() < 2) return rate;
+  const double b = lengths[at(1)], change = (rates[at(1)] - rate) / (a + b);  // divided differences
+  if (rates.size() < 3) return rate - a * change;
+  const double c = lengths[at(2)], next = (rates[at(2)] - rates[at(1)]) / (b + c);
+  return rate - a * change + a * (a + b) * (next - change) / (a + b + c);
 }
 
 // Returns the rates (rad/m) at the rows of the cubic spline that turns by `rates` over the steps of these lengths. A

@@ -19,7 +19,7 @@ struct RowRolls {
 // nearby, with weights that fall linearly to 0 within kSpinReach, or within less where that would lean it by over
 // kMostLean: rolls may start at once. Where it leans still more, the rows jump: the spin is the median of the rates
 // within the reach. Where steps are longer, the smooth roll is the cubic spline through all rows. At open
-// ends the spin goes on changing as before them.
+// ends the spin is that of the polynomial through the four rows there, and goes on changing as before them.
 inline constexpr double kSpinReach = 0.6;   // m
 inline constexpr double kMostLean = 0.006;  // rad, 0.34 degrees
 RowRolls row_rolls(std::span<const FitRow> rows, bool closed);

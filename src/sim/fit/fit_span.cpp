@@ -97,7 +97,7 @@ bool follow_rows(std::span<const FitRow> rows, std::span<const double> distances
 // Returns what riders feel more or less on the curve than on the rows, nothing if it is over `bounds.felt` somewhere.
 // The difference of their accelerations is the second difference of the distance between the paths of their hearts,
 // over kMoment on both sides. Where rows are further apart, it follows from the difference of the curvatures, without a
-// low-pass, so a larger one is allowed.
+// low-pass, so a larger one is allowed. So it does at an open end, where a ride's first moment is felt without one.
 std::optional<FeltMiss> felt_miss(std::span<const FitRow> rows, std::span<const double> distances, std::size_t first,
                                   std::size_t last, const Curve& c, const Roll& roll, const SpanBounds& bounds,
                                   SpanScratch& s) {
@@ -108,6 +108,9 @@ std::optional<FeltMiss> felt_miss(std::span<const FitRow> rows, std::span<const 
     s.misses[i] += bounds.heartline * off * glm::cross(rows[first + i].forward, rows[first + i].up);
   }
   const auto apart = [&](std::size_t a, std::size_t b) { return distances[first + b] - distances[first + a]; };
+  // Rounding hides the curvature of a shorter span.
+  constexpr double kLeastEnd = 0.2;  // m
+  const bool at_end = bounds.open && count > 2 && apart(0, count - 1) > kLeastEnd;
   std::size_t before = 0, after = 0;
   FeltMiss felt;
   for (std::size_t i = 0; i < count; ++i) {
@@ -116,11 +119,13 @@ std::optional<FeltMiss> felt_miss(std::span<const FitRow> rows, std::span<const 
     while (before + 1 < i && apart(before + 1, i) >= moment) ++before;
     while (after + 1 < count && (after <= i || apart(i, after) < moment)) ++after;
     const double step = apart(i > 0 ? i - 1 : 0, i > 0 ? i : 1);
+    const bool end = at_end && (first + i == 0 || first + i + 1 == rows.size());
     double miss = 0;  // g
-    if (step > moment) {
+    if (step > moment || end) {
       const double lean = bounds.heartline * (roll.slope(s.shares[i] * s.length) - bounds.slopes[first + i]);
       const dvec3 right = glm::cross(rows[first + i].forward, rows[first + i].up);
-      miss = glm::length(bend_of(c, s.places[i]) - bounds.curvatures[first + i] + lean * right) * v2 / kSharp;
+      miss =
+          glm::length(bend_of(c, s.places[i]) - bounds.curvatures[first + i] + lean * right) * v2 / (end ? 1 : kSharp);
     } else if (i > 0 && i + 1 < count) {
       const double back = std::max(apart(before, i), moment), ahead = std::max(apart(i, after), moment);
       const dvec3 turn = (s.misses[after] - s.misses[i]) / ahead - (s.misses[i] - s.misses[before]) / back;

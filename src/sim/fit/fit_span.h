@@ -19,6 +19,7 @@ struct SpanBounds {
   std::span<const double> spins;   // per row: spin of a knot there, rad/m
   std::span<const double> slopes;  // per row: rate of change of a smooth roll's spin there, rad/m^2
   std::span<const double> leans;   // per row: of that smooth roll against the row, rad
+  bool open = false;               // the track begins at the first row and ends at the last one
   double felt = 0.2;               // g: what riders may feel more or less than on the rows, after a low-pass of 5 Hz
   double heartline = 0;            // m above the rails, of the riders
   std::span<const double> speeds;  // per row: squared speed of the train over g, m

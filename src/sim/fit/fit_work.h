@@ -51,6 +51,7 @@ struct FitWork {
     b.distance *= scale, b.angle *= scale, b.felt *= scale * felt_scale;
     b.free = free, b.bends = bends, b.spins = row_rolls.spins, b.slopes = row_rolls.slopes, b.leans = row_rolls.leans;
     b.speeds = speeds, b.curvatures = curvatures;
+    b.open = !closed;
     b.heartline = world::Document{}.heartline;
     return b;
   }

@@ -346,6 +346,104 @@ TEST(nl2_csv_felt, tracks_that_begin_and_end_within_a_roll_are_felt_as_closed_fo
   }
 }
 
+// Smooth tracks of random bends and rolls, which their ends may cut through: sums of (1 - x^2)^3 over some metres for
+// the curvatures upwards and to the right and for the spin against the rotation-minimising frame.
+struct Hump {
+  double middle, half, most;  // m, m, 1/m
+};
+double humps(const std::vector<Hump>& list, double s, bool derivative = false) {
+  double sum = 0;
+  for (const Hump& hump : list) {
+    const double x = (s - hump.middle) / hump.half, q = std::max(0.0, 1 - x * x);
+    sum += hump.most * (derivative ? -6 * x * q * q / hump.half : q * q * q);
+  }
+  return sum;
+}
+
+class RandomTrack {
+ public:
+  RandomTrack(std::uint32_t seed, double least_half) : bits_(seed) {
+    length = uniform(50, 120);
+    const auto random = [&](int count, double turn, double most) {
+      std::vector<Hump> list;
+      for (int i = 0; i < count; ++i) {
+        const double half = uniform(least_half, 3 * least_half);
+        list.push_back({uniform(-10, length + 10), half, uniform(-1, 1) * std::min(turn / half, most)});
+      }
+      return list;
+    };
+    up_ = random(6, 1.2, 0.12), right_ = random(5, 0.8, 0.08), spin_ = random(5, 1.5, 0.35);
+    Place at{{3.3, 40, -8.1}, glm::normalize(dvec3(0.8, uniform(-0.3, 0.3), 0.6)), {0, 1, 0}};
+    at.up = curve::perpendicular(at.forward, at.up);
+    while (static_cast<double>(fine_.size()) * kStep < length + 7) {
+      fine_.push_back(at);
+      const double s = (static_cast<double>(fine_.size()) - 0.5) * kStep;
+      const Place middle = turned(at, at, s, kStep / 2), next = turned(at, middle, s, kStep);
+      at = {at.place + kStep * middle.forward, next.forward, next.up};
+    }
+  }
+
+  Place operator()(double s) const {
+    const auto i = static_cast<std::size_t>(s / kStep);
+    const double part = s / kStep - static_cast<double>(i);
+    const dvec3 forward = glm::normalize(glm::mix(fine_[i].forward, fine_[i + 1].forward, part));
+    return {glm::mix(fine_[i].place, fine_[i + 1].place, part), forward,
+            curve::perpendicular(forward, glm::mix(fine_[i].up, fine_[i + 1].up, part))};
+  }
+
+  // A ride of a train without losses, as in closed form: the second derivative of the path `heart` m above the rails.
+  std::vector<Moment> ride(double heart) const {
+    double top = -1e9;
+    for (double s = 0; s < length; s += 0.5) top = std::max(top, (*this)(s).place.y);
+    std::vector<Moment> moments;
+    for (double s = 0; s < length;) {
+      const Place at = (*this)(s);
+      const double v2 = v2_at(top, at.place.y), up = humps(up_, s), right = humps(right_, s), spin = humps(spin_, s);
+      const double near = 1 - heart * up, change = humps(spin_, s, true);
+      const double rightwards = (near * right + heart * change) * v2 - heart * spin * at.forward.y;
+      moments.push_back(
+          {at.place,
+           at.forward,
+           v2,
+           {(near * up - heart * spin * spin) * v2 + at.up.y, -rightwards - glm::cross(at.forward, at.up).y}});
+      s += std::sqrt(v2 * world::kGravity) / kRate;
+    }
+    return moments;
+  }
+
+  double length = 0;  // m
+
+ private:
+  static constexpr double kStep = 0.005;  // m
+  double uniform(double low, double high) { return low + (high - low) * (bits_() / 4294967296.0); }
+  // Returns `from` turned as at place s over a distance, about the axes of `by`.
+  Place turned(const Place& from, const Place& by, double s, double distance) const {
+    const dvec3 right = glm::cross(by.forward, by.up);
+    const double up = humps(up_, s);
+    const dvec3 forward = glm::normalize(from.forward + distance * (up * by.up + humps(right_, s) * right));
+    return {from.place, forward,
+            curve::perpendicular(forward, from.up + distance * (humps(spin_, s) * right - up * by.forward))};
+  }
+
+  std::mt19937 bits_;
+  std::vector<Hump> up_, right_, spin_;
+  std::vector<Place> fine_;
+};
+
+TEST(nl2_csv_felt, random_tracks_are_felt_as_closed_forms_say_from_their_first_row_to_the_last) {
+  for (std::uint32_t seed = 1; seed <= 12; ++seed) {
+    if (!test::tried(static_cast<int>(seed))) continue;
+    const RandomTrack track(seed, 6);
+    for (const double heart : {0.0, world::Document{}.heartline}) {
+      const std::vector<Moment> ride = track.ride(heart);
+      for (const double spacing : {0.05, 0.3, 1.0}) {
+        SCOPED_TRACE(fmt::format("seed {}, {} m above the rails, rows every {} m", seed, heart, spacing));
+        expect_felt(rows_on(track, track.length, spacing, seed), ride, heart);
+      }
+    }
+  }
+}
+
 // Rolls to and fro all along a straight slope, at 38 degrees/m at most: every span would use up its bound, which alone
 // allows 0.14 g on average.
 TEST(nl2_csv_felt, rolls_without_end_are_felt_as_closed_forms_say_on_average_too) {
