@@ -18,7 +18,8 @@ void add(std::string& out, fmt::format_string<Values...> format, Values&&... val
 }
 
 void add_extreme(std::string& out, const char* what, const Extreme& e, const char* unit) {
-  add(out, "  {:<22} {:8.2f} {:<4} at {:7.1f} m, {:6.2f} s, car {}\n", what, e.value, unit, e.distance, e.seconds,
+  const double value = std::abs(e.value) < 0.005 ? 0 : e.value;  // not -0.00
+  add(out, "  {:<22} {:8.2f} {:<4} at {:7.1f} m, {:6.2f} s, car {}\n", what, value, unit, e.distance, e.seconds,
       e.car + 1);
 }
 

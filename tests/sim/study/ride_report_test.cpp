@@ -75,6 +75,11 @@ TEST(ride_report, names_every_red_span_with_its_limit) {
   EXPECT_EQ(lines, ride.red.size());
 }
 
+TEST(ride_report, shows_no_sign_before_a_zero) {
+  const std::string report = Reported(test::straight_document({0, 3, 0}, {60, 3, 1}, 3), 2, 1).text();
+  EXPECT_EQ(report.find("-0.00 "), std::string::npos) << report;
+}
+
 TEST(ride_report, says_why_a_ride_ended_early) {
   Reported ride(test::ring_document(24, 40.7, 9.3), 6.3, 1);
   ASSERT_NE(ride.ghost->end, world::FailureKind::none);
