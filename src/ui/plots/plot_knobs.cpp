@@ -27,7 +27,7 @@ std::optional<std::size_t> knob_at(const PlotArea& area, std::span<const Knob> k
 }
 
 // What the mouse has held since the press, stored with the window.
-constexpr int kNothing = -2, kCursor = -1;
+constexpr int kNoKnob = -2, kCursor = -1;
 
 }  // namespace
 
@@ -45,9 +45,9 @@ bool touch_knobs(const PlotArea& area, const Plot& plot, const AreaState& state)
   if (state.hovered) touch.over = knob_at(area, plot.knobs, io.MousePos);
   if (state.activated) {
     const bool cursor = plot.cursor && std::abs(area.at(*plot.cursor, 0).x - io.MousePos.x) <= kReach * area.scale;
-    storage.SetInt(state.id, touch.over ? static_cast<int>(*touch.over) : cursor ? kCursor : kNothing);
+    storage.SetInt(state.id, touch.over ? static_cast<int>(*touch.over) : cursor ? kCursor : kNoKnob);
   }
-  const int held = storage.GetInt(state.id, kNothing);
+  const int held = storage.GetInt(state.id, kNoKnob);
   if ((state.held || state.deactivated) && held >= 0 && held < static_cast<int>(plot.knobs.size()))
     touch.held = static_cast<std::size_t>(held);
   touch.pressed = state.activated && touch.held;

@@ -87,9 +87,9 @@ constexpr std::array kCircuit{Stroke{{0.5f, 0.9f}, {-0.05f, 0.9f}, {-0.05f, 0.1f
                               Stroke{{0.89f, 0.36f}, {0.92f, 0.46f}, {0.92f, 0.54f}, {0.89f, 0.64f}},
                               Stroke{{0.82f, 0.76f}, {0.77f, 0.83f}, {0.7f, 0.87f}, {0.62f, 0.89f}}};
 // A curve through keys.
-constexpr std::array kForces{Stroke{{0.02f, 0.75f}, {0.2f, 0.75f}, {0.15f, 0.2f}, {0.35f, 0.2f}},
-                             Stroke{{0.35f, 0.2f}, {0.55f, 0.2f}, {0.5f, 0.82f}, {0.7f, 0.82f}},
-                             Stroke{{0.7f, 0.82f}, {0.85f, 0.82f}, {0.85f, 0.45f}, {0.98f, 0.45f}}};
+constexpr std::array kGraph{Stroke{{0.02f, 0.75f}, {0.2f, 0.75f}, {0.15f, 0.2f}, {0.35f, 0.2f}},
+                            Stroke{{0.35f, 0.2f}, {0.55f, 0.2f}, {0.5f, 0.82f}, {0.7f, 0.82f}},
+                            Stroke{{0.7f, 0.82f}, {0.85f, 0.82f}, {0.85f, 0.45f}, {0.98f, 0.45f}}};
 constexpr Icon::Bar kForceKeys[] = {{{0.25f, 0.1f}, {0.45f, 0.3f}}, {{0.6f, 0.72f}, {0.8f, 0.92f}}};
 constexpr std::array kRing{Stroke{{0.06f, 0.5f}, {0.06f, -0.09f}, {0.94f, -0.09f}, {0.94f, 0.5f}},
                            Stroke{{0.94f, 0.5f}, {0.94f, 1.09f}, {0.06f, 1.09f}, {0.06f, 0.5f}}};
@@ -119,7 +119,7 @@ void draw_icon(ImDrawList& list, const Icon& icon, ImVec2 low, float size, ImU32
 }  // namespace
 
 const Icon kPlayIcon{{}, kPlayArrow}, kPauseIcon{{}, {}, kPauseBars}, kStepIcon{{}, kStepArrow, kStepBar},
-    kResetIcon{kReset}, kPencilIcon{kPencil}, kCircuitIcon{kCircuit}, kForcesIcon{kForces, {}, kForceKeys},
+    kResetIcon{kReset}, kPencilIcon{kPencil}, kCircuitIcon{kCircuit}, kForcesIcon{kGraph, {}, kForceKeys},
     kRecordIcon{kRing, {}, kDot}, kStopIcon{{}, {}, kStopBar};
 
 const Icon& icon_of(world::ElementKind kind) {
