@@ -108,9 +108,7 @@ std::optional<FeltMiss> felt_miss(std::span<const FitRow> rows, std::span<const 
     s.misses[i] += bounds.heartline * off * glm::cross(rows[first + i].forward, rows[first + i].up);
   }
   const auto apart = [&](std::size_t a, std::size_t b) { return distances[first + b] - distances[first + a]; };
-  // Rounding hides the curvature of a shorter span.
-  constexpr double kLeastEnd = 0.2;  // m
-  const bool at_end = bounds.open && count > 2 && apart(0, count - 1) > kLeastEnd;
+  const bool at_end = bounds.open && count > 2 && apart(0, count - 1) > kShortSpan;
   std::size_t before = 0, after = 0;
   FeltMiss felt;
   for (std::size_t i = 0; i < count; ++i) {
