@@ -60,20 +60,24 @@ struct Reader {
   }
 };
 
-// Finds the file's separator in its first line, which blanks may only be if there is no other.
+// Finds the file's separator in its first line: one that makes 13 columns, else the only one. Blanks may only be it if
+// there is no other.
 bool find_separator(Reader& r, std::string_view line) {
+  Cells cells;
   std::size_t kinds = 0;
-  for (const Separator& s : kSeparators)
-    if (line.find(s.mark) != std::string_view::npos && (kinds == 0 || s.mark != ' ')) r.separator = s, ++kinds;
+  for (const Separator& s : kSeparators) {
+    if (line.find(s.mark) == std::string_view::npos || (kinds > 0 && s.mark == ' ')) continue;
+    r.separator = s, ++kinds;
+    if (split(line, s.mark, cells) == cells.size()) return true;
+  }
   return kinds == 1 || r.fail("a header of 13 columns, separated by tabs",
                               kinds > 1 ? "several separators" : base::quoted_start(line));
 }
 
 // True if the line is a row, so that the file has no header: the checks of frames find columns of another order.
-bool all_numbers(const Reader& r, std::string_view line) {
+bool is_row(const Reader& r, std::string_view line) {
   Cells cells;
-  return split(line, r.separator.mark, cells) == cells.size() &&
-         std::all_of(cells.begin(), cells.end(), [](std::string_view cell) { return base::parse_double(cell); });
+  return split(line, r.separator.mark, cells) == cells.size() && base::parse_double(cells[0]);
 }
 
 bool read_header(Reader& r, std::string_view line) {
@@ -220,7 +224,7 @@ bool read_rows(Reader& r) {
     r.error = std::string(r.name) + ":1: error: expected the header \"No.\" \"PosX\" ..., found an empty file";
     return false;
   }
-  if (!find_separator(r, line) || !(all_numbers(r, line) ? read_row(r, line) : read_header(r, line))) return false;
+  if (!find_separator(r, line) || !(is_row(r, line) ? read_row(r, line) : read_header(r, line))) return false;
   while (r.lines.next(line))
     if (!read_row(r, line)) return false;
   if (r.rows.size() < 2) return r.fail("at least 2 rows at different positions", std::to_string(r.rows.size()));

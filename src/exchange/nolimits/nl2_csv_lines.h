@@ -58,7 +58,8 @@ struct Separator {
   char mark;
   std::string_view name;
 };
-inline constexpr Separator kSeparators[]{{'\t', "tabs"}, {',', "commas"}, {';', "semicolons"}, {' ', "blanks"}};
+// Commas after semicolons: they may be decimal ones there.
+inline constexpr Separator kSeparators[]{{'\t', "tabs"}, {';', "semicolons"}, {',', "commas"}, {' ', "blanks"}};
 
 // Splits a line into cells; returns at most one more than there are columns. Separators at its end count for nothing,
 // several blanks as one.

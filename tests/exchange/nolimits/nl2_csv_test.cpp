@@ -162,6 +162,13 @@ TEST(nl2_csv, commas_and_semicolons_separate_as_tabs_do) {
   }
   expect_error(replaced(rows(2), "\t\"PosY\"", ",\"PosY\""),
                "t.csv:1: error: expected a header of 13 columns, separated by tabs, found several separators");
+  // Decimal commas, with a header and without one.
+  const std::string head = replaced(std::string(kNl2Header), "\t", ";"),
+                    bare = replaced(replaced(row(1, 1.5) + row(2, 2.5), "\t", ";"), ".", ",");
+  const auto message = [](const std::string& file) { return parse_nl2_csv(file, "t.csv").status().message; };
+  EXPECT_NE(message(head + bare).find("decimals follow a point, not a comma"), std::string::npos);
+  EXPECT_TRUE(message(bare).starts_with("t.csv:1: error: expected a finite number in column Pos")) << message(bare);
+  EXPECT_NE(message(bare).find("decimals follow a point, not a comma"), std::string::npos) << message(bare);
   expect_error(replaced(rows(2), "\t", ";") + "3\t1\t2\n",
                "t.csv:4: error: expected 13 columns, separated by semicolons, found 1");
 }
