@@ -110,7 +110,7 @@ void Host::Parts::restyle(world::Theme wanted, float scale) {
 }
 
 void Host::Parts::follow_session(const State& state) {
-  toasts.update(state.session, state.seconds, state.scripted);
+  toasts.update(state.session, state.seconds, state.scripted, dialogs.open());
   if (state.session.file.path != file_of) {
     file_of = state.session.file.path;
     inputs.file = file_of.string();

@@ -32,7 +32,9 @@ std::uint32_t colour_of(edit::NoticeKind kind) {
 
 }  // namespace
 
-void Toasts::update(const edit::Session& session, double seconds, bool scripted) {
+void Toasts::update(const edit::Session& session, double seconds, bool scripted, bool over) {
+  if (over) since += seconds - updated;
+  updated = seconds;
   const std::vector<edit::Notice>& notices = session.notices.list;
   if (!notices.empty() && notices.back().serial != serial) {
     edit::NoticeKind most = notices.back().kind;

@@ -17,9 +17,11 @@ struct Toasts {
   double since = 0;  // s
   double lasts = 0;  // s, time on screen
   std::uint64_t serial = 0;
+  double updated = 0;  // s, time of the last update
 
-  // Takes the newest notices of the session and drops the expired ones.
-  void update(const edit::Session& session, double seconds, bool scripted);
+  // Takes the newest notices of the session and drops the expired ones. While a dialog is `over` them, their time does
+  // not run.
+  void update(const edit::Session& session, double seconds, bool scripted, bool over = false);
   // Shows a notice of the UI about input that causes no command.
   void show(edit::NoticeKind what, std::string text, double seconds);
   // Returns the time from `seconds` until the notice begins to fade; afterwards 0, without a notice infinity.

@@ -18,6 +18,19 @@ TEST(toasts, information_lasts_four_seconds_and_warnings_six) {
   }
 }
 
+TEST(toasts, under_a_dialog_their_time_does_not_run) {
+  edit::Session session = edit::make_session({});
+  Toasts toasts;
+  edit::notify(session, edit::NoticeKind::warning, "rows too far apart");
+  toasts.update(session, 100, false);
+  for (int second = 101; second <= 130; ++second) toasts.update(session, second, false, true);
+  EXPECT_EQ(toasts.shown, "rows too far apart");
+  toasts.update(session, 135.9, false);
+  EXPECT_EQ(toasts.shown, "rows too far apart");
+  toasts.update(session, 136.1, false);
+  EXPECT_EQ(toasts.shown, "");
+}
+
 TEST(toasts, stay_until_the_next_one_in_scripts) {
   edit::Session session = edit::make_session({});
   Toasts toasts;
