@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "sim/fit/row_quintic.h"
 #include "world/motion.h"
@@ -22,11 +23,12 @@ struct Neighbours {
   double back, ahead;
 };
 
-// The same at the first or the last row of an open track. Its rate is that of a cubic, off by a quarter of h^3 of the
-// roll's fourth derivative, and the second derivative of a spline with that rate by 2 sqrt(3) / h times as much.
+// Returns the doubt of roll_doubts() at the first or the last row of an open track. The rate there is that of a cubic,
+// off by a quarter of h^3 of the roll's fourth derivative, and the second derivative of a spline with that rate by
+// 2 sqrt(3) / h times as much.
 double end_doubt(std::span<const FitRow> rows, const RowRolls& rolls, std::span<const double> speeds, double heartline,
                  bool first) {
-  constexpr double kShare = 1.7320508 / 2;
+  constexpr double kShare = std::numbers::sqrt3 / 2;
   constexpr double kNear = 0.2;  // m: between closer rows rounding hides the fourth derivative
   const auto at = [&](std::size_t i) { return first ? i : rows.size() - 1 - i; };  // from the end
   const auto apart = [&](std::size_t i, std::size_t k) {

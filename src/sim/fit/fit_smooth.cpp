@@ -39,10 +39,12 @@ std::vector<double> spline_rates(std::span<const double> lengths, std::span<cons
   for (std::size_t i = 0; i < rates.size(); ++i)
     rolls.push_back(rolls.back() + dvec3(lengths[i] * (rates[i] - mean), 0, 0));
   std::optional<dvec3> first, last;
-  if (closed) rolls.pop_back();
-  else
-    first = dvec3(end_rate(lengths, rates, true) - mean, 0, 0),
+  if (closed) {
+    rolls.pop_back();
+  } else {
+    first = dvec3(end_rate(lengths, rates, true) - mean, 0, 0);
     last = dvec3(end_rate(lengths, rates, false) - mean, 0, 0);
+  }
   std::vector<double> found;
   for (const dvec3& rate : curve::spline_derivatives({rolls, lengths, first, last, closed}))
     found.push_back(mean + rate.x);

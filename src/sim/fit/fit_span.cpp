@@ -97,7 +97,8 @@ bool follow_rows(std::span<const FitRow> rows, std::span<const double> distances
 // Returns what riders feel more or less on the curve than on the rows, nothing if it is over `bounds.felt` somewhere.
 // The difference of their accelerations is the second difference of the distance between the paths of their hearts,
 // over kMoment on both sides. Where rows are further apart, it follows from the difference of the curvatures, without a
-// low-pass, so a larger one is allowed. So it does at an open end, where a ride's first moment is felt without one.
+// low-pass, so a larger one is allowed. At an open end it does, too, but no larger one is: a ride's first moment is
+// felt without a low-pass. There short spans are free of it, because rows do not determine their curvature.
 std::optional<FeltMiss> felt_miss(std::span<const FitRow> rows, std::span<const double> distances, std::size_t first,
                                   std::size_t last, const Curve& c, const Roll& roll, const SpanBounds& bounds,
                                   SpanScratch& s) {
