@@ -2,11 +2,16 @@
 # One static library coaster_NAME from the .cpp files in and below src/NAME. Rooms include each other's headers as
 # "room/file.h"; tools/check_layers checks which room may include which. COLD: optimised builds compile it with -O1, in
 # two thirds of -O2's time. The speed of such rooms does not matter: they wait for people and files.
-# Precompiled headers of the standard library, GLM and fmt for all rooms: they save a third of a file's compile time.
-# Sources nevertheless include what they need; clang-tidy (tools/lint) reads them without. A header must have the
-# optimisation level of the sources, so each level has a separate one: coaster_precompile(TARGET OPTIONS) adds the
-# options to the target and to its headers.
-option(COASTER_PRECOMPILE "Precompile the standard headers" ON)
+
+# Precompiled headers of the standard library, GLM and fmt save a third of a file's compile time. "rooms" adds the
+# project's headers that include most others and saves a quarter of the rest, but when one of them changes, everything
+# is compiled anew. Sources nevertheless include what they need; clang-tidy (tools/lint) reads them without. Each
+# optimisation level has its own precompiled header, because it must have the level of the sources.
+# coaster_precompile(TARGET OPTIONS header ...) adds OPTIONS to TARGET and to its precompiled header, which with "rooms"
+# includes these headers.
+set(COASTER_PRECOMPILE libraries CACHE STRING
+    "Precompile headers: OFF, libraries or rooms. With rooms whole suites build sooner, single changes later")
+set(CMAKE_PCH_PROLOGUE "")  # CMake's would declare them the system's, which compilers do not warn about
 function(coaster_precompile target options)
   target_compile_options(${target} PRIVATE ${options})
   if(NOT COASTER_PRECOMPILE)
@@ -18,10 +23,15 @@ function(coaster_precompile target options)
     file(WRITE ${empty} "")
     add_library(${headers} OBJECT ${empty})
     target_compile_options(${headers} PRIVATE ${options})
-    target_link_libraries(${headers} PRIVATE glm::glm coaster_fmt)
+    target_include_directories(${headers} PRIVATE ${CMAKE_CURRENT_SOURCE_DIR}/src)
+    target_link_libraries(${headers} PRIVATE glm::glm coaster_fmt $<TARGET_NAME_IF_EXISTS:coaster_imgui>)
     target_precompile_headers(${headers} PRIVATE
       <algorithm> <array> <cmath> <cstdint> <cstdio> <deque> <filesystem> <functional> <map> <memory> <optional> <set>
       <span> <string> <string_view> <tuple> <utility> <variant> <vector> <fmt/format.h> <glm/glm.hpp>)
+    if(COASTER_PRECOMPILE STREQUAL "rooms")
+      list(TRANSFORM ARGN PREPEND ${CMAKE_CURRENT_SOURCE_DIR}/src/)
+      target_precompile_headers(${headers} PRIVATE ${ARGN})
+    endif()
   endif()
   target_precompile_headers(${target} REUSE_FROM ${headers})
 endfunction()
@@ -68,10 +78,10 @@ function(coaster_room name)
   if(room_COLD AND EMSCRIPTEN)
     coaster_precompile(coaster_${name} -Oz)  # what a page loads should be small
   elseif(room_COLD AND CMAKE_BUILD_TYPE STREQUAL "Release")
-    coaster_precompile(coaster_${name} -O1)
+    coaster_precompile(coaster_${name} -O1 ui/context/ui.h edit/perform/perform.h)
     coaster_compile_fast(coaster_${name})
   else()
-    coaster_precompile(coaster_${name} "")
+    coaster_precompile(coaster_${name} "" sim/shape/derived.h sim/ride/ride.h)
   endif()
   if(COASTER_UNITY STREQUAL "all")
     coaster_unity(coaster_${name} 40)
