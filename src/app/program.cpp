@@ -95,9 +95,7 @@ base::Status start_graphics(Program& program, const platform::SurfaceOptions& su
   auto gl = gfx::load_gl([screen](const char* name) { return screen->gl_proc(name); });
   if (!gl) return gl.status();
   program.gl = std::move(*gl);
-  auto renderer = gfx::Renderer::make(program.gl, samples);
-  if (!renderer) return renderer.status();
-  program.renderer = std::move(*renderer);
+  program.renderer = std::make_unique<gfx::Renderer>(program.gl, samples);
   return {};
 }
 
@@ -123,16 +121,15 @@ std::string save_at_once(Program& program) {
   return kept ? "Unsaved changes are kept for the next start." : kept.message;
 }
 
-// Ends at once: no destructor may use the surface.
-[[noreturn]] void leave_lost_display(Program& program) {
+}  // namespace
+
+void leave_without_graphics(Program& program, const std::string& why) {
   const std::string said = save_at_once(program);
   if (program.keeper) program.keeper->lock.release();
-  base::print_error(said.empty() ? "The display is gone." : "The display is gone. " + said);
+  base::print_error(said.empty() ? why : why + " " + said);
   (void)base::finish_printing();
   std::_Exit(base::exit_code(base::Code::graphics));
 }
-
-}  // namespace
 
 view::Watched watched(const Program& program) {
   const edit::Session& session = program.session;
@@ -144,7 +141,7 @@ base::Result<std::unique_ptr<Program>> make_program(const Options& options, plat
   auto program = std::make_unique<Program>();
   program->options = options;
   base::on_memory_end([p = program.get()] { return save_at_once(*p); });
-  const auto lost = [p = program.get()] { leave_lost_display(*p); };
+  const auto lost = [p = program.get()] { leave_without_graphics(*p, "The display is gone."); };
   if (const base::Status started = start_graphics(*program, {size, "coaster", true, true, lost}, samples); !started) {
     base::end_if_out_of_memory();  // a driver reports that as another error
     return started;

@@ -100,6 +100,10 @@ struct Program {
 // and the exit code of Code::graphics.
 base::Result<std::unique_ptr<Program>> make_program(const Options& options, platform::Size size, int samples);
 
+// Ends the program at once if nothing can be drawn any more: autosaves, prints `why`, and exits with the code of
+// Code::graphics. No destructor runs, since it may not use the surface.
+[[noreturn]] void leave_without_graphics(Program& program, const std::string& why);
+
 // Applies a command and records it. Errors also show as a notice. After opening or creating a track, the camera frames
 // all of it, with the viewport of the last frame, so a frame must have been drawn.
 base::Status apply(Program& program, const edit::Command& command);

@@ -92,7 +92,10 @@ gfx::DrawStats draw_scene(Program& program, const Look& look, const edit::Findin
   program.stats.colour_low = found.values->low, program.stats.colour_high = found.values->high;
   program.stats.supports = scene.supports ? scene.supports->count() : 0;
   program.stats.support_rebuilds = scene.supports ? scene.supports->rebuilds() : 0;
-  return program.renderer->draw(scene, size.width, size.height);
+  const gfx::DrawStats drawn = program.renderer->draw(scene, size.width, size.height);
+  if (const base::Status& failed = program.renderer->failure(); !failed)
+    leave_without_graphics(program, failed.message);
+  return drawn;
 }
 
 void draw_pixels(Program& program) {

@@ -61,18 +61,30 @@ struct Target {
 base::Result<Target> make_target(const Gl& gl, int width, int height, int samples);
 
 // The uniforms of a program, set by name while the program is in use. Names that the compiler has optimised away are
-// ignored.
+// ignored. An empty program ignores everything.
 struct Program {
   Object object;
   const Gl* gl = nullptr;
-  void use() const { gl->UseProgram(object.id()); }
-  void set(const char* name, int value) const { gl->Uniform1i(place(name), value); }
-  void set(const char* name, float value) const { gl->Uniform1f(place(name), value); }
-  void set(const char* name, glm::vec2 value) const { gl->Uniform2f(place(name), value.x, value.y); }
-  void set(const char* name, glm::vec3 value) const { gl->Uniform3fv(place(name), 1, &value[0]); }
-  void set(const char* name, glm::vec4 value) const { gl->Uniform4fv(place(name), 1, &value[0]); }
+  void use() const {
+    if (gl) gl->UseProgram(object.id());
+  }
+  void set(const char* name, int value) const {
+    if (gl) gl->Uniform1i(place(name), value);
+  }
+  void set(const char* name, float value) const {
+    if (gl) gl->Uniform1f(place(name), value);
+  }
+  void set(const char* name, glm::vec2 value) const {
+    if (gl) gl->Uniform2f(place(name), value.x, value.y);
+  }
+  void set(const char* name, glm::vec3 value) const {
+    if (gl) gl->Uniform3fv(place(name), 1, &value[0]);
+  }
+  void set(const char* name, glm::vec4 value) const {
+    if (gl) gl->Uniform4fv(place(name), 1, &value[0]);
+  }
   void set(const char* name, const glm::mat4& value) const {
-    gl->UniformMatrix4fv(place(name), 1, GL_FALSE, &value[0][0]);
+    if (gl) gl->UniformMatrix4fv(place(name), 1, GL_FALSE, &value[0][0]);
   }
 
  private:

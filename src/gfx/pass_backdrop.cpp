@@ -53,23 +53,23 @@ void draw_part(const Pass& pass, const Program& program, const Rays& rays, const
 // without shadow therefore cost little.
 void draw_ground(const Pass& pass, const SunShadows& shadows, const Rays& rays, const Part& part) {
   const Gl& gl = pass.gl;
-  pass.programs.ground.use();
-  shadows.bind(pass.programs.ground);
+  const Program& ground = pass.use(SceneProgram::ground);
+  shadows.bind(ground);
   gl.Enable(GL_DEPTH_TEST);
   gl.DepthFunc(GL_ALWAYS);
-  draw_part(pass, pass.programs.ground, rays, part);
+  draw_part(pass, ground, rays, part);
   if (!pass.scene.shadows) {
     gl.Clear(GL_DEPTH_BUFFER_BIT);
     return;
   }
-  pass.programs.ground_shadow.use();
-  shadows.bind(pass.programs.ground_shadow);
+  const Program& shadow = pass.use(SceneProgram::ground_shadow);
+  shadows.bind(shadow);
   gl.DepthFunc(GL_EQUAL);
   gl.DepthMask(GL_FALSE);
   gl.Enable(GL_BLEND);
   gl.BlendEquation(GL_FUNC_ADD);
   gl.BlendFuncSeparate(GL_DST_COLOR, GL_ZERO, GL_ZERO, GL_ONE);
-  draw_part(pass, pass.programs.ground_shadow, rays, part);
+  draw_part(pass, shadow, rays, part);
   gl.DepthMask(GL_TRUE);
   gl.Clear(GL_DEPTH_BUFFER_BIT);
 }
@@ -78,9 +78,9 @@ void draw_sky(const Pass& pass, const Rays& rays, const Part& part) {
   if (part.count < 3) return;
   const view::View& view = pass.scene.view;
   const float by_distance = view.parallel > 0 ? view.parallel : 1;
-  pass.programs.sky.use();
-  pass.programs.sky.set("pixel", view::metres_per_pixel(view, 1) / by_distance);
-  draw_part(pass, pass.programs.sky, rays, part);
+  const Program& program = pass.use(SceneProgram::sky);
+  program.set("pixel", view::metres_per_pixel(view, 1) / by_distance);
+  draw_part(pass, program, rays, part);
 }
 
 // An orthographic view from above shows only ground. One along the ground shows it as a line: earth below it, and above

@@ -9,18 +9,17 @@ void draw_overlay(const Pass& pass, const Instances& instances) {
   blend(pass.gl, true);
   pass.gl.Disable(GL_DEPTH_TEST);
   const view::Viewport& viewport = pass.scene.view.viewport;
-  const auto draw = [&](const Program& program, GLsizei count) {
+  const auto draw = [&](SceneProgram name, GLsizei count) {
     if (count == 0) return;
-    program.use();
+    const Program& program = pass.use(name);
+    program.set("rim", kMarkRim * pass.scene.view.density);
     program.set("view_projection", pass.view_projection);
     program.set("viewport", glm::vec2(viewport.width, viewport.height));
     if (!pass.scene.unseen) pass.gl.DrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, count);
     pass.count(2LL * count);
   };
-  draw(pass.programs.line, instances.bind_lines());
-  pass.programs.mark.use();
-  pass.programs.mark.set("rim", kMarkRim * pass.scene.view.density);
-  draw(pass.programs.mark, instances.bind_marks());
+  draw(SceneProgram::line, instances.bind_lines());
+  draw(SceneProgram::mark, instances.bind_marks());
 }
 
 }  // namespace coaster::gfx

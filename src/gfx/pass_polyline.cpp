@@ -24,8 +24,7 @@ void draw_lines(const Pass& pass, const TrackCache& track, GpuCurves& curves) {
     }
     return;
   }
-  pass.programs.polyline.use();
-  pen.set(pass.programs.polyline);
+  pen.set(pass.use(SceneProgram::polyline));
   track.bind_lines();
   if (!pass.scene.unseen) pass.gl.DrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, track.line_count());
   pass.count(2LL * track.line_count());
@@ -53,8 +52,7 @@ void draw_polyline(const Pass& pass, const TrackCache& track, GpuCurves& curves,
   gl.Disable(GL_DEPTH_TEST);
   gl.BlendEquation(GL_FUNC_ADD);
   gl.BlendFuncSeparate(GL_DST_ALPHA, GL_ONE_MINUS_DST_ALPHA, GL_ONE, GL_ZERO);  // keeps the picture opaque
-  pass.programs.coverage.use();
-  pass.programs.coverage.set("paint", glm::vec4(glm::vec3(kPolylineColour), 1));
+  pass.use(SceneProgram::coverage).set("paint", glm::vec4(glm::vec3(kPolylineColour), 1));
   gl.BindVertexArray(pass.no_attributes);
   if (!pass.scene.unseen) gl.DrawArrays(GL_TRIANGLES, 0, 3);
   pass.count(1);

@@ -64,10 +64,10 @@ void set_colouring(const Pass& pass, const Program& program) {
 }
 
 // Draws everything by a program, without the faces that are `hidden`.
-void draw_all(const Pass& pass, const Program& program, GLenum hidden, const TrackCache& track,
-              const Instances& instances, const SunShadows& shadows) {
+void draw_all(const Pass& pass, SceneProgram name, GLenum hidden, const TrackCache& track, const Instances& instances,
+              const SunShadows& shadows) {
   pass.gl.CullFace(hidden);
-  program.use();
+  const Program& program = pass.use(name);
   program.set("view_projection", pass.view_projection);
   program.set("eye", lit_from(pass.scene.view));
   program.set("outline", metres_of_pixels(pass.scene.view, kOutline));
@@ -95,8 +95,7 @@ void choose_detail(const Scene& scene, TrackCache& track) {
 }
 
 void cast_track(const Pass& pass, TrackCache& track, const glm::mat4& light, float texel_metres) {
-  pass.programs.shadow.use();
-  pass.programs.shadow.set("view_projection", light);
+  pass.use(SceneProgram::shadow).set("view_projection", light);
   // Independent of the eye, because a map is kept while it moves.
   const bool unseen = pass.scene.unseen;
   for (const Cast& cast : {track.swept().cast(light, texel_metres, unseen), track.mesh().cast(light, unseen),
@@ -107,8 +106,7 @@ void cast_track(const Pass& pass, TrackCache& track, const glm::mat4& light, flo
 }
 
 void cast_carts(const Pass& pass, const Instances& instances, const glm::mat4& light) {
-  pass.programs.shadow.use();
-  pass.programs.shadow.set("view_projection", light);
+  pass.use(SceneProgram::shadow).set("view_projection", light);
   draw_carts(pass, instances);
 }
 
@@ -119,8 +117,8 @@ void draw_solids(const Pass& pass, const TrackCache& track, const Instances& ins
   pass.gl.DepthFunc(GL_LESS);
   pass.gl.Enable(GL_CULL_FACE);
   values.bind();  // the sampler always needs a texture
-  if (pass.scenery.drawing) draw_all(pass, pass.programs.outline, GL_FRONT, track, instances, shadows);
-  draw_all(pass, pass.programs.solid, GL_BACK, track, instances, shadows);
+  if (pass.scenery.drawing) draw_all(pass, SceneProgram::outline, GL_FRONT, track, instances, shadows);
+  draw_all(pass, SceneProgram::solid, GL_BACK, track, instances, shadows);
   pass.gl.Disable(GL_CULL_FACE);
 }
 

@@ -18,13 +18,18 @@ class SunShadows;
 // Shared by all passes of one picture.
 struct Pass {
   const Gl& gl;
-  const ScenePrograms& programs;
+  ScenePrograms& programs;
   const Scene& scene;
   const Scenery& scenery;
   glm::mat4 view_projection;
   GLuint no_attributes;  // a vertex array without attributes
   DrawStats& stats;
 
+  // Returns the program, in use; an empty one if no pixels are drawn.
+  const Program& use(SceneProgram name) const {
+    static const Program kNone;
+    return scene.unseen ? kNone : programs.use(name);
+  }
   void count(std::int64_t triangles) const {
     ++stats.draw_calls;
     stats.triangles += triangles;

@@ -13,7 +13,7 @@ namespace coaster::gfx {
 
 struct Renderer::Parts {
   const Gl& gl;
-  std::shared_ptr<const ScenePrograms> programs;
+  std::shared_ptr<ScenePrograms> programs;
   GpuCurves gpu_curves;
   AirBuffer air{gl};
   TrackCache track{gl};
@@ -49,13 +49,8 @@ void Renderer::Parts::upload(const Scene& scene, DrawStats& stats) {
   instances.upload(scene.overlay, scene.carts, scene.view.eye);
 }
 
-base::Result<std::unique_ptr<Renderer>> Renderer::make(const Gl& gl, int samples) {
-  auto programs = make_scene_programs(gl);
-  if (!programs) return programs.status();
-  std::unique_ptr<Parts> parts(
-      new Parts{gl, std::make_shared<const ScenePrograms>(std::move(*programs)), GpuCurves(gl)});
-  return std::unique_ptr<Renderer>(new Renderer(std::move(parts), samples));
-}
+Renderer::Renderer(const Gl& gl, int samples)
+    : Renderer(std::unique_ptr<Parts>(new Parts{gl, std::make_shared<ScenePrograms>(gl), GpuCurves(gl)}), samples) {}
 
 std::unique_ptr<Renderer> Renderer::sibling(int samples) const {
   std::unique_ptr<Parts> parts(new Parts{parts_->gl, parts_->programs, parts_->gpu_curves.sibling()});
@@ -66,6 +61,8 @@ Renderer::Renderer(std::unique_ptr<Parts> parts, int samples) : parts_(std::move
 Renderer::~Renderer() = default;
 
 std::string Renderer::refusal(curve::EvaluatedBy stage) const { return parts_->gpu_curves.refusal(stage); }
+
+const base::Status& Renderer::failure() const { return parts_->programs->failure(); }
 
 void Renderer::set_samples(int samples) { parts_->targets.set_samples(samples); }
 

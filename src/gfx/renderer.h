@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "base/status.h"
 #include "gfx/gl.h"
 #include "sim/ride/ride.h"
 #include "sim/shape/near_track.h"
@@ -49,9 +50,8 @@ struct Image {
 
 class Renderer {
  public:
-  // Compiles the shaders (embedded at build time from shaders/). Code::graphics with the compiler's log on failure.
-  // `gl` must outlive the renderer.
-  static base::Result<std::unique_ptr<Renderer>> make(const Gl& gl, int samples);
+  // `gl` must outlive the renderer. Shaders (embedded at build time from shaders/) are compiled when they first draw.
+  Renderer(const Gl& gl, int samples);
   // Returns another renderer in the same context. They share only the compiled shaders; either may be destroyed first.
   std::unique_ptr<Renderer> sibling(int samples) const;
   ~Renderer();
@@ -61,6 +61,9 @@ class Renderer {
   // Returns why a stage cannot evaluate polylines on this driver; empty if it can. draw() then uses the vertex shader:
   // the same picture.
   std::string refusal(curve::EvaluatedBy stage) const;
+
+  // Code::graphics with the compiler's log if a shader did not compile: pictures lack what it draws.
+  const base::Status& failure() const;
 
   // 0 or 1: no multisampling; clamped to the driver's maximum.
   void set_samples(int samples);

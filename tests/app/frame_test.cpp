@@ -1,6 +1,7 @@
 #include "app/frame.h"
 
 #include "app/program_fixture.h"
+#include "app/scene.h"
 #include "edit/commands/commands_elements.h"
 #include "edit/commands/commands_sections.h"
 #include "edit/commands/commands_session.h"
@@ -89,6 +90,13 @@ TEST_F(Frame, what_was_copied_here_is_pasted_where_the_clipboard_holds_something
   surface(*program_).copied = "an address, perhaps";
   press(*program_, platform::Key::v);
   EXPECT_EQ(sections(*program_), 2u);
+}
+
+// A driver's compiler that rejects a shader shows only when a picture is drawn: the work until then is kept.
+TEST_F(Frame, without_shaders_the_program_ends_with_the_code_of_the_graphics) {
+  program_->gl.CompileShader = [](GLuint) {};
+  EXPECT_EXIT((run_frame(*program_, {platform::Tick{1.0 / 60}}, 0), draw_pixels(*program_)),
+              testing::ExitedWithCode(base::exit_code(base::Code::graphics)), "shader .*vert");
 }
 
 }  // namespace frame_test

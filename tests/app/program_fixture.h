@@ -74,9 +74,7 @@ class ProgramTest : public testing::Test {
   // Returns a program with a renderer.
   static std::unique_ptr<Program> make_drawing() {
     std::unique_ptr<Program> program = make();
-    auto renderer = gfx::Renderer::make(program->gl, 0);
-    EXPECT_TRUE(renderer.ok()) << renderer.status().message;
-    program->renderer = std::move(*renderer);
+    program->renderer = std::make_unique<gfx::Renderer>(program->gl, 0);
     return program;
   }
   // Makes the test's program one that draws. The context of the former one is destroyed first, so that the new one is

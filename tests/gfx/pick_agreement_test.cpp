@@ -118,8 +118,7 @@ std::uint32_t paint_of(std::size_t index) { return 0xff00ffffu | static_cast<std
 
 TEST_F(PickAgreement, the_renderer_shows_at_each_mark_the_mark_that_is_picked_there) {
   Sight sight = test::make_sight();
-  auto renderer = Renderer::make(gl, 0);
-  ASSERT_TRUE(renderer.ok()) << renderer.status().message;
+  Renderer renderer(gl, 0);
   std::mt19937 bits(40961);
   Agreement agreement;
   for (int i = 0; i < 200 && !HasFailure(); ++i) {
@@ -140,8 +139,8 @@ TEST_F(PickAgreement, the_renderer_shows_at_each_mark_the_mark_that_is_picked_th
       overlay.marks[k].rgba = paint_of(k);
     }
     const std::vector<sim::Pose> carts = sight.carts();
-    (*renderer)->draw({sight.derived, sight.view, overlay, carts, false}, test::kIdWidth, test::kIdHeight);
-    const Image image = (*renderer)->read_pixels();
+    renderer.draw({sight.derived, sight.view, overlay, carts, false}, test::kIdWidth, test::kIdHeight);
+    const Image image = renderer.read_pixels();
     const auto id_at = [&](int column, int row) -> std::optional<Id> {
       const std::uint8_t* const p = &image.rgba[4 * (std::size_t(row) * test::kIdWidth + std::size_t(column))];
       if (p[0] != 255 || p[2] != 255 || p[1] >= ids.size()) return std::nullopt;

@@ -48,11 +48,7 @@ class Studio : public testing::Test {
   }
   void TearDown() override { renderer_.reset(); }
 
-  std::unique_ptr<gfx::Renderer> fresh() {
-    auto renderer = gfx::Renderer::make(gl_, samples_);
-    EXPECT_TRUE(renderer.ok()) << renderer.status().message;
-    return renderer.ok() ? std::move(*renderer) : nullptr;
-  }
+  std::unique_ptr<gfx::Renderer> fresh() { return std::make_unique<gfx::Renderer>(gl_, samples_); }
   // From the eye if there is one, else from the side and above with all of the track in sight; the viewport is the
   // whole picture unless set.
   view::View look(const Track& track) const {
@@ -66,6 +62,7 @@ class Studio : public testing::Test {
     gfx::Scene scene{track.derived, view, overlay, carts_, show_polyline_, values_, {}, {}, style_};
     scene.shadows = shadows_;
     const gfx::DrawStats stats = renderer.draw(scene, width_, height_);
+    EXPECT_TRUE(renderer.failure().ok()) << renderer.failure().message;
     EXPECT_EQ(gl_.GetError(), static_cast<GLenum>(GL_NO_ERROR));
     return stats;
   }
