@@ -19,17 +19,18 @@ limited=yes
 
 # Files that are larger in memory than on disk.
 # repeated N TEXT: the text N times.
-repeated() { head -c "$1" /dev/zero | sed "s|\\x0|$2|g"; }
+repeated() { yes "$2" | head -n "$1" | tr -d '\n'; }
 { printf '['; repeated 30000000 0,; printf '0]'; } >"$OUT/zeros.json"
 { printf '<root><element>'; repeated 4000000 '<a/>'; printf '</element></root>'; } >"$OUT/large.nl2elem"
 # listed N ITEM: items of a JSON list for the numbers 1 to N. @ is the number, @next the one after, @x its place on a
 # line.
 listed() {
-  seq 1 "$1" | awk -v item="$2" '{
-    text = item
-    gsub(/@next/, $1 + 1, text)
-    gsub(/@x/, 10 * $1 - 90000, text)
-    gsub(/@/, $1, text)
+  seq 1 "$1" | awk -v item="$2" 'BEGIN { parts = split(item, part, "@") } {
+    text = part[1]
+    for (i = 2; i <= parts; i++)
+      if (part[i] ~ /^next/) text = text ($1 + 1) substr(part[i], 5)
+      else if (part[i] ~ /^x/) text = text (10 * $1 - 90000) substr(part[i], 2)
+      else text = text $1 part[i]
     printf "%s%s", (NR > 1 ? ",\n" : ""), text
   }'
 }
