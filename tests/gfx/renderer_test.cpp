@@ -266,6 +266,8 @@ TEST_F(Pictures, after_any_edits_are_those_of_a_fresh_renderer) {
     ASSERT_TRUE(incremental.rgba == expected.rgba)
         << "after edit " << i << ": " << difference.pixels << " pixels differ by much";
   }
+  Renderer other(gl_, samples_);
+  EXPECT_TRUE(picture(track).rgba == picture(other, track).rgba) << "uniforms are left from an earlier picture";
 }
 
 }  // namespace renderer_test

@@ -44,11 +44,12 @@ class Studio : public testing::Test {
     auto gl = gfx::load_gl([&](const char* name) { return surface_->gl_proc(name); });
     ASSERT_TRUE(gl.ok()) << gl.status().message;
     gl_ = *gl;
-    renderer_ = fresh();
+    renderer_ = std::make_unique<gfx::Renderer>(gl_, samples_);
   }
   void TearDown() override { renderer_.reset(); }
 
-  std::unique_ptr<gfx::Renderer> fresh() { return std::make_unique<gfx::Renderer>(gl_, samples_); }
+  // Returns a renderer that has drawn nothing. It shares the shaders, because compiling them takes longest.
+  std::unique_ptr<gfx::Renderer> fresh() { return renderer_->sibling(samples_); }
   // From the eye if there is one, else from the side and above with all of the track in sight; the viewport is the
   // whole picture unless set.
   view::View look(const Track& track) const {
