@@ -25,21 +25,24 @@ def main():
             xdo("mousemove", *place)
             xdo("click", 1)
 
-        def until(what, act, condition):
-            """Acts until the condition holds. Input has no effect until the program has started and the card shows."""
-            for _ in range(15):
+        def until(what, condition, act, seconds):
+            """Acts until the condition holds; returns its value. Clicks before the card shows have no effect."""
+            for _ in range(40):
                 act()
                 try:
-                    return wait_for(what, condition, 5)
+                    return wait_for(what, condition, seconds)
                 except SystemExit:
                     pass
             raise SystemExit(f"no {what}:\n{recorded()}")
 
-        until("the first lesson", lambda: click(TUTORIAL), lambda: "yaw 35 pitch 18 distance 80\n" in recorded())
+        wait_for("the first frames", lambda: "ticks" in recorded())
+        until("the first lesson", lambda: "yaw 35 pitch 18 distance 80\n" in recorded(), lambda: click(TUTORIAL), 5)
         xdo("mousemove", *SHOW_ME)
+        at = len(recorded())
         for number, line in enumerate(LESSONS, 1):
-            before = len(recorded())
-            until(f"lesson {number}", lambda: xdo("click", 1), lambda: re.search(line, recorded()[before:], re.M))
+            done = until(f"lesson {number}", lambda: re.compile(line, re.M).search(recorded(), at),
+                         lambda: xdo("click", 1), 1.5)
+            at = done.end()
         before = recorded()[:re.search(PLACED, recorded(), re.M).start()]
         chosen = len(re.findall(r"^element\.choose straight ", before, re.M))
         assert chosen == 1, f"lessons that nobody left chose {chosen} elements instead of 1:\n{recorded()}"

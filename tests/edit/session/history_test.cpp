@@ -1,5 +1,6 @@
 #include "edit/session/history.h"
 
+#include "base/tries.h"
 #include "edit/session_fixture.h"
 #include "sim/tracks.h"
 #include "world/evaluation.h"
@@ -144,7 +145,7 @@ TEST_F(HistoryOfEdits, a_full_history_says_so_once) {
 
 // A step takes what it changes, however long the track is.
 TEST_F(HistoryOfEdits, a_step_takes_the_memory_of_what_it_changes) {
-  constexpr int kKnots = 20'000;
+  constexpr int kKnots = test::kSanitized ? 10'000 : 20'000;
   start_on(test::ring_document(kKnots, 9000));
   const std::uint64_t start = world::hash(session.document);
   const std::size_t knots = kKnots * sizeof(world::Knot);
@@ -156,7 +157,7 @@ TEST_F(HistoryOfEdits, a_step_takes_the_memory_of_what_it_changes) {
   }
   const std::size_t before = session.history.bytes;
   good("gesture.begin");
-  for (int i = 1; i <= 10; ++i) good("move @k" + std::to_string(1900 * i) + " to 5 6 7");
+  for (int i = 1; i <= 10; ++i) good("move @k" + std::to_string(kKnots / 11 * i) + " to 5 6 7");
   good("gesture.end");
   EXPECT_LT(session.history.bytes - before, 65'536u);
   const std::size_t few = session.history.bytes;

@@ -102,7 +102,7 @@ TEST_F(NearSupports, are_found_again_where_far_track_came_beside_what_is_no_long
   const glm::vec3 before = moved;
   for (std::size_t k = 30; k < 33; ++k)
     for (const float along : {0.0f, 0.5f}) {
-      if (test::kSanitized && along > 0) continue;
+      if (test::kSanitized && (k > 30 || along > 0)) continue;
       look(beside(0));
       look(beside(kSegments - 3));
       const glm::vec3 here = world::knot(document_, knots[k]).position,
