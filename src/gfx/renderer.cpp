@@ -3,6 +3,8 @@
 #include "gfx/renderer.h"
 
 #include <cstring>
+#include <memory>
+#include <utility>
 
 #include "gfx/curve_deviation.h"
 #include "gfx/frame_targets.h"
@@ -12,6 +14,9 @@
 namespace coaster::gfx {
 
 struct Renderer::Parts {
+  Parts(const Gl& of, std::shared_ptr<ScenePrograms> shared, GpuCurves curves)
+      : gl(of), programs(std::move(shared)), gpu_curves(std::move(curves)) {}
+
   const Gl& gl;
   std::shared_ptr<ScenePrograms> programs;
   GpuCurves gpu_curves;
@@ -50,10 +55,10 @@ void Renderer::Parts::upload(const Scene& scene, DrawStats& stats) {
 }
 
 Renderer::Renderer(const Gl& gl, int samples)
-    : Renderer(std::unique_ptr<Parts>(new Parts{gl, std::make_shared<ScenePrograms>(gl), GpuCurves(gl)}), samples) {}
+    : Renderer(std::make_unique<Parts>(gl, std::make_shared<ScenePrograms>(gl), GpuCurves(gl)), samples) {}
 
 std::unique_ptr<Renderer> Renderer::sibling(int samples) const {
-  std::unique_ptr<Parts> parts(new Parts{parts_->gl, parts_->programs, parts_->gpu_curves.sibling()});
+  auto parts = std::make_unique<Parts>(parts_->gl, parts_->programs, parts_->gpu_curves.sibling());
   return std::unique_ptr<Renderer>(new Renderer(std::move(parts), samples));
 }
 
