@@ -28,7 +28,7 @@
   X(DRAWARRAYS, DrawArrays) X(DRAWARRAYSINSTANCED, DrawArraysInstanced) X(DRAWELEMENTS, DrawElements) \
   X(DRAWELEMENTSINSTANCED, DrawElementsInstanced) X(ENABLE, Enable) \
   X(ENABLEVERTEXATTRIBARRAY, EnableVertexAttribArray) X(ENDQUERY, EndQuery) \
-  X(ENDTRANSFORMFEEDBACK, EndTransformFeedback) \
+  X(ENDTRANSFORMFEEDBACK, EndTransformFeedback) X(FINISH, Finish) \
   X(FRAMEBUFFERRENDERBUFFER, FramebufferRenderbuffer) X(FRAMEBUFFERTEXTURE2D, FramebufferTexture2D) \
   X(GENBUFFERS, GenBuffers) X(GENERATEMIPMAP, GenerateMipmap) X(GENFRAMEBUFFERS, GenFramebuffers) \
   X(GENQUERIES, GenQueries) X(GENRENDERBUFFERS, GenRenderbuffers) X(GENTEXTURES, GenTextures) \

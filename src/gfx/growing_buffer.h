@@ -29,6 +29,7 @@ class GrowingBuffer {
     if (capacity_ > 0) {
       gl_->BindBuffer(GL_COPY_READ_BUFFER, object_.id());
       gl_->CopyBufferSubData(GL_COPY_READ_BUFFER, GL_COPY_WRITE_BUFFER, 0, 0, GLsizeiptr(capacity_));
+      gl_->Finish();  // NVIDIA's driver (580) lets the copy overwrite what is written after it
     }
     object_ = std::move(grown);
     capacity_ = capacity;
