@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "platform/gl_versions.h"
 #include "platform/offscreen_context.h"
 
 namespace coaster::platform {
@@ -61,12 +62,12 @@ struct Made {
   EGLSurface buffer = EGL_NO_SURFACE;
 };
 
-// Returns no context if the driver lacks the version: OpenGL 3.`minor` core, or with `es` OpenGL ES 3.`minor`.
-Made create(const Egl& egl, EGLDisplay display, bool es, int minor) {
+// Returns no context if the driver lacks the version: OpenGL core, or with `es` OpenGL ES.
+Made create(const Egl& egl, EGLDisplay display, bool es, int major, int minor) {
   const EGLint wanted[] = {EGL_SURFACE_TYPE, EGL_PBUFFER_BIT, EGL_RENDERABLE_TYPE,
                            es ? EGL_OPENGL_ES3_BIT : EGL_OPENGL_BIT, EGL_NONE};
   const EGLint version[] = {EGL_CONTEXT_MAJOR_VERSION,
-                            3,
+                            major,
                             EGL_CONTEXT_MINOR_VERSION,
                             minor,
                             es ? EGL_NONE : EGL_CONTEXT_OPENGL_PROFILE_MASK,
@@ -84,6 +85,14 @@ Made create(const Egl& egl, EGLDisplay display, bool es, int minor) {
   return made;
 }
 
+Made create_best(const Egl& egl, EGLDisplay display, bool es) {
+  Made made{.display = display};
+  if (es) return create(egl, display, true, 3, 0);
+  for (const GlVersion version : kGlVersions)
+    if (made.context == EGL_NO_CONTEXT) made = create(egl, display, false, version.major, version.minor);
+  return made;
+}
+
 bool bind(const Egl& egl, const Made& made) {
   return egl.make_current(made.display, made.buffer, made.buffer, made.context) == EGL_TRUE;
 }
@@ -98,7 +107,7 @@ void destroy(const Egl& egl, const Made& made) {
 std::string version_at_hand(const Egl& egl, EGLDisplay display) {
   constexpr unsigned kVersion = 0x1f02;  // GL_VERSION
   for (const int minor : {2, 1, 0}) {
-    const Made made = create(egl, display, false, minor);
+    const Made made = create(egl, display, false, 3, minor);
     if (made.context == EGL_NO_CONTEXT) continue;
     const auto get_string = reinterpret_cast<const unsigned char* (*)(unsigned)>(egl.proc("glGetString"));
     const unsigned char* const text = get_string && bind(egl, made) ? get_string(kVersion) : nullptr;
@@ -118,7 +127,7 @@ base::Result<OffscreenContext> make_egl_context(bool es) {
   const EGLDisplay display = open_display(egl);
   if (display == EGL_NO_DISPLAY)
     return base::Status{base::Code::graphics, "EGL has no display of Mesa's surfaceless platform"};
-  const Made made = create(egl, display, es, es ? 0 : 3);
+  const Made made = create_best(egl, display, es);
   if (made.context == EGL_NO_CONTEXT && es)
     return base::Status{base::Code::graphics, fmt::format("EGL has no OpenGL ES 3.0 (error {:#x})", egl.error())};
   if (made.context == EGL_NO_CONTEXT)

@@ -11,6 +11,7 @@
 #include <fmt/format.h>
 
 #include "platform/driver_threads.h"
+#include "platform/gl_versions.h"
 #include "platform/lost_display.h"
 #include "platform/surface.h"
 
@@ -272,14 +273,17 @@ base::Result<std::unique_ptr<Surface>> make_window(const SurfaceOptions& options
   spare_driver_threads();
   if (!glfwInit())
     return base::Status{base::Code::graphics, fmt::format("no window system: {}; use --headless", last_error())};
-  glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
-  glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);
   glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
   glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE);
   glfwWindowHint(GLFW_DEPTH_BITS, 0);  // the renderer draws into its own framebuffer
   glfwWindowHint(GLFW_VISIBLE, options.visible ? GLFW_TRUE : GLFW_FALSE);
-  GLFWwindow* window =
-      glfwCreateWindow(options.size.width, options.size.height, options.title.c_str(), nullptr, nullptr);
+  GLFWwindow* window = nullptr;
+  for (const GlVersion version : kGlVersions) {
+    glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, version.major);
+    glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, version.minor);
+    window = glfwCreateWindow(options.size.width, options.size.height, options.title.c_str(), nullptr, nullptr);
+    if (window) break;
+  }
   if (!window) {
     const std::string reason = last_error(), found = version_at_hand();
     glfwTerminate();
