@@ -11,7 +11,7 @@
 namespace coaster::gfx {
 
 enum class SceneProgram { ground, ground_shadow, sky, solid, outline, shadow, polyline, coverage, line, mark };
-inline constexpr std::size_t kScenePrograms = 10;
+inline constexpr std::size_t kScenePrograms = static_cast<std::size_t>(SceneProgram::mark) + 1;
 
 // Compiles each program when it is first used: few pictures use all, and Mesa takes some 70 ms for them.
 class ScenePrograms {

@@ -85,6 +85,7 @@ Made create(const Egl& egl, EGLDisplay display, bool es, int major, int minor) {
   return made;
 }
 
+// Returns the first of kGlVersions that the driver provides, or with `es` OpenGL ES 3.0.
 Made create_best(const Egl& egl, EGLDisplay display, bool es) {
   Made made{.display = display};
   if (es) return create(egl, display, true, 3, 0);

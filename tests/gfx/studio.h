@@ -44,12 +44,12 @@ class Studio : public testing::Test {
     auto gl = gfx::load_gl([&](const char* name) { return surface_->gl_proc(name); });
     ASSERT_TRUE(gl.ok()) << gl.status().message;
     gl_ = *gl;
-    renderer_ = std::make_unique<gfx::Renderer>(gl_, samples_);
+    renderer_ = fresh();
   }
   void TearDown() override { renderer_.reset(); }
 
-  // Returns a renderer that has drawn nothing. It shares the shaders, because compiling them takes longest.
-  std::unique_ptr<gfx::Renderer> fresh() { return renderer_->sibling(samples_); }
+  // Returns a renderer that has drawn nothing. For many, take siblings of one: compiling shaders takes longest.
+  std::unique_ptr<gfx::Renderer> fresh() { return std::make_unique<gfx::Renderer>(gl_, samples_); }
   // From the eye if there is one, else from the side and above with all of the track in sight; the viewport is the
   // whole picture unless set.
   view::View look(const Track& track) const {
