@@ -1,7 +1,8 @@
 # coaster_room(NAME [COLD] [USES room ...] [LINK library ...])
 # One static library coaster_NAME from the .cpp files in and below src/NAME. Rooms include each other's headers as
 # "room/file.h"; tools/check_layers checks which room may include which. COLD: optimised builds compile it with -O1, in
-# two thirds of -O2's time. The speed of such rooms does not matter: they wait for people and files.
+# two thirds of -O2's time, those with sanitizers with -O0, in two fifths. The speed of such rooms does not matter: they
+# wait for people and files.
 
 # Precompiled headers of the standard library, GLM and fmt save a third of a file's compile time. "rooms" adds the
 # project's headers that include most others and saves a quarter of the rest, but when one of them changes, everything
@@ -48,6 +49,15 @@ function(coaster_compile_fast target)
   target_compile_options(${target} PRIVATE $<$<CXX_COMPILER_ID:GNU>:--param=ggc-min-heapsize=600000>)
 endfunction()
 
+# Links the rooms that compute before all else. An inline function is compiled in every file that calls it, and the
+# linker takes the first copy: now an optimised one, also where COLD rooms and tests have others.
+function(coaster_link_optimised_first target)
+  foreach(room base curve world sim)
+    target_link_options(${target} PRIVATE
+      "SHELL:LINKER:--whole-archive $<TARGET_FILE:coaster_${room}> LINKER:--no-whole-archive")
+  endforeach()
+endfunction()
+
 function(coaster_room name)
   cmake_parse_arguments(room "COLD" "" "USES;LINK" ${ARGN})
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/src/${name}/*.cpp)
@@ -77,6 +87,8 @@ function(coaster_room name)
   target_link_libraries(coaster_${name} PUBLIC ${room_USES} ${room_LINK})
   if(room_COLD AND EMSCRIPTEN)
     coaster_precompile(coaster_${name} -Oz)  # what a page loads should be small
+  elseif(room_COLD AND COASTER_SANITIZE)
+    coaster_precompile(coaster_${name} -O0)
   elseif(room_COLD AND CMAKE_BUILD_TYPE STREQUAL "Release")
     coaster_precompile(coaster_${name} -O1 ui/context/ui.h edit/perform/perform.h)
     coaster_compile_fast(coaster_${name})
