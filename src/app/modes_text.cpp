@@ -9,6 +9,7 @@
 #include "edit/perform/apply.h"
 #include "exchange/challenge_file.h"
 #include "exchange/formats.h"
+#include "exchange/own/link.h"
 #include "query/challenge.h"
 
 namespace coaster::app {
@@ -43,7 +44,11 @@ base::Status validate_file(const std::string& path) {
     if (const auto text = files.read(path); text && exchange::looks_like_challenge(*text))
       return validate_challenge(path);
   const auto track = exchange::load_track(files, path);
-  if (!track) return track.status();
+  if (!track) {
+    base::Status status = track.status();
+    if (!exchange::is_link(path) && !exchange::format_of(path)) status.message += ", or a script ending in .coaster";
+    return status;
+  }
   for (const std::string& warning : track->warnings) base::print_error(warning);
   return {};
 }
