@@ -49,8 +49,8 @@ function(coaster_compile_fast target)
   target_compile_options(${target} PRIVATE $<$<CXX_COMPILER_ID:GNU>:--param=ggc-min-heapsize=600000>)
 endfunction()
 
-# Links the rooms that compute before all else. An inline function is compiled in every file that calls it, and the
-# linker takes the first copy: now an optimised one, also where COLD rooms and tests have others.
+# Links the rooms that compute before everything else. An inline function is compiled in every file that calls it, and
+# the linker keeps the first copy: an optimised one, although those of tests and COLD rooms may not be.
 function(coaster_link_optimised_first target)
   foreach(room base curve world sim)
     target_link_options(${target} PRIVATE
