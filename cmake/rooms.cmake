@@ -1,8 +1,8 @@
 # coaster_room(NAME [COLD] [USES room ...] [LINK library ...])
 # One static library coaster_NAME from the .cpp files in and below src/NAME. Rooms include each other's headers as
 # "room/file.h"; tools/check_layers checks which room may include which. COLD: optimised builds compile it with -O1, in
-# two thirds of -O2's time, those with sanitizers with -O0, in two fifths. The speed of such rooms does not matter: they
-# wait for people and files.
+# two thirds of -O2's time, tests with sanitizers with -O0, in two fifths. The speed of such rooms does not matter: they
+# wait for people and files. Only fuzzing reads as many files as it can.
 
 # Precompiled headers of the standard library, GLM and fmt save a third of a file's compile time. "rooms" adds the
 # project's headers that include most others and saves a quarter of the rest, but when one of them changes, everything
@@ -87,7 +87,7 @@ function(coaster_room name)
   target_link_libraries(coaster_${name} PUBLIC ${room_USES} ${room_LINK})
   if(room_COLD AND EMSCRIPTEN)
     coaster_precompile(coaster_${name} -Oz)  # what a page loads should be small
-  elseif(room_COLD AND COASTER_SANITIZE)
+  elseif(room_COLD AND COASTER_SANITIZE AND NOT COASTER_FUZZ)
     coaster_precompile(coaster_${name} -O0)
   elseif(room_COLD AND CMAKE_BUILD_TYPE STREQUAL "Release")
     coaster_precompile(coaster_${name} -O1 ui/context/ui.h edit/perform/perform.h)
