@@ -7,6 +7,8 @@
 #include "query/context.h"
 #include "world/evaluation.h"
 
+#include <fmt/format.h>
+
 #include <filesystem>
 #include <fstream>
 
