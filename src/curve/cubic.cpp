@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-#include "curve/bernstein.h"
+#include "curve/polynomial_roots.h"
 
 namespace coaster::curve {
 namespace {
@@ -85,32 +85,22 @@ Box control_box(const Cubic& c) {
 }
 
 NearestPoint nearest_point(const Cubic& cubic, glm::dvec3 target) {
-  constexpr int kIntervals = 32;
+  const CoefficientsD c = coefficients_d(cubic);
   const auto squared = [&](double t) {
-    const dvec3 d = point(cubic, t) - target;
+    const dvec3 d = (t == 1.0 ? dvec3(cubic.p3) : c.point(t)) - target;
     return glm::dot(d, d);
   };
-  int best = 0;
-  double best_squared = squared(0.0);
-  for (int i = 1; i <= kIntervals; ++i) {
-    const double s = squared(static_cast<double>(i) / kIntervals);
-    if (s < best_squared) best = i, best_squared = s;
-  }
-  double low = std::max(0, best - 1) / static_cast<double>(kIntervals);
-  double high = std::min(kIntervals, best + 1) / static_cast<double>(kIntervals);
-  double t = static_cast<double>(best) / kIntervals;
-  // Newton on f = (B - target) . B', which increases through the minimum; bisects where it would leave the bracket.
-  for (int i = 0; i < 60 && high - low > 1e-12; ++i) {
-    const dvec3 offset = point(cubic, t) - target, d = derivative(cubic, t);
-    const double f = glm::dot(offset, d), slope = glm::dot(d, d) + glm::dot(offset, second_derivative(cubic, t));
-    (f > 0 ? high : low) = t;
-    const double next = slope > 0 ? t - f / slope : 2.0;
-    const double previous = t;
-    t = next > low && next < high ? next : 0.5 * (low + high);
-    if (std::abs(t - previous) < 1e-13) break;
-  }
-  if (squared(t) > best_squared) t = static_cast<double>(best) / kIntervals;
-  return {t, std::sqrt(squared(t))};
+  NearestPoint best{0, squared(0)};
+  const auto look = [&](double t) {
+    if (const double s = squared(t); s < best.distance) best = {t, s};
+  };
+  const auto points = controls(cubic);
+  const std::array from{points[0] - target, points[1] - target, points[2] - target, points[3] - target};
+  const std::array legs{points[1] - points[0], points[2] - points[1], points[3] - points[2]};
+  const auto slope = product(from, legs);  // (B - target) . B' / 3, which rises through a minimum
+  each_rise(slope, [&](const Bracket& at) { look(refined_root(slope, at, true)); });
+  look(1);
+  return {best.t, std::sqrt(best.distance)};
 }
 
 }  // namespace coaster::curve

@@ -77,7 +77,8 @@ struct NearestPoint {
   double distance;  // m
 };
 
-// Returns the point of the curve nearest to `target`: a scan of 32 intervals, then safeguarded Newton; t within 1e-9.
+// Returns the point of the curve nearest to `target`: the least of all minima of the distance (roots of a quintic) and
+// of the ends. t within 1e-9, except where the distance hardly depends on it, as at a cusp.
 NearestPoint nearest_point(const Cubic& cubic, glm::dvec3 target);
 
 }  // namespace coaster::curve

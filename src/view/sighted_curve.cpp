@@ -3,12 +3,14 @@
 #include <algorithm>
 #include <cmath>
 
-#include "view/polynomial_roots.h"
+#include "curve/polynomial_roots.h"
 
 namespace coaster::view {
 namespace {
 
+using curve::Bracket, curve::each_rise, curve::each_root, curve::product;
 using Four64 = std::array<double, 4>;
+using Bernstein8 = std::array<double, 9>;
 
 // Homogeneous screen coordinates as Bernstein coefficients.
 struct Screen {
@@ -19,35 +21,16 @@ Screen screen_of(const SightedControls& c) {
   return {{c[0].u, c[1].u, c[2].u, c[3].u}, {c[0].v, c[1].v, c[2].v, c[3].v}, {c[0].w, c[1].w, c[2].w, c[3].w}};
 }
 
-// Multiplies coefficients by their binomials, so that a product is a convolution.
-Four64 scaled(const Four64& c) { return {c[0], 3 * c[1], 3 * c[2], c[3]}; }
-std::array<double, 3> scaled_slope(const Four64& c) {
-  return {3 * (c[1] - c[0]), 6 * (c[2] - c[1]), 3 * (c[3] - c[2])};
-}
-
-template <std::size_t A, std::size_t B>
-std::array<double, A + B - 1> product(const std::array<double, A>& a, const std::array<double, B>& b) {
-  std::array<double, A + B - 1> c{};
-  for (std::size_t i = 0; i < A; ++i)
-    for (std::size_t j = 0; j < B; ++j) c[i + j] += a[i] * b[j];
-  return c;
-}
-
-template <std::size_t N>
-std::array<double, N> sum(const std::array<double, N>& a, const std::array<double, N>& b) {
-  std::array<double, N> c;
-  for (std::size_t i = 0; i < N; ++i) c[i] = a[i] + b[i];
-  return c;
-}
-
 // Returns the Bernstein coefficients of N.
 Bernstein8 slope_polynomial(const Screen& s) {
-  const Four64 u = scaled(s.u), v = scaled(s.v), w = scaled(s.w);
-  const auto towards = product(sum(product(u, scaled_slope(s.u)), product(v, scaled_slope(s.v))), w);
-  const auto away = product(sum(product(u, u), product(v, v)), scaled_slope(s.w));
-  constexpr std::array<double, 9> kBinomials{1, 8, 28, 56, 70, 56, 28, 8, 1};
-  Bernstein8 n;
-  for (std::size_t i = 0; i < n.size(); ++i) n[i] = (towards[i] - away[i]) / kBinomials[i];
+  std::array<glm::dvec2, 4> place;
+  for (std::size_t i = 0; i < 4; ++i) place[i] = {s.u[i], s.v[i]};
+  const auto slope = [](const auto& c) {
+    return std::array{3.0 * (c[1] - c[0]), 3.0 * (c[2] - c[1]), 3.0 * (c[3] - c[2])};
+  };
+  const Bernstein8 away = product(product(place, place), slope(s.w));
+  Bernstein8 n = product(product(place, slope(place)), s.w);
+  for (std::size_t i = 0; i < n.size(); ++i) n[i] -= away[i];
   return n;
 }
 

@@ -4,53 +4,11 @@
 
 #include "base/tries.h"
 #include "curve/random_cubics.h"
-#include "view/polynomial_roots.h"
 
 namespace coaster::view {
 namespace sighted_curve_test {
 
 double uniform(std::mt19937& bits, double low, double high) { return low + (high - low) * (bits() / 4294967296.0); }
-
-// Polynomials that are products of (t - root): the roots of odd order come back in order, and which way the sign goes.
-TEST(sighted_curve, roots_of_a_polynomial_are_found_between_zero_and_one) {
-  std::mt19937 bits(4);
-  for (int trial = 0; trial < 2000; ++trial) {
-    std::vector<double> roots;
-    for (int i = 0; i < 8; ++i) roots.push_back(uniform(bits, -0.5, 1.5));
-    if (trial % 4 == 0) roots[3] = 0.5, roots[4] = 0.25;  // on the middle of halves
-    // In Bernstein form by blossoms: coefficient k is the mean over all ways to give k of the eight factors t = 1, the
-    // others t = 0.
-    Bernstein8 c{};
-    std::array<double, 9> ways{};
-    for (unsigned set = 0; set < 256; ++set) {
-      double product = 1;
-      for (std::size_t i = 0; i < 8; ++i) product *= (set >> i & 1 ? 1 : 0) - roots[i];
-      c[static_cast<std::size_t>(std::popcount(set))] += product, ++ways[static_cast<std::size_t>(std::popcount(set))];
-    }
-    for (std::size_t k = 0; k < 9; ++k) c[k] /= ways[k];
-    std::vector<double> wanted;
-    for (const double r : roots)
-      if (r > 0 && r < 1) wanted.push_back(r);
-    std::sort(wanted.begin(), wanted.end());
-    bool too_close = false;
-    for (std::size_t i = 1; i < wanted.size(); ++i) too_close = too_close || wanted[i] - wanted[i - 1] < 1e-3;
-    for (const double r : wanted) too_close = too_close || r < 1e-6 || r > 1 - 1e-6;
-    if (too_close) continue;
-    std::vector<double> found;
-    each_root(c, [&](double t) { found.push_back(t); });
-    ASSERT_EQ(found.size(), wanted.size()) << trial;
-    for (std::size_t i = 0; i < found.size(); ++i) EXPECT_NEAR(found[i], wanted[i], 1e-7) << trial;
-    // At first the sign is that of (-1)^roots below: every second crossing rises.
-    std::vector<Bracket> rises;
-    each_rise(c, [&](const Bracket& b) { rises.push_back(b); });
-    const bool falls_first = c.front() >= 0;
-    ASSERT_EQ(rises.size(), (wanted.size() + (falls_first ? 0 : 1)) / 2) << trial;
-    for (std::size_t i = 0; i < rises.size(); ++i) {
-      const double root = wanted[2 * i + (falls_first ? 1 : 0)];
-      EXPECT_TRUE(rises[i].low <= root + 1e-12 && root <= rises[i].high + 1e-12) << trial;
-    }
-  }
-}
 
 // Compares with 10,000 samples: each minimum of the distance on screen is among the positions, near the eye and far
 // away, also with curves that pass it.

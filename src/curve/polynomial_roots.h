@@ -5,13 +5,32 @@
 
 #include <array>
 #include <bit>
+#include <cmath>
 #include <cstddef>
 
 #include "curve/bernstein.h"
 
-namespace coaster::view {
+namespace coaster::curve {
 
-using Bernstein8 = std::array<double, 9>;
+// C(N - 1, i) for i = 0..N - 1.
+template <std::size_t N>
+constexpr std::array<double, N> binomials() {
+  std::array<double, N> c{1};
+  for (std::size_t i = 1; i < N; ++i) c[i] = c[i - 1] * static_cast<double>(N - i) / static_cast<double>(i);
+  return c;
+}
+
+// Returns the coefficients of the product of two polynomials in Bernstein form, of degrees A - 1 and B - 1, or of the
+// scalar product of two curves.
+template <std::size_t A, std::size_t B, class Point>
+std::array<double, A + B - 1> product(const std::array<Point, A>& a, const std::array<Point, B>& b) {
+  static constexpr auto x = binomials<A>(), y = binomials<B>(), whole = binomials<A + B - 1>();
+  std::array<double, A + B - 1> c{};
+  for (std::size_t i = 0; i < A; ++i)
+    for (std::size_t j = 0; j < B; ++j) c[i + j] += x[i] * y[j] * glm::dot(a[i], b[j]);
+  for (std::size_t k = 0; k < c.size(); ++k) c[k] *= 1 / whole[k];
+  return c;
+}
 
 // An interval with one root, where the polynomial goes from negative to positive.
 struct Bracket {
@@ -64,27 +83,34 @@ void each_crossing(const std::array<double, N>& c, double low, double high, cons
 }
 
 // Calls found(bracket) where the polynomial goes from negative to positive, in order.
-template <class Found>
-void each_rise(const Bernstein8& c, const Found& found) {
+template <std::size_t N, class Found>
+void each_rise(const std::array<double, N>& c, const Found& found) {
   each_crossing(c, 0, 1, [&](const Bracket& bracket, bool rising) {
     if (rising) found(bracket);
   });
 }
 
+// Returns the root in a bracket, accurate to 1e-15, by Newton's method; halves the bracket where a step would leave it.
+template <std::size_t N>
+double refined_root(const std::array<double, N>& c, Bracket at, bool rising) {
+  double t = at.guess;
+  for (int i = 0; i < 60 && at.high - at.low > 1e-16; ++i) {
+    std::array<double, N> row = c;
+    for (std::size_t level = N; level > 2; --level)
+      for (std::size_t k = 0; k + 1 < level; ++k) row[k] += t * (row[k + 1] - row[k]);
+    const double rise = row[1] - row[0], value = row[0] + t * rise, step = value / (static_cast<double>(N - 1) * rise);
+    if (std::abs(step) < 1e-15) break;
+    ((value < 0) == rising ? at.low : at.high) = t;
+    const bool inside = t - step > at.low && t - step < at.high;
+    t = inside ? t - step : 0.5 * (at.low + at.high);
+  }
+  return t;
+}
+
 // Calls found(t), accurate to 1e-15, for the roots of odd order in order.
 template <std::size_t N, class Found>
 void each_root(const std::array<double, N>& c, const Found& found) {
-  const auto value = [&c](double t) {
-    std::array<double, N> row = c;
-    return curve::de_casteljau_in_place<double, double>(row, t);
-  };
-  each_crossing(c, 0, 1, [&](Bracket at, bool rising) {
-    for (int i = 0; i < 60 && at.high - at.low > 1e-16; ++i) {
-      const double middle = 0.5 * (at.low + at.high);
-      ((value(middle) < 0) == rising ? at.low : at.high) = middle;
-    }
-    found(0.5 * (at.low + at.high));
-  });
+  each_crossing(c, 0, 1, [&](const Bracket& at, bool rising) { found(refined_root(c, at, rising)); });
 }
 
-}  // namespace coaster::view
+}  // namespace coaster::curve
