@@ -14,14 +14,15 @@
 #include "edit/perform/apply.h"
 #include "edit/session/history.h"
 #include "exchange/own/track_file.h"
+#include "sim/shape/deviation.h"
 #include "sim/shape/rail_tables.h"
 #include "sim/solids/conflicts.h"
 
 namespace coaster {
 namespace scale_bench {
 
-enum Part { parse, derive, conflicts, tables, command, parts };
-constexpr std::array<const char*, parts> kNames{"parse", "derive", "conflicts", "tables", "command"};
+enum Part { parse, derive, chords, conflicts, tables, command, parts };
+constexpr std::array<const char*, parts> kNames{"parse", "derive", "chord_error", "conflicts", "tables", "command"};
 struct Figures {
   std::array<double, parts> seconds{}, mb{};
   double undo_kb_few = 0, undo_kb_all = 0;
@@ -41,6 +42,12 @@ Figures measure(const std::string& text) {
   base::Files files;
   part(figures, parse, [&] { session.document = std::move(exchange::parse_track(text, "bench")->document); });
   part(figures, derive, [&] { sim::derive(session.document, session.settings, {}, session.derived); });
+  part(figures, chords, [&] {
+    double worst = 0;
+    for (const world::Entity segment : session.derived.order)
+      worst = sim::chord_error(session.derived.shape(segment).key.cubic, curve::kMaxSteps, worst);
+    benchmark::DoNotOptimize(worst);
+  });
   sim::reset(session.document, session.derived, session.motion);
   sim::Conflicts found;
   part(figures, conflicts, [&] { benchmark::DoNotOptimize(found.update(session.derived).size()); });

@@ -36,7 +36,7 @@ constexpr auto kFrameRows = rows_of<kFrameNumbers>(std::make_index_sequence<kFra
 constexpr std::array kMoreRows{
     Query{"deviation", kNoArgument, "m", "Largest distance of a vertex from the exact point at the same parameter.",
           deviation},
-    Query{"chord_error", kNoArgument, "m", "Largest distance of the curve from the polyline's chords.", chord_error},
+    Query{"chord_error", kNoArgument, "m", "Largest distance of a piece of the curve from its chord.", chord_error},
     Query{"drawn_by", kNoArgument, "",
           "Where the polylines were evaluated: processor, vertex_shader, geometry_shader or tessellation_shader.",
           drawn_by, kOneOf<curve::EvaluatedBy>},

@@ -81,7 +81,7 @@ struct Findings {
   const sim::TrackValues* values = nullptr;
   const sim::Supports* supports = nullptr;
   double deviation = 0;    // m; 0 without a challenge
-  double chord_error = 0;  // m, largest distance of the curve from the polylines' chords
+  double chord_error = 0;  // m, largest distance of a piece of the curve from its chord
 
   // Caches behind the members above, each with the key of its result.
   struct Memory {

@@ -85,7 +85,7 @@ void resolution(Ui& ui) {
 // Shows the chord error, because the rounding error says nothing about how well the polyline follows the curve. Next to
 // the last item if there is space.
 void chord_error(Ui& ui) {
-  constexpr std::size_t kMost = 10'000;  // segments: 10 ms after each change
+  constexpr std::size_t kMost = 10'000;  // segments: some 2 ms after each change
   const std::size_t segments = ui.session().derived.order.size();
   const std::string value = segments == 0 || segments > kMost
                                 ? "--"
@@ -96,8 +96,9 @@ void chord_error(Ui& ui) {
     const float earlier = std::floor(std::clamp(free - 5 * ui.scale, 0.0f, 9 * ui.scale));
     ImGui::SetCursorPos({ImGui::GetCursorPosX() - earlier, ImGui::GetCursorPosY() + ImGui::GetStyle().FramePadding.y});
   }
-  read_out(ui, "Chord error", value, base::shown_in(ui.units, "mm").name,
-           "Largest distance of the curve from the polyline. More steps make it smaller. Up to 10,000 segments.");
+  read_out(
+      ui, "Chord error", value, base::shown_in(ui.units, "mm").name,
+      "Largest distance of a piece of the curve from its chord. More steps make it smaller. Up to 10,000 segments.");
 }
 
 }  // namespace
