@@ -34,12 +34,8 @@ void write(const Cubic& cubic, Points points, Points tangents, Point point, Tang
   pin_ends(cubic, points);
 }
 
-// Barrett 2012, section 2.1, term by term.
 void bernstein(const PreparedCubic& curve, Points points, Points tangents) {
-  const auto point = [&c = curve.cubic](float t) {
-    const float s = 1.0f - t;
-    return s * s * s * c.p0 + 3.0f * t * s * s * c.p1 + 3.0f * t * t * s * c.p2 + t * t * t * c.p3;
-  };
+  const auto point = [&c = curve.cubic](float t) { return detail::bernstein(c.p0, c.p1, c.p2, c.p3, t); };
   const auto tangent = [&c = curve.cubic](float t) {
     const float s = 1.0f - t;
     return 3.0f * s * s * (c.p1 - c.p0) + 6.0f * t * s * (c.p2 - c.p1) + 3.0f * t * t * (c.p3 - c.p2);
@@ -47,19 +43,10 @@ void bernstein(const PreparedCubic& curve, Points points, Points tangents) {
   write(curve.cubic, points, tangents, point, tangent);
 }
 
-// The recurrence of Barrett 2012, section 3.2; the last row's difference gives the tangent.
 void de_casteljau(const PreparedCubic& curve, Points points, Points tangents) {
-  const auto last_row = [&c = curve.cubic](float t) {
-    const float s = 1.0f - t;
-    const glm::vec3 a = s * c.p0 + t * c.p1, b = s * c.p1 + t * c.p2, d = s * c.p2 + t * c.p3;
-    return std::pair{s * a + t * b, s * b + t * d};
-  };
-  const auto point = [&](float t) {
-    const auto [left, right] = last_row(t);
-    return (1.0f - t) * left + t * right;
-  };
-  const auto tangent = [&](float t) {
-    const auto [left, right] = last_row(t);
+  const auto point = [&c = curve.cubic](float t) { return detail::de_casteljau(c.p0, c.p1, c.p2, c.p3, t); };
+  const auto tangent = [&c = curve.cubic](float t) {
+    const auto [left, right] = detail::tangent_line(c.p0, c.p1, c.p2, c.p3, t);
     return 3.0f * (right - left);
   };
   write(curve.cubic, points, tangents, point, tangent);
@@ -148,7 +135,7 @@ double forward_differences8_bound(double extent, double size, int) {
 
 constexpr std::array<Evaluator, 10> kEvaluators{{
     {"bernstein", "Cubic (Bernstein)", "(1-t)^3 p0 + 3t(1-t)^2 p1 + 3t^2(1-t) p2 + t^3 p3",
-     "3 vector additions, 4 vector and 12 scalar multiplications", bernstein, bernstein_bound},
+     "3 vector additions, 4 vector and 10 scalar multiplications", bernstein, bernstein_bound},
     {"de_casteljau", "de Casteljau", "b_i <- (1-t) b_i + t b_(i+1), three rounds", "6 linear interpolations",
      de_casteljau, casteljau_bound},
     {"horner", "Horner", "c0 + t (c1 + t (c2 + t c3)), coefficients stored",
@@ -160,13 +147,13 @@ constexpr std::array<Evaluator, 10> kEvaluators{{
     {"horner8", "Horner, 8 at once", "Horner's rule for eight parameters in one vector",
      "3 vector additions, 3 vector multiplications, by eights", by_eights<VectorMethod::horner>, horner8_bound},
     {"forward_differences8", "Forward differences, 8 lanes", "each lane steps by 8/n, restarted every 64 points",
-     "3 vector additions, by eights", by_eights<VectorMethod::differences>, forward_differences8_bound},
-    {"gpu_vertex", "Vertex shader", "Horner at t = gl_VertexID / n, coefficients per segment",
-     "3 vector additions, 3 vector multiplications", horner, horner_bound, EvaluatedBy::vertex_shader},
+     "4 vector additions, by eights", by_eights<VectorMethod::differences>, forward_differences8_bound},
+    {"gpu_vertex", "Vertex shader", "Horner at t = gl_VertexID / n, coefficients from the control points",
+     "9 vector additions, 5 vector multiplications", horner, horner_bound, EvaluatedBy::vertex_shader},
     {"gpu_geometry", "Geometry shader", "Horner at t = i / n, one point becomes a strip",
-     "3 vector additions, 3 vector multiplications", horner, horner_bound, EvaluatedBy::geometry_shader},
+     "9 vector additions, 5 vector multiplications", horner, horner_bound, EvaluatedBy::geometry_shader},
     {"gpu_tessellation", "Tessellation shader", "Horner at gl_TessCoord.x of a patch of four control points",
-     "3 vector additions, 3 vector multiplications", horner, horner_bound, EvaluatedBy::tessellation_shader},
+     "9 vector additions, 5 vector multiplications", horner, horner_bound, EvaluatedBy::tessellation_shader},
 }};
 
 }  // namespace

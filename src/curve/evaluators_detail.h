@@ -1,17 +1,39 @@
-// The inner loops of evaluators over any vector type, so that a test can count their operations.
+// The inner loops of evaluators over any vector and scalar type, so that a test can count their operations.
 #pragma once
+
+#include <utility>
 
 namespace coaster::curve::detail {
 
+// Barrett 2012, section 2.1, term by term: 2 + 3 + 3 + 2 products of scalars, and four of a scalar and a vector.
+template <class V, class S>
+V bernstein(const V& p0, const V& p1, const V& p2, const V& p3, S t) {
+  const S s = 1.0f - t;
+  return s * s * s * p0 + 3.0f * t * s * s * p1 + 3.0f * t * t * s * p2 + t * t * t * p3;
+}
+
+// The first two rounds of Barrett 2012, section 3.2: the ends of the line that touches the curve at t.
+template <class V, class S>
+std::pair<V, V> tangent_line(const V& p0, const V& p1, const V& p2, const V& p3, S t) {
+  const S s = 1.0f - t;
+  const V a = s * p0 + t * p1, b = s * p1 + t * p2, d = s * p2 + t * p3;
+  return {s * a + t * b, s * b + t * d};
+}
+template <class V, class S>
+V de_casteljau(const V& p0, const V& p1, const V& p2, const V& p3, S t) {
+  const auto [left, right] = tangent_line(p0, p1, p2, p3, t);
+  return (1.0f - t) * left + t * right;
+}
+
 // Barrett 2012, section 3.3: three additions and three multiplications per point.
-template <class V>
-V horner(V c0, V c1, V c2, V c3, float t) {
+template <class V, class S>
+V horner(V c0, V c1, V c2, V c3, S t) {
   return c0 + t * (c1 + t * (c2 + t * c3));
 }
 
 // Estrin's scheme: two independent halves, for one more multiplication (t^2).
-template <class V>
-V estrin(V c0, V c1, V c2, V c3, float t) {
+template <class V, class S>
+V estrin(V c0, V c1, V c2, V c3, S t) {
   return (c0 + t * c1) + (t * t) * (c2 + t * c3);
 }
 

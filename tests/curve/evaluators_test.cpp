@@ -4,7 +4,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <map>
 #include <set>
+#include <string>
 #include <vector>
 
 #include "base/tries.h"
@@ -149,39 +151,81 @@ TEST(evaluators, eight_lanes_started_anew_stay_within_four_times_horners_error_a
   EXPECT_GT(worst_of("forward_differences", 4096, cubics), 10 * horner);  // what the starts are for
 }
 
-// Counts vector operations.
-struct Counting {
-  double x = 0;
-  static inline int additions = 0, multiplications = 0;
+struct Counts {
+  int vector_additions = 0, vector_multiplications = 0, scalar_multiplications = 0;
 };
-Counting operator+(Counting a, Counting b) { return ++Counting::additions, Counting{a.x + b.x}; }
-Counting operator*(float a, Counting b) { return ++Counting::multiplications, Counting{a * b.x}; }
+Counts counted;
 
-TEST(evaluators, forward_differences_take_three_additions_a_point_and_two_a_tangent) {
-  auto d = detail::start_differences<Counting>({1}, {2}, {3}, {4}, 0.125f);
-  Counting::additions = Counting::multiplications = 0;
-  detail::step(d);
-  EXPECT_EQ(Counting::additions, 3);
-  EXPECT_EQ(Counting::multiplications, 0);
-  auto g = detail::start_tangent_differences<Counting>({2}, {3}, {4}, 0.125f);
-  Counting::additions = Counting::multiplications = 0;
-  detail::step(g);
-  EXPECT_EQ(Counting::additions, 2);
-  EXPECT_EQ(Counting::multiplications, 0);
+// A vector and a scalar that count the operations on them. 1 - t is counted nowhere.
+struct Vector {
+  double x = 0;
+};
+struct Scalar {
+  double x = 0;
+};
+Vector operator+(Vector a, Vector b) { return ++counted.vector_additions, Vector{a.x + b.x}; }
+Vector operator-(Vector a, Vector b) { return ++counted.vector_additions, Vector{a.x - b.x}; }
+Vector operator*(Scalar a, Vector b) { return ++counted.vector_multiplications, Vector{a.x * b.x}; }
+Vector operator*(float a, Vector b) { return ++counted.vector_multiplications, Vector{a * b.x}; }
+Scalar operator*(Scalar a, Scalar b) { return ++counted.scalar_multiplications, Scalar{a.x * b.x}; }
+Scalar operator*(float a, Scalar b) { return ++counted.scalar_multiplications, Scalar{a * b.x}; }
+Scalar operator-(float a, Scalar b) { return {a - b.x}; }
+
+std::string counts_of(const auto& work) {
+  counted = {};
+  work();
+  std::string text = std::to_string(counted.vector_additions) + " vector additions";
+  if (counted.vector_multiplications > 0) {
+    text += ", " + std::to_string(counted.vector_multiplications) + " vector";
+    if (counted.scalar_multiplications > 0)
+      text += " and " + std::to_string(counted.scalar_multiplications) + " scalar";
+    text += " multiplications";
+  }
+  return text;
 }
 
-TEST(evaluators, estrin_takes_a_multiplication_more_than_horner) {
-  Counting::additions = Counting::multiplications = 0;
-  detail::estrin<Counting>({1}, {2}, {3}, {4}, 0.3f);
-  EXPECT_EQ(Counting::additions, 3);
-  EXPECT_EQ(Counting::multiplications, 3);  // of vectors; t * t is the fourth
+// Every row's text against its inner loop.
+TEST(evaluators, costs_are_those_of_the_inner_loops) {
+  const Vector a{1}, b{2}, c{3}, d{4};
+  const Scalar t{0.3};
+  const std::string horner = counts_of([&] { (void)detail::horner(a, b, c, d, t); });
+  auto differences = detail::start_differences(a, b, c, d, 0.125f);
+  const std::string step = counts_of([&] { detail::step(differences); });
+  // The shaders' curve.glsl, written out, as shader compilers share p2 - 2 p1 + p0: coefficients from control points.
+  const std::string shader = counts_of([&] {
+    const Vector d0 = b - a, d1 = c - b, d2 = d - c, dd = d1 - d0;
+    (void)detail::horner(a, 3.0f * d0, 3.0f * dd, (d2 - d1) - dd, t);
+  });
+  // The kernels' loops (kernels_body.h) are compiled apart and read here. Horner's is the textbook's on vectors of
+  // eight floats. Differences take three additions a step, and a fourth that adds the run's first point.
+  const std::map<std::string_view, std::string> wanted{
+      {"bernstein", counts_of([&] { (void)detail::bernstein(a, b, c, d, t); })},
+      {"horner", horner},
+      {"forward_differences", step},
+      {"estrin", counts_of([&] { (void)detail::estrin(a, b, c, d, t); })},
+      {"horner8", horner + ", by eights"},
+      {"forward_differences8", "4 vector additions, by eights"},
+      {"gpu_vertex", shader},
+      {"gpu_geometry", shader},
+      {"gpu_tessellation", shader}};
+  for (const Evaluator& e : evaluators()) {
+    if (e.name == "de_casteljau") continue;
+    ASSERT_TRUE(wanted.count(e.name)) << e.name;
+    EXPECT_EQ(e.cost, wanted.at(e.name)) << e.name;
+  }
+  EXPECT_EQ(horner, "3 vector additions, 3 vector multiplications");
+  EXPECT_EQ(step, "3 vector additions");
 }
 
-TEST(evaluators, horner_takes_three_additions_and_three_multiplications_a_point) {
-  Counting::additions = Counting::multiplications = 0;
-  detail::horner<Counting>({1}, {2}, {3}, {4}, 0.3f);
-  EXPECT_EQ(Counting::additions, 3);
-  EXPECT_EQ(Counting::multiplications, 3);
+TEST(evaluators, de_casteljau_takes_six_interpolations_of_an_addition_and_two_multiplications) {
+  EXPECT_EQ(counts_of([] { (void)detail::de_casteljau(Vector{1}, Vector{2}, Vector{3}, Vector{4}, Scalar{0.3}); }),
+            "6 vector additions, 12 vector multiplications");
+  EXPECT_EQ(base::row_of(*base::value_named<EvaluatorId>("de_casteljau")).cost, "6 linear interpolations");
+}
+
+TEST(evaluators, tangents_by_differences_take_two_additions) {
+  auto g = detail::start_tangent_differences<Vector>({2}, {3}, {4}, 0.125f);
+  EXPECT_EQ(counts_of([&] { detail::step(g); }), "2 vector additions");
 }
 
 }  // namespace evaluators_test
