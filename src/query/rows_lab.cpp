@@ -43,21 +43,19 @@ std::vector<std::string> measured_steps() {
 }
 constexpr ArgumentPart kMeasured[]{{.usage = "EVALUATOR", .words = base::names_of<curve::EvaluatorId>},
                                    {.usage = "STEPS", .words = measured_steps, .before = '/'}};
-// Returns the measurement of "horner/64".
-base::Result<sim::MeasuredCell> cell_of(const Context& c, View word) {
-  const std::size_t slash = word.find('/');
-  const auto row = *base::value_named<curve::EvaluatorId>(word.substr(0, slash));
-  const std::vector<std::string> steps = measured_steps();
-  const auto index = std::find(steps.begin(), steps.end(), word.substr(slash + 1)) - steps.begin();
-  const sim::MeasuredRow* const measured = sim::row_of(c.session.measuring.measurement, row);
-  if (measured == nullptr || measured->cells[static_cast<std::size_t>(index)].rounds == 0)
-    return base::Status{base::Code::refused, std::string(word) + " has not been measured"};
-  return measured->cells[static_cast<std::size_t>(index)];
-}
+// Returns a figure of the measurement of "horner/64".
 template <auto member>
 Answer measured(const Context& c, View word) {
-  const auto cell = cell_of(c, word);
-  return cell ? Answer(value_of((*cell).*member)) : cell.status();
+  const std::size_t slash = word.find('/');
+  const auto evaluator = *base::value_named<curve::EvaluatorId>(word.substr(0, slash));
+  const std::vector<std::string> steps = measured_steps();
+  const auto index = std::find(steps.begin(), steps.end(), word.substr(slash + 1)) - steps.begin();
+  const sim::MeasuredRow* const row = sim::row_of(c.session.measuring.measurement, evaluator);
+  if (row == nullptr || row->cells[static_cast<std::size_t>(index)].rounds == 0)
+    return base::Status{base::Code::refused, std::string(word) + " has not been measured"};
+  if (member == &sim::MeasuredCell::ns_per_point && !row->is_timed())
+    return base::Status{base::Code::refused, std::string(word) + " has no time of the processor: it runs on the GPU"};
+  return value_of(row->cells[static_cast<std::size_t>(index)].*member);
 }
 
 constexpr std::array kLabRows{
@@ -73,9 +71,9 @@ constexpr std::array kLabRows{
     Query{"measure.progress", kNoArgument, "", "Progress of the measurement, 0 to 1.", measure_progress},
     Query{"measure.rows", kNoArgument, "", "Number of evaluators measured; 0 before the first measurement.",
           measure_rows},
-    Query{"measure.error", kMeasured, "m", "Measured largest error, for example of horner/64.",
+    Query{"measure.error", kMeasured, "m", "Measured largest error over all segments, for example of horner/64.",
           measured<&sim::MeasuredCell::worst_error>},
-    Query{"measure.time", kMeasured, "ns", "Measured time per point, for example of horner/64.",
+    Query{"measure.time", kMeasured, "ns", "Measured time per point on the processor, for example of horner/64.",
           measured<&sim::MeasuredCell::ns_per_point>},
 };
 

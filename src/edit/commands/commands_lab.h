@@ -18,7 +18,7 @@ struct ShowLayer {
 struct Measure {
   COASTER_COMMAND(
       Measure, "measure",
-      "Measure time and error of every evaluator on this machine, a part in each frame, on curves of this track.",
+      "Measure time and error of every evaluator on this machine, a part in each frame, on the curves of this track.",
       Effect::settings);
   COASTER_FIELDS()
 };

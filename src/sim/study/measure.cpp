@@ -6,17 +6,19 @@
 
 #include <fmt/format.h>
 
+#include "sim/shape/deviation.h"
+
 namespace coaster::sim {
 namespace {
 
-// The round and the number of steps of a part. Rounds are outermost, so that a first table is complete early.
+// The round and the number of steps of a time. Rounds are outermost, so that a first table is complete early.
 struct Share {
   std::size_t column;
   int round;
 };
-Share share_of(int next) {
+Share share_of(int timed) {
   const int columns = static_cast<int>(kMeasuredSteps.size());
-  return {static_cast<std::size_t>(next % columns), next / columns};
+  return {static_cast<std::size_t>(timed % columns), timed / columns};
 }
 
 double checksum_of(std::span<const glm::vec3> points) {
@@ -37,62 +39,66 @@ double median(std::span<const double> values) {
 
 void time_row(Measurement& m, MeasuredRow& row, Share share, std::span<glm::vec3> points, const Clock& clock) {
   const curve::Evaluator& evaluator = base::row_of(row.evaluator);
+  MeasuredCell& cell = row.cells[share.column];
+  cell.rounds = share.round + 1;
+  if (!row.is_timed()) return;
   const int segments = std::max(1, kMeasuredPoints / static_cast<int>(points.size()));
+  const std::size_t curves = std::min(m.curves.size(), kTimedCurves);
   const double began = clock ? clock() : 0;
   for (int i = 0; i < segments; ++i) {
-    evaluator.polyline(m.curves[static_cast<std::size_t>(i) % m.curves.size()], points, {});
+    evaluator.polyline(m.curves[static_cast<std::size_t>(i) % curves * m.curves.size() / curves], points, {});
     // Reads one vertex of each, so that the compiler cannot omit writing the results.
     m.checksum += static_cast<double>(points[points.size() / 2].x);
   }
   const double ended = clock ? clock() : 0;
   m.checksum += checksum_of(points);
-  MeasuredCell& cell = row.cells[share.column];
   std::array<double, kMeasureRounds>& seconds = row.seconds[share.column];
   seconds[static_cast<std::size_t>(share.round)] =
       (ended - began) / (static_cast<double>(segments) * static_cast<double>(points.size()));
-  cell.rounds = share.round + 1;
   cell.ns_per_point = 1e9 * median(std::span(seconds).first(static_cast<std::size_t>(cell.rounds)));
 }
 
-// Compares every vertex of every curve with the exact point at the same t.
-void find_errors(Measurement& m, std::size_t column, std::span<glm::vec3> points) {
-  const int steps = kMeasuredSteps[column];
-  std::vector<glm::dvec3> exact(points.size());
-  for (const curve::PreparedCubic& c : m.curves) {
-    for (int i = 0; i <= steps; ++i)
-      exact[static_cast<std::size_t>(i)] = curve::point_long_double(c.cubic, static_cast<double>(i) / steps);
-    for (MeasuredRow& row : m.rows) {
-      base::row_of(row.evaluator).polyline(c, points, {});
-      double& worst = row.cells[column].worst_error;
-      for (std::size_t i = 0; i < points.size(); ++i)
-        worst = std::max(worst, glm::length(glm::dvec3(points[i]) - exact[i]));
+std::size_t searched_at_once(int steps) { return static_cast<std::size_t>(std::max(1, kErrorPoints / (steps + 1))); }
+
+// Compares every vertex of the next segments with the exact point at the same t. Returns true after the last segment.
+bool find_errors(Measurement& m, std::size_t column, std::span<glm::vec3> points) {
+  const std::size_t end = std::min(m.curves.size(), m.searched + searched_at_once(kMeasuredSteps[column]));
+  for (MeasuredRow& row : m.rows) {
+    const auto polyline = base::row_of(row.evaluator).polyline;
+    double& worst = row.cells[column].worst_error;
+    for (std::size_t i = m.searched; i < end; ++i) {
+      polyline(m.curves[i], points, {});
+      worst = std::max(worst, deviation_of(m.curves[i].cubic, points));
     }
   }
+  m.searched = end;
+  return end == m.curves.size();
 }
 
 }  // namespace
 
 Measurement start_measurement(const Derived& derived) {
   Measurement m;
-  const std::size_t segments = derived.order.size(), curves = std::min(segments, kMeasuredCurves);
-  if (curves == 0) return m;
-  for (std::size_t i = 0; i < curves; ++i) m.curves.push_back(derived.shape_at(i * segments / curves).curve);
-  const std::span<const curve::Evaluator> table = curve::evaluators();
-  for (std::size_t i = 0; i < table.size(); ++i)
-    if (table[i].evaluated_by == curve::EvaluatedBy::processor)
-      m.rows.push_back({static_cast<curve::EvaluatorId>(i), {}, {}});
+  if (derived.order.empty()) return m;
+  for (const world::Entity segment : derived.order) m.curves.push_back(derived.shape(segment).curve);
+  for (std::size_t i = 0; i < curve::evaluators().size(); ++i)
+    m.rows.push_back({static_cast<curve::EvaluatorId>(i), {}, {}});
   m.total = kMeasureRounds * static_cast<int>(kMeasuredSteps.size());
+  for (const int steps : kMeasuredSteps) m.total += static_cast<int>((m.curves.size() - 1) / searched_at_once(steps));
   m.running = true;
   return m;
 }
 
 void measure_next(Measurement& m, const Clock& clock) {
   if (!m.running) return;
-  const Share share = share_of(m.next);
+  const Share share = share_of(m.timed);
   std::vector<glm::vec3> points(static_cast<std::size_t>(kMeasuredSteps[share.column]) + 1);
-  if (share.round == 0) find_errors(m, share.column, points);  // this also warms up every row's code and data
-  for (std::size_t i = 0; i < m.rows.size(); ++i)
-    time_row(m, m.rows[(i + static_cast<std::size_t>(share.round)) % m.rows.size()], share, points, clock);
+  // The search for errors also warms up every row's code and data.
+  if (share.round > 0 || find_errors(m, share.column, points)) {
+    for (std::size_t i = 0; i < m.rows.size(); ++i)
+      time_row(m, m.rows[(i + static_cast<std::size_t>(share.round)) % m.rows.size()], share, points, clock);
+    ++m.timed, m.searched = 0;
+  }
   ++m.next;
   m.running = m.next < m.total;
 }
@@ -111,8 +117,8 @@ std::string to_csv(const Measurement& m, std::string_view machine) {
     for (std::size_t column = 0; column < kMeasuredSteps.size(); ++column) {
       const MeasuredCell& cell = row.cells[column];
       if (cell.rounds == 0) continue;
-      csv += fmt::format("{},{},{:.4g},{:.4g},{}\r\n", base::name_of(row.evaluator), kMeasuredSteps[column],
-                         cell.ns_per_point, cell.worst_error, cell.rounds);
+      csv += fmt::format("{},{},{},{:.4g},{}\r\n", base::name_of(row.evaluator), kMeasuredSteps[column],
+                         row.is_timed() ? fmt::format("{:.4g}", cell.ns_per_point) : "", cell.worst_error, cell.rounds);
     }
   return csv;
 }

@@ -28,11 +28,18 @@ std::uint32_t heat(double value, const Extent& all) {
   return mix(0x1E, 0x52) << 16 | mix(0x45, 0x2C) << 8 | mix(0x38, 0x2E);
 }
 
+std::string tooltip_of(const sim::MeasuredRow& row, bool time) {
+  std::string text(base::row_of(row.evaluator).formula);
+  if (row.is_timed()) return text;
+  return text + (time ? "\nRuns on the GPU while it draws: its time is \"GPU time\" under Evaluation."
+                      : "\nRuns on the GPU: the error here is that of the same arithmetic on the processor.");
+}
+
 void measured_table(Ui& ui, const sim::Measurement& m, bool time, float width, float height) {
   std::vector<TableColumn> columns{
       {time ? "Time (ns per point) at steps" : "Worst error (mm) at steps", "", 150,
-       time ? "Nanoseconds per point: the median of the rounds so far."
-            : "Largest distance of a vertex from the exact point, over all curves of the track."}};
+       time ? "Nanoseconds per point on the processor: the median of the rounds so far."
+            : "Largest distance of a vertex from the exact point, over all segments of the track."}};
   std::vector<std::string> titles;
   for (const int steps : sim::kMeasuredSteps) titles.push_back(std::to_string(steps));
   for (const std::string& title : titles) columns.push_back({title, "", 52, "Steps per segment."});
@@ -57,8 +64,7 @@ void measured_table(Ui& ui, const sim::Measurement& m, bool time, float width, f
         values += (values.empty() ? "" : " ") + words;
       }
       (void)table_row(ui, (time ? "Time of " : "Error of ") + name, cells,
-                      ui.session().settings.evaluation->evaluator == row.evaluator, values,
-                      base::row_of(row.evaluator).formula);
+                      ui.session().settings.evaluation->evaluator == row.evaluator, values, tooltip_of(row, time));
     }
     end_table();
   }
@@ -80,10 +86,10 @@ void side(Ui& ui) {
   const edit::Session& session = ui.session();
   const sim::Measurement& m = session.measuring.measurement;
   const float width = std::floor((ImGui::GetContentRegionAvail().x - ImGui::GetStyle().ItemSpacing.x) / 2);
-  if (button(
-          ui, "Measure",
-          "Measure time and error of every evaluator on this machine, on the curves of this track. Takes some seconds.",
-          !m.running && !session.derived.order.empty(), width))
+  if (button(ui, "Measure",
+             "Measure time and error of every evaluator on this machine, on the curves of this track. Takes some "
+             "seconds, on a very long track minutes.",
+             !m.running && !session.derived.order.empty(), width))
     ui.emit(edit::Measure{});
   ImGui::SameLine();
   if (button(ui, "Stop", "Stop measuring. Results so far are kept.", m.running, width)) ui.emit(edit::StopMeasuring{});
@@ -108,7 +114,7 @@ void measurements_page(Ui& ui) {
   if (m.rows.empty())
     return small_note(
         "No measurements yet. Press Measure: every evaluator computes the curves of this track at 16 to 4096 steps per "
-        "segment. The table shows nanoseconds per point and the largest error of each, on this machine.");
+        "segment. The table shows nanoseconds per point and the largest error over all segments, on this machine.");
   if (beside) {
     measured_table(ui, m, true, std::floor((room - gap) / 2), height);
     ImGui::SameLine(0, gap);
