@@ -77,8 +77,7 @@ struct NearestPoint {
   double distance;  // m
 };
 
-// Returns the point of the curve nearest to `target`: the least of all minima of the distance (roots of a quintic) and
-// of the ends. t within 1e-9, except where the distance hardly depends on it, as at a cusp.
+// Returns the point of the curve nearest to `target`, of all minima of the distance and both ends; t within 1e-9.
 NearestPoint nearest_point(const Cubic& cubic, glm::dvec3 target);
 
 }  // namespace coaster::curve

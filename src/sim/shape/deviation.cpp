@@ -70,7 +70,7 @@ double largest_off(const Piece& p) {
 
 // What bounds the error of the pieces about m = a + h/2 of an interval of m: quartics in m, in Bernstein form. The
 // chord is h V, V = B' + h^2 c3 / 4. By Cauchy and Schwarz u^2 (1-u)^2 |e + u f|^2 <= (|e|^2 + |e + f|^2) / 32.
-struct Bounds {
+struct ChordBounds {
   std::array<double, 5> speed;   // |V|^2
   std::array<double, 5> across;  // error^2 = h^4 across / (16 speed) at most, from the chord's line
   std::array<double, 5> second;  // |B''|^2 + h^2 |c3|^2: error^2 = h^4 second / 64 at most, also from the segment
@@ -88,12 +88,12 @@ struct Bounds {
   }
 };
 
-Bounds bounds_of(const curve::CoefficientsD& c, double h) {
+ChordBounds bounds_of(const curve::CoefficientsD& c, double h) {
   const dvec3 x12 = glm::cross(c.c1, c.c2), x13 = glm::cross(c.c1, c.c3), x23 = glm::cross(c.c2, c.c3);
   const auto square = [](const std::array<dvec3, 3>& v) { return curve::product(v, v); };
-  Bounds b{square(quadratic(c.c1 + 0.25 * h * h * c.c3, 2.0 * c.c2, 3.0 * c.c3)),
-           square(quadratic(x12 - 0.25 * h * h * x23, 3.0 * x13, 3.0 * x23)),
-           square(quadratic(2.0 * c.c2, 6.0 * c.c3, dvec3(0)))};
+  ChordBounds b{square(quadratic(c.c1 + 0.25 * h * h * c.c3, 2.0 * c.c2, 3.0 * c.c3)),
+                square(quadratic(x12 - 0.25 * h * h * x23, 3.0 * x13, 3.0 * x23)),
+                square(quadratic(2.0 * c.c2, 6.0 * c.c3, dvec3(0)))};
   const auto turn = square(quadratic(0.5 * h * x13, h * x23, dvec3(0)));
   for (std::size_t k = 0; k < 5; ++k) b.across[k] += turn[k], b.second[k] += h * h * glm::dot(c.c3, c.c3);
   return b;
@@ -106,7 +106,7 @@ struct ChordSearch {
   double enough;  // m^2: pieces that cannot exceed it need no look
   double h = 1.0 / steps, worst = 0;
 
-  void run(double low, double high, const Bounds& bounds) {
+  void run(double low, double high, const ChordBounds& bounds) {
     const double first = std::ceil(low * steps - 0.5), last = std::ceil(high * steps - 0.5);
     if (first >= last || !bounds.may_exceed(enough, h * h)) return;
     if (last - first == 1) {
@@ -115,7 +115,7 @@ struct ChordSearch {
       enough = std::max(enough, worst * (1 + 2e-9));
       return;
     }
-    Bounds left, right;
+    ChordBounds left, right;
     curve::halve(bounds.speed, left.speed, right.speed);
     curve::halve(bounds.across, left.across, right.across);
     curve::halve(bounds.second, left.second, right.second);

@@ -28,7 +28,7 @@ std::uint32_t heat(double value, const Extent& all) {
   return mix(0x1E, 0x52) << 16 | mix(0x45, 0x2C) << 8 | mix(0x38, 0x2E);
 }
 
-std::string tooltip_of(const sim::MeasuredRow& row, bool time) {
+std::string row_tooltip(const sim::MeasuredRow& row, bool time) {
   std::string text(base::row_of(row.evaluator).formula);
   if (row.is_timed()) return text;
   return text + (time ? "\nRuns on the GPU while it draws: its time is \"GPU time\" under Evaluation."
@@ -64,7 +64,7 @@ void measured_table(Ui& ui, const sim::Measurement& m, bool time, float width, f
         values += (values.empty() ? "" : " ") + words;
       }
       (void)table_row(ui, (time ? "Time of " : "Error of ") + name, cells,
-                      ui.session().settings.evaluation->evaluator == row.evaluator, values, tooltip_of(row, time));
+                      ui.session().settings.evaluation->evaluator == row.evaluator, values, row_tooltip(row, time));
     }
     end_table();
   }
