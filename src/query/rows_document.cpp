@@ -93,8 +93,10 @@ Answer segment_length(const Context& c, View argument) {
                    [&](world::Entity e) { return c.session.derived.shape(e).measured_length; });
 }
 Answer twist(const Context& c, View argument) {
-  return of_entity(c, argument, world::Kind::segment,
-                   [&](world::Entity e) { return base::degrees(c.session.derived.shape(e).roll.twist); });
+  return of_entity(c, argument, world::Kind::segment, [&](world::Entity e) {
+    const sim::SegmentShape& shape = c.session.derived.shape(e);
+    return sim::has_cusp(shape) ? text("none") : number(base::degrees(shape.roll.twist));
+  });
 }
 
 // --- evaluation
@@ -156,7 +158,8 @@ constexpr std::array kDocumentRows{
           of_joint<&curve::Joint::curvature_jump>},
     Query{"turns", kSegment, "", "Whole turns of roll within a segment.", turns},
     Query{"segment_length", kSegment, "m", "A segment's length by the chosen arc-length method.", segment_length},
-    Query{"twist", kSegment, "deg", "Roll over a segment, relative to its rotation-minimising frame.", twist},
+    Query{"twist", kSegment, "deg", "Roll over a segment, relative to its rotation-minimising frame; none over a cusp.",
+          twist},
     Query{"import.max_error", kNoArgument, "m",
           "Largest distance of an imported file's rows from the fitted track; 0 without an import.",
           of_import<&exchange::ImportReport::max_error>},

@@ -6,48 +6,17 @@
 #include <utility>
 
 #include "base/bits.h"
-#include "base/portable_math.h"
 #include "sim/shape/deviation.h"
 #include "world/evaluation.h"
 
 namespace coaster::sim {
 namespace {
 
-using glm::dvec3;
-
-// Builds frames at uniform t: rotation-minimising from `up_from`, turned so that they meet `up_to`, by the knots'
-// spins.
-void build_frames(const ShapeKey& key, SegmentShape& shape) {
-  const curve::Cubic& c = key.cubic;
-  std::array<curve::Frame, kFrameIntervals + 1> frames;
-  dvec3 last = curve::point(c, 0.0);
-  const dvec3 start = curve::unit_tangent(c, 0.0);
-  frames[0] = {start, curve::perpendicular(start, dvec3(key.up_from))};
-  for (int i = 1; i <= kFrameIntervals; ++i) {
-    const double t = static_cast<double>(i) / kFrameIntervals;
-    const dvec3 here = curve::point(c, t);
-    frames[i] = curve::transport(frames[i - 1], last, here, curve::unit_tangent(c, t));
-    last = here;
-  }
-  const curve::Frame& end = frames.back();
-  const dvec3 wanted = curve::perpendicular(end.forward, dvec3(key.up_to));
-  const double twist = curve::signed_angle(end.up, wanted, end.forward) + key.turns * 2.0 * base::kPi;
-  shape.roll = {shape.arc.length(), twist, key.spin_from, key.spin_to};
-  for (int i = 0; i <= kFrameIntervals; ++i) {
-    dvec3& up = shape.ups[i];
-    up = frames[i].up;
-    if (i == 0 || !(shape.roll.length > 0)) continue;
-    const double angle =
-        i == kFrameIntervals ? twist : shape.roll.angle(shape.arc.distance(static_cast<double>(i) / kFrameIntervals));
-    up = curve::rotate(up, frames[i].forward, angle);
-  }
-}
-
 void build_shape(const ShapeKey& key, SegmentShape& shape) {
   shape.key = key;
   shape.curve = curve::prepare(key.cubic);
   shape.arc = curve::ArcLengthMap(key.cubic);
-  build_frames(key, shape);
+  build_frames(shape);
 }
 
 ShapeKey key_of(const world::Document& document, const world::Segment& segment) {

@@ -53,6 +53,7 @@ struct SegmentShape {
   int measured_steps = 0;
   Roll roll;
   std::array<glm::dvec3, kFrameIntervals + 1> ups{};  // up vectors of the frames at uniform t
+  std::uint32_t tight = 0;  // bit i: within interval i frames are carried in several steps, or there is a cusp
   std::uint64_t shape_build = 0;
   std::optional<world::EquipmentKind> fitted;  // the segment's equipment; not part of its shape
 
@@ -60,11 +61,16 @@ struct SegmentShape {
   double deviation = 0;      // m, largest |vertex - exact point at the same t|, long double oracle
   std::uint64_t polyline_build = 0;
 
-  // Returns frame `i` of kFrameIntervals + 1 at uniform t: rotation-minimising, turned by `roll`.
+  // Returns frame `i` of kFrameIntervals + 1 at uniform t: rotation-minimising (to curve::kFrameBound), turned by
+  // `roll`.
   curve::Frame frame(int i) const {
     return {curve::unit_tangent(key.cubic, static_cast<double>(i) / kFrameIntervals), ups[static_cast<std::size_t>(i)]};
   }
 };
+
+// Builds frames and roll from key and arc: rotation-minimising from `up_from`, turned to meet `up_to` by the knots'
+// spins.
+void build_frames(SegmentShape& shape);
 
 // A segment's polyline: steps+1 vertices; tangents are B'(t), not normalised.
 struct Polyline {
@@ -153,8 +159,13 @@ struct RailPoint {
   double slope;   // dy/ds, the tangent's y
 };
 
-// Returns the frame at arc length s of a segment (rotation-minimising from the first knot's up, turned by the roll);
-// forward is exactly the unit tangent.
+// True if a segment has a cusp or turns back on itself inside. There the frame makes a half turn about `up`, so that no
+// rotation-minimising frame leads from knot to knot, and roll.twist is no twist.
+bool has_cusp(const SegmentShape& shape);
+bool has_cusp(const Derived& derived);  // in any segment
+
+// Returns the frame at arc length s of a segment (rotation-minimising from the first knot's up to curve::kFrameBound,
+// turned by the roll); forward is exactly the unit tangent.
 curve::Frame frame_at(const SegmentShape& shape, double s);
 // The same, if the parameter t at s is known.
 curve::Frame frame_at(const SegmentShape& shape, double s, double t);

@@ -4,6 +4,9 @@
 
 #include <gtest/gtest.h>
 
+#include "base/portable_math.h"
+#include "curve/carried_frame.h"
+#include "curve/frame_oracle.h"
 #include "sim/tracks.h"
 #include "world/evaluation.h"
 
@@ -130,6 +133,84 @@ TEST(derived, on_a_straight_with_the_mean_spin_at_both_ends_roll_is_linear_in_le
 TEST(derived, a_planar_circle_keeps_its_frame_without_twist) {
   const Derived derived = test::derived_of(test::circle_document(7.5, {3.3, 1.1, -2.7}, {0.6, 0, 0.8}));
   for (const world::Entity e : derived.order) EXPECT_NEAR(derived.shape(e).roll.twist, 0, 1e-5);
+}
+
+// The shape of one cubic, whose knots' up is `up`.
+SegmentShape shape_of(const curve::Cubic& cubic, glm::dvec3 up) {
+  SegmentShape shape;
+  shape.key.cubic = cubic;
+  shape.key.up_from = shape.key.up_to = glm::vec3(up);
+  shape.arc = curve::ArcLengthMap(cubic);
+  build_frames(shape);
+  return shape;
+}
+
+TEST(derived, frames_and_twist_of_tight_spatial_curves_are_exact_to_1e_5_degrees) {
+  int tight = 0;
+  for (const curve::Cubic& c : curve::near_cusps(60, 81)) {
+    const curve::FrameOracle oracle(c);
+    const glm::dvec3 start = curve::perpendicular(curve::unit_tangent(c, 0), {0.2, 1, 0.3});
+    const SegmentShape shape = shape_of(c, start);
+    glm::dvec3 up = curve::perpendicular(curve::unit_tangent(c, 0), glm::dvec3(shape.key.up_from));
+    double last = 0;
+    for (const double part : {0.21, 0.37, 0.5, 0.613, 0.77, 1.0}) {
+      const double s = part * shape.arc.length(), t = part == 1 ? 1 : shape.arc.parameter(s);
+      up = oracle.carried(up, last, t), last = t;
+      const curve::Frame frame = frame_at(shape, s);
+      ASSERT_LT(glm::length(curve::rotate(frame.up, frame.forward, -shape.roll.angle(s)) - up), curve::kFrameBound);
+    }
+    const curve::Frame end = shape.frame(kFrameIntervals);
+    const double twist = curve::signed_angle(up, curve::perpendicular(end.forward, start), end.forward);
+    ASSERT_NEAR(std::remainder(shape.roll.twist - twist, 2 * M_PI), 0, curve::kFrameBound + 1e-7);  // up is in float
+    tight += shape.tight != 0;
+  }
+  EXPECT_GT(tight, 50);
+}
+
+TEST(derived, the_twist_of_a_known_near_cusp) {
+  // -178.4745 degrees by DOP853, an explicit Runge-Kutta method of order 8, at a tolerance of 1e-12.
+  const SegmentShape shape = shape_of(
+      {{0, 30, 0}, {20.0000010f, 30.1000004f, 20.0000010f}, {0, 29.8999996f, 20.0000010f}, {20, 30, 0}}, {0, 1, 0});
+  EXPECT_NEAR(base::degrees(shape.roll.twist), -178.4745, 0.01);
+}
+
+TEST(derived, gentle_track_has_the_bits_of_single_steps) {
+  for (std::uint32_t seed = 0; seed < 12; ++seed) {
+    const Derived derived = test::derived_of(seed == 0 ? test::sample_document() : test::ring_document(20, 60 + seed));
+    for (const world::Entity e : derived.order) {
+      const SegmentShape& shape = derived.shape(e);
+      const curve::Cubic& c = shape.key.cubic;
+      curve::Frame frame{curve::unit_tangent(c, 0),
+                         curve::perpendicular(curve::unit_tangent(c, 0), glm::dvec3(shape.key.up_from))};
+      if (seed == 0 && shape.tight != 0) continue;  // short handles
+      ASSERT_EQ(shape.tight, 0u);
+      for (int i = 1; i <= kFrameIntervals; ++i) {
+        const double t = i / 32.0;
+        frame = curve::transport(frame, curve::point(c, t - 1 / 32.0), curve::point(c, t), curve::unit_tangent(c, t));
+        const double angle = i == kFrameIntervals ? shape.roll.twist : shape.roll.angle(shape.arc.distance(t));
+        EXPECT_EQ(shape.frame(i).up, curve::rotate(frame.up, frame.forward, angle));
+      }
+    }
+  }
+}
+
+TEST(derived, over_a_cusp_up_goes_on_and_there_is_no_twist) {
+  const SegmentShape shape = shape_of({{0, 10, 0}, {20, 30, 0}, {0, 30, 0}, {20, 10, 0}}, {0.6, 0, 0.8});
+  EXPECT_TRUE(has_cusp(shape));
+  const double middle = shape.arc.distance(0.5);
+  const curve::Frame before = frame_at(shape, middle - 1e-5), after = frame_at(shape, middle + 1e-5);
+  EXPECT_LT(glm::length(before.forward + after.forward), 1e-2);
+  const auto carried = [&](const curve::Frame& frame, double s) {
+    return curve::rotate(frame.up, frame.forward, -shape.roll.angle(s));
+  };
+  EXPECT_LT(glm::length(carried(before, middle - 1e-5) - carried(after, middle + 1e-5)), 1e-2);
+  for (int i = 1; i < kFrameIntervals; ++i) {
+    const double s = shape.arc.distance(i / 32.0);
+    EXPECT_LT(glm::length(frame_at(shape, s - 1e-9).up - shape.frame(i).up), i == 16 ? 2.1 : 1e-3) << i;
+    EXPECT_LT(glm::length(frame_at(shape, s + 1e-9).up - shape.frame(i).up), 1e-3) << i;
+  }
+  EXPECT_FALSE(has_cusp(shape_of({{0, 10, 0}, {20, 30, 0.01f}, {0, 30, 0}, {20, 10, 0}}, {0, 0, 1})));
+  EXPECT_FALSE(has_cusp(test::derived_of(test::sample_document())));
 }
 
 TEST(derived, places_wrap_on_closed_tracks_and_clamp_on_open_ones) {
