@@ -1,8 +1,11 @@
 #include "curve/frames.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "base/portable_math.h"
+#include "curve/polynomial_roots.h"
 
 namespace coaster::curve {
 namespace {
@@ -45,27 +48,43 @@ BinormalCurve binormal_curve(const Cubic& cubic) {
 }
 
 BinormalMinima binormal_minima(const BinormalCurve& curve) {
-  // The derivative of |b(t)|^2, halved: a cubic polynomial.
-  const double d0 = glm::dot(curve.b0, curve.b1),
-               d1 = glm::dot(curve.b1, curve.b1) + 2.0 * glm::dot(curve.b0, curve.b2),
-               d2 = 3.0 * glm::dot(curve.b1, curve.b2), d3 = 2.0 * glm::dot(curve.b2, curve.b2);
-  const auto slope = [&](double t) { return d0 + t * (d1 + t * (d2 + t * d3)); };
-  constexpr int kIntervals = 32;
+  // The curve's normal if it is plane: then b(t) is the normal times a quadratic, which changes its sign at the
+  // inflections.
+  dvec3 normal = curve.b0;
+  for (const dvec3 b : {curve.b1, curve.b2})
+    if (glm::length(b) > glm::length(normal)) normal = b;
+  const double size = glm::length(normal);
+  if (size > 0) normal /= size;
+  const auto aside = [&](dvec3 b) { return glm::length(glm::cross(b, normal)); };
+  const dvec3 h1 = curve.b0 + 0.5 * curve.b1, h2 = curve.at(1.0);
   BinormalMinima found;
-  double last = slope(0.0);
-  for (int i = 1; i <= kIntervals && found.count < 2; ++i) {
-    const double next = slope(static_cast<double>(i) / kIntervals);
-    if (last < 0.0 && next >= 0.0) {
-      double low = (i - 1.0) / kIntervals, high = static_cast<double>(i) / kIntervals;
-      while (high - low > 1e-10) {
-        const double middle = 0.5 * (low + high);
-        (slope(middle) < 0.0 ? low : high) = middle;
-      }
-      if (high < 1.0) found.t[found.count++] = high;
-    }
-    last = next;
+  const auto add = [&](double t) {
+    if (t > 0.0 && t < 1.0 && found.count < 2) found.t[found.count++] = t;
+  };
+  if (aside(curve.b0) + aside(curve.b1) + aside(curve.b2) <= 1e-12 * size) {
+    each_root(std::array{glm::dot(curve.b0, normal), glm::dot(h1, normal), glm::dot(h2, normal)},
+              [&](double t, bool) { add(t); });
+    if (found.count == 2 && found.t[1] - found.t[0] < 1e-7) found.count = 0;  // a cusp's double root
+  } else {
+    each_root(slope_of_square(curve.b0, h1, h2), [&](double t, bool rising) {
+      if (rising) add(t);
+    });
   }
   return found;
+}
+
+BinormalTurns binormal_turns(const BinormalCurve& curve) {
+  constexpr double kHalfSpan = 1.0 / 64;
+  const BinormalMinima minima = binormal_minima(curve);
+  BinormalTurns turns{minima.count, {}};
+  const double halfway = 0.5 * (minima.t[0] + minima.t[1]);
+  for (int i = 0; i < minima.count; ++i) {
+    BinormalTurn& turn = turns.at[i];
+    turn = {minima.t[i], std::max(0.0, minima.t[i] - kHalfSpan), std::min(1.0, minima.t[i] + kHalfSpan), 0};
+    if (minima.count == 2) (i == 0 ? turn.to = std::min(turn.to, halfway) : turn.from = std::max(turn.from, halfway));
+    turn.angle = binormal_turn(curve, turn.from, turn.to);
+  }
+  return turns;
 }
 
 double angle_between(dvec3 a, dvec3 b) { return std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b)); }

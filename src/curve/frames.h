@@ -31,14 +31,26 @@ struct BinormalCurve {
 };
 BinormalCurve binormal_curve(const Cubic& cubic);
 
-// Local minima of |B' x B''| in (0,1), ascending, within 1e-9: inflections of a plane cubic, or the places where the
-// normal of another cubic turns fastest. At most 2. Two that are closer than 1/32 may be found as one. Bounded work,
-// about 0.3 us.
+// Where the binormal may reverse in (0,1), ascending, within 1e-9: the inflections of a plane cubic, which are the
+// roots of a quadratic, or the local minima of |B' x B''| of another one, where its normal turns fastest. At most 2;
+// two that are closer than 1e-7 may count as none. About 0.4 us.
 struct BinormalMinima {
   int count = 0;
   double t[2] = {0, 0};
 };
 BinormalMinima binormal_minima(const BinormalCurve& curve);
+
+// How far the binormal, and with it the Frenet-Serret normal, turns at each of these places: the angle in [0, pi]
+// between its directions at `from` and `to`, 1/64 before and after t, but not beyond the ends or halfway to the other
+// place. So 180 degrees at each inflection of a plane cubic, however near they are to each other.
+struct BinormalTurn {
+  double t = 0, from = 0, to = 0, angle = 0;
+};
+struct BinormalTurns {
+  int count = 0;
+  BinormalTurn at[2];
+};
+BinormalTurns binormal_turns(const BinormalCurve& curve);
 
 // Returns the angle between two vectors of any length, radians in [0, pi]; 0 if one of them is zero.
 double angle_between(glm::dvec3 a, glm::dvec3 b);

@@ -123,5 +123,95 @@ TEST(binormal, minima_are_those_of_a_fine_search) {
   EXPECT_GT(found_some, 40);
 }
 
+// A cubic in the plane y = 0 with its inflections near r and s (control points are in float): with
+// B' = (t - c, (t - c)^2 - e), B' x B'' is (t - c)^2 + e.
+Cubic with_inflections(double r, double s) {
+  const double c = 0.5 * (r + s), e = -0.25 * (s - r) * (s - r);
+  const auto slope = [&](double t) { return glm::dvec2(60 * (t - c), 60 * ((t - c) * (t - c) - e)); };
+  const glm::dvec2 h0 = slope(0), h1 = h0 + glm::dvec2(30, -60 * c), h2 = slope(1);
+  const auto at = [](glm::dvec2 p) { return glm::vec3(p.x, 0, p.y); };
+  return {at({0, 0}), at(h0 / 3.0), at((h0 + h1) / 3.0), at((h0 + h1 + h2) / 3.0)};
+}
+
+// The roots in (0,1) of the quadratic B' x B'' of a cubic in the plane y = 0, in closed form from its control points.
+std::vector<double> inflections(const Cubic& c) {
+  using Real = long double;
+  const auto cross = [](const glm::vec3& a, const glm::vec3& b, const glm::vec3& o, const glm::vec3& p) {
+    return (Real(a.x) - Real(o.x)) * (Real(b.z) - Real(p.z)) - (Real(a.z) - Real(o.z)) * (Real(b.x) - Real(p.x));
+  };
+  // With the legs d0, d1, d2: (1-t)^2 d0 x d1 + t (1-t) d0 x d2 + t^2 d1 x d2.
+  const Real a = cross(c.p1, c.p2, c.p0, c.p1), b = cross(c.p1, c.p3, c.p0, c.p2), d = cross(c.p2, c.p3, c.p1, c.p2);
+  const Real q2 = a - b + d, q1 = b - 2 * a, root = q1 * q1 - 4 * q2 * a;
+  std::vector<double> found;
+  if (root <= 0) return found;
+  const Real q = -0.5L * (q1 + std::copysign(std::sqrt(root), q1));
+  for (const Real t : {q / q2, a / q})
+    if (t > 0 && t < 1) found.push_back(static_cast<double>(t));
+  std::sort(found.begin(), found.end());
+  return found;
+}
+
+TEST(binormal, inflections_of_plane_cubics_are_the_roots_of_a_quadratic_however_near) {
+  std::mt19937 random(31);
+  const auto uniform = [&](double low, double high) { return low + (high - low) * (random() / 4294967296.0); };
+  int counts[3] = {0, 0, 0};
+  double nearest = 1;
+  for (int i = 0; i < 3000; ++i) {
+    Cubic c;
+    if (i % 2 == 0) {
+      for (glm::vec3* p : {&c.p0, &c.p1, &c.p2, &c.p3})
+        *p = {static_cast<float>(uniform(-20, 20)), 0, static_cast<float>(uniform(-20, 20))};
+    } else {
+      const double at = uniform(0.1, 0.9), apart = std::pow(10.0, uniform(-4, -1));
+      c = with_inflections(at - apart / 2, at + apart / 2);
+    }
+    const std::vector<double> wanted = inflections(c);
+    const BinormalMinima minima = binormal_minima(binormal_curve(c));
+    const BinormalTurns turns = binormal_turns(binormal_curve(c));
+    ASSERT_EQ(static_cast<std::size_t>(minima.count), wanted.size()) << i;
+    ++counts[minima.count];
+    for (int k = 0; k < minima.count; ++k) {
+      ASSERT_NEAR(minima.t[k], wanted[static_cast<std::size_t>(k)], 1e-9);
+      ASSERT_NEAR(turns.at[k].angle, M_PI, 1e-9);
+    }
+    if (minima.count == 2) nearest = std::min(nearest, wanted[1] - wanted[0]);
+  }
+  for (const int count : counts) EXPECT_GT(count, 300);
+  EXPECT_LT(nearest, 2e-4);
+}
+
+// Spatial: the minima of |B' x B''| and the turns there, by dense sampling of B' x B'' itself.
+TEST(binormal, turns_of_nearly_plane_cubics_are_those_of_dense_sampling) {
+  std::mt19937 random(32);
+  const auto uniform = [&](double low, double high) { return low + (high - low) * (random() / 4294967296.0); };
+  int both = 0;
+  for (int i = 0; i < 300; ++i) {
+    const double at = uniform(0.2, 0.8), apart = std::pow(10.0, uniform(-2.4, -1));
+    Cubic c = with_inflections(at - apart / 2, at + apart / 2);
+    for (glm::vec3* p : {&c.p1, &c.p2, &c.p3}) p->y = static_cast<float>(uniform(-1, 1) * apart * apart * apart);
+    const auto b = [&](double t) { return glm::cross(derivative(c, t), second_derivative(c, t)); };
+    constexpr int kSteps = 100'000;
+    std::vector<double> wanted;
+    double before = glm::length(b(0)), here = glm::length(b(1.0 / kSteps));
+    for (int k = 1; k < kSteps; ++k) {
+      const double next = glm::length(b((k + 1.0) / kSteps));
+      if (here < before && here <= next) wanted.push_back(static_cast<double>(k) / kSteps);
+      before = here, here = next;
+    }
+    const BinormalTurns turns = binormal_turns(binormal_curve(c));
+    ASSERT_EQ(static_cast<std::size_t>(turns.count), wanted.size());
+    for (int k = 0; k < turns.count; ++k) {
+      const double t = wanted[static_cast<std::size_t>(k)];
+      double from = std::max(0.0, t - 1.0 / 64), to = std::min(1.0, t + 1.0 / 64);
+      if (turns.count == 2)
+        (k == 0 ? to = std::min(to, (t + wanted[1]) / 2) : from = std::max(from, (t + wanted[0]) / 2));
+      ASSERT_NEAR(turns.at[k].t, t, 2.0 / kSteps);
+      ASSERT_NEAR(turns.at[k].angle, angle_between(b(from), b(to)), 0.02);
+    }
+    both += turns.count == 2 && turns.at[0].angle > 2 && turns.at[1].angle > 2;
+  }
+  EXPECT_GT(both, 100);
+}
+
 }  // namespace frames_test
 }  // namespace coaster::curve

@@ -50,8 +50,9 @@ double loop_twist(const Derived& derived);
 
 // A place where the Frenet-Serret normal fails.
 struct FrenetBreak {
-  // undefined: no curvature from t to t_end; flip: the normal turns by more than 90 degrees within 1/32 of the segment
-  // (an inflection or close to one) or, at t = 0, over the joint before the segment.
+  // undefined: no curvature, or none that is bounded, from t to t_end; flip: the normal turns by more than 90 degrees
+  // within 1/32 of the segment around an inflection or a place close to one (curve::binormal_turns), each of two near
+  // ones by itself, or, at t = 0, over the joint before the segment.
   enum class Kind : std::uint8_t { undefined, flip } kind = Kind::flip;
   world::Entity segment;
   double t = 0, t_end = 0;  // equal for a flip

@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "base/portable_math.h"
+#include "curve/carried_frame.h"
 #include "sim/shape/frame_methods.h"
 
 namespace coaster::sim {
@@ -32,6 +33,16 @@ void add_undefined(const curve::Cubic& cubic, world::Entity segment, std::vector
     found.push_back({Kind::undefined, segment, at(first), at(i), 0});
   }
   std::sort(found.begin(), found.end(), [](const FrenetBreak& a, const FrenetBreak& b) { return a.t < b.t; });
+}
+
+// Adds the cusps that no sample found: there the curvature is unbounded and the normal undefined.
+void add_cusps(const curve::Cubic& cubic, world::Entity segment, std::vector<FrenetBreak>& found) {
+  const curve::Cusps cusps = curve::cusps(cubic);
+  for (int k = 0; k < cusps.count; ++k) {
+    const double t = cusps.t[k];
+    const auto after = std::ranges::find_if(found, [t](const FrenetBreak& at) { return at.t_end >= t - kHalfSpan; });
+    if (after == found.end() || after->t > t + kHalfSpan) found.insert(after, {Kind::undefined, segment, t, t, 0});
+  }
 }
 
 // The normal at an end of a segment, taken slightly inside if the end itself has none; nothing if that has none either.
@@ -64,17 +75,18 @@ void add_joint(const Derived& derived, std::size_t index, std::vector<FrenetBrea
 std::vector<FrenetBreak> frenet_breaks(const SegmentShape& shape, world::Entity segment) {
   std::vector<FrenetBreak> found;
   const curve::Cubic& cubic = shape.key.cubic;
-  const curve::BinormalCurve binormal = curve::binormal_curve(cubic);
-  const curve::BinormalMinima minima = curve::binormal_minima(binormal);
+  const curve::BinormalTurns turns = curve::binormal_turns(curve::binormal_curve(cubic));
   bool all_defined = defined(cubic, 0.0) && defined(cubic, 1.0) && defined(cubic, 0.5);
-  for (int i = 0; i < minima.count; ++i) {
-    const double t = minima.t[i], from = std::max(0.0, t - kHalfSpan), to = std::min(1.0, t + kHalfSpan);
-    all_defined = all_defined && defined(cubic, t);
-    if (!defined(cubic, from) || !defined(cubic, to)) continue;
-    const double angle = curve::binormal_turn(binormal, from, to);
-    if (angle > 0.5 * base::kPi) found.push_back({Kind::flip, segment, t, t, angle});
+  for (int i = 0; i < turns.count; ++i) {
+    const curve::BinormalTurn& turn = turns.at[i];
+    all_defined = all_defined && defined(cubic, turn.t);
+    // Between two near inflections there is hardly any curvature, but beside them there is, unless all is straight.
+    const double before = std::max(0.0, turn.t - kHalfSpan), after = std::min(1.0, turn.t + kHalfSpan);
+    if (turn.angle > 0.5 * base::kPi && defined(cubic, before) && defined(cubic, after))
+      found.push_back({Kind::flip, segment, turn.t, turn.t, turn.angle});
   }
   if (!all_defined) add_undefined(cubic, segment, found);
+  if (shape.tight != 0) add_cusps(cubic, segment, found);
   return found;
 }
 

@@ -29,6 +29,38 @@ TEST(frenet_breaks, an_inflection_is_one_flip_by_180_degrees_at_its_place) {
   EXPECT_EQ(found[0].segment, derived.order[0]);
 }
 
+TEST(frenet_breaks, two_near_inflections_are_two_flips) {
+  // B' = 60 (t - 1/2, (t - 1/2)^2 + d^2) inflects at 1/2 - d and 1/2 + d.
+  for (const float d : {0.1f, 0.025f, 0.0125f, 0.00175f, 0.0005f}) {
+    SegmentShape shape;
+    const float e = 20 * d * d;
+    shape.key.cubic = {{0, 0, 0}, {-10, 5 + e, 0}, {-10, 2 * e, 0}, {0, 5 + 3 * e, 0}};
+    const auto found = frenet_breaks(shape, world::Entity{0, 0});
+    ASSERT_EQ(std::ranges::count(found, Kind::flip, &FrenetBreak::kind), 2) << d;
+    EXPECT_NEAR(found.back().t - found.front().t, 2 * d, 0.1 * d);
+  }
+}
+
+TEST(frenet_breaks, a_cusp_between_samples_is_undefined_once) {
+  const glm::vec3 a(48, 96, 0), b(-96, 48, 0);
+  for (const float u : {0.3f, 0.5f, 0.61f}) {
+    SegmentShape shape;
+    // B' = (t - u) (a + (t - u) b), rounded: only the one at 1/2 is surely a cusp.
+    const glm::vec3 h0 = -u * a + u * u * b, h1 = h0 + 0.5f * (a - 2 * u * b), h2 = (1 - u) * (a + (1 - u) * b);
+    shape.key.cubic = {{0, 0, 0}, h0 / 3.0f, (h0 + h1) / 3.0f, (h0 + h1 + h2) / 3.0f};
+    shape.arc = curve::ArcLengthMap(shape.key.cubic);
+    build_frames(shape);
+    if (!has_cusp(shape)) continue;
+    const auto found = frenet_breaks(shape, world::Entity{0, 0});
+    ASSERT_EQ(found.size(), 1u) << u;
+    EXPECT_EQ(found[0].kind, Kind::undefined);
+    EXPECT_NEAR(found[0].t, u, 1e-6);
+  }
+  SegmentShape back;  // out and back on a line, turning at 1/2 -+ sqrt(1/20): without curvature from end to end
+  back.key.cubic = {{0, 0, 0}, {8, 0, 0}, {-4, 0, 0}, {4, 0, 0}};
+  EXPECT_EQ(frenet_breaks(back, world::Entity{0, 0}).size(), 1u);
+}
+
 TEST(frenet_breaks, agree_with_a_walk_along_random_segments) {
   // The oracle walks in 4096 steps and looks whether the normal has turned by more than 90 degrees within 1/32
   // anywhere.
