@@ -12,6 +12,8 @@ namespace {
 using glm::dvec2;
 using glm::dvec3;
 
+constexpr double kHalfSpan = 1.0 / 64;  // of t: the normal's turn is that within twice this
+
 // The control points projected along the mean normal of the closed polygon p0 p1 p2 p3 (Newell's); empty if they are
 // collinear.
 struct View {
@@ -58,24 +60,6 @@ double outside(dvec2 p, const std::array<dvec2, 4>& polygon) {
   return inside ? 0.0 : nearest;
 }
 
-// Returns the angle between a rotation-minimising frame carried from t0 to t1 and one carried in twice as many steps.
-// It is the error of double reflection: by definition the frame does not rotate about the tangent.
-double minimising_turn(const Cubic& cubic, double t0, double t1) {
-  const auto carried = [&](int steps) {
-    Frame frame{unit_tangent(cubic, t0), perpendicular(unit_tangent(cubic, t0), {0, 1, 0})};
-    dvec3 last = point(cubic, t0);
-    for (int i = 1; i <= steps; ++i) {
-      const double t = t0 + (t1 - t0) * i / steps;
-      const dvec3 here = point(cubic, t);
-      frame = transport(frame, last, here, unit_tangent(cubic, t));
-      last = here;
-    }
-    return frame;
-  };
-  const Frame coarse = carried(4), fine = carried(8);
-  return std::abs(signed_angle(coarse.up, fine.up, fine.forward));
-}
-
 }  // namespace
 
 GravesenClaim gravesen_claim(const Cubic& c) {
@@ -97,23 +81,25 @@ double line_claim(const Cubic& cubic, int steps) {
 }
 
 FlipClaim flip_claim(const Cubic& cubic) {
-  constexpr double kHalfSpan = 1.0 / 64;
   const BinormalCurve binormal = binormal_curve(cubic);
-  const BinormalMinima minima = binormal_minima(binormal);
-  FlipClaim worst{0.5, 0, 0, frenet(cubic, 0.5).has_value()};
-  // The normal turns fastest where |B' x B''| has a local minimum; without one, at an end or in the middle.
-  std::array<double, 5> places{0.0, 0.5, 1.0, 0.5, 0.5};
-  for (int i = 0; i < minima.count; ++i) places[static_cast<std::size_t>(3 + i)] = minima.t[i];
-  for (const double t : places) {
-    const double from = std::max(0.0, t - kHalfSpan), to = std::min(1.0, t + kHalfSpan);
-    const auto before = frenet(cubic, from), after = frenet(cubic, to);
-    if (!before || !after) continue;
+  const BinormalTurns turns = binormal_turns(binormal);
+  FlipClaim worst{0.5, 0, frenet(cubic, 0.5).has_value()};
+  const auto look_at = [&](const BinormalTurn& turn, bool defined) {
+    if (!defined) return;
     worst.defined = true;
-    const double angle = binormal_turn(binormal, from, to);
-    if (angle > worst.frenet_angle) worst.frenet_angle = angle, worst.t = t;
+    // Where the curve nearly has a cusp the normal may tip over and return: it turns most from a side to the middle.
+    const double angle =
+        std::max({turn.angle, binormal_turn(binormal, turn.from, turn.t), binormal_turn(binormal, turn.t, turn.to)});
+    if (angle > worst.frenet_angle) worst.frenet_angle = angle, worst.t = turn.t;
+  };
+  // The normal turns fastest at the minima of |B' x B''|; without one, at an end or in the middle.
+  const auto defined = [&](double t) { return frenet(cubic, std::clamp(t, 0.0, 1.0)).has_value(); };
+  for (int i = 0; i < turns.count; ++i)
+    look_at(turns.at[i], defined(turns.at[i].t - kHalfSpan) && defined(turns.at[i].t + kHalfSpan));
+  for (const double t : {0.0, 0.5, 1.0}) {
+    const double from = std::max(0.0, t - kHalfSpan), to = std::min(1.0, t + kHalfSpan);
+    look_at({t, from, to, binormal_turn(binormal, from, to)}, defined(from) && defined(to));
   }
-  worst.minimising_angle =
-      minimising_turn(cubic, std::max(0.0, worst.t - kHalfSpan), std::min(1.0, worst.t + kHalfSpan));
   return worst;
 }
 

@@ -18,12 +18,12 @@ GravesenClaim gravesen_claim(const Cubic& cubic);
 // vertex B(0) + i (B(1/n) - B(0)) from the vertex B(i/n). `steps` >= 1. Costs one evaluation per step, at most 4096.
 double line_claim(const Cubic& cubic, int steps);
 
-// Paper erratum: the Frenet-Serret normal flips across an inflection; the rotation-minimising frame does not.
+// Paper erratum: the Frenet-Serret normal flips across an inflection; the rotation-minimising frame, by definition,
+// does not turn about the tangent.
 struct FlipClaim {
-  double t;                 // where the normal turns fastest
-  double frenet_angle;      // rad, turn of the Frenet normal about the tangent from t - 1/64 to t + 1/64, within [0,1]
-  double minimising_angle;  // rad, turn of the rotation-minimising frame about the tangent there: 0 to rounding
-  bool defined;             // false on a straight line: there is no normal
+  double t;             // where the normal turns most
+  double frenet_angle;  // rad, how far it turns about the tangent within 1/32 of the segment around t (binormal_turns)
+  bool defined;         // false on a straight line: there is no normal
 };
 FlipClaim flip_claim(const Cubic& cubic);
 

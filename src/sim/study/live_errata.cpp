@@ -71,11 +71,11 @@ Erratum flip(const curve::Cubic& cubic) {
           "The Frenet-Serret frame orients the cart.",
           base::degrees(claim.frenet_angle),
           "deg",
-          base::degrees(claim.minimising_angle),
+          0.0,
           "deg",
           claim.defined
               ? "The normal turns by this angle within 1/32 of the segment, by 180 degrees at an inflection; a "
-                "rotation-minimising frame does not turn about the tangent."
+                "rotation-minimising frame by definition does not turn about the tangent."
               : "A straight has no Frenet-Serret normal; a rotation-minimising frame continues unchanged."};
 }
 

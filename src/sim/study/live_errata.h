@@ -24,8 +24,9 @@ struct Erratum {
 // gravesen: m^2 against m.  line: B(0) + i dB is off by 0 m, against the distance.  frozen: metres that a cart at rest
 // on the segment's steepest place moves in kFrozenTicks, by the paper's method and by Runge-Kutta.  g_step: jump of the
 // felt force at the segment's rougher joint at `speed`, 0 g for C1 and the actual one.  frenet_flip: degrees that the
-// normal turns within 1/32 of the segment at the sharpest place, Frenet-Serret (wrong) and rotation-minimising (right).
-// pen: metres that the curve leaves the lines between its control points, 0 and the actual distance.
+// Frenet-Serret normal (wrong) turns within 1/32 of the segment at the sharpest place; 0, by definition, for a
+// rotation-minimising one (right). pen: metres that the curve leaves the lines between its control points, 0 and the
+// actual distance.
 inline constexpr std::array<std::string_view, 6> kErrata{"gravesen", "line", "frozen", "g_step", "frenet_flip", "pen"};
 inline constexpr int kFrozenTicks = 60;  // half a second
 
