@@ -26,8 +26,9 @@ struct Joint {
   double second_jump;                            // m, length of C''(0) - B''(1): 0 for C2
 };
 
-// Returns the curvature vector in 1/m, the change of the unit tangent per metre; 0 where B' vanishes. At t = 0 its
-// length is (2/3) |d0 x d1| / |d0|^3 with d0 = p1 - p0, d1 = p2 - p1.
+// Returns the curvature vector in 1/m, the change of the unit tangent per metre; 0 where B' vanishes, which there means
+// that there is none (curvature_if_any). At t = 0 its length is (2/3) |d0 x d1| / |d0|^3 with d0 = p1 - p0, d1 = p2 -
+// p1.
 glm::dvec3 curvature_vector(const Cubic& cubic, double t);
 
 // Compares the end of `before` with the start of `after`. Tolerances: gap exactly 0 for G0/C0 (control points are

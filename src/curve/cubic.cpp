@@ -71,6 +71,20 @@ double curvature(const Cubic& cubic, double t) {
   return std::isfinite(k) ? k : 0.0;
 }
 
+std::optional<double> curvature_if_any(const Cubic& cubic, double t) {
+  const double size = std::max({glm::length(dvec3(cubic.p1 - cubic.p0)), glm::length(dvec3(cubic.p2 - cubic.p1)),
+                                glm::length(dvec3(cubic.p3 - cubic.p2))});
+  if (glm::length(derivative(cubic, t)) > 1e-9 * size) return curvature(cubic, t);
+  if (!(size > 0.0)) return std::nullopt;
+  // B' at t + d is d B'' + d^2/2 times the third derivative: of a straight if these are parallel, turning back if B''
+  // is not 0.
+  const dvec3 second = second_derivative(cubic, t), third = third_derivative(cubic);
+  if (!(glm::length(second) > 1e-9 * size)) return 0.0;
+  const bool at_end = t < 1e-9 || t > 1.0 - 1e-9;
+  const bool straight = glm::length(glm::cross(second, third)) <= 1e-12 * glm::length(second) * glm::length(third);
+  return at_end && straight ? std::optional(0.0) : std::nullopt;
+}
+
 SplitCubic split(const Cubic& cubic, double t) {
   // Barrett 2012, section 3.2: the table of de Casteljau's method contains the control points of both halves.
   const auto [p0, p1, p2, p3] = controls(cubic);

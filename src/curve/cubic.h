@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cmath>
+#include <optional>
 
 #include <glm/glm.hpp>
 
@@ -54,8 +55,15 @@ glm::dvec3 point_long_double(const Cubic& cubic, double t);
 // the next derivatives; four equal points give (1,0,0). Never NaN.
 glm::dvec3 unit_tangent(const Cubic& cubic, double t);
 
-// Returns |B'(t) x B''(t)| / |B'(t)|^3 in 1/m; 0 where B' vanishes.
+// Returns |B'(t) x B''(t)| / |B'(t)|^3 in 1/m. Where B' vanishes it returns 0, which there only means that there is no
+// number: the curvature may be unbounded. What is shown to people takes curvature_if_any().
 double curvature(const Cubic& cubic, double t);
+
+// Returns the curvature in 1/m, or its limit where B' vanishes (below 1e-9 of the longest leg, as for unit_tangent):
+// 0 on a straight, at a handle on its anchor or where B'' vanishes, too. Returns nothing where there is none: at cusps
+// and where a straight turns back, at a handle on the anchor of a curve that bends there (both unbounded), and for four
+// equal points.
+std::optional<double> curvature_if_any(const Cubic& cubic, double t);
 
 struct SplitCubic {
   Cubic left, right;

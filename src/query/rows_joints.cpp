@@ -139,16 +139,20 @@ std::optional<curve::FrenetFrame> frenet_there(const edit::Session& session) {
 }
 Answer curvature(const Context& c, View) {
   const auto place = selected_place(c.session);
-  return number(place ? curve::curvature(place->shape->key.cubic, place->t) : 0.0);
+  const auto found = place ? curve::curvature_if_any(place->shape->key.cubic, place->t) : std::nullopt;
+  return found ? number(*found) : text("none");
 }
 Answer torsion(const Context& c, View) {
   const auto frame = frenet_there(c.session);
-  return number(frame ? frame->torsion : 0.0);
+  return frame ? number(frame->torsion) : text("none");
 }
 Answer frenet(const Context& c, View) { return yes_no(frenet_there(c.session).has_value()); }
 
 // --- frames along the track
-Answer loop_twist(const Context& c, View) { return number(base::degrees(sim::loop_twist(c.session.derived))); }
+Answer loop_twist(const Context& c, View) {
+  const sim::Derived& derived = c.session.derived;
+  return sim::has_cusp(derived) ? text("none") : number(base::degrees(sim::loop_twist(derived)));
+}
 Answer frenet_flips(const Context& c, View) { return number(sim::frenet_breaks(c.session.derived).size()); }
 Answer cart_up(const Context& c, View) {
   const auto& carts = c.session.motion.carts;
@@ -211,17 +215,22 @@ constexpr std::array kJointRows{
           weakest_knot<&curve::Joint::parametric>, kText},
     Query{"roll_max", kNoArgument, "deg", "Largest roll of a knot, to either side.", roll_max},
     Query{"joints_g2", kNoArgument, "", "Number of joints that are G2.", joints_g2},
-    Query{"curvature", kNoArgument, "1/m", "Curvature at the selected position: on a segment, at a knot or a train.",
+    Query{"curvature", kNoArgument, "1/m",
+          "Curvature at the selected position, on a segment, at a knot or a train; none at a cusp, where it is "
+          "unbounded.",
           curvature},
-    Query{"torsion", kNoArgument, "1/m", "Torsion at the selected position; 0 where Frenet-Serret is undefined.",
+    Query{"torsion", kNoArgument, "1/m", "Torsion at the selected position; none where Frenet-Serret is undefined.",
           torsion},
     Query{"frenet", kNoArgument, "", "on if the Frenet-Serret frame is defined at the selected position.", frenet,
           kSwitch},
-    Query{"frenet_flips", kNoArgument, "", "Number of places where the Frenet-Serret normal flips or is undefined.",
+    Query{"frenet_flips", kNoArgument, "",
+          "Number of places where the Frenet-Serret normal is undefined or flips: by over 90 degrees at a joint or "
+          "within "
+          "1/32 of a segment around an inflection or a place close to one.",
           frenet_flips},
     Query{"loop_twist", kNoArgument, "deg",
           "Remaining twist of the rotation-minimising frame on a closed track, which is spread over it; 0 on an open "
-          "one.",
+          "one, none with a cusp.",
           loop_twist},
     Query{"cart_up", kNoArgument, "",
           "Up of the selected train, else the first, by the chosen frame method; a unit vector.", cart_up, kVector},

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 
 #include "view/overlay_lab.h"
 #include "view/overlay_lab_parts.h"
@@ -45,10 +46,12 @@ int teeth_of(const sim::Derived& derived, const SeenSegment& seen, double px) {
   return std::clamp(static_cast<int>(seen.length_px / px), kFewestTeeth, kMostTeeth) + 1;
 }
 
-// Returns -kappa N times the scale: (B' x (B' x B'')) / |B'|^4, at most kMaxTooth long; 0 where B' vanishes.
-glm::dvec3 tooth_at(const curve::Cubic& cubic, double t, double scale) {
+// Returns -kappa N times the scale: (B' x (B' x B'')) / |B'|^4, at most kMaxTooth long; nothing where there is no
+// curvature.
+std::optional<glm::dvec3> tooth_at(const curve::Cubic& cubic, double t, double scale) {
   const glm::dvec3 d1 = curve::derivative(cubic, t), d2 = curve::second_derivative(cubic, t);
   const double square = glm::dot(d1, d1);
+  if (!curve::curvature_if_any(cubic, t)) return std::nullopt;
   if (!(square > 0)) return glm::dvec3(0);
   const glm::dvec3 tooth = glm::cross(d1, glm::cross(d1, d2)) * (scale / (square * square));
   const double length = glm::length(tooth);
@@ -73,7 +76,12 @@ void add_comb(const sim::Derived& derived, const world::Settings& settings, cons
     next = one.index + 1;
     for (int i = 0; i < teeth; ++i) {
       const double t = teeth > 1 ? static_cast<double>(i) / (teeth - 1) : 0;
-      const glm::dvec3 root = curve::point(cubic, t), tip = root + tooth_at(cubic, t, settings.lab->comb_scale);
+      const std::optional<glm::dvec3> tooth = tooth_at(cubic, t, settings.lab->comb_scale);
+      if (!tooth) {
+        goes_on = false;
+        continue;
+      }
+      const glm::dvec3 root = curve::point(cubic, t), tip = root + *tooth;
       add_line(root, tip, 1.0f * scale, faded(kCombColour, 0xb0), overlay);
       if (goes_on) add_line(before, tip, 2.25f * scale, kCombColour, overlay);
       before = tip;

@@ -157,6 +157,7 @@ TEST(degenerate, four_equal_points_have_no_length_and_point_along_x) {
   EXPECT_EQ(ArcLengthMap(c).parameter(1), 0);
   EXPECT_EQ(unit_tangent(c, 0.4), dvec3(1, 0, 0));
   EXPECT_EQ(curvature(c, 0.4), 0);
+  EXPECT_FALSE(curvature_if_any(c, 0.4));
   EXPECT_FALSE(frenet(c, 0.4));
   EXPECT_EQ(nearest_point(c, dvec3(a) + dvec3(0, 3, 4)).distance, 5);
 }
@@ -164,13 +165,18 @@ TEST(degenerate, four_equal_points_have_no_length_and_point_along_x) {
 TEST(degenerate, a_handle_on_its_anchor_points_to_the_next_control_point) {
   const Cubic c{a, a, a + y, a + x};
   EXPECT_LT(glm::length(unit_tangent(c, 0) - dvec3(0, 1, 0)), 1e-6);
-  EXPECT_EQ(curvature(c, 0), 0);  // B' = 0: undefined, documented as 0
+  EXPECT_EQ(curvature(c, 0), 0);  // B' = 0: stands for no number
+  EXPECT_FALSE(curvature_if_any(c, 0)) << "unbounded: it grows as 1/t";
+  EXPECT_GT(*curvature_if_any(c, 1e-6), 1e3);
   EXPECT_FALSE(frenet(c, 0));
   const Cubic end{a + x, a + y, a, a};
   EXPECT_LT(glm::length(unit_tangent(end, 1) - dvec3(0, -1, 0)), 1e-6);
   const Cubic both{a, a, a + x, a + x};  // a straight, slow at both ends
   EXPECT_LT(glm::length(unit_tangent(both, 0) - dvec3(1, 0, 0)), 1e-6);
   EXPECT_LT(glm::length(unit_tangent(both, 1) - dvec3(1, 0, 0)), 1e-6);
+  EXPECT_EQ(curvature_if_any(both, 0), 0) << "the limit";
+  EXPECT_EQ(curvature_if_any(both, 1), 0);
+  EXPECT_EQ(curvature_if_any({a, a, a, a + x}, 0), 0);
   EXPECT_NEAR(arc_length(both), glm::length(dvec3(both.p3) - dvec3(both.p0)), 1e-12);
 }
 
@@ -181,7 +187,13 @@ TEST(degenerate, an_interior_cusp_is_measured_in_full_and_points_onward) {
   EXPECT_NEAR(ArcLengthMap(c).parameter(std::sqrt(2.0) - 0.5), 0.5, 1e-5);  // s ~ (t - 1/2)^2 there
   EXPECT_LT(glm::length(unit_tangent(c, 0.5) - dvec3(0, -1, 0)), 1e-12);
   EXPECT_EQ(curvature(c, 0.5), 0);
+  EXPECT_FALSE(curvature_if_any(c, 0.5));
+  EXPECT_GT(*curvature_if_any(c, 0.4999), 100);
   EXPECT_FALSE(frenet(c, 0.5));
+  const Cubic turning{{0, 0, 0}, {8, 0, 0}, {-4, 0, 0}, {4, 0, 0}};  // a straight, B' = 24 (1 - 5 t + 5 t^2)
+  for (const double t : {0.5 - std::sqrt(0.05), 0.5 + std::sqrt(0.05)}) EXPECT_FALSE(curvature_if_any(turning, t));
+  EXPECT_EQ(curvature_if_any(turning, 0.4), 0);
+  EXPECT_EQ(curvature_if_any({{0, 0, 0}, {4, 0, 0}, {0, 0, 0}, {4, 0, 0}}, 0.5), 0) << "it stops and goes on";
 }
 
 TEST(degenerate, crossed_handles_make_a_loop_that_is_measured_like_any_curve) {

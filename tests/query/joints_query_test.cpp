@@ -90,7 +90,8 @@ TEST_F(JointsQueryTest, a_repair_takes_the_step_away) {
 }
 
 TEST_F(JointsQueryTest, curvature_and_torsion_are_of_the_selected_place) {
-  EXPECT_EQ(number("curvature"), 0) << "nothing is selected";
+  EXPECT_EQ(words("curvature"), "none") << "nothing is selected";
+  EXPECT_EQ(words("torsion"), "none");
   EXPECT_EQ(words("frenet"), "off");
   good("select @s2 at 0.37");
   const curve::Cubic c = cubic(1);
@@ -104,6 +105,25 @@ TEST_F(JointsQueryTest, curvature_and_torsion_are_of_the_selected_place) {
   EXPECT_NEAR(number("curvature"), curve::curvature(cubic(3), 1.0), 1e-12);
   good("select @c1");
   EXPECT_GT(number("curvature"), 0);
+}
+
+TEST_F(JointsQueryTest, at_a_cusp_there_is_no_curvature_and_over_it_no_twist) {
+  good("new");
+  good("append at 0 10 0");
+  good("append at 20 10 0");
+  good("direct @k1 to 1 0 1");
+  good("direct @k2 to 1 0 -1");
+  for (const char* knot : {"@k1", "@k2"})
+    good(std::string("lengths ") + knot + " in 28.284271247461902 out 28.284271247461902");
+  good("select @s1 at 0.5");
+  for (const char* name : {"curvature", "torsion", "loop_twist"}) EXPECT_EQ(words(name), "none") << name;
+  EXPECT_EQ(std::get<std::string>(*ask("twist", "@s1")), "none");
+  good("select @s1 at 0.4999");
+  EXPECT_GT(number("curvature"), 100);
+  good("lengths @k1 out 20");
+  good("select @s1 at 0.5");
+  EXPECT_GT(number("curvature"), 0);
+  EXPECT_EQ(number("loop_twist"), 0);
 }
 
 TEST_F(JointsQueryTest, frames_are_chosen_by_the_name_of_their_row) {

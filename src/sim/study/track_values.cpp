@@ -13,7 +13,7 @@ namespace {
 
 using world::Colouring;
 
-constexpr double kMostCurvature = 1e3;  // 1/m: unbounded at a cusp
+constexpr double kMostCurvature = 1e3;  // 1/m: unbounded towards a cusp
 
 double place(const SegmentShape& shape, int j) { return shape.arc.length() * j / (kValuesPerSegment - 1); }
 
@@ -21,8 +21,8 @@ float height_at(const SegmentShape& shape, int j) {
   return static_cast<float>(curve::point(shape.key.cubic, shape.arc.parameter(place(shape, j))).y);
 }
 float curvature_at(const SegmentShape& shape, int j) {
-  const double value = curve::curvature(shape.key.cubic, shape.arc.parameter(place(shape, j)));
-  return static_cast<float>(std::isfinite(value) ? std::min(value, kMostCurvature) : kMostCurvature);
+  const auto value = curve::curvature_if_any(shape.key.cubic, shape.arc.parameter(place(shape, j)));
+  return value ? static_cast<float>(std::min(*value, kMostCurvature)) : kUnknownValue;
 }
 
 // Fills in millimetres: each position takes the largest of its nearest vertices, or interpolates between two if there

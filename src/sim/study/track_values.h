@@ -13,7 +13,7 @@
 namespace coaster::sim {
 
 inline constexpr int kValuesPerSegment = 32;   // uniform in arc length, both ends included
-inline constexpr float kUnknownValue = 3e38f;  // where the ride does not arrive
+inline constexpr float kUnknownValue = 3e38f;  // where the ride does not arrive, or there is no curvature
 
 struct TrackValues {
   world::Colouring colouring{};

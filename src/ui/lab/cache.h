@@ -30,7 +30,7 @@ struct JointList {
 
 // Curvature and torsion of one segment by arc length.
 struct BendStudy {
-  std::vector<double> s, curvature, torsion;  // m, 1/m, 1/m (NaN where there is no Frenet frame)
+  std::vector<double> s, curvature, torsion;  // m, 1/m, 1/m (NaN at a cusp, or without a Frenet frame)
   std::vector<double> flips;                  // m, where the normal flips
 };
 

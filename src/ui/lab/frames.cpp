@@ -1,5 +1,4 @@
 // Frames: orientation of carts along the track, curvature and torsion of the segment, and where Frenet-Serret fails.
-#include <limits>
 #include <string>
 
 #include <fmt/format.h>
@@ -20,8 +19,8 @@ BendStudy bend_study(const sim::SegmentShape& shape, world::Entity segment) {
     const double t = double(i) / kSamples;
     const auto frame = curve::frenet(shape.key.cubic, t);
     study.s.push_back(shape.arc.distance(t));
-    study.curvature.push_back(curve::curvature(shape.key.cubic, t));
-    study.torsion.push_back(frame ? frame->torsion : std::numeric_limits<double>::quiet_NaN());
+    study.curvature.push_back(curve::curvature_if_any(shape.key.cubic, t).value_or(kNoNumber));
+    study.torsion.push_back(frame ? frame->torsion : kNoNumber);
   }
   for (const sim::FrenetBreak& at : sim::frenet_breaks(shape, segment))
     if (at.kind == sim::FrenetBreak::Kind::flip && at.t > 0) study.flips.push_back(shape.arc.distance(at.t));
@@ -49,7 +48,7 @@ void bend_plot(Ui& ui, const Probe& probe, const BendStudy& study, bool torsion,
                          torsion ? "Torsion, det(B', B'', B''') / |B' \u00D7 B''|\u00B2, by arc length: rotation of "
                                    "the Frenet frame about the tangent. Gaps where the frame is undefined."
                                  : "Curvature, |B' \u00D7 B''| / |B'|\u00B3, by arc length. Where it is 0 the Frenet "
-                                   "normal is undefined and may flip.");
+                                   "normal is undefined and may flip. A gap at a cusp, where it is unbounded.");
   if (drag) move_probe(ui, probe, probe.shape->arc.parameter(drag->x));
 }
 
@@ -64,13 +63,14 @@ void side(Ui& ui, const Probe& probe) {
     alone = !(alone && beside_last(ui, base::row_of(layer).label));
     layer_box(ui, layer);
   }
-  read_out(ui, "Curvature", curve::curvature(probe.shape->key.cubic, probe.t), 5, "1/m",
-           "Curvature at the probe: 1 / radius of the osculating circle.");
+  read_out(ui, "Curvature", curve::curvature_if_any(probe.shape->key.cubic, probe.t).value_or(kNoNumber), 5, "1/m",
+           "Curvature at the probe: 1 / radius of the osculating circle. Unbounded at a cusp.");
   const auto frame = curve::frenet(probe.shape->key.cubic, probe.t);
-  read_out(ui, "Torsion", frame ? digits(ui, frame->torsion, 5, "1/m") : "--", base::shown_in(ui.units, "1/m").name,
+  read_out(ui, "Torsion", frame ? frame->torsion : kNoNumber, 5, "1/m",
            "Torsion at the probe. Undefined where curvature is 0.");
   const double left_over = base::degrees(sim::loop_twist(derived));
-  read_out(ui, "Closing twist###Twist left over", derived.closed ? fixed(left_over, 2) : "--", "\u00B0",
+  read_out(ui, "Closing twist###Twist left over",
+           derived.closed && !sim::has_cusp(derived) ? fixed(left_over, 2) : "--", "\u00B0",
            "Rotation of a rotation-minimising frame after one lap of a closed track. It is distributed linearly in arc "
            "length.");
   std::size_t flips = 0, undefined = 0;

@@ -83,7 +83,7 @@ void hodograph_page(Ui& ui) {
   triple(ui, "B''(t)", "B''(t)", kConstructionColour, curve::second_derivative(probe->shape->key.cubic, probe->t), 3,
          "m", "The second derivative at the probe.");
   read_out(ui, "|B'(t)|", glm::length(b), 3, "m", "Length of track per unit of t at the probe.");
-  read_out(ui, "Curvature", curve::curvature(probe->shape->key.cubic, probe->t), 5, "1/m",
+  read_out(ui, "Curvature", curve::curvature_if_any(probe->shape->key.cubic, probe->t).value_or(kNoNumber), 5, "1/m",
            "|B' \u00D7 B''| / |B'|\u00B3.");
   two_pictures(
       ui, page, [&](float width, float height) { shape_plot(ui, *probe, d, width, height); },

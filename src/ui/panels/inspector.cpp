@@ -201,10 +201,10 @@ void segment_inspector(Ui& ui, Entity entity, Name name) {
   read_out(ui, "Distance here###Distance there", shape->arc.distance(t), 3, "m",
            "Arc length from the segment's start to position t.");
   read_out(ui, "Height here###Height there", at.y, 3, "m", "Height at position t.");
-  read_out(ui, "Curvature here###Curvature there", curve::curvature(shape->key.cubic, t), 5, "1/m",
-           "Curvature at position t: |B' \u00D7 B''| / |B'|\u00B3.");
-  read_out(ui, "Twist", fixed(base::degrees(shape->roll.twist), 2), "\u00B0",
-           "Roll between the frames of the two knots.");
+  read_out(ui, "Curvature here###Curvature there", curve::curvature_if_any(shape->key.cubic, t).value_or(kNoNumber), 5,
+           "1/m", "Curvature at position t: |B' \u00D7 B''| / |B'|\u00B3.");
+  read_out(ui, "Twist", sim::has_cusp(*shape) ? "--" : fixed(base::degrees(shape->roll.twist), 2), "\u00B0",
+           "Roll between the frames of the two knots. None over a cusp.");
   read_out(ui, "Longest", is_longest(session.derived, entity) ? "yes" : "no", "",
            "Add curve splits the longest segment.");
 }

@@ -277,7 +277,8 @@ void read_out(WidgetFrame& ui, std::string_view label, std::string_view value, s
 
 void read_out(WidgetFrame& ui, std::string_view label, double value, int decimals, std::string_view metric,
               std::string_view tooltip, bool warns) {
-  read_out(ui, label, digits(ui, value, decimals, metric), base::shown_in(ui.units, metric).name, tooltip, warns);
+  read_out(ui, label, std::isnan(value) ? "--" : digits(ui, value, decimals, metric),
+           base::shown_in(ui.units, metric).name, tooltip, warns);
 }
 
 std::string fixed(double value, int decimals) {

@@ -8,6 +8,7 @@
 #include <array>
 #include <cstdint>
 #include <functional>
+#include <limits>
 #include <optional>
 #include <span>
 #include <string>
@@ -198,7 +199,8 @@ std::optional<std::string> text(WidgetFrame& ui, std::string_view label, const s
                                 std::string_view tooltip, TextShows shows = TextShows::start);
 
 // Shows a label on the left, value and unit on the right, in the warning colour if it `warns`. Text is shown unchanged,
-// a number in the user's units.
+// a number in the user's units, kNoNumber as "--".
+inline constexpr double kNoNumber = std::numeric_limits<double>::quiet_NaN();
 void read_out(WidgetFrame& ui, std::string_view label, double value, int decimals, std::string_view metric,
               std::string_view tooltip, bool warns = false);
 void read_out(WidgetFrame& ui, std::string_view label, std::string_view value, std::string_view unit,
