@@ -62,13 +62,11 @@ BinormalMinima binormal_minima(const BinormalCurve& curve) {
     if (t > 0.0 && t < 1.0 && found.count < 2) found.t[found.count++] = t;
   };
   if (aside(curve.b0) + aside(curve.b1) + aside(curve.b2) <= 1e-12 * size) {
-    each_root(std::array{glm::dot(curve.b0, normal), glm::dot(h1, normal), glm::dot(h2, normal)},
-              [&](double t, bool) { add(t); });
+    each_root(std::array{glm::dot(curve.b0, normal), glm::dot(h1, normal), glm::dot(h2, normal)}, add);
     if (found.count == 2 && found.t[1] - found.t[0] < 1e-7) found.count = 0;  // a cusp's double root
   } else {
-    each_root(slope_of_square(curve.b0, h1, h2), [&](double t, bool rising) {
-      if (rising) add(t);
-    });
+    const auto slope = product(std::array{curve.b0, h1, h2}, std::array{h1 - curve.b0, h2 - h1});  // of |b|^2 / 4
+    each_rise(slope, [&](const Bracket& at) { add(refined_root(slope, at, true)); });
   }
   return found;
 }
