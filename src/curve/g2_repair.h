@@ -60,8 +60,6 @@ class Repair {
   }
 
   G2Solution solve() const;
-
- private:
   double cost(const Point& x) const {
     const dvec3 q = x.q - problem_.in_handle, r = x.r - problem_.out_handle, p = x.p();
     const double a = x.a - problem_.before.length, b = x.b - problem_.after.length;
@@ -90,6 +88,7 @@ class Repair {
             Matrix& hessian) const;
   double longest(const Point& x, const Vector& d) const;
 
+ private:
   G2Problem problem_;
   Point start_{};
   double scale_ = 0;  // m, distance of the handles: scales the curvature condition to metres
