@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <functional>
+#include <random>
 
 #include "sim/study/ratings.h"
 #include "sim/tracks.h"
@@ -221,6 +222,87 @@ TEST(jolt, a_roll_that_begins_within_a_short_stretch_jolts_as_a_sudden_one) {
     EXPECT_NEAR(rated.side_most.value, spread.most.y, 0.03 * spread.most.y);
     EXPECT_EQ(rated.jolt_most.value, std::max(ride.found.at(1).total, ride.found.at(2).total));
   }
+}
+
+// What a car feels by consecutive passages, 0 before them: their steps and impulses, and how felt g changes between.
+Jolt filtered(const std::vector<const Passage*>& run) {
+  const auto vector = [](const Force& f) { return glm::dvec3(f.forward, f.left, f.up); };
+  constexpr double kDt = 4e-5;
+  Filter filter(glm::dvec3(0));
+  Jolt most;
+  std::size_t passed = 0;  // passages
+  glm::dvec3 at_last(0), slope(0);
+  double last = 0;
+  for (double t = run.front()->time; t < run.back()->time + 0.3; t += kDt) {
+    glm::dvec3 hit(0);
+    for (; passed < run.size() && run[passed]->time <= t + kDt / 2; ++passed) {
+      const Passage& here = *run[passed];
+      at_last += slope * (here.time - last) + vector(here.step), last = here.time, slope = glm::dvec3(0);
+      hit += vector(here.impulse) / kDt;
+      if (passed + 1 < run.size())
+        slope = (vector(run[passed + 1]->before) - vector(here.before) - vector(here.step)) /
+                (run[passed + 1]->time - here.time);
+    }
+    const glm::dvec3 felt = glm::abs(filter.next(at_last + slope * (t - last) + hit, kDt));
+    most.forward = std::max(most.forward, felt.x), most.left = std::max(most.left, felt.y);
+    most.up = std::max(most.up, felt.z), most.total = std::max(most.total, glm::length(felt));
+  }
+  return most;
+}
+
+// Random passages of two cars 10 to 33 ms apart, with steps to and fro. All runs of passages around each are tried.
+TEST(jolt, joints_close_together_count_as_the_run_that_jolts_least) {
+  std::mt19937 bits(29);
+  const auto number = [&](double low, double high) { return static_cast<float>(low + (high - low) * bits() / 0x1p32); };
+  int together = 0;
+  for (int round = 0; round < 8; ++round) {
+    // Impulses and steps are an entry apart, 4 ms, at the most.
+    const float pushed = round % 2 == 0 ? 0.0f : 0.02f;
+    const double slack = pushed > 0 ? 0.04 : 0.01;
+    Ghost ghost;
+    ghost.start.cars = 2;
+    for (int car = 0; car < 2; ++car) {
+      double time = 1 + 0.005 * car;
+      Force felt{0, 0, 1};
+      for (int k = 0; k < 4; ++k, time += number(0.01, 0.033)) {
+        Passage p;
+        const float way = k % 2 == 0 ? 1.0f : -1.0f;
+        p.car = car, p.time = time, p.before = felt, p.speed = 10 + k;
+        p.step = {way * number(0.1, 0.3), way * number(0.3, 1.5), way * number(0.1, 0.8)};
+        p.impulse = {pushed * number(-0.5, 0.5), pushed * number(-1, 1), 0};
+        felt = {felt.forward + p.step.forward + number(-0.2, 0.2), felt.left + p.step.left + number(-1, 1),
+                felt.up + p.step.up + number(-0.5, 0.5)};
+        ghost.passages.push_back(p);
+      }
+    }
+    std::stable_sort(ghost.passages.begin(), ghost.passages.end(),
+                     [](const Passage& a, const Passage& b) { return a.time < b.time; });
+    const std::vector<Jolt> found = passage_jolts(ghost, kCutoff);
+    for (int car = 0; car < 2; ++car) {
+      std::vector<const Passage*> passed;
+      std::vector<std::size_t> places;  // among all
+      for (std::size_t n = 0; n < found.size(); ++n)
+        if (ghost.passages[n].car == car) passed.push_back(&ghost.passages[n]), places.push_back(n);
+      std::vector<Jolt> least(passed.size());
+      std::vector<double> alone(passed.size());
+      for (std::size_t i = 0; i < passed.size(); ++i) least[i] = filtered({passed[i]}), alone[i] = least[i].total;
+      for (std::size_t first = 0; first < passed.size(); ++first)
+        for (std::size_t last = first + 1; last < passed.size(); ++last) {
+          const Jolt all = filtered({passed.begin() + first, passed.begin() + last + 1});
+          for (std::size_t i = first; i <= last; ++i)
+            if (all.total < least[i].total) least[i] = all;
+        }
+      for (std::size_t i = 0; i < passed.size(); ++i) {
+        const Jolt& one = found[places[i]];
+        together += least[i].total < alone[i];
+        SCOPED_TRACE(testing::Message() << round << ": car " << car << ", passage " << i);
+        EXPECT_NEAR(one.total, least[i].total, slack + 0.01 * least[i].total);
+        EXPECT_EQ(one.car, car);
+        EXPECT_EQ(one.speed, passed[i]->speed);
+      }
+    }
+  }
+  EXPECT_GT(together, 30);
 }
 
 TEST(jolt, a_joint_with_continuous_curvature_has_none) {
