@@ -35,6 +35,20 @@ TEST(near_misses, passing_under_track_is_one_within_reach_of_the_head) {
   for (const float over : {5.1f, 8.0f}) EXPECT_EQ(misses(crossing(over), 19, false).track, 0) << over;
 }
 
+// Track within 12 m along the rails does not count, also where it is across the seam of a circuit.
+TEST(near_misses, the_track_beside_the_seam_of_a_circuit_is_no_other_track) {
+  for (const double from : {0.0, 0.02, 0.5, 0.97}) {
+    world::Document d = test::ring_document(12, 40.3, 0);
+    const world::Entity cart = world::add_cart(d, d.track.segments.front(), from);
+    d.start_speed = 19;
+    const Derived derived = test::derived_of(d);
+    GhostMemo memo;
+    const Ghost& ghost = *memo.ride(d, derived, cart);
+    ASSERT_TRUE(ghost.lap);
+    EXPECT_EQ(near_misses(ghost, derived, nullptr).track, 0) << from;
+  }
+}
+
 TEST(near_misses, a_train_that_creeps_past_misses_nothing) {
   world::Document d = crossing(4.0f);
   d.entities.get<world::Knot>(d.track.knots.back()).position.y = 9;
