@@ -130,5 +130,77 @@ TEST(force_law, curvature_continues_that_of_the_track_and_its_spin) {
   }
 }
 
+// Launches and brakes act on the cars that are on the section: the first from the start, one more each `spacing`
+// metres. A lift pulls the whole train.
+TEST(force_law, equipment_drives_the_part_of_the_train_that_has_entered) {
+  using world::EquipmentKind;
+  ForceTask task = bent(200);
+  task.cars = 5, task.spacing = 3;
+  const double g = world::kGravity, sine = 0.2, square = 100, losses = 0.02 * g + 2e-5 * square, push = 7.5;
+  ForceState train;
+  train.tangent = {std::sqrt(1 - sine * sine), sine, 0}, train.square = square;
+  EXPECT_NEAR(ForceLaw(task).along(train), -g * sine - losses, 1e-6);
+  world::Equipment equipment;
+  equipment.acceleration = static_cast<float>(push);
+  for (int on = 1; on <= 5; ++on)
+    for (const double length : {3.0 * (on - 1) + 0.1, on < 5 ? 3.0 * on - 0.1 : 190.0}) {
+      SCOPED_TRACE(length);
+      train.length = length;
+      const auto driven = [&](EquipmentKind kind, double speed, bool braking) {
+        equipment.kind = kind, equipment.speed = static_cast<float>(speed);
+        task.equipment = equipment, train.braking = braking;
+        return ForceLaw(task).along(train) + g * sine + losses;
+      };
+      const double share = push * on / 5;
+      for (const EquipmentKind kind : {EquipmentKind::brake, EquipmentKind::block}) {
+        EXPECT_NEAR(driven(kind, 5, true), -share, 1e-6);
+        EXPECT_NEAR(driven(kind, 5, false), 0, 1e-6);
+      }
+      EXPECT_NEAR(driven(EquipmentKind::launch, 30, false), share, 1e-6);
+      EXPECT_NEAR(driven(EquipmentKind::launch, 8, false), 0, 1e-6) << "faster already";
+      // At its speed a launch makes up for the slope and the losses, as far as it can.
+      EXPECT_NEAR(driven(EquipmentKind::launch, 10, false), std::min(share, g * sine + losses), 1e-6);
+      EXPECT_NEAR(driven(EquipmentKind::lift, 30, false), push + g * sine + losses, 1e-6);
+      EXPECT_NEAR(driven(EquipmentKind::lift, 10, false), g * sine + losses, 1e-6) << "it holds the speed";
+      EXPECT_NEAR(driven(EquipmentKind::lift, 8, false), 0, 1e-6);
+      EXPECT_NEAR(driven(EquipmentKind::station, 30, true), 0, 1e-6);
+    }
+  // Below the slowest speed no slope stops the train, and no brakes do.
+  train.square = 0.5 * world::kSlowestForce * world::kSlowestForce, train.braking = true;
+  equipment.kind = EquipmentKind::brake, task.equipment = equipment;
+  EXPECT_NEAR(ForceLaw(task).along(train), 0, 1e-12);
+  train.tangent.y = -sine;
+  EXPECT_GT(ForceLaw(task).along(train), 1);
+}
+
+TEST(force_law, equipment_that_brings_a_train_to_its_speed_keeps_it_there_and_brakes_change_over) {
+  using world::EquipmentKind;
+  ForceTask task = bent(200);
+  world::Equipment equipment;
+  equipment.speed = 10, equipment.hysteresis = 1;
+  const auto settled = [&](EquipmentKind kind, double before, double after, bool braking = false) {
+    equipment.kind = kind, task.equipment = equipment;
+    ForceState from, next;
+    from.square = before * before, next.square = after * after, next.braking = braking;
+    ForceLaw(task).settle(from, next);
+    return std::pair(std::sqrt(next.square), next.braking);
+  };
+  for (const EquipmentKind kind : {EquipmentKind::lift, EquipmentKind::launch}) {
+    EXPECT_EQ(settled(kind, 9.9, 10.2).first, 10);
+    EXPECT_EQ(settled(kind, 10.2, 9.9).first, 10);
+    EXPECT_NEAR(settled(kind, 9.7, 9.9).first, 9.9, 1e-12);
+    EXPECT_NEAR(settled(kind, 10.3, 10.1).first, 10.1, 1e-12);
+    EXPECT_NEAR(settled(kind, 10, 9.8).first, 9.8, 1e-12);
+  }
+  for (const EquipmentKind kind : {EquipmentKind::brake, EquipmentKind::block}) {
+    EXPECT_TRUE(settled(kind, 12, 11.1).second);
+    EXPECT_FALSE(settled(kind, 12, 10.9).second);
+    EXPECT_TRUE(settled(kind, 12, 10.9, true).second);
+    EXPECT_EQ(settled(kind, 9.2, 8.8, true), std::pair(9.0, false)) << "down to its speed less the hysteresis";
+  }
+  equipment.speed = 0;
+  EXPECT_EQ(settled(EquipmentKind::brake, 2, 0.1, true), std::pair(double{world::kSlowestForce}, true));
+}
+
 }  // namespace force_law_test
 }  // namespace coaster::sim
