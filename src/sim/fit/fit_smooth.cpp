@@ -157,9 +157,6 @@ struct RowSide {
   std::ptrdiff_t row = -1;
   double length = 0;
   dvec3 off{0}, turn{0};  // 1/m
-
-  // Returns the curvature at the row, if it changes linearly along the curve.
-  dvec3 curvature() const { return 6.0 * off - 2.0 * turn; }
 };
 
 RowSide side_of(std::span<const FitRow> rows, bool closed, std::ptrdiff_t i, std::ptrdiff_t way) {
@@ -190,15 +187,13 @@ RowSide side_of(std::span<const FitRow> rows, bool closed, std::ptrdiff_t i, std
 }  // namespace
 
 std::vector<dvec3> row_curvatures(std::span<const FitRow> rows, bool closed) {
-  constexpr int kRounds = 12;  // each leaves less than a third of the error
+  constexpr int kRounds = 16;  // each leaves less than a third of the error
   std::vector<std::array<RowSide, 2>> found;
-  std::vector<dvec3> curvatures;
   for (std::size_t i = 0; i < rows.size(); ++i) {
     const auto at = static_cast<std::ptrdiff_t>(i);
-    const std::array<RowSide, 2> sides{side_of(rows, closed, at, -1), side_of(rows, closed, at, 1)};
-    found.push_back(sides), curvatures.push_back(0.5 * (sides[0].curvature() + sides[1].curvature()));
+    found.push_back({side_of(rows, closed, at, -1), side_of(rows, closed, at, 1)});
   }
-  std::vector<dvec3> next(rows.size());
+  std::vector<dvec3> curvatures(rows.size(), dvec3(0)), next(rows.size());
   for (int round = 0; round < kRounds; ++round) {
     for (std::size_t i = 0; i < rows.size(); ++i) {
       dvec3 sum(0);

@@ -72,6 +72,53 @@ TEST(fit_smooth, open_ends_within_a_roll_keep_its_rate) {
   }
 }
 
+// A level curve whose direction turns by turn(s), by Simpson's rule, with rows at the places.
+template <class Turn>
+std::vector<FitRow> level_rows(Turn turn, const std::vector<double>& places) {
+  std::vector<FitRow> rows;
+  dvec3 at(3.1, 20.3, -7);
+  double s = 0;
+  const auto along = [&](double x) { return dvec3(std::cos(turn(x)), 0, -std::sin(turn(x))); };
+  for (const double place : places) {
+    constexpr int kParts = 400;
+    const double h = (place - s) / kParts;
+    for (int i = 0; i < kParts; ++i, s += h) at += h / 6 * (along(s) + 4.0 * along(s + h / 2) + along(s + h));
+    rows.push_back({at, along(place), {0, 1, 0}});
+    s = place;
+  }
+  return rows;
+}
+
+// To the left of a level curve is (sin, 0, cos) of minus its angle, so that it turns by k (-sin, 0, -cos).
+dvec3 level_bend(double angle, double k) { return k * dvec3(-std::sin(angle), 0, -std::cos(angle)); }
+
+TEST(fit_smooth, curvatures_are_those_of_circles_and_clothoids) {
+  for (const double radius : {9.0, 40.0}) {
+    std::vector<double> places;
+    for (int i = 0; i < 40; ++i) places.push_back(2 * M_PI * radius * i / 40);
+    const auto turn = [&](double s) { return s / radius; };
+    const std::vector<dvec3> bends = row_curvatures(level_rows(turn, places), true);
+    for (std::size_t i = 0; i < bends.size(); ++i)
+      EXPECT_LT(glm::distance(bends[i], level_bend(turn(places[i]), 1 / radius)), 1e-5 / radius) << i;
+  }
+  // Uneven steps; close rows are left out, as positions are rounded.
+  std::vector<double> places;
+  for (int i = 0; i < 60; ++i) places.push_back(1.7 * i + (i % 3 == 0 ? 0.3 : 0.0));
+  places.insert(places.begin() + 30, places[29] + 0.02);
+  const auto turn = [](double s) { return 0.02 * s - 0.0004 * s * s; };
+  const std::vector<dvec3> bends = row_curvatures(level_rows(turn, places), false);
+  for (std::size_t i = 5; i + 5 < bends.size(); ++i)
+    EXPECT_LT(glm::distance(bends[i], level_bend(turn(places[i]), 0.02 - 0.0008 * places[i])), 2e-5) << i;
+}
+
+TEST(fit_smooth, curvatures_of_straights_and_single_rows_are_0) {
+  for (const dvec3& bend : row_curvatures(straight_rows([](double s) { return s; }, 20, 2), false))
+    EXPECT_LT(glm::length(bend), 1e-12);
+  const std::vector<FitRow> one = straight_rows([](double) { return 0.0; }, 1, 2);
+  ASSERT_EQ(one.size(), 1u);
+  EXPECT_EQ(row_curvatures(one, false).at(0), dvec3(0));
+}
+
 TEST(fit_smooth, rows_between_are_on_the_helix_of_the_rows) {
   // Radius 14 m, rising by 0.3 rad, with the roll 0.4 sin(s / 8) to its right against the rotation-minimising frame.
   const double slope = 0.3, turn = std::cos(slope) / 14;
