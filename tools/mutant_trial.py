@@ -201,7 +201,7 @@ class Room:
         self.build, self.name, self.not_counted = build, name, not_counted
         self.files = {}  # the names of the test files of each suite, without _test.cpp
         self.suites = self.suites_of_room()
-        self.measure()
+        self.recall()
 
     def suites_of_room(self):
         """The suites of the room's test files, with the environment that CTest gives them."""
@@ -243,21 +243,33 @@ class Room:
         failed = re.search(r"\[  FAILED  \] (\S+?\.[\w/]+)", output)
         return failed.group(1) if failed else f"{suite.name} (crash)"
 
-    def measure(self):
-        """Runs all suites without a mutant: each has to pass."""
-        cache = SCRATCH / f"suites_{self.name}.json"
+    def recall(self):
+        """Takes what an earlier run has measured of the same tree; with coverage, measures all suites that are left."""
+        self.cache = SCRATCH / f"suites_{self.name}.json"
         key = tree_hash(self.build.tree) + str(self.build.folder)
-        known = json.loads(cache.read_text()) if cache.exists() else {}
-        if known.get("key") != key:
-            known = {"key": key, "suites": {}, "places": self.build.places() if self.build.covered else {}}
-            with ThreadPoolExecutor(JOBS) as pool:
-                for suite, entry in zip(self.suites.values(), pool.map(self.measured, self.suites.values())):
-                    known["suites"][suite.name] = entry
-            cache.write_text(json.dumps(known))
+        self.known = json.loads(self.cache.read_text()) if self.cache.exists() else {}
+        if self.known.get("key") != key:
+            self.known = {"key": key, "suites": {}, "places": self.build.places() if self.build.covered else {}}
+        if self.build.covered:
+            self.measure(self.suites.values())
+        else:
+            self.take()
+
+    def measure(self, suites):
+        """Runs suites without a mutant that no one has run so yet: each has to pass."""
+        new = [suite for suite in suites if suite.name not in self.known["suites"]]
+        with ThreadPoolExecutor(JOBS) as pool:
+            for suite, entry in zip(new, pool.map(self.measured, new)):
+                self.known["suites"][suite.name] = entry
+        if new:
+            self.cache.write_text(json.dumps(self.known))
+        self.take()
+
+    def take(self):
         for suite in self.suites.values():
-            suite.seconds, reached = known["suites"][suite.name]
-            suite.reached = None if reached is None else set(reached)
-        self.function_places = known["places"]
+            if suite.name in self.known["suites"]:
+                suite.seconds, reached = self.known["suites"][suite.name]
+                suite.reached = None if reached is None else set(reached)
 
     def measured(self, suite):
         profile, began = self.build.planted / f"{suite.name}.profraw", time.monotonic()
@@ -279,7 +291,7 @@ class Room:
         """The names of the suites that enter the innermost function around a line; all if that is not known."""
         if not self.build.covered:
             return set(self.suites)
-        around = [(last - first, name) for first, last, name in self.function_places.get(file, ())
+        around = [(last - first, name) for first, last, name in self.known["places"].get(file, ())
                   if first <= line <= last]
         if not around:
             return set()
@@ -303,6 +315,7 @@ class Room:
             return self.run_suite(suite, program, 20 + 5 * suite.seconds)
         with ThreadPoolExecutor(JOBS) as pool:
             for first in range(0, len(suites), JOBS):
+                self.measure(suites[first:first + JOBS])
                 for wrong in pool.map(one, suites[first:first + JOBS]):
                     if wrong:
                         return wrong
