@@ -31,9 +31,27 @@ struct Joint {
 // p1.
 glm::dvec3 curvature_vector(const Cubic& cubic, double t);
 
-// Compares the end of `before` with the start of `after`. Tolerances: gap exactly 0 for G0/C0 (control points are
-// shared), angle 1e-3 rad, relative speed 1e-4, curvature 1e-3 /m, second derivative 1e-3 of its size. Paper erratum: a
-// common tangent line is G1; equal first derivatives (C1) are more.
+// Returns the farthest, m, that rounding to float can have moved a control point: along each axis an ulp of the larger
+// coordinate of a knot and its handle. With e that distance, B' is off by at most 6 e, B'' by 24 e.
+double rounding_error(const Cubic& cubic);
+
+// Returns the most, 1/m, by which rounding can have changed the curvature vector at t, to first order: knots by an ulp
+// (half where they are planned, half where they are carried), their handles with them, and handles by half an ulp more.
+// Infinite where that can turn B' any way. For T the tangent, v = |B'| less 6 e, a = T . B'', k the curvature, f_i and
+// g_i the weights of point i in B' and B'', w_i = g_i - f_i a / v, and n the largest length across T of a corner of the
+// box of ulps: for a knot i and its handle j n (max(|w_i|, |w_i + w_j|) + |w_j| / 2) / v^2, for both knots, + 12 e k /
+// v. At most 4 times what a search finds (tests).
+double rounding_curvature(const Cubic& cubic, double t);
+
+// Returns the largest jump between two curvature vectors that is G2, 1/m: 1e-3 of the larger, or `rounding` if more.
+double largest_jump(glm::dvec3 before, glm::dvec3 after, double rounding);
+
+// Compares the end of `before` with the start of `after`, by the curve alone; sim::g_step() says what riders feel. The
+// gap must be 0 (control points are shared). The others must be within a tolerance without a scale, or what rounding
+// can make of 0 (tiny handles, far from the origin), whichever is more. G1: angle 1e-3 rad, or what 6 e turn both
+// tangents by, but no more where a handle has no length. G2: largest_jump() with rounding_curvature()
+// of both. C1: ratio of speeds 1e-4, or 6 e of both. C2: jump of the second derivative 1e-3 of its
+// size, or 24 e of both. Paper erratum: a common tangent line is G1; equal first derivatives (C1) are more.
 Joint joint(const Cubic& before, const Cubic& after);
 
 }  // namespace coaster::curve

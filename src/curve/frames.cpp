@@ -5,22 +5,13 @@
 #include <cmath>
 
 #include "base/portable_math.h"
+#include "curve/continuity.h"
 #include "curve/polynomial_roots.h"
 
 namespace coaster::curve {
 namespace {
 
 using glm::dvec3;
-
-// Returns the curvature that rounding the control points to float can create on a straight: each is off by up to half
-// an ulp of the largest coordinate.
-double rounding_curvature(const Cubic& c, double speed, double second) {
-  float largest = 0;
-  for (const glm::vec3& p : {c.p0, c.p1, c.p2, c.p3})
-    largest = std::fmax(largest, std::fmax(std::fabs(p.x), std::fmax(std::fabs(p.y), std::fabs(p.z))));
-  const double half_ulp = double{largest} * 0x1p-24;
-  return half_ulp * (12.0 * speed + 6.0 * second) / (speed * speed * speed);
-}
 
 // Returns a frame that is unit and perpendicular to rounding; `up` must not be parallel to `forward`.
 Frame orthonormal(dvec3 forward, dvec3 up) { return {forward, perpendicular(forward, up)}; }
@@ -34,7 +25,7 @@ std::optional<FrenetFrame> frenet(const Cubic& cubic, double t) {
   const dvec3 binormal = glm::cross(d, dd);
   const double size = glm::length(binormal), k = size / (speed * speed * speed);
   // Paper erratum: where the curvature is 0 there is no normal; it flips across an inflection.
-  if (!(k > 1e-9) || !(k > rounding_curvature(cubic, speed, glm::length(dd)))) return std::nullopt;
+  if (!(k > 1e-9) || !(k > rounding_curvature(cubic, t))) return std::nullopt;
   const dvec3 tangent = d / speed, b = binormal / size;
   const double torsion = glm::dot(binormal, third_derivative(cubic)) / (size * size);
   return FrenetFrame{tangent, glm::cross(b, tangent), b, k, torsion};

@@ -204,17 +204,19 @@ void pass_along(Document& document, std::vector<std::string>& reasons) {
   }
 }
 
-// Sweeps to and fro; each repair may disturb its neighbours, until every jump is well below the tolerance or nothing
+// Sweeps to and fro; each repair may disturb its neighbours, until every joint is G2 with a small jump or nothing
 // improves.
 void sweeps(Document& document, std::vector<std::string>& reasons) {
-  constexpr double kWellBelow = 2e-4;  // 1/m
+  constexpr double kSmall = 2e-4;  // 1/m
   const std::size_t count = document.track.knots.size();
   for (int sweep = 0; sweep < kMostSweeps; ++sweep) {
     bool any = false;
     for (std::size_t k = 0; k < count; ++k) {
       const std::size_t i = sweep % 2 == 0 ? k : count - 1 - k;
       reasons[i].clear();
-      if (!joins(document, i) || class_at(document, i).curvature_jump < kWellBelow) continue;
+      if (!joins(document, i)) continue;
+      const curve::Joint now = class_at(document, i);
+      if (now.curvature_jump < kSmall && now.geometric == curve::Geometric::g2) continue;
       const base::Status status = repair(document, i, false);
       if (!status) reasons[i] = status.message;
       any |= static_cast<bool>(status);
@@ -246,19 +248,9 @@ base::Status make_g2(Document& document, std::size_t index, double* movement) {
   if (movement) *movement = 0;
   if (!joins(document, index)) return refusal("an end of an open track joins nothing");
   if (class_at(document, index).geometric == curve::Geometric::g2) return {};
-  const Joint j = joint_at(document, index);
-  const Knot was[] = {knot_at(document, j.before), knot_at(document, j.at), knot_at(document, j.after)};
+  const Document before = document;
   const base::Status status = repair(document, index, true);
-  if (!status || !movement) return status;
-  double sum = 0;
-  for (const auto& [from, at] : {std::pair{&was[0], j.before}, std::pair{&was[1], j.at}, std::pair{&was[2], j.after}}) {
-    const Knot& to = knot_at(document, at);
-    for (const dvec3 d :
-         {dvec3(to.position) - dvec3(from->position), dvec3(world::in_handle(to)) - dvec3(world::in_handle(*from)),
-          dvec3(world::out_handle(to)) - dvec3(world::out_handle(*from))})
-      sum += glm::dot(d, d);
-  }
-  *movement = std::sqrt(sum);
+  if (status && movement) *movement = movement_between(before, document);
   return status;
 }
 

@@ -17,6 +17,7 @@ constexpr double kTurnOfSpan = 1.6;  // rad, largest turn of an initial span
 constexpr int kMostRounds = 60, kMostSpans = 2000;
 constexpr std::size_t kMostThinning = 400'000;  // points times knots: beyond it no knots are removed
 constexpr double kFarFromExact = 1e-9;
+constexpr double kOfG2 = 0.6;  // of the largest jump that is G2
 
 struct Bounds {
   double distance, roll;
@@ -71,7 +72,8 @@ bool holds(const ElementCurve& curve, Trial& t, std::size_t k) {
   const SpanCheck& check = t.checks[k] =
       check_span(points.subspan(t.at[k], t.at[k + 1] - t.at[k] + 1), t.spans.knots[k], t.spans.knots[k + 1]);
   return check.sound && check.slopes && check.error <= t.bounds.distance && check.roll_error <= t.bounds.roll &&
-         t.spans.jumps[k] <= t.bounds.jumps[k] && t.spans.jumps[k + 1] <= t.bounds.jumps[k + 1];
+         t.spans.jumps[k] <= t.bounds.jumps[k] && t.spans.jumps[k + 1] <= t.bounds.jumps[k + 1] &&
+         t.spans.strains[k] <= kOfG2 && t.spans.strains[k + 1] <= kOfG2;
 }
 
 // Checks spans from `first`, cyclically, until one fails.

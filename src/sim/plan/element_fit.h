@@ -11,8 +11,9 @@
 namespace coaster::sim {
 
 // Tolerances of a fit, where float coordinates are fine enough (to 2 km from the origin): distance from the ideal
-// curve, angle between the up vectors, and jump of the curvature vector at joints, a fifth of the limit for G2
-// (curve/continuity.h). At the last knot it is less, so that the next element finds a straight end (kStraightEnd).
+// curve, angle between the up vectors, and jump of the curvature vector at joints, which is
+// also at most 0.6 of what is G2 (curve/continuity.h): being carried rounds knots again. At the last knot it is less,
+// so that the next element finds a straight end (kStraightEnd).
 inline constexpr double kElementDistance = 0.01;  // m
 inline constexpr double kElementRoll_deg = 1.0;
 inline constexpr double kElementJump = 2e-4, kElementEnd = 3e-5;  // 1/m

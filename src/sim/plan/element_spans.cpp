@@ -246,12 +246,17 @@ Spans make_spans(const ElementCurve& curve, std::span<const std::size_t> at, dou
   Spans spans;
   spans.knots = knots_of(curve, at, n);
   dvec3 before = curve.points.front().curvature;
+  double rounding = 0;
+  const auto add_jump = [&](dvec3 after, double and_rounding) {
+    spans.jumps.push_back(glm::length(after - before));
+    spans.strains.push_back(spans.jumps.back() / curve::largest_jump(before, after, rounding + and_rounding));
+  };
   for (std::size_t k = 0; k + 1 < at.size(); ++k) {
     const curve::Cubic c = cubic_between(spans.knots[k], spans.knots[k + 1]);
-    spans.jumps.push_back(glm::length(curve::curvature_vector(c, 0.0) - before));
-    before = curve::curvature_vector(c, 1.0);
+    add_jump(curve::curvature_vector(c, 0.0), curve::rounding_curvature(c, 0.0));
+    before = curve::curvature_vector(c, 1.0), rounding = curve::rounding_curvature(c, 1.0);
   }
-  spans.jumps.push_back(glm::length(before - curve.points.back().curvature));
+  add_jump(curve.points.back().curvature, 0);
   return spans;
 }
 

@@ -19,7 +19,8 @@ struct SpanCheck {
 
 struct Spans {
   std::vector<world::Knot> knots;
-  std::vector<double> jumps;  // 1/m, one per knot; at the ends relative to the required curvature
+  std::vector<double> jumps;    // 1/m, one per knot; at the ends relative to the required curvature
+  std::vector<double> strains;  // the jumps as multiples of the largest that is G2 (curve/continuity.h)
 };
 
 // `at`: ascending indices into curve.points, including the first and the last. The second knot and the last but one
