@@ -60,6 +60,18 @@ AtJoint<double> roughest(const edit::Session& session) {
 Answer g_step_max(const Context& c, View) {
   return number(sim::g_step(roughest(c.session).figure, present_speed(c.session)));
 }
+// Return steps at the fastest passage of the ride; none where it does not pass.
+Value or_none(std::optional<double> value) { return value ? number(*value) : text("none"); }
+Answer ride_g_step(const Context& c, View argument) {
+  return of_entity(c, argument, world::Kind::knot, [&](world::Entity e) {
+    const world::Document& document = c.session.document;
+    return or_none(
+        sim::fastest_step(document, c.find(edit::Want::jolts).jolts, *world::index_of(document.track.knots, e)));
+  });
+}
+Answer ride_g_step_max(const Context& c, View) {
+  return or_none(sim::largest_step(c.session.document, c.find(edit::Want::jolts).jolts));
+}
 Answer roughest_joint(const Context& c, View) { return text(label_or_none(c, roughest(c.session).knot)); }
 
 // Returns the least continuity, at the first of several joints.
@@ -191,6 +203,10 @@ constexpr std::array kJointRows{
     Query{"g_step", kKnot, "g", "Jump of the force at a knot, v^2 |dK| / g, at the present speed of the first train.",
           g_step},
     Query{"g_step_max", kNoArgument, "g", "The largest such jump of the track.", g_step_max},
+    Query{"ride.g_step", kKnot, "g",
+          "The same at the fastest passage of the whole ride, of all cars; none where it does not pass.", ride_g_step},
+    Query{"ride.g_step_max", kNoArgument, "g", "The largest such jump of the whole ride; none without a passage.",
+          ride_g_step_max},
     Query{"roughest_joint", kNoArgument, "", "The knot with the largest jump of curvature; none if there is no jump.",
           roughest_joint, kText},
     Query{

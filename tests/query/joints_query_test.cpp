@@ -57,6 +57,31 @@ TEST_F(JointsQueryTest, the_g_step_is_at_the_present_speed_of_the_first_cart) {
   EXPECT_EQ(number("g_step", "@k1"), 0) << "an end joins nothing";
 }
 
+TEST_F(JointsQueryTest, the_ride_g_step_is_at_the_fastest_passage_of_all_cars) {
+  good("start_speed 20");
+  std::vector<double> fastest(5, 0.0);
+  for (const sim::Passage& passage : edit::find(session, edit::Want::ride).ride->passages)
+    fastest[passage.knot] = std::max(fastest[passage.knot], std::abs(passage.speed));
+  double most = 0;
+  for (std::size_t i = 1; i < 4; ++i) {
+    const std::string knot = "@k" + std::to_string(i + 1);
+    if (fastest[i] == 0) {
+      EXPECT_EQ(words("ride.g_step", knot), "none") << knot;
+      continue;
+    }
+    const double step = fastest[i] * fastest[i] * number("curvature_jump", knot) / 9.81;
+    EXPECT_NEAR(number("ride.g_step", knot), step, 1e-9) << knot;
+    most = std::max(most, step);
+  }
+  EXPECT_GT(most, 0.1);
+  EXPECT_NEAR(number("ride.g_step_max"), most, 1e-9);
+  EXPECT_EQ(words("ride.g_step", "@k1"), "none") << "an end joins nothing";
+  good("remove @c1");
+  good("remove @c2");
+  EXPECT_EQ(words("ride.g_step", "@k3"), "none") << "no ride";
+  EXPECT_EQ(words("ride.g_step_max"), "none");
+}
+
 TEST_F(JointsQueryTest, jolts_are_those_of_the_whole_ride_at_the_knots) {
   good("start_speed 20");
   std::vector<sim::Jolt> expected =

@@ -32,6 +32,12 @@ std::string told(const world::Document& document, const RepairReport& report) {
   return text + (report.refused.size() > kMostNamed ? ", ..." : ".");
 }
 
+// Returns the step of the force at a fastest passage of the ride, before and after the repair, as a sentence.
+std::string told(std::string_view what, std::optional<double> before, std::optional<double> now) {
+  if (!before || !now) return fmt::format(" {}: none.", what);
+  return fmt::format(" {}: {:.3f} g, before {:.3f} g.", what, *now, *before);
+}
+
 }  // namespace
 
 Status perform(Session& session, Change& change, const MakeG2& command) {
@@ -39,11 +45,14 @@ Status perform(Session& session, Change& change, const MakeG2& command) {
   if (!e) return e.status();
   const std::size_t index = *world::index_of(session.document.track.knots, *e);
   double movement = 0;
+  const std::span<const sim::Jolt> jolts = find(session, Want::jolts).jolts;  // of the ride before
   const world::Document before = session.document;
   const Status status = make_g2(session.document, index, &movement);
   if (!status) return status;
   change.note = before == session.document ? "The joint is G2 already."
                                            : fmt::format("Made the joint G2 by moving {}.", as_movement(movement));
+  change.note += told("Step of the force at the fastest passage", sim::fastest_step(before, jolts, index),
+                      sim::fastest_step(session.document, jolts, index));
   return {};
 }
 
@@ -52,8 +61,10 @@ Status perform(Session& session, Change& change, const MakeAllG2&) {
   const RepairReport report = make_all_g2(next);
   const std::string text = told(session.document, report);
   if (report.changed == 0 && !report.refused.empty()) return refused(text);
+  const std::span<const sim::Jolt> jolts = find(session, Want::jolts).jolts;
+  change.note = text + told("Largest step of the force at a fastest passage",
+                            sim::largest_step(session.document, jolts), sim::largest_step(next, jolts));
   session.document = std::move(next);
-  change.note = text;
   return {};
 }
 

@@ -3,9 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <span>
 
+#include "curve/continuity.h"
 #include "sim/study/envelope.h"
+#include "sim/study/live_errata.h"
 
 namespace coaster::sim {
 namespace {
@@ -55,6 +56,7 @@ void take(const Jolt& one, Jolt& found) {
   found.forward = std::max(found.forward, one.forward);
   found.left = std::max(found.left, one.left);
   found.up = std::max(found.up, one.up);
+  found.fastest = std::max(found.fastest, one.fastest);
   if (one.total > found.total) found.total = one.total, found.car = one.car, found.speed = one.speed;
 }
 
@@ -66,7 +68,7 @@ class Largest {
     square_ = std::max(square_, glm::dot(felt, felt));
   }
   Jolt jolt(const Passage& passage) const {
-    return {most_.x, most_.y, most_.z, std::sqrt(square_), passage.car, passage.speed};
+    return {most_.x, most_.y, most_.z, std::sqrt(square_), passage.car, passage.speed, std::abs(passage.speed)};
   }
 
  private:
@@ -159,6 +161,20 @@ std::vector<Jolt> jolts(const Ghost& ghost, double cutoff) {
     take(passages[i], found[knot]);
   }
   return found;
+}
+
+std::optional<double> fastest_step(const world::Document& document, std::span<const Jolt> jolts, std::size_t knot) {
+  if (!(knot < jolts.size() && jolts[knot].fastest > 0)) return std::nullopt;
+  const std::vector<world::Entity>& segments = document.track.segments;
+  const curve::Cubic before = world::cubic_of(document, segments[(knot + segments.size() - 1) % segments.size()]),
+                     after = world::cubic_of(document, segments[knot]);
+  return g_step(curve::joint(before, after).curvature_jump, jolts[knot].fastest);
+}
+
+std::optional<double> largest_step(const world::Document& document, std::span<const Jolt> jolts) {
+  std::optional<double> most;
+  for (std::size_t knot = 0; knot < jolts.size(); ++knot) most = std::max(most, fastest_step(document, jolts, knot));
+  return most;
 }
 
 }  // namespace coaster::sim

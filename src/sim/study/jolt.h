@@ -2,13 +2,16 @@
 // so a jolt is the difference that the joint makes.
 #pragma once
 
+#include <optional>
+#include <span>
 #include <vector>
 
 #include "sim/ride/ghost.h"
 
 namespace coaster::sim {
 
-inline constexpr double kJoltLimit = 1.0;  // g: joints above are marked
+inline constexpr double kJoltLimit = 1.0;   // g: joints above are marked
+inline constexpr double kStepLimit = 0.05;  // g: steps above are shown in red
 
 // The largest difference of felt g with and without a joint's jumps, after the forces' low-pass: of each axis, and the
 // largest length of all three together. Of several passages each takes the largest.
@@ -17,6 +20,7 @@ struct Jolt {
   double total = 0;                      // g
   int car = 0;                           // car with the largest total
   double speed = 0;                      // m/s, of that car there; negative: backwards
+  double fastest = 0;                    // m/s, the largest speed of all cars there, either way; 0: no passage
 };
 
 // Returns the jolt of one passage: cutoff (Hz) impulse r'(cutoff t) + step r(cutoff t), r being the response of the
@@ -31,5 +35,11 @@ std::vector<Jolt> passage_jolts(const Ghost& ghost, double cutoff);
 // Returns the jolts of the knots, by index in the track, up to the last knot that the ride passes. 0 at knots that it
 // does not pass, as at the first knot of an open track.
 std::vector<Jolt> jolts(const Ghost& ghost, double cutoff);
+
+// Returns the step of the force, g, that the jump of curvature at a knot makes at the fastest passage: v^2 |dK| / g.
+// `knot`: its index in the track. Nothing where the ride does not pass.
+std::optional<double> fastest_step(const world::Document& document, std::span<const Jolt> jolts, std::size_t knot);
+// Returns the largest one of the track; nothing where the ride passes no joint.
+std::optional<double> largest_step(const world::Document& document, std::span<const Jolt> jolts);
 
 }  // namespace coaster::sim

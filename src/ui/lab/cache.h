@@ -21,7 +21,8 @@ struct JointRow {
   world::Entity knot;
   world::Name name;
   curve::Joint joint;
-  double jolt = 0;  // g, in the whole ride
+  std::optional<double> step;  // g, at the fastest passage of the whole ride; nothing without one
+  double jolt = 0;             // g, in the whole ride
 };
 struct JointList {
   std::vector<JointRow> rows;        // in track order

@@ -32,7 +32,7 @@ std::vector<JointRow> joints_of(const edit::Session& session, std::span<const si
     const world::Entity knot = world::segment(session.document, after).from;
     rows.push_back({knot, world::name_of(session.document, knot),
                     curve::joint(derived.shape(before).key.cubic, derived.shape(after).key.cubic),
-                    i < jolts.size() ? jolts[i].total : 0});
+                    sim::fastest_step(session.document, jolts, i), i < jolts.size() ? jolts[i].total : 0});
   }
   return rows;
 }
@@ -67,32 +67,36 @@ constexpr TableColumn kJointColumns[] = {
     {"Angle", "\u00B0", 66, "Angle between the two tangents."},
     {"Ratio", "", 54, "|C'(0)| / |B'(1)|: 1 for C1."},
     {"Jump", "1/m", 76, "Length of the difference between the curvature vectors."},
-    {"g-step", "g", 72, "v\u00B2 |\u0394\u03BA| / g: jump of the force on a rider at the first train's current speed."},
+    {"g-step", "g", 72, "v\u00B2 |\u0394\u03BA| / g: step of the force at the fastest passage of the whole ride."},
     {"Jolt", "g", 62,
      "Largest change of felt g by the jumps of curvature and roll, low-pass filtered, in the whole ride, all cars."},
 };
 
-std::uint32_t tint_of(double g) { return g > sim::kJoltLimit ? kBadColour : g > 0.3 ? kPolygonColour : kPlainColour; }
-
-void row_of(Ui& ui, const JointRow& row, double speed) {
+void row_of(Ui& ui, const JointRow& row) {
   const bool selected = ui.session().settings.selected == row.knot;
-  const double step = sim::g_step(row.joint.curvature_jump, speed);
-  const std::string name = world::to_text(row.name);
+  const std::string name = world::to_text(row.name), step = row.step ? fixed(*row.step, 3) : "--";
+  const std::uint32_t jolt_tint = row.jolt > sim::kJoltLimit ? kBadColour
+                                  : row.jolt > 0.3           ? kPolygonColour
+                                                             : kPlainColour;
   const std::uint32_t tint = row.joint.geometric == curve::Geometric::g2   ? kGoodColour
                              : row.joint.geometric == curve::Geometric::g1 ? kPlainColour
                                                                            : kBadColour;
   const std::string geometric(base::name_of(row.joint.geometric)), parametric(base::name_of(row.joint.parametric));
-  const Cell cells[] = {{name, kPlainColour, true},        {geometric, tint, true},
-                        {parametric, kPlainColour, true},  {fixed(base::degrees(row.joint.angle), 3)},
-                        {fixed(row.joint.speed_ratio, 3)}, {digits(ui, row.joint.curvature_jump, 5, "1/m")},
-                        {fixed(step, 2), tint_of(step)},   {fixed(row.jolt, 2), tint_of(row.jolt)}};
-  if (table_row(ui, "Joint " + name, cells, selected, fmt::format("{} {} {} g", geometric, parametric, fixed(step, 2)),
+  const Cell cells[] = {{name, kPlainColour, true},
+                        {geometric, tint, true},
+                        {parametric, kPlainColour, true},
+                        {fixed(base::degrees(row.joint.angle), 3)},
+                        {fixed(row.joint.speed_ratio, 3)},
+                        {digits(ui, row.joint.curvature_jump, 5, "1/m")},
+                        {step, row.step > sim::kStepLimit ? kBadColour : kPlainColour},
+                        {fixed(row.jolt, 2), jolt_tint}};
+  if (table_row(ui, "Joint " + name, cells, selected, fmt::format("{} {} {} g", geometric, parametric, step),
                 "Click to select the knot.") &&
       !selected)
     ui.emit(edit::Select{{row.name}});
 }
 
-void side(Ui& ui, const JointList& list, double speed) {
+void side(Ui& ui, const JointList& list) {
   const edit::Session& session = ui.session();
   const world::Name* name = session.document.entities.find<world::Name>(session.settings.selected);
   const auto joint = std::find_if(list.rows.begin(), list.rows.end(),
@@ -109,13 +113,12 @@ void side(Ui& ui, const JointList& list, double speed) {
     ui.emit(edit::MakeAllG2{});
   const auto smooth = std::count_if(list.rows.begin(), list.rows.end(),
                                     [](const JointRow& row) { return row.joint.geometric >= curve::Geometric::g2; });
-  double largest = 0;
-  for (const JointRow& row : list.rows) largest = std::max(largest, double{row.joint.curvature_jump});
+  std::optional<double> largest;
+  for (const JointRow& row : list.rows) largest = std::max(largest, row.step);
   read_out(ui, "All joints", std::to_string(list.rows.size()), "", "Number of joints between segments.");
   read_out(ui, "G2 joints###Of them G2", std::to_string(smooth), "", "Joints with continuous curvature.");
-  read_out(ui, "Speed", speed, 2, "m/s", "Current speed of the first train. The g-steps use it.");
-  read_out(ui, "Largest g-step", fixed(sim::g_step(largest, speed), 2), "g",
-           "Largest g-step of the track at this speed.");
+  read_out(ui, "Largest g-step", largest ? fixed(*largest, 3) : "--", "g", "Largest g-step of the whole ride.", false,
+           largest > sim::kStepLimit);
   read_query(ui, "Largest jolt", "ride.jolt_max", "Largest jolt of the whole ride.");
   choose_side(ui, ui.lab.joints_by_jolt, {"Track order", "List the joints in track order."},
               {"Largest first###Hardest first", "List the joints by jolt, largest first."});
@@ -125,9 +128,8 @@ void side(Ui& ui, const JointList& list, double speed) {
 
 void joints_page(Ui& ui) {
   const JointList& list = kept_joints(ui);
-  const double speed = std::abs(number_of(ui, "ride.speed").value_or(0));
   Page page(ui, 230);
-  side(ui, list, speed);
+  side(ui, list);
   const float height = page.pictures();
   if (list.rows.empty()) return small_note("No joints yet. A joint connects two segments.");
   if (!begin_table(ui, "Joints table", kJointColumns, height)) return;
@@ -136,7 +138,7 @@ void joints_page(Ui& ui) {
   while (clipper.Step())
     for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i) {
       const std::size_t at = static_cast<std::size_t>(i);
-      row_of(ui, list.rows[ui.lab.joints_by_jolt ? list.by_jolt[at] : at], speed);
+      row_of(ui, list.rows[ui.lab.joints_by_jolt ? list.by_jolt[at] : at]);
     }
   end_table();
 }

@@ -93,7 +93,12 @@ void joint_list(Ui& ui, const edit::Knots& knots, const world::Knot& knot, std::
 void jolt(Ui& ui, Entity knot) {
   const edit::Findings& findings = ui.find(edit::Want::jolts);
   const auto index = world::index_of(ui.session().document.track.knots, knot);
-  if (!index || findings.ride == nullptr) return;
+  if (!index) return;
+  const auto step = sim::fastest_step(ui.session().document, findings.jolts, *index);
+  read_out(ui, "g-step", step ? fixed(*step, 3) : "--", "g",
+           "v\u00B2 |\u0394\u03BA| / g: step of the force here at the fastest passage of the whole ride, of all cars.",
+           false, step > sim::kStepLimit);
+  if (findings.ride == nullptr) return;
   const sim::Jolt found = *index < findings.jolts.size() ? findings.jolts[*index] : sim::Jolt{};
   read_out(ui, "Jolt", fixed(found.total, 2), "g",
            fmt::format("Largest change of felt g by the jumps of curvature and roll here, low-pass filtered: "

@@ -244,7 +244,7 @@ bool beside_last(WidgetFrame& ui, std::string_view label) {
 }
 
 void read_out(WidgetFrame& ui, std::string_view label, std::string_view value, std::string_view unit,
-              std::string_view tooltip, bool warns) {
+              std::string_view tooltip, bool warns, bool red) {
   const std::string_view words = shown(label);
   const ImVec2 start = ImGui::GetCursorScreenPos();
   const float room = ImGui::GetContentRegionAvail().x, gap = std::floor(5 * ui.scale),
@@ -256,7 +256,7 @@ void read_out(WidgetFrame& ui, std::string_view label, std::string_view value, s
   const bool stacked = text_size(words).x + gap + value_width > room;
   const bool column = !stacked && text_size(words).x + gap + digits + unit_room <= room;
   ImDrawList& list = *ImGui::GetWindowDrawList();
-  const std::uint32_t tint = warns ? palette().warning : palette().text;
+  const std::uint32_t tint = red ? palette().error : warns ? palette().warning : palette().text;
   draw_text(list, start, palette().dim, words);
   const float top = start.y + (stacked ? line : 0);
   const float right = start.x + room;

@@ -198,13 +198,13 @@ enum class TextShows { start, end };
 std::optional<std::string> text(WidgetFrame& ui, std::string_view label, const std::string& value,
                                 std::string_view tooltip, TextShows shows = TextShows::start);
 
-// Shows a label on the left, value and unit on the right, in the warning colour if it `warns`. Text is shown unchanged,
-// a number in the user's units, kNoNumber as "--".
+// Shows a label on the left, value and unit on the right, in the warning colour if it `warns`, or red. Text is shown
+// unchanged, a number in the user's units, kNoNumber as "--".
 inline constexpr double kNoNumber = std::numeric_limits<double>::quiet_NaN();
 void read_out(WidgetFrame& ui, std::string_view label, double value, int decimals, std::string_view metric,
               std::string_view tooltip, bool warns = false);
 void read_out(WidgetFrame& ui, std::string_view label, std::string_view value, std::string_view unit,
-              std::string_view tooltip, bool warns = false);
+              std::string_view tooltip, bool warns = false, bool red = false);
 // Returns "12345.60", without a "-" before zero.
 std::string fixed(double value, int decimals);
 
