@@ -12,7 +12,8 @@ for text, expected in [("int a = 1;\n", 0), ("int  a=1;\n", 1)]:
         for folder in ("tools", "src", "tests", "bench", "shaders"):
             (root / folder).mkdir()
         shutil.copy(source / ".clang-format", root)
-        shutil.copy(source / "tools/lint", root / "tools")
+        for tool in ("lint", "usage.sh"):
+            shutil.copy(source / "tools" / tool, root / "tools")
         (root / "src/a.cpp").write_text(text)
         done = subprocess.run([root / "tools/lint", "--format"], capture_output=True, text=True)
         if done.returncode == 77:
