@@ -28,6 +28,7 @@ bool parse_entity(Words& words, const base::Token& word, AimPoint& point) {
   std::string_view text = word.text;
   if (!text.starts_with('@')) return refuse(words, word);
   text.remove_prefix(1);
+  if (text.ends_with(':')) return refuse(words, word);
   std::string_view handle, place;
   if (const std::size_t dot = text.find('.'); dot != std::string_view::npos && text.find(':') == std::string_view::npos)
     handle = text.substr(dot + 1), text = text.substr(0, dot);
@@ -49,7 +50,7 @@ bool parse_entity(Words& words, const base::Token& word, AimPoint& point) {
   point.t = 0.5;
   if (place.empty()) return true;
   const auto t = base::parse_double(place);
-  if (!t || *t < 0 || *t > 1)
+  if (!t || !(*t >= 0 && *t <= 1))
     return words.fail({word.column, "expected a parameter from 0 to 1 after the colon, found " + base::quoted(place),
                        base::is_number(place)});
   point.t = *t;

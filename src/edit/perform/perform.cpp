@@ -77,6 +77,12 @@ base::Status well_formed(const world::Element& element) {
   return {};
 }
 
+base::Status within(std::string_view what, double value, double low, double high, std::string_view unit) {
+  if (value >= low && value <= high) return {};
+  return refused(fmt::format("expected {} from {} to {}{}{}, found {}", what, number_text(low), number_text(high),
+                             unit.empty() ? "" : " ", unit, number_text(value)));
+}
+
 base::Status within_budget(std::size_t segments, int steps, std::int64_t budget) {
   const std::int64_t vertices = static_cast<std::int64_t>(segments) * (steps + 1);
   if (vertices <= budget) return {};

@@ -49,6 +49,9 @@ base::Result<world::Entity> require(const Session& session, Target target, world
 // Refused if an element's kind is invalid or one of its values is not finite.
 base::Status well_formed(const world::Element& element);
 
+// Refused unless `value`, a place on a curve, is in [low,high], with the range in the message: such numbers are not
+// clamped, because an end of the curve is another place than the one that was meant.
+base::Status within(std::string_view what, double value, double low, double high, std::string_view unit = {});
 // Refused if `segments` polylines of `steps` steps have more than `budget` vertices.
 base::Status within_budget(std::size_t segments, int steps, std::int64_t budget);
 // Refused if that many more knots and segments would exceed the limits.

@@ -65,12 +65,15 @@ Status perform(Session& session, Change& change, const RideStep& command) {
   return {};
 }
 
-Status perform(Session& session, Change& change, const RideSeek& command) {
+Status perform(Session& session, Change&, const RideSeek& command) {
   const Status status = rideable(session);
   if (!status) return status;
   if (!std::isfinite(command.to)) return refused("expected a finite distance");
-  const double distance =
-      session.derived.closed ? command.to : change.clamp("distance", command.to, 0.0, session.derived.length, "m");
+  if (!std::isfinite(command.to)) return refused("expected a finite distance");
+  const double length = session.derived.length, end = std::max(length, double{static_cast<float>(length)});
+  if (const Status on = within("a distance along the track", command.to, 0, end, "m"); !session.derived.closed && !on)
+    return on;
+  const double distance = session.derived.closed ? command.to : std::min(command.to, length);
   sim::seek(session.document, session.derived, chosen_cart(session), distance, session.motion);
   // Stopped means at the start, ended and failed at an end: a moved train is in none of these states.
   session.motion.failure = {};

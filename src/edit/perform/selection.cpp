@@ -9,17 +9,19 @@ namespace coaster::edit {
 
 using base::Status;
 
-Status perform(Session& session, Change& change, const Select& command) {
+Status perform(Session& session, Change&, const Select& command) {
   world::Settings& settings = session.settings;
+  const bool segment = command.what.name.number != 0 && command.what.name.kind == world::Kind::segment;
+  if (!segment && command.at != Select{}.at) return refused("only a segment is selected at a parameter, such as @s3");
   if (command.what.name.number == 0) {
     settings.selected = world::kNone, settings.also.clear();
     return {};
   }
   const auto e = require(session, command.what, command.what.name.kind);
   if (!e) return e.status();
-  if (command.what.name.kind == world::Kind::segment) {
-    if (!std::isfinite(command.at)) return refused("expected a finite position");
-    settings.selected_t = change.clamp("position", command.at, 0.0, 1.0);
+  if (segment) {
+    if (const Status on = within("a parameter t", command.at, 0, 1); !on) return on;
+    settings.selected_t = command.at;
   }
   settings.selected = *e, settings.also.clear();
   return {};

@@ -65,7 +65,8 @@ Entity longest_segment(const sim::Derived& derived) {
 Status perform(Session& session, Change& change, const SplitSegment& command) {
   const auto e = require(session, command.segment, Kind::segment);
   if (!e) return e.status();
-  if (!(command.at > 0 && command.at < 1)) return refused("expected a parameter between 0 and 1");
+  if (!(command.at > 0 && command.at < 1))
+    return refused(fmt::format("expected a parameter t between 0 and 1, found {:.6g}", command.at));
   return split_at(session, change, *e, command.at);
 }
 
@@ -126,10 +127,10 @@ Status perform(Session& session, Change& change, const SetClosed& command) {
 Status perform(Session& session, Change& change, const AddCart& command) {
   const auto e = require(session, command.segment, Kind::segment);
   if (!e) return e.status();
-  if (!std::isfinite(command.at)) return refused("expected a finite fraction");
+  if (const Status on = within("a fraction of the length", command.at, 0, 1); !on) return on;
   if (session.document.entities.pool<world::Cart>().size() >= world::kMaxCarts)
     return refused(fmt::format("a track has at most {} trains", world::kMaxCarts));
-  change.select = world::add_cart(session.document, *e, change.clamp("fraction", command.at, 0.0, 1.0));
+  change.select = world::add_cart(session.document, *e, command.at);
   return {};
 }
 

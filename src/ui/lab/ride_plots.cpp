@@ -180,7 +180,10 @@ void RidePlots::show(Ui& ui, std::string_view label, Plot& picture, std::string_
   const auto drag = ui::plot(ui, label, picture,
                              fmt::format("{} The whole ride over the current track. Drag to move the train.", tooltip));
   if (pointed) ui.pointed = pick_at(ui.session().derived, place_at(*pointed));
-  if (drag) ui.emit(edit::RideSeek{place_at(drag->x) + behind_});
+  if (!drag) return;
+  const sim::Derived& derived = ui.session().derived;
+  const double to = place_at(drag->x) + behind_;  // beyond an open end where the train's middle is drawn
+  ui.emit(edit::RideSeek{derived.closed ? to : std::clamp(to, 0.0, derived.length)});
 }
 
 void RidePlots::plot(Ui& ui, RideValue value, std::string_view label, float width, float height) const {

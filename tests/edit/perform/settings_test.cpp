@@ -98,11 +98,16 @@ TEST_F(ChangingSettings, a_segment_is_selected_with_its_place) {
   good("select @s2 at 0.3");
   EXPECT_EQ(session.settings.selected, entity("s2"));
   EXPECT_EQ(session.settings.selected_t, 0.3);
-  clamped("select @s2 at 1.5", "limit of 1");
+  for (const char* const t : {"1.5", "-0.01", "1.0000001", "1e9"})
+    refused(std::string("select @s2 at ") + t, "expected a parameter t from 0 to 1, found ");
+  refused("select @k2 at 1.5", "only a segment is selected at a parameter");
+  refused("select none at 0.2", "only a segment is selected at a parameter");
+  EXPECT_EQ(session.settings.selected_t, 0.3);
+  good("select @s2 at 1"), good("select @s2 at 0");
   good("select none");
   EXPECT_EQ(session.settings.selected, world::kNone);
   refused("select @k9", "there is no knot @k9");
-  refused(Select{{{world::Kind::segment, 2}}, std::numeric_limits<double>::quiet_NaN()}, "finite");
+  refused(Select{{{world::Kind::segment, 2}}, std::numeric_limits<double>::quiet_NaN()}, "from 0 to 1, found nan");
 }
 
 TEST_F(ChangingSettings, rows_that_no_table_has_are_refused) {

@@ -120,7 +120,8 @@ TEST_F(ChangingTrack, carts_are_added_within_their_segment) {
   good("add_cart @s2 at 0.25");
   EXPECT_EQ(session.document.entities.get<world::Cart>(entity("c3")), (world::Cart{entity("s2"), 0.25}));
   EXPECT_EQ(session.motion.carts.size(), 3u);
-  clamped("add_cart @s2 at 1.5", "limit of 1");
+  refused("add_cart @s2 at 1.5", "expected a fraction of the length from 0 to 1, found 1.5");
+  refused("add_cart @s2 at -1", "from 0 to 1, found -1");
   refused("add_cart @k2 at 0.5", "expected a segment");
 }
 
