@@ -15,10 +15,21 @@ int finish(const base::Status& status) {
   return base::exit_code(status.code);
 }
 
-base::Result<script::Script> read_script(const std::string& path) {
+int finish_script(const Options& options, const base::Status& status, ScriptErrors errors) {
+  if (!options.json) return finish(status);
+  if (!status && errors.empty()) errors.push_back({{}, 0, 0, status.message, {}});
+  exchange::JsonList list;
+  for (const script::ScriptError& error : errors) list.push_back(script::to_json(error));
+  base::print(
+      exchange::json_members({{"code", std::int64_t{base::exit_code(status.code)}}, {"errors", std::move(list)}}));
+  return finish(status);
+}
+
+base::Result<script::Script> read_script(const std::string& path, ScriptErrors& errors) {
   base::Files files;
   auto parsed = script::parse_script_file(path, files);
   if (!parsed) return parsed.status();
+  errors = parsed->problems;
   if (parsed->errors.empty()) return std::move(parsed->script);
   return base::Status{base::Code::usage, fmt::format("{}", fmt::join(parsed->errors, "\n"))};
 }

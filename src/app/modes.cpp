@@ -12,6 +12,7 @@
 #include "app/ride_summary.h"
 #include "app/script_host.h"
 #include "base/console.h"
+#include "base/file_lock.h"
 #include "edit/commands/commands_ride.h"
 #include "edit/commands/commands_session.h"
 #include "edit/commands/set_setting.h"
@@ -85,10 +86,17 @@ int leave_window(Program& program) {
 }
 
 int run_script(const Options& options) {
-  const auto script = read_script(options.script);
-  if (!script) return finish(script.status());
+  ScriptErrors errors;
+  const auto end = [&](const base::Status& status) { return finish_script(options, status, errors); };
+  const auto script = read_script(options.script, errors);
+  if (!script) return end(script.status());
   const auto out = open_out(options, std::filesystem::path(options.script).stem());
-  if (!out) return finish(out.status());
+  if (!out) return end(out.status());
+  const auto claim = base::claim_folder(*out);  // held until the end
+  if (!claim && !options.out.empty()) base::print_error("warning: " + claim.status().message + ", too");
+  else if (!claim)
+    return end({claim.status().code, fmt::format("{}; give this run a folder of its own, such as --out {}-2",
+                                                 claim.status().message, out->folder().string())});
   script::RunOptions run;
   run.out = *out;
   run.update_goldens = options.update_goldens;
@@ -96,7 +104,7 @@ int run_script(const Options& options) {
   if (options.width > 0) run.environment.width = options.width, run.environment.height = options.height;
   const platform::Size size{run.environment.width, run.environment.height};
   auto program = make_program(options, size, 0);
-  if (!program) return finish(program.status());
+  if (!program) return end(program.status());
   Program& p = **program;
   p.stats.hide_times = true;
   p.files = base::Files(*out);
@@ -106,16 +114,19 @@ int run_script(const Options& options) {
     run.environment.scale = p.session.settings.look->ui_scale;                     // until the script changes it
   }
   if (!options.file.empty())
-    if (const base::Status opened = open_track(p, options.file); !opened) return finish(opened);
-  if (const base::Status limits = open_envelope(p.session, p.files, options); !limits) return finish(limits);
-  if (const base::Status started = start_recording(p); !started) return finish(started);
+    if (const base::Status opened = open_track(p, options.file); !opened) return end(opened);
+  if (const base::Status limits = open_envelope(p.session, p.files, options); !limits) return end(limits);
+  if (const base::Status started = start_recording(p); !started) return end(started);
   if (!options.movie.empty())
-    if (const base::Status filming = start_movie(p, movie_order(options)); !filming) return finish(filming);
+    if (const base::Status filming = start_movie(p, movie_order(options)); !filming) return end(filming);
   script::Host host = make_script_host(p);
+  script::ScriptError error;
+  run.error = &error;
   base::Status ran = script::run_script(*script, host, run);
+  if (!error.file.empty()) errors = {std::move(error)};
   if (const base::Status filmed = finish_movie(p); ran && !filmed) ran = filmed;
   if (const base::Status recorded = finish_recording(p); ran && !recorded) ran = recorded;
-  const int code = finish(ran);
+  const int code = end(ran);
   if (const int signal = platform::pending_signal()) return leave_by(p, signal);
   stop_keeping(p, p.quit);
   return code;

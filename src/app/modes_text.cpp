@@ -7,6 +7,7 @@
 #include "edit/commands/commands_ride.h"
 #include "edit/commands/commands_session.h"
 #include "edit/perform/apply.h"
+#include "edit/session/ride_report.h"
 #include "exchange/challenge_file.h"
 #include "exchange/formats.h"
 #include "exchange/own/link.h"
@@ -56,16 +57,15 @@ base::Status validate_file(const std::string& path) {
 }  // namespace
 
 int run_validate(const Options& options) {
+  ScriptErrors errors;
   for (const std::string& path : {options.file, options.script}) {
     if (path.empty()) continue;
-    if (path == options.script || std::filesystem::path(path).extension() == ".coaster") {
-      if (const auto script = read_script(path); !script) return finish(script.status());
-    } else if (const base::Status valid = validate_file(path); !valid) {
-      return finish(valid);
-    }
+    const bool script = path == options.script || std::filesystem::path(path).extension() == ".coaster";
+    if (const base::Status valid = script ? read_script(path, errors).status() : validate_file(path); !valid)
+      return finish_script(options, valid, errors);
   }
-  base::print("ok\n");
-  return 0;
+  if (!options.json) base::print("ok\n");
+  return finish_script(options, {}, {});
 }
 
 int run_report(const Options& options) {
@@ -75,7 +75,7 @@ int run_report(const Options& options) {
     return finish({base::Code::bad_file, opened.message});
   print_notices(session);
   if (const base::Status limits = open_envelope(session, files, options); !limits) return finish(limits);
-  const auto report = edit::ride_report(session);
+  const auto report = options.json ? edit::ride_report_json(session) : edit::ride_report(session);
   if (!report) return finish({base::Code::refused, "the track has no train, so there is no ride to report"});
   base::print(*report);
   return finish({});

@@ -17,45 +17,56 @@
 namespace coaster::app {
 namespace {
 
+constexpr ModeRow kModes[] = {{'v', "--validate"}, {'p', "--report"},           {'f', "--script F --movie"},
+                              {'s', "--script F"}, {'m', "--headless --movie"}, {'r', "--headless FILE"},
+                              {'w', "a window"}};
+constexpr std::string_view kAnywhere = "vpfsmrw";
+
 constexpr OptionRow kRows[] = {
     {"FILE", "", Word::track,
-     "Track to open; the file extension selects the format (docs/track-format.md). Or a shared link", &Options::file},
+     "Track to open; the file extension selects the format (docs/track-format.md). Or a shared link", &Options::file,
+     kAnywhere},
     {"--headless", "", Word::nothing,
      "Run FILE or a script without a display; without a script: ride FILE, write OUT/ride.png, print a summary",
-     &Options::headless},
-    {"--script", "F", Word::script, "Run a script (.coaster)", &Options::script},
-    {"--record", "F", Word::script, "Record the session as a script", &Options::record},
-    {"--frames", "N", Word::other, "End after N frames, or N pictures of a movie", &Options::frames},
-    {"--size", "WxH", Word::other, "Size of window or pictures, WIDTHxHEIGHT", &Options::size},
-    {"--seed", "N", Word::other, "Seed for scripts that do not set one", &Options::seed},
-    {"--out", "DIR", Word::folder, "Output folder of scripts and pictures", &Options::out},
+     &Options::headless, "vpfsmr"},
+    {"--script", "F", Word::script, "Run a script (.coaster)", &Options::script, "vfs"},
+    {"--record", "F", Word::script, "Record the session as a script", &Options::record, "fsmrw"},
+    {"--frames", "N", Word::other, "End after N frames, or N pictures of a movie", &Options::frames, "mrw"},
+    {"--size", "WxH", Word::other, "Size of window or pictures, WIDTHxHEIGHT", &Options::size, "fsmrw"},
+    {"--seed", "N", Word::other, "Seed for scripts that do not set one", &Options::seed, "fs"},
+    {"--out", "DIR", Word::folder, "Output folder of scripts and pictures", &Options::out, "fsr"},
     {"--camera", "NAME", Word::camera, "Camera: orbit, ride, chase or fly; default chase for a movie of a ride",
-     &Options::camera},
+     &Options::camera, "mrw"},
     {"--movie", "DIR", Word::folder,
      "Record the script, or one lap of FILE, as numbered pictures in this folder, and movie.mp4 if ffmpeg is "
      "installed; needs --headless",
-     &Options::movie},
+     &Options::movie, "fm"},
     {"--fps", "N", Word::rate, "Pictures per second of the movie: 10, 12, 15, 20, 24, 30, 40, 60 or 120; default 30",
-     &Options::fps},
-    {"--gif", "", Word::nothing, "Also write movie.gif, at most 640 pixels wide", &Options::gif},
-    {"--update-goldens", "", Word::nothing, "Save the pictures of snap as new golden pictures",
-     &Options::update_goldens},
+     &Options::fps, "fm"},
+    {"--gif", "", Word::nothing, "Also write movie.gif, at most 640 pixels wide", &Options::gif, "fm"},
+    {"--update-goldens", "", Word::nothing, "Save the pictures of snap that fail or are new as golden pictures",
+     &Options::update_goldens, "fs"},
     {"--validate", "", Word::nothing, "Check FILE (a track, a challenge or a script) or the script without running it",
-     &Options::validate},
-    {"--json", "", Word::nothing, "Print the summary of the ride as JSON", &Options::json},
+     &Options::validate, "v"},
+    {"--json", "", Word::nothing, "Print the summary of a ride, the report, or the errors of a script as JSON",
+     &Options::json, "vpfsmr"},
     {"--report", "", Word::nothing,
-     "Print the report of the whole ride of FILE: times, forces, ratings; no graphics needed", &Options::report},
-    {"--envelope", "F", Word::json, "Force limits by duration (.json); not a compliance check", &Options::envelope},
+     "Print the report of the whole ride of FILE: times, forces, ratings; no graphics needed", &Options::report, "p"},
+    {"--envelope", "F", Word::json, "Force limits by duration (.json); not a compliance check", &Options::envelope,
+     "pfsmrw"},
     {"--address", "URL", Word::other,
-     "Address of the page that opens the links you share; default coaster:", &Options::address},
-    {"--hash-log", "", Word::nothing, "Print the hashes of document and motion after each tick", &Options::hash_log},
+     "Address of the page that opens the links you share; default coaster:", &Options::address, "fsw"},
+    {"--hash-log", "", Word::nothing, "Print the hashes of document and motion after each tick", &Options::hash_log,
+     "fsmrw"},
     {"--config", "DIR", Word::folder,
      "Folder for settings and autosaves instead of the user's; without it scripts keep none (docs/files.md)",
-     &Options::config},
-    {"--reset-layout", "", Word::nothing, "Reset window, scale and panels to the defaults", &Options::reset_layout},
-    {"--help-script", "", Word::nothing, "Print the script language and exit", &Options::help_script},
-    {"--help-man", "", Word::nothing, "Print the manual page (roff) and exit", &Options::help_man},
-    {"--help-completion", "", Word::nothing, "Print the bash completion and exit", &Options::help_completion},
+     &Options::config, "fsw"},
+    {"--reset-layout", "", Word::nothing, "Reset window, scale and panels to the defaults", &Options::reset_layout,
+     "fsw"},
+    {"--help-script", "", Word::nothing, "Print the script language and exit", &Options::help_script, kAnywhere},
+    {"--help-man", "", Word::nothing, "Print the manual page (roff) and exit", &Options::help_man, kAnywhere},
+    {"--help-completion", "", Word::nothing, "Print the bash completion and exit", &Options::help_completion,
+     kAnywhere},
 };
 
 constexpr ExitCodeRow kExitCodes[] = {{"0", "success"},
@@ -73,10 +84,10 @@ std::string exit_code_line() {
   std::string line = "Exit codes:";
   for (const ExitCodeRow& row : kExitCodes)
     line += fmt::format("{} {} {}", row.code == "0" ? "" : ",", row.code, row.meaning);
-  return line + ".";
+  return line + ". Options without an effect together are refused.";
 }
 
-void add(CLI::App& cli, const OptionRow& row, Options& options) {
+CLI::Option* add(CLI::App& cli, const OptionRow& row, Options& options) {
   const std::string name(row.name), help(row.help);
   CLI::Option* const option = std::visit(
       [&]<class T>(T Options::*member) {
@@ -85,6 +96,7 @@ void add(CLI::App& cli, const OptionRow& row, Options& options) {
       },
       row.member);
   if (!row.value.empty()) option->option_text(std::string(row.value));
+  return option;
 }
 
 constexpr std::int64_t kMostFrames = 10'000'000;
@@ -103,10 +115,29 @@ std::string trouble(Options& o) {
   if (o.headless && o.file.empty() && o.script.empty() && !o.validate && !o.report)
     return "--headless needs a FILE or a --script, such as: coaster --headless FILE";
   if (!o.movie.empty() && !o.headless) return "--movie needs --headless; in a window use File/Record movie";
+  if (o.reset_layout && o.config.empty() && !o.script.empty()) return "--reset-layout of a script needs --config";
   return {};
 }
 
+// Returns the error of an option that does nothing in this mode.
+std::string without_effect(const OptionRow& row, char mode) {
+  std::string now, others;
+  for (const ModeRow& one : kModes) {
+    if (one.letter == mode) now = one.words;
+    if (row.modes.find(one.letter) != std::string_view::npos)
+      others += fmt::format("{}{}", others.empty() ? "" : ", ", one.words);
+  }
+  return fmt::format("{} has no effect with {}; it works with: {}", row.name, now, others);
+}
+
 }  // namespace
+
+std::span<const ModeRow> mode_rows() { return kModes; }
+char mode_of(const Options& o) {
+  if (o.validate || o.report) return o.validate ? 'v' : 'p';
+  if (!o.script.empty()) return o.movie.empty() ? 's' : 'f';
+  return !o.headless ? 'w' : o.movie.empty() ? 'r' : 'm';
+}
 
 std::span<const OptionRow> option_rows() { return kRows; }
 std::span<const ExitCodeRow> exit_code_rows() { return kExitCodes; }
@@ -123,7 +154,8 @@ ParsedOptions parse_options(int argc, const char* const* argv) {
   cli.footer(exit_code_line());
   bool version = false;
   cli.add_flag("--version", version, "Print the version and exit");
-  for (const OptionRow& row : kRows) add(cli, row, o);
+  std::vector<std::pair<const OptionRow*, const CLI::Option*>> all;
+  for (const OptionRow& row : kRows) all.emplace_back(&row, add(cli, row, o));
   try {
     cli.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
@@ -138,8 +170,12 @@ ParsedOptions parse_options(int argc, const char* const* argv) {
   else if (o.help_script) print(script::help());
   else if (o.help_man) print(manual_page());
   else if (o.help_completion) print(bash_completion());
-  else if (const std::string wrong = trouble(o); !wrong.empty())
-    out.exit_code = 2, out.text = fmt::format("coaster: {}", wrong);
+  if (out.exit_code) return out;
+  std::string wrong = trouble(o);
+  for (const auto& [row, option] : all)
+    if (wrong.empty() && option->count() > 0 && row->modes.find(mode_of(o)) == std::string_view::npos)
+      wrong = without_effect(*row, mode_of(o));
+  if (!wrong.empty()) out.exit_code = 2, out.text = fmt::format("coaster: {}", wrong);
   return out;
 }
 

@@ -42,7 +42,17 @@ struct OptionRow {
   std::variant<bool Options::*, std::string Options::*, int Options::*, std::int64_t Options::*,
                std::optional<std::int64_t> Options::*>
       member;
+  std::string_view modes;  // in which it has an effect, by the letters of mode_rows()
 };
+// What the program does, by the first of these that the options ask for: v checks files, p prints a report, f films a
+// script, s runs one, m films a ride, r rides, w opens a window. An option without an effect there is an error.
+struct ModeRow {
+  char letter;
+  std::string_view words;  // "--headless FILE"
+};
+std::span<const ModeRow> mode_rows();
+char mode_of(const Options& options);
+
 // Returns the options in the order of help, without --help and --version.
 std::span<const OptionRow> option_rows();
 

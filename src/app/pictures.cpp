@@ -135,28 +135,41 @@ base::Status write_sheet(const base::Root& root, const std::filesystem::path& pa
   return write(root, path, gfx::contact_sheet(images, columns, kGap));
 }
 
+std::string picture_difference(std::string_view png, std::string_view other) {
+  const auto a = gfx::decode_png(png, ""), b = gfx::decode_png(other, "");
+  if (!a || !b) return {};
+  const gfx::Difference difference = gfx::compare(*a, *b, {.share = 0, .block = 0, .channel = 0});
+  if (!difference.same_size)
+    return fmt::format("in size: {}x{} and {}x{} pixels", a->width, a->height, b->width, b->height);
+  if (difference.pixels == 0) return {};
+  return fmt::format("in {} of {} pixels, the first at x {} y {}, by up to {} of 255 at x {} y {}", difference.pixels,
+                     a->width * a->height, difference.first.x, difference.first.y, difference.largest,
+                     difference.largest_at.x, difference.largest_at.y);
+}
+
 base::Status compare_picture(Program& program, const std::string& name, const std::filesystem::path& golden,
                              const std::filesystem::path& folder, bool update) {
   if (program.stats.frame == 0) return {base::Code::refused, "no frame has been drawn"};
   draw_pixels(program);
   const gfx::Image picture = program.renderer->read_pixels();
-  if (update) return write_golden(name, golden, picture);
   const base::Root& root = program.files.root();
   base::Files files(root);
   const auto at = [&](const char* kind) { return folder / fmt::format("{}.{}", name, kind); };
   const auto bytes = files.read(golden);
+  const auto reference = bytes ? gfx::decode_png(*bytes, golden.string()) : base::Result<gfx::Image>(bytes.status());
+  if (update && !reference) return write_golden(name, golden, picture);
   if (!bytes) {
     if (const base::Status wrote = write(root, at("new.png"), picture); !wrote) return wrote;
     return {base::Code::expectation, fmt::format("no golden picture {} (--update-goldens makes it); the picture is {}",
                                                  golden.string(), at("new.png").string())};
   }
-  const auto reference = gfx::decode_png(*bytes, golden.string());
   if (!reference) return reference.status();
   // Goldens are Mesa's pictures; browsers draw by ANGLE.
   const bool as_mesa = program.surface->library() != "WebGL 2";
   const gfx::Tolerance tolerance = as_mesa ? gfx::Difference::kSameSamples : gfx::Difference::kOtherSamples;
   const gfx::Difference difference = gfx::compare(picture, *reference, tolerance);
   if (difference.acceptable) return {};
+  if (update) return write_golden(name, golden, picture);
   for (const base::Status& wrote : {write(root, at("new.png"), picture), write(root, at("reference.png"), *reference)})
     if (!wrote) return wrote;
   if (difference.same_size)

@@ -24,9 +24,13 @@ base::Status write_sheet(const base::Root& root, const std::filesystem::path& pa
 // else the folder of take_photo()), in a script's $OUT.
 std::filesystem::path movie_folder(const Program& program);
 
+// Returns how two PNG files differ, as script::Host says.
+std::string picture_difference(std::string_view png, std::string_view other);
+
 // Compares the last frame with a golden picture, by the rule of gfx/image.h. If they differ, writes NAME.new.png,
 // NAME.reference.png, NAME.difference.png and NAME.html into `folder`. `update`: writes the golden instead,
-// SCRIPTS/golden/NAME.png, below the folder SCRIPTS. Code::expectation if there is no golden or the pictures differ.
+// SCRIPTS/golden/NAME.png, below the folder SCRIPTS, if it is missing or differs. Code::expectation if there is no
+// golden or the pictures differ.
 base::Status compare_picture(Program& program, const std::string& name, const std::filesystem::path& golden,
                              const std::filesystem::path& folder, bool update);
 

@@ -169,6 +169,7 @@ script::Host make_script_host(Program& program) {
   };
   host.snap = [p](const std::string& name, const std::filesystem::path& golden, const std::filesystem::path& folder,
                   bool update) { return compare_picture(*p, name, golden, folder, update); };
+  host.compare_pictures = picture_difference;
   host.commands = [p] { return p->commands; };
   host.hovered = [p] { return p->picture.hovered; };
   host.viewport = [p] { return p->picture.view.viewport; };

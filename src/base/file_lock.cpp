@@ -130,4 +130,12 @@ LockAttempt try_lock(const std::filesystem::path& path, const Root& root) {
   return attempt;
 }
 
+Result<Descriptor> claim_folder(const Root& root) {
+  Result<Place> place = root.locate(root.folder() / "*");  // opens the folder
+  if (!place) return place.status();
+  if (::flock(place->folder.get(), LOCK_EX | LOCK_NB) == 0) return std::move(place->folder);
+  if (errno != EWOULDBLOCK) return Descriptor();
+  return Status{Code::refused, fmt::format("{}: another run of coaster writes there", root.folder().string())};
+}
+
 }  // namespace coaster::base

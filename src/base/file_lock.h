@@ -42,6 +42,11 @@ struct LockAttempt {
 // `root` does not allow the lock file, or something else has its name.
 LockAttempt try_lock(const std::filesystem::path& path, const Root& root = {});
 
+// Takes the folder of a limited root while the descriptor is open, by flock(2) on the folder itself: no file is left,
+// and the system releases it however the process ends. Code::refused while another run holds it. An invalid descriptor
+// where the system has no such lock.
+Result<Descriptor> claim_folder(const Root& root);
+
 // Returns the canonical path of a file, absolute and with links followed, whether or not it exists.
 std::filesystem::path canonical_path(const std::filesystem::path& path);
 

@@ -9,12 +9,12 @@ namespace coaster::gfx {
 namespace {
 
 constexpr int kBlock = 8;
-constexpr int kChannelTolerance = 16;  // of 255
 
-bool differs(const std::uint8_t* a, const std::uint8_t* b) {
-  for (int c = 0; c < 4; ++c)
-    if (std::abs(int(a[c]) - int(b[c])) > kChannelTolerance) return true;
-  return false;
+// Returns the largest difference of a channel.
+int between(const std::uint8_t* a, const std::uint8_t* b) {
+  int most = 0;
+  for (int c = 0; c < 4; ++c) most = std::max(most, std::abs(int(a[c]) - int(b[c])));
+  return most;
 }
 
 }  // namespace
@@ -35,8 +35,10 @@ Difference compare(const Image& picture, const Image& golden, Tolerance toleranc
       const std::size_t at = 4 * (std::size_t(y) * std::size_t(width) + std::size_t(x));
       const std::uint8_t* p = &picture.rgba[at];
       std::uint8_t* out = &result.picture.rgba[at];
-      if (differs(p, &golden.rgba[at])) {
-        ++result.pixels;
+      const int by = between(p, &golden.rgba[at]);
+      if (by > result.largest) result.largest = by, result.largest_at = {x, y};
+      if (by > tolerance.channel) {
+        if (++result.pixels == 1) result.first = {x, y};
         const int count = ++blocks[std::size_t(y / kBlock) * std::size_t(columns) + std::size_t(x / kBlock)];
         result.worst_block = std::max(result.worst_block, count);
         out[0] = 255, out[1] = out[2] = 0;

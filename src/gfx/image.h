@@ -25,10 +25,11 @@ Image half_size(const Image& picture);
 // with a margin of `gap` px around every cell.
 Image contact_sheet(std::span<const Image> pictures, int columns, int gap);
 
-// What a driver may change in a golden picture: a fraction of all pixels, and pixels of one aligned 8x8 block.
+// What a driver may change in a golden picture: a fraction of all pixels, and pixels of one aligned 8x8 block; and the
+// difference of a channel, of 255, up to which a pixel counts as equal.
 struct Tolerance {
   double share;
-  int block;
+  int block, channel = 16;
 };
 
 // The rule of golden pictures: sizes are equal; a pixel differs if a channel differs by more than 16; pictures differ
@@ -42,7 +43,9 @@ struct Difference {
   long most_pixels = 0;  // acceptable number
   int worst_block = 0;   // most differing pixels in one block
   bool acceptable = true;
-  Image picture;  // differing pixels in red over a grey copy
+  int largest = 0;                       // difference of a channel
+  glm::ivec2 first{-1}, largest_at{-1};  // the first differing pixel, by rows from the top; where `largest` is
+  Image picture;                         // differing pixels in red over a grey copy
 };
 Difference compare(const Image& picture, const Image& golden, Tolerance tolerance = Difference::kSameSamples);
 

@@ -12,7 +12,7 @@ class FrameDriver {
  public:
   explicit FrameDriver(Host& host) : host_(host) {}
 
-  Host& host() { return host_; }
+  Host& host() const { return host_; }
   base::Status set_environment(const Environment& environment);
   base::Status set_home(const std::filesystem::path& folder);
   base::Status apply(const edit::Command& command);

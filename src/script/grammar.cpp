@@ -40,10 +40,7 @@ class Parser {
   void close(Tokens tokens);
   bool split(std::string_view text, Source& made);
   const Source& source() const { return out_.script.sources[static_cast<std::size_t>(source_)]; }
-  void error(int column, const std::string& message) {
-    if (++errors_ <= kMaxErrors) out_.errors.push_back(describe_error(source(), line_, column, message));
-    if (first_error_ == 0) first_error_ = line_;
-  }
+  void error(int column, const std::string& message);
   void add(Statement statement) { (open_.empty() ? *block_ : open_.back().body).push_back(std::move(statement)); }
 
   ParsedScript& out_;
@@ -56,8 +53,19 @@ class Parser {
   int first_line_ = 0;                                 // the first one with words, 0: none
   int first_error_ = 0;                                // its line in this file, 0: none
   int source_ = 0, line_ = 0;                          // the line being parsed
+  int from_ = -1, from_line_ = 0;                      // of the source
   bool header_seen_ = false, header_required_ = true;  // an included file may have the header
 };
+
+void Parser::error(int column, const std::string& message) {
+  if (first_error_ == 0) first_error_ = line_;
+  if (++errors_ > kMaxErrors) return;
+  ScriptError found{source().name, line_, column, message, {}};
+  for (const Source* at = &source(); at->from >= 0; at = &out_.script.sources[static_cast<std::size_t>(at->from)])
+    found.from.push_back({out_.script.sources[static_cast<std::size_t>(at->from)].name, at->from_line});
+  out_.errors.push_back(describe_error(source(), found));
+  out_.problems.push_back(std::move(found));
+}
 
 void Parser::header(Tokens tokens) {
   const auto version = tokens.size() == 2 ? base::parse_int(tokens[1].text) : std::nullopt;
@@ -85,9 +93,10 @@ void Parser::include(Tokens tokens) {
   including.push_back(canonical);
   const std::size_t before = errors_;
   Parser inner(out_, files_, std::move(including), errors_);
+  inner.from_ = source_, inner.from_line_ = line_;
   inner.file(*text, path.string(), path.parent_path(), false, included.body);
   if (!inner.header_seen_ && inner.first_error_ != 0 && inner.first_error_ == inner.first_line_) {
-    out_.errors.resize(std::min(before, kMaxErrors));
+    out_.errors.resize(std::min(before, kMaxErrors)), out_.problems.resize(out_.errors.size());
     errors_ = before;
     return error(tokens[1].column, fmt::format("{} is not a script: its line {} is no statement; begin it with "
                                                "\"coaster-script 1\" to see its errors",
@@ -197,8 +206,8 @@ bool Parser::split(std::string_view text, Source& made) {
 void Parser::file(std::string_view text, const std::string& name, const std::filesystem::path& folder,
                   bool header_required, Block& block) {
   source_ = static_cast<int>(out_.script.sources.size());
-  out_.script.sources.push_back({name, folder, {}});
-  Source made{name, folder, {}};
+  Source made{name, folder, {}, from_, from_line_};
+  out_.script.sources.push_back(made);
   if (!split(text, made)) return;
   out_.script.sources.back().lines = made.lines;
   const std::vector<std::string> lines = made.lines;  // an include adds to the sources
@@ -240,8 +249,22 @@ base::Result<ParsedScript> parse_script_file(const std::filesystem::path& path, 
   return parse_script(*text, path.string(), path.parent_path(), files);
 }
 
-std::string describe_error(const Source& source, int line, int column, std::string message, const std::string& note) {
-  std::string hint;
+exchange::JsonMembers to_json(const ScriptError& error) {
+  exchange::JsonList from;
+  for (const Origin& origin : error.from) {
+    from.push_back({{"file", origin.file}, {"line", std::int64_t{origin.line}}});
+    if (origin.pass > 0) from.back().emplace_back("pass", origin.pass), from.back().emplace_back("of", origin.of);
+  }
+  return {{"file", error.file.empty() ? exchange::JsonValue() : error.file},
+          {"line", std::int64_t{error.line}},
+          {"column", std::int64_t{error.column}},
+          {"message", error.message},
+          {"from", std::move(from)}};
+}
+
+std::string describe_error(const Source& source, const ScriptError& error, const std::string& note) {
+  const auto [line, column] = std::pair(error.line, error.column);
+  std::string hint, message = error.message;
   if (const std::size_t at = message.find(" did you mean "); at != std::string::npos) {
     hint = message.substr(at);
     message.resize(at);
@@ -262,7 +285,12 @@ std::string describe_error(const Source& source, int line, int column, std::stri
                               (text.size() > std::max(from, to) + kAfter ? "..." : "");
     out += fmt::format("\n    {}{}\n    {}^", before, after, std::string(before.size(), ' '));
   }
-  return out + hint;
+  out += hint;
+  for (const Origin& from : error.from)
+    out += from.pass > 0
+               ? fmt::format("\n  in pass {} of {} of the repeat at {}:{}", from.pass, from.of, from.file, from.line)
+               : fmt::format("\n  included at {}:{}", from.file, from.line);
+  return out;
 }
 
 }  // namespace coaster::script

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "base/files.h"
+#include "exchange/own/json_values.h"
 #include "script/statements.h"
 
 namespace coaster::script {
@@ -18,13 +19,31 @@ inline constexpr int kMaxBlockDepth = 64;
 inline constexpr std::size_t kMaxErrors = 20;
 inline constexpr std::size_t kMaxLines = 500'000;  // limit for a script and all that it includes: 0.5 GB of statements
 
+// How a script came to a line: the line that includes its file, or begins the repeat that is in a pass.
+struct Origin {
+  std::string file;
+  int line = 0;
+  std::int64_t pass = 0, of = 0;  // from 1; 0: an include
+};
+
+// An error of a script, at reading or at running.
+struct ScriptError {
+  std::string file;  // empty: of no line
+  int line = 0, column = 0;
+  std::string message;
+  std::vector<Origin> from;  // innermost first
+};
+// Returns "file", "line", "column", "message", and "from": a list of "file", "line", and of a repeat "pass", "of".
+exchange::JsonMembers to_json(const ScriptError& error);
+
 // An included file that begins neither with "coaster-script 1" nor with a statement gives one error, which shows none
 // of its lines: it is not a script, and may be confidential.
 struct ParsedScript {
   Script script;
-  std::vector<std::string> errors;  // each formatted by describe_error(), and the number of those beyond kMaxErrors;
-                                    // empty: the script can run
-  std::size_t lines = 0;            // lines read, of all files
+  std::vector<std::string> errors;    // each formatted by describe_error(), and the number of those beyond kMaxErrors;
+                                      // empty: the script can run
+  std::vector<ScriptError> problems;  // those errors, in the same order
+  std::size_t lines = 0;              // lines read, of all files
 };
 
 // Parses a text. `include` reads through `files`, relative to `folder`, then to the current folder.
@@ -35,9 +54,8 @@ ParsedScript parse_script(std::string_view text, const std::string& name, const 
 base::Result<ParsedScript> parse_script_file(const std::filesystem::path& path, base::Files& files);
 
 // Returns "FILE:LINE:COLUMN: error: MESSAGE", the line, and a caret below the column with the part of the message from
-// "did you mean"; `note` follows in brackets.
-std::string describe_error(const Source& source, int line, int column, std::string message,
-                           const std::string& note = {});
+// "did you mean"; `note` follows in brackets, then a line for each origin.
+std::string describe_error(const Source& source, const ScriptError& error, const std::string& note = {});
 
 // Returns every first word of a line, commands included.
 const std::vector<std::string>& statement_words();

@@ -61,6 +61,9 @@ struct Host {
                              const std::filesystem::path& folder, bool update)>
       snap;
   // The next four may be empty; checks that need them are then skipped or rejected.
+  // Returns how two PNG files differ: "in size: ..." or "in 12 of 230400 pixels, ..."; empty if one is no PNG file or
+  // their pixels are equal.
+  std::function<std::string(std::string_view png, std::string_view other)> compare_pictures;
   std::function<std::uint64_t()> commands;            // number of commands run since the start, from any source
   std::function<view::Pick()> hovered;                // under the cursor in the last frame
   std::function<view::Viewport()> viewport;           // of the last frame

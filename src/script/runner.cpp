@@ -12,7 +12,6 @@
 #include "edit/commands/commands_session.h"
 #include "edit/commands/commands_settings.h"
 #include "query/context.h"
-#include "script/grammar.h"
 #include "script/paths.h"
 #include "view/camera.h"
 
@@ -65,10 +64,24 @@ Failure Runner::advance() {
 }
 
 base::Status Runner::error_of(const Failure& result) {
-  const std::string note = result.code == base::Code::skipped ? std::string() : write_evidence();
+  const Source& source = script_.sources[static_cast<std::size_t>(failed_at_->source)];
   const int column = result.column > 0 ? result.column : failed_at_->column;
-  return {result.code, describe_error(script_.sources[static_cast<std::size_t>(failed_at_->source)], failed_at_->line,
-                                      column, result.message, note)};
+  const ScriptError error{source.name, failed_at_->line, column, result.message, origins()};
+  if (options_.error != nullptr) *options_.error = error;
+  const std::string note = result.code == base::Code::skipped ? std::string() : write_evidence(error);
+  return {result.code, describe_error(source, error, note)};
+}
+
+std::vector<Origin> Runner::origins() const {
+  std::vector<Origin> from;
+  for (std::size_t i = places_.size(); i-- > 1;) {
+    const Statement& opener = (*places_[i - 1].block)[places_[i - 1].next - 1];
+    const std::string& file = script_.sources[static_cast<std::size_t>(opener.source)].name;
+    if (const auto* const repeat = std::get_if<Repeat>(&opener.action))
+      from.push_back({file, opener.line, repeat->count - places_[i].again, repeat->count});
+    else if (std::holds_alternative<Include>(opener.action)) from.push_back({file, opener.line});
+  }
+  return from;
 }
 
 Failure Runner::run(const Statement& statement) {

@@ -4,11 +4,13 @@
 
 #include <filesystem>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
 #include "base/root.h"
 #include "script/frame_driver.h"
+#include "script/grammar.h"
 #include "script/host.h"
 #include "script/statements.h"
 
@@ -17,7 +19,8 @@ namespace coaster::script {
 struct RunOptions {
   base::Root out;  // limited to the folder that $OUT means
   bool update_goldens = false;
-  Environment environment;  // in effect before the first env line
+  Environment environment;       // in effect before the first env line
+  ScriptError* error = nullptr;  // receives the error of a script that fails
 };
 
 // A failed statement's error; column 0: the column of the statement.
@@ -109,21 +112,26 @@ class Runner {
   base::Result<query::Value> value_of(std::string_view query, const std::string& argument);
   // Evaluates the condition; `found` receives the value as text.
   base::Result<bool> check(const Condition& condition, std::string& found);
+  // Returns why the value of a condition of the ride cannot change by waiting; empty if it can.
+  std::string stands_still(const Condition& condition) const;
   const Source& source() const { return script_.sources[static_cast<std::size_t>(source_)]; }
   std::filesystem::path input(std::string_view written) const;
   // Reports the notices after that number: without panels nobody sees the warnings of a file.
   void report_since(std::uint64_t serial);
   // Returns the file to write for a path below $OUT, with or without "$OUT/".
   base::Result<std::filesystem::path> below_out(std::string_view written) const;
-  // Writes picture, widgets and values to $OUT; returns a note for the message.
-  std::string write_evidence();
+  // Returns the passes of repeats and the includes that led to the running statement.
+  std::vector<Origin> origins() const;
+  // Writes picture, widgets, and values with the error to $OUT; returns a note for the message.
+  std::string write_evidence(const ScriptError& error);
 
   const Script& script_;
   FrameDriver frames_;
   const RunOptions& options_;
   base::Files files_;  // writes only below $OUT, without the faults that scripts inject into the host's
   Environment environment_;
-  std::vector<Place> places_;  // the innermost last
+  std::vector<Place> places_;              // the innermost last
+  std::set<std::filesystem::path> snaps_;  // golden pictures compared so far
   std::optional<Given> given_;
   bool waits_ = false;
   int lessons_ = 0;                           // lessons started so far

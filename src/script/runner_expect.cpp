@@ -5,6 +5,7 @@
 
 #include "query/condition.h"
 #include "query/context.h"
+#include "query/rows.h"
 #include "script/runner.h"
 #include "script/widgets.h"
 
@@ -18,6 +19,27 @@ int column_of(const Condition& condition, const std::string& found) {
 }
 
 }  // namespace
+
+// A running ride changes the queries of its trains by itself; any other changes them only by a statement or input.
+std::string Runner::stands_still(const Condition& condition) const {
+  const auto rows = query::ride_rows();
+  const bool moves = condition.query.starts_with("ride.fail") ||
+                     (condition.query.starts_with("ride.") &&
+                      std::any_of(rows.begin(), rows.end(), [&](const auto& q) { return q.name == condition.query; }));
+  if (!moves || frames_.has_put_off()) return {};
+  const query::Context context = frames_.host().context();
+  const edit::Session& session = context.session;
+  if (session.motion.carts.size() == 0) return "there is no train: write add_cart @s1 at 0, then ride.start";
+  switch (session.motion.state) {
+    case world::RideState::running: return {};
+    case world::RideState::stopped: return "the ride was never started, or was stopped: write ride.start first";
+    case world::RideState::paused: return "the ride is paused: write ride.start to continue it";
+    case world::RideState::ended:
+    case world::RideState::failed: break;
+  }
+  const std::string failure = edit::failure_text(session);
+  return failure.empty() ? "the ride has ended" : failure;
+}
 
 base::Result<query::Value> Runner::value_of(std::string_view query, const std::string& argument) {
   const query::Query* const row = query::find_query(query);
@@ -66,14 +88,15 @@ Failure Runner::perform(const Wait& wait) {
     if (!result && result.status().code != base::Code::refused)
       return failure(result.status(), column_of(wait.condition, found));
     found = result ? "found " + found : result.status().message;
-    if (i == wait.most || frames_.interrupted()) break;
+    const std::string still = stands_still(wait.condition);
+    if (i == wait.most || !still.empty() || frames_.interrupted())
+      return {base::Code::timeout,
+              fmt::format("waited {} {} for {}, {}{}{}", i, wait.frames ? "frames" : "ticks", wait.condition.text,
+                          found, still.empty() ? "" : "; ", still),
+              wait.condition.column};
     if (!wait.frames) frames_.advance(1);
     else if (const base::Status status = frames_.frame({}); !status) return failure(status);
   }
-  return {
-      base::Code::timeout,
-      fmt::format("waited {}{} for {}, {}", wait.most, wait.frames ? " frames" : " ticks", wait.condition.text, found),
-      wait.condition.column};
 }
 
 Failure Runner::perform(const ExpectFile& expect) {
@@ -90,8 +113,11 @@ Failure Runner::perform(const ExpectFile& expect) {
   if ((*bytes == *wanted) != expect.negated) return {};
   if (expect.negated) return failed("the files are the same", expect.path.column);
   const auto [a, b] = std::mismatch(bytes->begin(), bytes->end(), wanted->begin(), wanted->end());
-  const auto line = 1 + std::count(bytes->begin(), a, '\n');
-  return failed(fmt::format("{} differs from line {} on", path.string(), line), expect.path.column);
+  std::string how = frames_.host().compare_pictures ? frames_.host().compare_pictures(*bytes, *wanted) : "";
+  if (how.empty() && (*bytes + *wanted).find('\0') == std::string::npos)
+    how = fmt::format("from line {} on", 1 + std::count(bytes->begin(), a, '\n'));
+  else if (how.empty()) how = fmt::format("from byte offset {} on", a - bytes->begin());
+  return failed(fmt::format("{} differs from {} {}", path.string(), expect.same_as->text, how), expect.path.column);
 }
 
 Failure Runner::perform(const ExpectError& expect) {

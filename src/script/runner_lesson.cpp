@@ -54,9 +54,11 @@ Failure Runner::attend() {
   if (done && *done) return end({});
   if (!host.answer) {
     if (!done) return end(failure(done.status(), lesson.until.column));
-    if (given.waited++ < kMostLessonFrames) return failure(frames_.frame({}));
+    const std::string still = stands_still(lesson.until);
+    if (still.empty() && given.waited++ < kMostLessonFrames) return failure(frames_.frame({}));
     return end({base::Code::timeout,
-                fmt::format("the lesson's lines did not reach {}, found {}", lesson.until.text, found),
+                fmt::format("the lesson's lines did not reach {}, found {}{}{}", lesson.until.text, found,
+                            still.empty() ? "" : "; ", still),
                 lesson.until.column});
   }
   // If the player built something else, the condition may name a part of the track that does not exist yet.

@@ -42,9 +42,11 @@ std::vector<std::string> arguments_of(query::Argument argument, const world::Doc
 }
 
 // Returns a JSON object of all queries; queries with an argument appear once per entity (document and motion for hash).
-std::string state_json(const query::Context& context) {
+// `error`: of the script, put before the values; null if there is none.
+std::string state_json(const query::Context& context, const ScriptError* error) {
   constexpr std::size_t kMostKnots = 1000;  // values of single knots are left out of larger tracks
   exchange::JsonMembers all;
+  if (error != nullptr) all.emplace_back("error", exchange::JsonList{to_json(*error)});
   for (const query::Query& query : query::queries()) {
     const std::string name(query.name);
     if (query.argument.empty()) {
@@ -78,13 +80,13 @@ std::string widgets_text(std::span<const WidgetState> widgets) {
 
 }  // namespace
 
-std::string Runner::write_evidence() {
+std::string Runner::write_evidence(const ScriptError& error) {
   Host& host = frames_.host();
   const query::Context context = host.context();
   const std::filesystem::path& out = options_.out.folder();
   const base::Status picture = host.screenshot(out / "frame.png");
   base::Status texts = files_.write_atomic(out / "widgets.txt", widgets_text(host.widgets()));
-  if (texts) texts = files_.write_atomic(out / "state.json", state_json(context));
+  if (texts) texts = files_.write_atomic(out / "state.json", state_json(context, &error));
   std::string note = fmt::format("frame {}", context.stats.frame);
   if (picture) note += fmt::format("; {}", (out / "frame.png").string());
   if (texts) note += fmt::format("{}, state.json", picture ? ", widgets.txt" : "; " + (out / "widgets.txt").string());
@@ -95,7 +97,12 @@ std::string Runner::write_evidence() {
 Failure Runner::perform(const Snap& snap) {
   if (const base::Status status = frames_.settle_panels(); !status) return failure(status);
   const std::filesystem::path golden = source().folder / "golden" / (snap.name + ".png");
-  return failure(frames_.host().snap(snap.name, golden, options_.out.folder(), options_.update_goldens));
+  const bool again = !snaps_.insert(golden).second, update = options_.update_goldens;
+  Failure result = failure(frames_.host().snap(snap.name, golden, options_.out.folder(), update && !again));
+  if (again && update && result.code == base::Code::expectation)
+    result.message = fmt::format("snap {} was taken before in this run, of another picture: give each its own name; {}",
+                                 base::quoted(snap.name), result.message);
+  return result;
 }
 
 base::Result<std::filesystem::path> Runner::below_out(std::string_view written) const {
@@ -132,7 +139,8 @@ Failure Runner::perform(const Dump& dump) {
   if (const base::Status s = frames_.host().screenshot(with(".frame.png")); !s) return failure(s);
   if (const base::Status s = files_.write_atomic(with(".widgets.txt"), widgets_text(frames_.host().widgets())); !s)
     return failure(s);
-  if (const base::Status s = files_.write_atomic(with(".state.json"), state_json(context)); !s) return failure(s);
+  if (const base::Status s = files_.write_atomic(with(".state.json"), state_json(context, nullptr)); !s)
+    return failure(s);
   return failure(files_.write_atomic(with(".json"), exchange::print_track(context.session.document)));
 }
 

@@ -186,6 +186,7 @@ struct Source {
   std::string name;  // as written in the including line
   std::filesystem::path folder;
   std::vector<std::string> lines;
+  int from = -1, from_line = 0;  // index and line of the source that includes it; -1: none
 };
 
 struct Script {

@@ -74,6 +74,17 @@ run_script 1 snap
 expect_text stderr "--update-goldens"
 run_script 0 snap --update-goldens
 run_script 0 snap
+# What passes is not written again, though its bytes are not those that the program writes. A name of two pictures is an
+# error.
+printf 'trailing' >>"$OUT/golden/none.png"
+cp "$OUT/golden/none.png" "$OUT/kept.png"
+run_script 0 snap --update-goldens
+cmp -s "$OUT/golden/none.png" "$OUT/kept.png" || fail "--update-goldens wrote a picture that passes"
+script twice "snap \"twice\"
+load \"$SOURCE/tracks/loop.json\"
+snap \"twice\""
+run_script 1 twice --update-goldens
+expect_text stderr 'twice.coaster:4:1: error: snap "twice" was taken before in this run, of another picture'
 script other "load \"$SOURCE/tracks/loop.json\"
 snap \"none\""
 run_script 1 other
@@ -81,6 +92,63 @@ expect_text stderr "of them in an 8x8 block; another driver may change 115 and 8
 script changed 'env size 600x300
 snap "none"'
 run_script 1 changed
+# Files that differ say how, in their own terms.
+script pictures "load \"$SOURCE/tracks/loop.json\"
+shot \"\$OUT/a.png\"
+move @k5 to 1 40 2
+shot \"\$OUT/b.png\"
+env size 600x300
+shot \"\$OUT/c.png\"
+expect file \"\$OUT/a.png\" same \"\$OUT/a.png\"
+expect error expect file \"\$OUT/a.png\" same \"\$OUT/c.png\" ~ \"in size: 640x360 and 600x300 pixels\"
+expect file \"\$OUT/a.png\" same \"\$OUT/b.png\""
+run_script 1 pictures
+grep -qE 'a.png differs from .*b.png in [0-9]+ of 230400 pixels, the first at x [0-9]+ y [0-9]+, by up to' \
+  "$OUT/stderr" || fail "two pictures differ: $(cat "$OUT/stderr")"
+# The errors of a script as JSON: those of reading, that of running, and none.
+run_script 2 bad --json
+python3 - "$OUT" <<'PYTHON' || fail "--json of a script that cannot be read: $(cat "$OUT/stdout")"
+import json, sys
+found = json.load(open(f"{sys.argv[1]}/stdout"))
+assert found["code"] == 2 and [e["line"] for e in found["errors"]] == [2, 3], found
+PYTHON
+script passes 'repeat 5
+append at 1 2 3
+expect knots < 3
+end'
+run_script 1 passes --json
+python3 - "$OUT" <<'PYTHON' || fail "--json of a script that fails: $(cat "$OUT/stdout")"
+import json, sys
+found = json.load(open(f"{sys.argv[1]}/stdout"))
+state = json.load(open(f"{sys.argv[1]}/run/state.json"))["error"]
+assert found["code"] == 1 and found["errors"] == state and len(state) == 1, (found, state)
+assert state[0]["line"] == 4 and state[0]["from"][0]["pass"] == 3 and state[0]["from"][0]["of"] == 5, state
+PYTHON
+expect_code 0 --validate "$OUT/passes.coaster" --json
+tr -d ' \n' <"$OUT/stdout" | grep -qx '{"code":0,"errors":\[\]}' || fail "--validate --json: $(cat "$OUT/stdout")"
+# Two scripts of one name do not share out/NAME at once: the second is refused. One after the other they do, also after
+# a kill. A folder that the user named gives a warning.
+mkdir -p "$OUT/a" "$OUT/b"
+cp "$OUT/passes.coaster" "$OUT/b/foo.coaster"
+script a/foo 'ticks 10000000'
+at_out() (cd "$OUT" && exec "$COASTER" --headless --script "$@")
+at_out a/foo.coaster >"$OUT/slow" 2>&1 &
+slow=$!
+for _ in $(seq 100); do grep -q "^Drawing" "$OUT/slow" && break; sleep 0.1; done
+at_out b/foo.coaster >"$OUT/stdout" 2>"$OUT/stderr"
+check_code $? 2 "two scripts of one name"
+expect_text stderr "out/foo: another run of coaster writes there; give this run a folder of its own, such as --out "
+[ -z "$(ls "$OUT/out/foo")" ] || fail "the refused script wrote $(ls "$OUT/out/foo")"
+at_out b/foo.coaster --out out/foo-2 >"$OUT/stdout" 2>"$OUT/stderr"
+check_code $? 1 "a folder of its own"
+at_out b/foo.coaster --out out/foo >"$OUT/stdout" 2>"$OUT/stderr"
+check_code $? 1 "a folder that the user named"
+expect_text stderr "warning: out/foo: another run of coaster writes there, too"
+kill -9 $slow
+wait $slow 2>/dev/null
+at_out b/foo.coaster >"$OUT/stdout" 2>"$OUT/stderr"
+check_code $? 1 "after a kill"
+
 script hash "load \"$SOURCE/tracks/loop.json\"
 log hash document"
 run_script 0 hash
@@ -155,6 +223,11 @@ for library in osmesa:OSMesa egl:EGL; do
 done
 expect_code 0 --report "$SOURCE/tracks/loop.json"
 grep -q "^Drawing" "$OUT/stderr" && fail "--report draws"
+expect_code 0 --report --json "$SOURCE/tracks/loop.json"
+python3 -c 'import json, sys; r = json.load(sys.stdin); assert r["lap_s"] > 10 and r["end"] is None' <"$OUT/stdout" ||
+  fail "--report --json: $(cat "$OUT/stdout")"
+expect_code 2 --report --frames 3 "$SOURCE/tracks/loop.json"
+expect_text stderr "--frames has no effect with --report"
 GALLIUM_DRIVER=llvmpipe run_script 0 hash
 env -u DISPLAY -u WAYLAND_DISPLAY "$COASTER" "$SOURCE/tracks/loop.json" >"$OUT/stdout" 2>"$OUT/stderr"
 check_code $? 4 "no display"

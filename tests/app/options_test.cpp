@@ -2,8 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <string>
 #include <vector>
+
+#include <fmt/ranges.h>
 
 namespace coaster::app {
 namespace options_test {
@@ -34,27 +37,104 @@ TEST(Options, without_words_are_the_defaults) {
     EXPECT_FALSE(std::visit([&](auto member) { return is_set(parsed.options, member); }, row.member)) << row.name;
 }
 
+// The words that ask for a mode.
+std::vector<const char*> words_of(char mode) {
+  switch (mode) {
+    case 'v': return {"--validate", "some.json"};
+    case 'p': return {"--report"};
+    case 's': return {"--script", "some.coaster"};
+    case 'f': return {"--script", "some.coaster", "--headless", "--movie", "some/folder"};
+    case 'r': return {"--headless", "some.json"};
+    case 'm': return {"--headless", "some.json", "--movie", "some/folder"};
+    default: return {};
+  }
+}
+bool has(const std::vector<const char*>& words, std::string_view word) {
+  return std::find(words.begin(), words.end(), word) != words.end();
+}
+// Adds an option that the words lack.
+void add(std::vector<const char*>& words, const OptionRow& row) {
+  if (has(words, row.name) || (row.name == "FILE" && has(words, "some.json"))) return;
+  if (row.name != "FILE") words.push_back(row.name.data());
+  if (!row.value.empty() || row.name == "FILE") words.push_back(row.name == "FILE" ? "some.json" : value_for(row));
+}
+
 TEST(Options, each_row_sets_its_own_member_and_no_other_row_s) {
   for (const OptionRow& row : option_rows()) {
-    std::vector<const char*> words;
-    const std::string name(row.name);
     const bool is_switch = std::holds_alternative<bool Options::*>(row.member);
-    EXPECT_EQ(row.value.empty(), is_switch || row.name == "FILE") << name;
-    if (row.name != "FILE") words.push_back(name.c_str());
-    if (!is_switch) words.push_back(value_for(row));
-    if (row.name == "--movie") words.push_back("--headless");  // it asks for that
-    const bool of_a_file = row.name == "--movie" || row.name == "--headless" || row.name == "--validate";
-    if (of_a_file) words.push_back("some.json");
-    const ParsedOptions parsed = parse(words);
-    if (name.starts_with("--help")) EXPECT_EQ(parsed.exit_code, 0) << name;
-    else EXPECT_FALSE(parsed.exit_code) << name << ": " << parsed.text;
+    EXPECT_EQ(row.value.empty(), is_switch || row.name == "FILE") << row.name;
+    const std::vector<const char*> around = words_of(row.modes.back());
+    std::vector<const char*> words = around;
+    add(words, row);
+    const ParsedOptions parsed = parse(words), without = parse(around);
+    if (row.name.starts_with("--help")) EXPECT_EQ(parsed.exit_code, 0) << row.name;
+    else EXPECT_FALSE(parsed.exit_code) << row.name << ": " << parsed.text;
     for (const OptionRow& other : option_rows()) {
-      const bool expected = other.name == row.name || (row.name == "--movie" && other.name == "--headless") ||
-                            (of_a_file && other.name == "FILE");
-      EXPECT_EQ(std::visit([&](auto member) { return is_set(parsed.options, member); }, other.member), expected)
-          << name << " and " << other.name;
+      const bool set = std::visit([&](auto member) { return is_set(parsed.options, member); }, other.member);
+      const bool before = std::visit([&](auto member) { return is_set(without.options, member); }, other.member);
+      EXPECT_EQ(set, before || other.name == row.name) << row.name << " and " << other.name;
     }
   }
+}
+
+// Every pair of options in every mode: both have an effect there, or the one that has none is refused by name.
+TEST(Options, every_pair_is_combined_or_refused) {
+  int accepted = 0, refused = 0;
+  for (const ModeRow& mode : mode_rows())
+    for (const OptionRow& one : option_rows())
+      for (const OptionRow& other : option_rows()) {
+        std::vector<const char*> words = words_of(mode.letter);
+        add(words, one), add(words, other);
+        const ParsedOptions parsed = parse(words);
+        if (one.name.starts_with("--help") || other.name.starts_with("--help")) continue;
+        const char now = mode_of(parsed.options);
+        std::vector<std::string_view> idle;
+        for (const OptionRow& row : option_rows())
+          if ((has(words, row.name) || (row.name == "FILE" && has(words, "some.json"))) &&
+              row.modes.find(now) == std::string_view::npos)
+            idle.push_back(row.name);
+        const std::string text = fmt::format("{}: {}", fmt::join(words, " "), parsed.text);
+        if (idle.empty() && !parsed.exit_code) {
+          ++accepted;
+          continue;
+        }
+        ++refused;
+        EXPECT_EQ(parsed.exit_code, 2) << text;
+        const bool named = std::any_of(idle.begin(), idle.end(), [&](std::string_view name) {
+          return parsed.text.starts_with(fmt::format("coaster: {} has no effect with ", name));
+        });
+        // What needs something else is refused for that.
+        EXPECT_TRUE(named || parsed.text.find(" needs ") != std::string::npos) << text;
+      }
+  EXPECT_GT(accepted, 300);
+  EXPECT_GT(refused, 300);
+}
+
+TEST(Options, what_has_no_effect_together_is_refused_with_what_to_write) {
+  const struct {
+    std::vector<const char*> words;
+    std::string_view text;
+  } cases[] = {
+      {{"--frames", "9", "--script", "a.coaster"},
+       "--frames has no effect with --script F; it works with: --headless --movie, --headless FILE, a window"},
+      {{"--report", "--size", "640x360"}, "--size has no effect with --report"},
+      {{"--report", "--validate", "a.json"}, "--report has no effect with --validate"},
+      {{"--report", "--script", "a.coaster"}, "--script has no effect with --report"},
+      {{"--json", "a.json"}, "--json has no effect with a window"},
+      {{"--out", "o", "a.json"}, "--out has no effect with a window"},
+      {{"--fps", "30", "--headless", "a.json"}, "--fps has no effect with --headless FILE"},
+      {{"--gif", "--script", "a.coaster"}, "--gif has no effect with --script F; it works with: --script F --movie"},
+      {{"--update-goldens", "a.json"}, "--update-goldens has no effect with a window"},
+      {{"--seed", "0"}, "--seed has no effect with a window"},
+      {{"--reset-layout", "--script", "a.coaster"}, "--reset-layout of a script needs --config"},
+  };
+  for (const auto& one : cases) {
+    const ParsedOptions parsed = parse(one.words);
+    EXPECT_EQ(parsed.exit_code, 2) << one.text;
+    EXPECT_NE(parsed.text.find(one.text), std::string_view::npos) << parsed.text;
+  }
+  EXPECT_FALSE(parse({"--report", "--json", "--envelope", "e.json", "a.json"}).exit_code);
+  EXPECT_FALSE(parse({"--script", "a.coaster", "--json", "--seed", "3", "--out", "o"}).exit_code);
 }
 
 TEST(Options, numbers_are_those_that_are_written) {

@@ -36,8 +36,10 @@ harmless "a folder"
 # Names from files, in text and in JSON.
 sed 's/"name": "[^"]*"/"name": "Two \\u009b31m"/' "$SOURCE/tests/tracks/two_knots.json" >"$OUT/named.json"
 grep -q u009b31m "$OUT/named.json" || fail "the track has no name"
-for option in "" --json --report; do
-  expect_code 0 --headless "$OUT/named.json" --size 96x54 --frames 1 --out "$OUT/run" $option
+for options in "--size 96x54 --frames 1 --out $OUT/run" "--size 96x54 --frames 1 --out $OUT/run --json" --report \
+  "--report --json"; do
+  # shellcheck disable=SC2086
+  expect_code 0 --headless "$OUT/named.json" $options
   expect_text stdout 'Two \u009b31m'
   harmless "a name"
 done

@@ -101,5 +101,44 @@ TEST_F(file_lock, moving_it_lets_go_of_the_one_before) {
   EXPECT_TRUE(lock.covers(folder / "b.json"));
 }
 
+TEST_F(file_lock, a_folder_is_claimed_by_one_run_and_leaves_no_file) {
+  const fs::path out = folder / "out";
+  const Root root = *Root().open(out), other = *Root().open(out), beside = *Root().open(folder / "beside");
+  {
+    const auto mine = claim_folder(root);
+    ASSERT_TRUE(mine.ok()) << mine.status().message;
+    EXPECT_TRUE(mine->valid());
+    EXPECT_TRUE(fs::is_empty(out));
+    const auto theirs = claim_folder(other);
+    ASSERT_FALSE(theirs.ok());
+    EXPECT_EQ(theirs.status().code, Code::refused);
+    EXPECT_NE(theirs.status().message.find(out.string() + ": another run"), std::string::npos);
+    EXPECT_TRUE(claim_folder(beside).ok());
+  }
+  EXPECT_TRUE(claim_folder(other).ok()) << "it is free again";
+}
+
+TEST_F(file_lock, the_claim_of_a_killed_process_ends_with_it) {
+  const Root root = *Root().open(folder / "out");
+  int ready[2];
+  ASSERT_EQ(::pipe(ready), 0);
+  const pid_t child = ::fork();
+  ASSERT_GE(child, 0);
+  if (child == 0) {
+    const auto mine = claim_folder(root);
+    const char byte = mine ? '1' : '0';
+    if (::write(ready[1], &byte, 1) == 1) ::pause();
+    ::_exit(0);
+  }
+  char byte = 0;
+  EXPECT_EQ(::read(ready[0], &byte, 1), 1);
+  EXPECT_EQ(byte, '1');
+  ::close(ready[0]), ::close(ready[1]);
+  EXPECT_FALSE(claim_folder(root).ok());
+  ::kill(child, SIGKILL);
+  ::waitpid(child, nullptr, 0);
+  EXPECT_TRUE(claim_folder(root).ok());
+}
+
 }  // namespace file_lock_test
 }  // namespace coaster::base

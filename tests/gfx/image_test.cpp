@@ -72,6 +72,20 @@ TEST(image, sixteen_levels_are_the_same_and_seventeen_are_not) {
     }
 }
 
+TEST(image, a_comparison_of_every_level_names_the_first_and_the_largest_difference) {
+  const Image golden = noise(200, 100);
+  Image picture = golden;
+  EXPECT_EQ(compare(picture, golden, {0, 0, 0}).largest, 0);
+  shift(picture, 150, 20, 1, 2), shift(picture, 3, 71, -9, 3), shift(picture, 199, 99, 4, 0);
+  const Difference difference = compare(picture, golden, {.share = 0, .block = 0, .channel = 0});
+  EXPECT_EQ(difference.pixels, 3);
+  EXPECT_EQ(difference.first, glm::ivec2(150, 20));
+  EXPECT_EQ(difference.largest, 9);
+  EXPECT_EQ(difference.largest_at, glm::ivec2(3, 71));
+  EXPECT_FALSE(difference.acceptable);
+  EXPECT_EQ(compare(picture, golden).pixels, 0);
+}
+
 TEST(image, one_in_two_thousand_may_differ_and_no_more) {
   const Image golden = noise(200, 100);  // 0.05 % are 10 pixels
   Image picture = golden;

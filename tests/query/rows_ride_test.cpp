@@ -1,9 +1,12 @@
 // The queries of a ride for a cart on a level circle: v^2 / r to the inside, 1 g up, nothing forwards.
 #include <cmath>
+#include <map>
+#include <string>
 
 #include "edit/session_fixture.h"
 #include "query/context.h"
 #include "query/query.h"
+#include "query/rows.h"
 #include "sim/tracks.h"
 
 namespace coaster::query {
@@ -63,6 +66,30 @@ TEST_F(RideRows, a_second_on_a_level_circle_is_as_far_as_the_speed_says) {
   edit::advance(session, static_cast<int>(120 * 2 * M_PI * kRadius / kSpeed));
   EXPECT_EQ(number("ride.lap"), 1);
   EXPECT_NEAR(number("ride.energy"), 0.5 * kSpeed * kSpeed + 9.81 * (number("ride.height") - number("datum")), 1e-3);
+}
+
+// Scripts that wait for one of these rows rely on it.
+TEST_F(RideRows, stand_still_unless_the_ride_is_running) {
+  start_on_a_circle(false);
+  const auto values = [&] {
+    std::map<std::string_view, std::string> all;
+    for (const Query& row : ride_rows())
+      if (row.name.starts_with("ride.") && row.name != "ride.cost")  // of this machine
+        all[row.name] = to_text(*row.evaluate({session, stats, "", ""}, ""));
+    return all;
+  };
+  const auto before = values();
+  edit::advance(session, 240);
+  EXPECT_EQ(values(), before);
+  good("ride.start");
+  edit::advance(session, 240);
+  const auto after = values();
+  for (const char* const name : {"ride.state", "ride.distance", "ride.travelled", "ride.segment"})
+    EXPECT_NE(after.at(name), before.at(name)) << name;
+  good("ride.pause");
+  const auto paused = values();
+  edit::advance(session, 240);
+  EXPECT_EQ(values(), paused);
 }
 
 }  // namespace rows_ride_test

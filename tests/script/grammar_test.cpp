@@ -426,5 +426,33 @@ TEST(grammar, includes_are_read_beside_the_script_and_cycles_are_refused) {
   EXPECT_EQ(parse_lines("include \"part.coaster\"\n").errors.size(), 2u);
 }
 
+TEST(grammar, errors_in_included_files_name_every_including_line_in_text_and_json) {
+  write("chain_b.coaster", "coaster-script 1\nframes 1\nexpect knotz == 1\n");
+  write("chain_a.coaster", "coaster-script 1\n\ninclude \"chain_b.coaster\"\n");
+  const ParsedScript parsed = parse_lines("repeat 2\n  include \"chain_a.coaster\"\nend\nfraems 1\n");
+  ASSERT_EQ(parsed.errors.size(), 2u);
+  const std::string a = testing::TempDir() + "chain_a.coaster", b = testing::TempDir() + "chain_b.coaster";
+  EXPECT_EQ(parsed.errors[0], b +
+                                  ":3:8: error: no query \"knotz\"\n    expect knotz == 1\n           ^ did you mean "
+                                  "\"knots\"?\n  included at " +
+                                  a + ":3\n  included at a.coaster:3");
+  EXPECT_TRUE(parsed.errors[1].ends_with("did you mean \"frames\"?")) << parsed.errors[1];
+  ASSERT_EQ(parsed.problems.size(), 2u);
+  const std::string json = exchange::json_members(to_json(parsed.problems[0]));
+  for (const std::string part :
+       {"\"line\": 3", "\"column\": 8", "no query", "did you mean", "chain_a.coaster\"", "\"file\": \"a.coaster\""})
+    EXPECT_NE(json.find(part), std::string::npos) << part << ": " << json;
+  EXPECT_EQ(json.find("\"pass\""), std::string::npos) << "nothing runs yet";
+  EXPECT_EQ(parsed.problems[0].from.size(), 2u);
+  EXPECT_TRUE(parsed.problems[1].from.empty());
+}
+
+TEST(grammar, a_place_on_a_curve_is_a_parameter_from_0_to_1) {
+  for (const char* const good : {"@s1:0", "@s1:1", "@s1:0.5", "@s1"})
+    EXPECT_TRUE(parse_lines(std::string("aim.click ") + good + "\n").errors.empty()) << good;
+  for (const char* const bad : {"@s1:1.5", "@s1:-0.1", "@s1:", "@s1:nan", "@s1:1e9", "@k1:", "@k1:0.5", "@s1:0.5x"})
+    EXPECT_EQ(parse_lines(std::string("aim.hover ") + bad + "\n").errors.size(), 1u) << bad;
+}
+
 }  // namespace grammar_test
 }  // namespace coaster::script

@@ -1,6 +1,8 @@
 // The effects of statements on a program without GL.
 #include "script/runner.h"
 
+#include <fstream>
+
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -263,6 +265,110 @@ TEST(runner, a_pad_line_moves_the_axes_that_it_names_and_lets_the_others_go) {
   EXPECT_EQ(seen[0], (platform::GamepadAxes{0.25f, -0.5f, 0.75f, -1, 0.1f, 0.2f}));
   EXPECT_EQ(seen[1], (platform::GamepadAxes{0, 0, -0.3f, 0.4f, 0, 0}));
   EXPECT_EQ(seen[2], platform::GamepadAxes{});
+}
+
+std::string read(const std::filesystem::path& path) {
+  const auto text = base::Files().read(path);
+  return text ? *text : "";
+}
+
+TEST(runner, a_failure_names_the_pass_of_each_repeat_and_each_including_line) {
+  std::ofstream(test_folder() / "part.coaster") << "coaster-script 1\nrepeat 2\n  append at 1 2 3\n  expect knots < "
+                                                   "6\nend\n";
+  FakeHost fake;
+  const std::string part = (test_folder() / "part.coaster").string();
+  const base::Status status = run_lines(fake, "frames 1\nrepeat 5\n  include \"part.coaster\"\nend\n");
+  EXPECT_EQ(status.message.find(part + ":4:10: error: expected knots < 6, found 6\n"), 0u) << status.message;
+  EXPECT_TRUE(status.message.ends_with("\n  in pass 2 of 2 of the repeat at " + part +
+                                       ":2\n  included at test.coaster:4\n"
+                                       "  in pass 3 of 5 of the repeat at test.coaster:3"))
+      << status.message;
+  const std::string state = read(test_folder() / "out" / "state.json");
+  for (const char* const text : {"\"error\"", "expected knots < 6, found 6", "\"pass\": 3", "\"of\": 5", "\"pass\": 2"})
+    EXPECT_NE(state.find(text), std::string::npos) << text;
+  // The first pass, the last one, and a statement after the repeat.
+  for (const auto& [lines, end] : {std::pair{"repeat 4\nexpect knots == 7\nend\n", "in pass 1 of 4"},
+                                   {"repeat 3\nappend at 1 2 3\nexpect knots < 9\nend\n", "in pass 3 of 3"},
+                                   {"repeat 3\nappend at 1 2 3\nend\nexpect knots < 9\n", "state.json)"}})
+    EXPECT_NE(run_lines(fake, lines).message.find(end), std::string::npos) << lines;
+  EXPECT_EQ(run_lines(fake, "repeat 3\nframes 1\nend\nexpect knots < 9\n").message.find("pass"), std::string::npos);
+}
+
+// A ride that does not move cannot bring about what the script waits for.
+TEST(runner, wait_says_at_once_that_the_ride_does_not_move) {
+  const std::string track = std::string(kTrack) + "add_cart @s1 at 0.1\n";
+  const struct {
+    std::string lines;
+    const char* reason;
+    std::uint64_t most_ticks;
+  } cases[] = {
+      {"wait ride.lap == 1\n", "there is no train", 0},
+      {track + "wait ride.lap == 1\n", "never started, or was stopped: write ride.start first", 0},
+      {track + "wait ride.speed > 3 max 10 frames\n", "write ride.start", 0},
+      {track + "wait not ride.state == stopped\n", "write ride.start", 0},
+      {track + "ride.start\nticks 3\nride.pause\nwait ride.distance > 1000\n", "the ride is paused", 3},
+      {track + "ride.start\nticks 3\nride.stop\nwait ride.distance > 1000\n", "or was stopped", 3},
+      {track + "start_speed 30\nride.start\nwait ride.lap == 1 max 100000 ticks\n", "ran off the open end at ", 240},
+      {track + "start_speed 30\nride.start\nwait ride.fail == stalled\n", "ran off the open end at ", 240},
+      {track + "start_speed 30\nride.start\nwait ride.lap == 1 max 100000 frames\n", "ran off the open end at ", 240},
+  };
+  for (const auto& one : cases) {
+    FakeHost fake;
+    const base::Status status = run_lines(fake, one.lines);
+    EXPECT_EQ(status.code, base::Code::timeout) << one.lines << status.message;
+    EXPECT_NE(status.message.find(one.reason), std::string::npos) << one.lines << status.message;
+    EXPECT_LE(fake.session.tick, one.most_ticks) << one.lines;
+  }
+}
+
+TEST(runner, wait_goes_on_where_time_alone_can_bring_it_about) {
+  FakeHost fake;
+  const base::Status status =
+      run_lines(fake, std::string(kTrack) +
+                          "add_cart @s1 at 0.1\nwait ride.state == stopped\nwait tick == 7\n"
+                          "start_speed 30\nride.start\nwait ride.speed < 30\nwait ride.state == ended\n"
+                          "wait ride.fail == \"ran off the open end\"\nwait ride.lap_time == 0\nwait tick == 500\n");
+  EXPECT_TRUE(status.ok()) << status.message;
+  const base::Status other = run_lines(fake, "wait length > 1e6 max 9 ticks\n");
+  EXPECT_NE(other.message.find("waited 9 ticks for length"), std::string::npos) << other.message;
+}
+
+TEST(runner, files_that_differ_say_where_in_their_own_terms) {
+  FakeHost fake;
+  const auto differ = [&](const std::string& a, const std::string& b) {
+    std::ofstream(test_folder() / "a.bin", std::ios::binary) << a;
+    std::ofstream(test_folder() / "b.bin", std::ios::binary) << b;
+    return run_lines(fake, "expect file \"a.bin\" same \"b.bin\"\n").message;
+  };
+  using namespace std::string_literals;
+  EXPECT_NE(differ("one\ntwo\nthree\n", "one\ntwo\nfour\n").find("a.bin differs from b.bin from line 3 on"),
+            std::string::npos);
+  EXPECT_NE(differ("one\ntwo\n", "one\n").find("from line 2 on"), std::string::npos);
+  EXPECT_NE(differ("\0\n\n\n1"s, "\0\n\n\n2"s).find("from byte offset 4 on"), std::string::npos);
+  EXPECT_NE(differ("abc", "abc\0"s).find("from byte offset 3 on"), std::string::npos);
+}
+
+TEST(runner, a_golden_picture_is_updated_once_a_run) {
+  FakeHost fake;
+  base::Files files;
+  const ParsedScript parsed = parse_script("coaster-script 1\nsnap \"a\"\nsnap \"b\"\nrepeat 2\nsnap \"a\"\nend\n",
+                                           "test.coaster", test_folder(), files);
+  std::vector<std::pair<std::string, bool>> asked;
+  const auto run = [&](bool update, base::Status third) {
+    asked.clear();
+    Host host = fake.host();
+    host.snap = [&](const std::string& name, const std::filesystem::path&, const std::filesystem::path&, bool writes) {
+      asked.emplace_back(name, writes);
+      return asked.size() == 3 ? third : base::Status{};
+    };
+    return run_script(parsed.script, host, {*base::Root().open(test_folder() / "out"), update, {}});
+  };
+  EXPECT_TRUE(run(true, {}).ok());
+  EXPECT_EQ(asked, (std::vector<std::pair<std::string, bool>>{{"a", true}, {"b", true}, {"a", false}, {"a", false}}));
+  const base::Status other{base::Code::expectation, "the picture differs"};
+  EXPECT_NE(run(true, other).message.find("snap \"a\" was taken before in this run, of another picture"),
+            std::string::npos);
+  EXPECT_NE(run(false, other).message.find("error: the picture differs"), std::string::npos);
 }
 
 }  // namespace runner_test

@@ -8,6 +8,7 @@
 #include "base/file_lock.h"
 #include "base/hash.h"
 #include "base/text.h"
+#include "edit/session/ride_report.h"
 #include "edit/session/ride_watch.h"
 #include "exchange/own/link.h"
 #include "world/evaluation.h"
@@ -73,26 +74,32 @@ world::Entity chosen_cart(const Session& session) {
   return selected ? session.settings.selected : world::first_cart(session.document);
 }
 
+std::optional<std::vector<MissedForces>> forces_missed(const Finder& find) {
+  const world::Document& document = find.session().document;
+  std::vector<MissedForces> all;
+  bool any = false;
+  for (const world::SectionRun& run : world::sections_of(document)) {
+    const sim::ForcePlan* const plan = find.force(run.section);
+    if (plan == nullptr) continue;
+    any = true;
+    std::string text = sim::missed_text(*plan);
+    if (!plan->refusal.empty() || text.empty()) continue;
+    all.push_back({world::label_of(document, run.section), std::move(text), plan->task.program.tolerance});
+  }
+  return any ? std::optional(std::move(all)) : std::nullopt;
+}
+
 namespace {
 
 // Returns a line for each force section whose spans miss its tolerance, below a line with their number; empty without
 // force sections.
 std::string missed_forces(const Finder& find) {
-  const world::Document& document = find.session().document;
   std::string lines;
-  std::size_t sections = 0, missed = 0;
-  for (const world::SectionRun& run : world::sections_of(document)) {
-    const sim::ForcePlan* const plan = find.force(run.section);
-    if (plan == nullptr) continue;
-    ++sections;
-    const std::string text = sim::missed_text(*plan);
-    if (!plan->refusal.empty() || text.empty()) continue;
-    ++missed;
-    lines += fmt::format("    section {}: {}; tolerance {} g\n", world::label_of(document, run.section), text,
-                         base::to_text(plan->task.program.tolerance));
-  }
-  if (sections == 0) return {};
-  return fmt::format("  {:<22} {:8} (force sections over their tolerance)\n", "missed forces", missed) + lines;
+  const std::optional<std::vector<MissedForces>> missed = forces_missed(find);
+  if (!missed) return {};
+  for (const MissedForces& one : *missed)
+    lines += fmt::format("    section {}: {}; tolerance {} g\n", one.section, one.text, base::to_text(one.tolerance));
+  return fmt::format("  {:<22} {:8} (force sections over their tolerance)\n", "missed forces", missed->size()) + lines;
 }
 
 }  // namespace

@@ -1,11 +1,12 @@
 // The ride report, as text and as CSV.
+#include "sim/study/ride_report.h"
+
 #include <cmath>
 #include <iterator>
 #include <utility>
 
 #include <fmt/format.h>
 
-#include "sim/study/ratings.h"
 #include "sim/study/seat.h"
 #include "sim/study/wheel_loads.h"
 
@@ -17,13 +18,32 @@ void add(std::string& out, fmt::format_string<Values...> format, Values&&... val
   fmt::format_to(std::back_inserter(out), format, std::forward<Values>(values)...);
 }
 
-void add_extreme(std::string& out, const char* what, const Extreme& e, const char* unit) {
+void add_extreme(std::string& out, const Figure& figure) {
+  const Extreme& e = figure.at;
   const double value = std::abs(e.value) < 0.005 ? 0 : e.value;  // not -0.00
-  add(out, "  {:<22} {:8.2f} {:<4} at {:7.1f} m, {:6.2f} s, car {}\n", what, value, unit, e.distance, e.seconds,
-      e.car + 1);
+  add(out, "  {:<22} {:8.2f} {:<4} at {:7.1f} m, {:6.2f} s, car {}\n", figure.name, value, figure.unit, e.distance,
+      e.seconds, e.car + 1);
 }
 
 }  // namespace
+
+std::vector<Figure> report_figures(const Ratings& r, std::span<const Rider> riders) {
+  return {{"top speed", "m/s", r.top_speed},
+          {"highest", "m", r.highest},
+          {"lowest", "m", r.lowest},
+          {"most vertical", "g", r.up_most},
+          {"least vertical", "g", r.up_least},
+          {"most lateral", "g", r.side_most},
+          {"most forwards", "g", r.forward_most},
+          {"most backwards", "g", r.back_most},
+          {"most on road wheels", "kN", r.road_most},
+          {"most on up-stops", "kN", r.up_stop_most},
+          {"most on side wheels", "kN", r.side_load_most},
+          {"most jerk", "g/s", most_of(riders, RideValue::jerk)},
+          {"most roll rate", "deg/s", most_of(riders, RideValue::roll_rate)},
+          {"most roll acceleration", "deg/s^2", most_of(riders, RideValue::roll_acceleration)},
+          {"largest jolt", "g", r.jolt_most}};
+}
 
 std::string report_text(const Ghost& ghost, const Ratings& r, std::span<const Rider> riders,
                         std::span<const RedSpan> red, const std::string& track_name) {
@@ -33,23 +53,13 @@ std::string report_text(const Ghost& ghost, const Ratings& r, std::span<const Ri
   if (ghost.end != world::FailureKind::none)
     add(out, "  {:<22} {} at {:.1f} m\n", "end", base::name_of(ghost.end), ghost.distance(ghost.samples.size() - 1));
   add(out, "  {:<22} {:8}, {} m apart\n", "cars", ghost.start.cars, static_cast<int>(std::lround(ghost.start.spacing)));
-  add_extreme(out, "top speed", r.top_speed, "m/s");
-  add(out, "  {:<22} {:8.2f} m/s\n", "mean speed", r.mean_speed);
-  add_extreme(out, "highest", r.highest, "m");
-  add_extreme(out, "lowest", r.lowest, "m");
-  if (!riders.empty()) add(out, "  {:<22} low-passed at {:.3g} Hz, of all cars\n", "felt g", riders.front().cutoff);
-  add_extreme(out, "most vertical", r.up_most, "g");
-  add_extreme(out, "least vertical", r.up_least, "g");
-  add_extreme(out, "most lateral", r.side_most, "g");
-  add_extreme(out, "most forwards", r.forward_most, "g");
-  add_extreme(out, "most backwards", r.back_most, "g");
-  add_extreme(out, "most on road wheels", r.road_most, "kN");
-  add_extreme(out, "most on up-stops", r.up_stop_most, "kN");
-  add_extreme(out, "most on side wheels", r.side_load_most, "kN");
-  add_extreme(out, "most jerk", most_of(riders, RideValue::jerk), "g/s");
-  add_extreme(out, "most roll rate", most_of(riders, RideValue::roll_rate), "deg/s");
-  add_extreme(out, "most roll acceleration", most_of(riders, RideValue::roll_acceleration), "deg/s^2");
-  add_extreme(out, "largest jolt", r.jolt_most, "g");
+  for (const Figure& figure : report_figures(r, riders)) {
+    const std::string_view name = figure.name;
+    if (name == "most vertical" && !riders.empty())
+      add(out, "  {:<22} low-passed at {:.3g} Hz, of all cars\n", "felt g", riders.front().cutoff);
+    add_extreme(out, figure);
+    if (name == "top speed") add(out, "  {:<22} {:8.2f} m/s\n", "mean speed", r.mean_speed);
+  }
   add(out, "  {:<22} {:8.2f} s\n", "airtime", r.airtime);
   add(out, "  {:<22} {:8}, highest {:.2f} m\n", "drops", r.drops, r.highest_drop);
   add(out, "  {:<22} {:8}\n", "inversions", r.inversions);

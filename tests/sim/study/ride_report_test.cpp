@@ -1,3 +1,5 @@
+#include "sim/study/ride_report.h"
+
 #include <gtest/gtest.h>
 
 #include <sstream>
