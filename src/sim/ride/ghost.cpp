@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "sim/ride/ghost_tables.h"
+#include "sim/ride/tight_way.h"
 #include "sim/ride/train.h"
 
 namespace coaster::sim {
@@ -163,12 +164,16 @@ class Simulation {
         car.from = tables_.start(car.segment), car.to = tables_.start(car.segment + 1);
       }
       ghost.forces[first + i] = force_at(*car.table, s, a, v2);
-      if (car.segment != before && first > 0) add_passages(static_cast<int>(i), before, car.segment, at, ghost);
+      if (first == 0) continue;
+      if (car.segment != before) add_passages(static_cast<int>(i), before, car.segment, at, ghost);
+      else if (!car.table->cells.empty()) add_tight(static_cast<int>(i), before, before, at, ghost);
     }
   }
 
   // Adds a car's passages since the last entry of the forces, from one segment to another, where it is at `at` m.
   void add_passages(int car, std::size_t from, std::size_t to, double at, Ghost& ghost) const {
+    const std::size_t first = from;
+    bool tight = !segments_[from]->cells.empty();
     const GhostSample &now = ghost.samples.back(), &then = ghost.samples[ghost.samples.size() - 1 - kForceEvery];
     const double moved = now.travelled - then.travelled, time = kForceEvery * world::kTick;
     const std::size_t count = segments_.size(), entry = (ghost.samples.size() - 1) / kForceEvery;
@@ -194,20 +199,53 @@ class Simulation {
     while (from != to && moved != 0) {
       const bool back = moved < 0;
       const std::size_t next = (from + (back ? count - 1 : 1)) % count, knot = back ? from : next;
-      double past = back ? tables_.start(knot) - at : at - tables_.start(knot);
-      if (rails_.closed && past < 0) past += rails_.length;
-      const double share = std::clamp(1 - past / std::abs(moved), 0.0, 1.0);
+      const double share = share_to(knot, at, moved);
       ghost.passages.push_back(
           passage(segments_[from]->felt, segments_[next]->felt, back, speed(share), acceleration(share)));
       Passage& passed = ghost.passages.back();
       passed.knot = knot, passed.car = car, passed.entry = entry;
       passed.time = (static_cast<double>(entry) - 1 + share) * time;
       ride_to(share, from);
-      from = next;
+      from = next, tight = tight || !segments_[from]->cells.empty();
       if (from != to) continue;
       ride_to(1, to);
       passed.missed = force_of(missed);
     }
+    if (tight) add_tight(car, first, to, at, ghost);
+  }
+  // Returns the share of a car's way of `moved` m to `at` that it had behind it at a knot.
+  double share_to(std::size_t knot, double at, double moved) const {
+    double past = moved < 0 ? tables_.start(knot) - at : at - tables_.start(knot);
+    if (rails_.closed && past < 0) past += rails_.length;
+    return std::clamp(1 - past / std::abs(moved), 0.0, 1.0);
+  }
+
+  // Adds the passage inside segments on the same way, if there are cells on it that the entries do not resolve.
+  void add_tight(int car, std::size_t from, std::size_t to, double at, Ghost& ghost) const {
+    const GhostSample &now = ghost.samples.back(), &then = ghost.samples[ghost.samples.size() - 1 - kForceEvery];
+    const double moved = now.travelled - then.travelled;
+    const std::size_t count = segments_.size(), entry = (ghost.samples.size() - 1) / kForceEvery;
+    if (moved == 0) return;
+    TightWay way{then, now, kForceEvery * world::kTick};
+    const bool joint = from != to;
+    for (double done = 0;;) {
+      const std::size_t next = (from + (moved < 0 ? count - 1 : 1)) % count;
+      const double share = from == to ? 1 : share_to(moved < 0 ? from : next, at, moved);
+      double s = at - (1 - share) * moved - tables_.start(from);
+      if (rails_.closed) s -= rails_.length * std::round((s - 0.5 * length_of(from)) / rails_.length);
+      way.add(*segments_[from], s - (share - done) * moved, s, done, share);
+      done = share;
+      if (from == to) break;
+      from = next;
+    }
+    const Force* const felt = &ghost.forces[entry * cars_.size() + static_cast<std::size_t>(car)];
+    if (!way.is_needed(seat_vector(*(felt - cars_.size())), seat_vector(felt[0]), joint)) return;
+    for (auto it = ghost.passages.rbegin(); it != ghost.passages.rend() && it->car == car && it->entry == entry; ++it)
+      it->missed = {0, 0, 0};  // the integrals are whole
+    ghost.passages.push_back(way.passage());
+    Passage& passed = ghost.passages.back();
+    passed.car = car, passed.entry = entry;
+    passed.time = (static_cast<double>(entry) - 1) * kForceEvery * world::kTick + passed.time;
   }
   double length_of(std::size_t segment) const { return tables_.start(segment + 1) - tables_.start(segment); }
 

@@ -43,7 +43,8 @@ inline constexpr int kForceEvery = 2;  // ticks between two entries of Ghost::fo
 // Both follow from the ends of the tables next to the joint: for riders on h(s), the velocity steps by s' (h'(s+) -
 // h'(s-)), felt g by (s'' (h'(s+) - h'(s-)) + s'^2 (h''(s+) - h''(s-))) / g.
 struct Passage {
-  std::size_t knot = 0;  // index in the track
+  static constexpr std::size_t kInside = ~std::size_t{0};
+  std::size_t knot = 0;  // index in the track; kInside: see below
   int car = 0;
   std::size_t entry = 0;   // the first of the forces after it, per car
   double time = 0;         // s since the start
@@ -54,7 +55,14 @@ struct Passage {
   // g s: the integral of felt g from the entry before to that after it, without impulses, less the mean of both entries
   // over that time: what happens between them. Of several passages between the same entries the last has it.
   Force missed{0, 0, 0};
+  // With kInside, a car's way through a tight bend or a reversal (FeltCell) from the entry before to `entry`: instead
+  // of the two entries, it feels the integrals of felt g over the time between them (g s), each moment counted for the
+  // two by how near it is. The impulse, 0 unless the sharpest place is passed, is what the bend adds within
+  // kSharpSeconds to a straight line between felt g at both ends of that time; it is part of the integrals.
+  Force for_before{0, 0, 0}, for_entry{0, 0, 0};
+  bool inside() const { return knot == kInside; }
 };
+inline constexpr double kSharpSeconds = 0.05;
 
 struct Ghost {
   GhostStart start;

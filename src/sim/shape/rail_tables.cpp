@@ -27,18 +27,20 @@ void fill(const SegmentShape& shape, double heartline, double largest_step, Segm
     table.slope[i] = frame.forward.y;
     table.felt[i] = felt_entry(shape, s, t, frame, heartline);
   }
+  fill_cells(shape, table);
 }
 
 }  // namespace
 
-FeltEntry felt_entry(const SegmentShape& shape, double s, double t, const curve::Frame& frame, double d) {
+FeltEntry felt_entry(const SegmentShape& shape, double s, double t, const curve::Frame& frame, double d,
+                     double slowest) {
   const dvec3 left = frame.left(), &up = frame.up;
   const double w = shape.roll.spin(s), w_slope = shape.roll.slope(s);
   // Curvature towards left and up, and the curvature vector's change towards up.
   const dvec3 r1 = curve::derivative(shape.key.cubic, t), r2 = curve::second_derivative(shape.key.cubic, t);
   const double square = glm::dot(r1, r1);
   double to_left = 0, to_up = 0, up_slope = 0;
-  if (square > 1e-6) {  // (1 mm)^2: below it is a cusp
+  if (square > slowest * slowest) {  // below it is a cusp
     to_left = glm::dot(r2, left) / square, to_up = glm::dot(r2, up) / square;
     const double third = glm::dot(curve::third_derivative(shape.key.cubic), up) / square;
     up_slope = (third - 3.0 * to_up * glm::dot(r1, r2) / square) / std::sqrt(square);

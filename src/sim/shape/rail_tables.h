@@ -20,8 +20,21 @@ struct FeltEntry {
 };
 // Returns the entry at arc length s of a segment, where its parameter is t and its frame `frame`, for riders d metres
 // above the rails: the derivatives of r(s) + d U(s) in closed form. At a cusp the curvature counts as 0; near one it is
-// bounded.
-FeltEntry felt_entry(const SegmentShape& shape, double s, double t, const curve::Frame& frame, double d);
+// bounded: `slowest` is the least |B'| whose curvature counts, m.
+FeltEntry felt_entry(const SegmentShape& shape, double s, double t, const curve::Frame& frame, double d,
+                     double slowest = 1e-3);
+
+// A piece of a segment where it bends too sharply for entries at equal steps, with the integrals of an entry's members
+// by arc length.
+struct FeltCell {
+  double from = 0, to = 0;  // m along the segment
+  glm::dvec3 along{0}, bend{0}, weight{0};
+  bool reversal = false;  // the direction turns round in it
+};
+
+// Tight bends have cells, in ascending order, without gaps within a bend: where the radius falls below kTightRadius,
+// until it exceeds twice that and the next entry of the table does not see it.
+inline constexpr double kTightRadius = 2;  // m: 8 steps of the table, which turns by 1/8 rad in one
 
 struct SegmentTable {
   std::uint64_t build = 0;            // build number of the shape that filled it
@@ -31,7 +44,11 @@ struct SegmentTable {
   double per_metre = 0;               // 1 / step, else 0
   std::vector<double> height, slope;  // n+1 entries, uniform in s
   std::vector<FeltEntry> felt;
+  std::vector<FeltCell> cells;  // none on a segment without tight bends
+  std::vector<double> peaks;    // m along the segment: the sharpest places of its tight bends
 };
+// Fills cells and peaks: about 1 us per cell.
+void fill_cells(const SegmentShape& shape, SegmentTable& table);
 
 class RailTables {
  public:

@@ -127,12 +127,69 @@ void low_pass(std::span<float> values, double rate, double cutoff) {
   Section(rate, cutoff, 1.30656296487637652).run(values);
 }
 
+namespace {
+
+// Returns low-passed felt g of a car that passes tight bends: what happens between two entries counts when it happens,
+// at kFiner times their rate. An entry shows the peak next to it, if there is one.
+std::vector<float> low_passed_finely(const Ghost& ghost, int car, float Force::*axis, double cutoff,
+                                     std::span<const float> entries) {
+  constexpr std::size_t kFiner = 8;
+  constexpr double kRate = kFiner * kForceRate;
+  const std::size_t last = kFiner * (entries.size() - 1);
+  std::vector<float> fine(last + 1, 0.0f);
+  const auto add = [&](double place, double value) {  // at an entry
+    const double at = std::clamp(place * kFiner, 0.0, static_cast<double>(last));
+    const std::size_t i = std::min(static_cast<std::size_t>(at), last - 1);
+    const double share = at - static_cast<double>(i);
+    fine[i] += static_cast<float>((1 - share) * value), fine[i + 1] += static_cast<float>(share * value);
+  };
+  std::vector<bool> whole(entries.size(), false);  // the passage has all of what happens before the entry
+  for (const Passage& passage : ghost.passages) {
+    if (passage.car != car) continue;
+    if (!passage.inside()) {
+      add(passage.time * kForceRate, kRate * (double{passage.impulse.*axis} + double{passage.missed.*axis}));
+      continue;
+    }
+    whole[passage.entry] = true;
+    // A mass at its centre, or one at either end where it changes sign.
+    const double before = passage.for_before.*axis, after = passage.for_entry.*axis,
+                 end = static_cast<double>(passage.entry);
+    if (before * after > 0) {
+      add(end - before / (before + after), kRate * (before + after));
+    } else {
+      add(end - 1, kRate * before), add(end, kRate * after);
+    }
+  }
+  for (std::size_t k = 1; k < entries.size(); ++k)
+    for (std::size_t j = 0; j <= kFiner && !whole[k]; ++j)
+      fine[kFiner * (k - 1) + j] +=
+          (j % kFiner == 0 ? 0.5f : 1.0f) * std::lerp(entries[k - 1], entries[k], static_cast<float>(j) / kFiner);
+  fine.front() = entries.front();  // the filter starts with it
+  fine.back() += 0.5f * entries.back();
+  low_pass(fine, kRate, cutoff);
+  std::vector<float> values(entries.size());
+  for (std::size_t k = 0; k < values.size(); ++k) {
+    const std::size_t at = k * kFiner, from = std::max(at, kFiner / 2) - kFiner / 2 + 1,
+                      to = std::min(at + kFiner / 2, last - 1);
+    values[k] = fine[at];
+    for (std::size_t i = from; i <= to; ++i)
+      if ((fine[i] - fine[i - 1]) * (fine[i + 1] - fine[i]) < 0) values[k] = fine[i];
+  }
+  return values;
+}
+
+}  // namespace
+
 std::vector<float> low_passed_g(const Ghost& ghost, int car, float Force::*axis, double cutoff) {
   const auto cars = static_cast<std::size_t>(ghost.start.cars);
   std::vector<float> values;
   values.reserve(ghost.forces.size() / cars);
   for (std::size_t i = static_cast<std::size_t>(car); i < ghost.forces.size(); i += cars)
     values.push_back(ghost.forces[i].*axis);
+  if (values.size() > 1 && std::ranges::any_of(ghost.passages, [&](const Passage& passage) {
+        return passage.car == car && passage.inside();
+      }))
+    return low_passed_finely(ghost, car, axis, cutoff, values);
   for (const Passage& passage : ghost.passages) {
     if (passage.car != car) continue;
     values[passage.entry] += passage.impulse.*axis * static_cast<float>(kForceRate);
