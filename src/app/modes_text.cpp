@@ -51,6 +51,8 @@ base::Status validate_file(const std::string& path) {
     return status;
   }
   for (const std::string& warning : track->warnings) base::print_error(warning);
+  if (const std::string tight = sim::tight_text(sim::tight_bends_of(sim::shapes_of(track->document))); !tight.empty())
+    base::print_error(fmt::format("{}: warning: {}", path, tight));
   return {};
 }
 

@@ -34,7 +34,7 @@ edit::Want wanted_by(const Look& look, const Program& program) {
   Want wanted = Want::values;
   if (layers.has(world::Layer::flips)) wanted = wanted | Want::breaks;
   if (layers.has(world::Layer::conflicts) && !is_riding(program, look))
-    wanted = wanted | wanted_conflicts(look, program) | Want::folds;
+    wanted = wanted | wanted_conflicts(look, program) | Want::folds | Want::tight_bends;
   if (layers.has(world::Layer::limits)) wanted = wanted | Want::overloads | Want::jolts;
   if (layers.has(world::Layer::supports)) wanted = wanted | Want::supports;
   if (look.settings.aids->show_element) wanted = wanted | Want::element | Want::room;
@@ -70,7 +70,7 @@ gfx::DrawStats draw_scene(Program& program, const Look& look, const edit::Findin
   if (layers.has(world::Layer::flips)) marked.breaks = found.breaks;
   if (layers.has(world::Layer::conflicts) && !marked.riding) {
     marked.conflicts = found.conflicts;
-    marked.folds = found.folds;
+    marked.folds = found.folds, marked.tight_bends = found.tight_bends;
   }
   if (layers.has(world::Layer::limits)) marked.spans = found.overloads, marked.jolts = found.jolts;
   mark_plan(program, look, found, marked);

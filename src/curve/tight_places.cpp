@@ -77,16 +77,21 @@ void add_roots(Polynomial b, double from, double to, const Value& value, std::ve
   add_roots(b, middle, to, value, out);
 }
 
-// Returns a lower bound of the radius in closed form; 0 if the curve turns by too much for it.
-double least_radius_bound(const CoefficientsD& k, const BinormalCurve& binormal, const Cubic& cubic) {
-  const dvec3 chord = dvec3(cubic.p3) - dvec3(cubic.p0);
-  const double length = glm::length(chord);
-  const double slowest =
-      std::min({dot(k.c1, chord), dot(k.c1 + k.c2, chord), dot(k.c1 + 2.0 * k.c2 + 3.0 * k.c3, chord)}) / length;
-  if (!(slowest > 0)) return 0;
-  const double most = std::max({glm::length(binormal.b0), glm::length(binormal.b0 + 0.5 * binormal.b1),
-                                glm::length(binormal.b0 + binormal.b1 + binormal.b2)});
-  return most > 0 ? slowest * slowest * slowest / most : kInfinite;
+// True if the radius is at least `limit` between two parameters by the bounds of |B'| and |B' x B''| that Bernstein's
+// coefficients give there, or in halves of that; `false` decides nothing.
+bool is_gentle(const CoefficientsD& k, const BinormalCurve& bend, double limit, double a, double b, int halvings = 5) {
+  const dvec3 first[] = {k.derivative(a), k.c1 + (a + b) * k.c2 + 3 * a * b * k.c3, k.derivative(b)};
+  const dvec3 along = first[0] + first[1] + first[2];
+  const double slowest = std::min({dot(first[0], along), dot(first[1], along), dot(first[2], along)});
+  if (slowest > 0) {
+    const dvec3 middle = bend.b0 + 0.5 * (a + b) * bend.b1 + a * b * bend.b2, from = bend.at(a), to = bend.at(b);
+    const double most = std::max({dot(from, from), dot(middle, middle), dot(to, to)}), square = dot(along, along);
+    const double speed = slowest * slowest / square;  // a bound of |B'|^2
+    if (speed * speed * speed >= limit * limit * most) return true;
+  }
+  const double half = 0.5 * (a + b);
+  return halvings > 0 && is_gentle(k, bend, limit, a, half, halvings - 1) &&
+         is_gentle(k, bend, limit, half, b, halvings - 1);
 }
 
 // Sets the place to a reversal if it is one.
@@ -110,7 +115,7 @@ double radius_at(const Cubic& cubic, double t) {
 std::vector<TightPlace> tight_places(const Cubic& cubic, double limit) {
   const CoefficientsD k = coefficients_d(cubic);
   const BinormalCurve binormal = binormal_curve(cubic);
-  if (least_radius_bound(k, binormal, cubic) >= limit) return {};
+  if (is_gentle(k, binormal, limit, 0, 1)) return {};
   // The radius has its extremes where k^2 = N / D^3 has: N' D = 3 N D'. The minima of D mark what is sharpest, where
   // that polynomial is worst conditioned.
   const Polynomial n = square_of(binormal.b0, binormal.b1, binormal.b2), d = square_of(k.c1, 2.0 * k.c2, 3.0 * k.c3),

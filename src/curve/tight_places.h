@@ -18,7 +18,7 @@ struct TightPlace {
 
 // Returns the local minima of the radius below `limit` (m) in [0,1], both ends included, and all interior reversals,
 // ascending: t within 1e-9, or within 1e-6 of the width of a sharp bend; the radius within 1e-6 of itself. An end where
-// B' vanishes has no radius. About 0.05 us for a segment that is gentle everywhere, else a few us.
+// B' vanishes has no radius. About 0.05 us for a gentle segment, 1 us for a half turn, 30 us for a tight one.
 std::vector<TightPlace> tight_places(const Cubic& cubic, double limit);
 
 // Returns |B'|^3 / |B' x B''| at t (m); infinite on a straight, 0 where B' vanishes.

@@ -1,6 +1,7 @@
 // Queries of the track: its knots, joints and segments, and the evaluation of the curve.
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "base/hash.h"
 #include "base/portable_math.h"
@@ -44,6 +45,15 @@ Answer conflict_place(const Context& c, View) {
 
 // --- folds
 Answer folds(const Context& c, View) { return number(c.find(edit::Want::folds).folds.size()); }
+Answer tight_bends(const Context& c, View) { return number(c.find(edit::Want::tight_bends).tight_bends.size()); }
+Answer tight_bend_at(const Context& c, View) {
+  const auto found = c.find(edit::Want::tight_bends).tight_bends;
+  return found.empty() ? text("none") : number(std::ranges::min_element(found, {}, &sim::TightBend::radius)->at);
+}
+Answer least_radius(const Context& c, View) {
+  const double least = sim::least_radius(c.session.derived);
+  return std::isfinite(least) ? number(least) : text("none");
+}
 template <double sim::Fold::*value>
 Answer first_fold(const Context& c, View) {
   const auto found = c.find(edit::Want::folds).folds;
@@ -133,6 +143,14 @@ constexpr std::array kDocumentRows{
           first_fold<&sim::Fold::at>},
     Query{"fold.radius", kNoArgument, "m", "The curve's radius there; none if there is none.",
           first_fold<&sim::Fold::radius>},
+    Query{"tight_bends", kNoArgument, "",
+          "Places where the curve bends with a radius below 0.5 m or reverses its direction: no train can pass.",
+          tight_bends},
+    Query{"tight_bend.at", kNoArgument, "m", "Distance of the tightest one along the track; none if there is none.",
+          tight_bend_at},
+    Query{"least_radius", kNoArgument, "m",
+          "Least radius of the curve, found exactly: 0 where it reverses its direction, none for a straight track.",
+          least_radius},
     Query{"hash", kHashed, "", "Hash of the document or of the motion, 16 hexadecimal digits.", hash, kText},
     Query{"position", kKnot, "m", "A knot's position.", of_knot<&world::Knot::position>, kVector},
     Query{"tangent", kKnot, "", "A knot's direction of travel, a unit vector.", of_knot<&world::Knot::tangent>,

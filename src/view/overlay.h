@@ -50,6 +50,7 @@ struct Findings {
   const sim::ElementPlan* element = nullptr;  // the palette's element at its preview position; null: not shown
   std::span<const sim::Narrow> narrow;        // parts of it without clearance
   bool riding = false;  // the eye follows a running train: hide knots that are neither selected nor hovered
+  std::span<const sim::Fold> tight_bends;  // read for Layer::conflicts
 };
 
 // Returns knots, handles of the selection, the control polygon of the selected segment (or of the segments at the

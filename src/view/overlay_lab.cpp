@@ -118,6 +118,7 @@ void add_laboratory(const world::Document& document, const sim::Derived& derived
   layer(Layer::conflicts, !findings.riding, [&](Overlay& o) {
     add_conflicts(derived, findings.conflicts, view, scale, o);
     add_folds(derived, findings.folds, view, scale, o);
+    add_folds(derived, findings.tight_bends, view, scale, o);
   });
   layer(Layer::limits, true, [&](Overlay& o) {
     add_spans(derived, findings.spans, scale, o);

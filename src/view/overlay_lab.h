@@ -58,7 +58,7 @@ void add_breaks(const sim::Derived& derived, std::span<const sim::FrenetBreak> b
 // Adds overloads: a broad line over the rails, each span at the car that feels it.
 void add_spans(const sim::Derived& derived, std::span<const sim::RedSpan> spans, float scale, Overlay& overlay);
 
-// Adds folds of the rails: a broad line and a sign over each.
+// Adds folds of the rails, or tight bends: a broad line and a sign over each.
 void add_folds(const sim::Derived& derived, std::span<const sim::Fold> folds, const View& view, float scale,
                Overlay& overlay);
 

@@ -39,7 +39,7 @@ inline constexpr base::NameRow kLayers[] = {
      "Where g exceeds its limit for longer than allowed, and joints with a jolt above 1 g. Not a compliance check."},
     {"supports", "Supports", "Supports, built automatically and clear of the trains."},
     {"knots", "Knots", "Knots and their handles. Hidden ones can still be selected."},
-    {"conflicts", "Conflicts", "Where the track lacks clearance from itself or folds."},
+    {"conflicts", "Conflicts", "Where the track lacks clearance from itself, folds, or bends too tightly for a train."},
     {"legend", "Legend", "Numbers of the track's colours."},
 };
 constexpr std::span<const base::NameRow> rows_of(Layer) { return kLayers; }

@@ -133,6 +133,14 @@ Status allowed(const Session& session, const Command& command) {
   return is_locked(session, name) ? refused(locked_text({std::string(name)})) : Status{};
 }
 
+// Tells of tight bends when there are more than before, at the end of a gesture.
+void warn_of_tight_bends(Session& session) {
+  if (session.history.in_gesture) return;
+  const std::span<const sim::TightBend> bends = find(session, Want::tight_bends).tight_bends;
+  if (bends.size() > std::exchange(session.notices.tight, bends.size()))
+    notify(session, NoticeKind::warning, sim::tight_text(bends) + ". No train can pass there.");
+}
+
 Status carry_out(Session& session, base::Files& files, const Command& command) {
   Change change{files};
   const Effect effect = info(command).effect;
@@ -153,6 +161,7 @@ Status carry_out(Session& session, base::Files& files, const Command& command) {
   if (complete && session.history.dropped > 0)
     notify(session, NoticeKind::warning, "The history is full: its oldest steps are dropped.");
   if (!change.note.empty()) notify(session, NoticeKind::info, change.note);
+  if (effect != Effect::settings && effect != Effect::motion) warn_of_tight_bends(session);
   return {};
 }
 

@@ -45,6 +45,7 @@ Status show_shared(Session& session, Change& change, const exchange::SharedView&
 
 void start_over(Session& session, world::Document document, std::filesystem::path path) {
   if (!session.document.track.knots.empty()) session.notices.list.clear();  // they are about that track
+  session.notices.tight = 0;
   session.document = std::move(document);
   session.history = {};
   session.motion = {};

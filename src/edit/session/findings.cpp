@@ -127,6 +127,7 @@ const Findings& find(Session& session, Want wanted, const world::Element& elemen
     found.conflicts = memory.conflicts.update(session.derived, sim::Conflicts::kSlice);
   found.all_conflicts = memory.conflicts.is_complete();
   if (has(wanted, Want::folds)) found.folds = memory.folds.update(session.derived);
+  if (has(wanted, Want::tight_bends)) found.tight_bends = memory.tight_bends.update(session.derived);
   if (has(wanted, Want::element | Want::room)) {
     const bool of_forces = world::is_of_forces(element.kind);
     found.element = &memory.elements.plan(element, session.document,

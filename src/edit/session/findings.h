@@ -12,9 +12,9 @@
 #include "sim/plan/elements.h"
 #include "sim/plan/force_plan.h"
 #include "sim/ride/ghost.h"
-#include "sim/shape/folds.h"
 #include "sim/shape/frame_methods.h"
 #include "sim/shape/shape_distance.h"
+#include "sim/shape/tight_bends.h"
 #include "sim/solids/conflicts.h"
 #include "sim/solids/supports.h"
 #include "sim/study/complete_circuit.h"
@@ -51,7 +51,8 @@ enum class Want : std::uint32_t {
   circuit = 32768,            // ways from the open end to the first knot
   sections = 65536,           // their lengths, heights, and what the riders of the selected seat feel on them
   conflicts_so_far = 131072,  // conflicts found so far; each call continues the search by a slice
-  chord_error = 262144        // chord error of the polylines
+  chord_error = 262144,       // chord error of the polylines
+  tight_bends = 524288        // bends too tight for a train, and reversals
 };
 constexpr Want operator|(Want a, Want b) {
   return static_cast<Want>(static_cast<std::uint32_t>(a) | static_cast<std::uint32_t>(b));
@@ -72,6 +73,7 @@ struct Findings {
   std::span<const sim::Conflict> conflicts;  // in track order; all of them after Want::conflicts
   bool all_conflicts = true;
   std::span<const sim::Fold> folds;  // in track order
+  std::span<const sim::TightBend> tight_bends;
   std::span<const sim::Jolt> jolts;  // by index of the knot in the track; none without a ride
   const sim::ElementPlan* element = nullptr;
   std::span<const sim::Narrow> room;               // parts of the element that lack clearance
@@ -93,7 +95,7 @@ struct Findings {
     sim::Riders riders;
     base::Kept<std::pair<std::uint64_t, double>, std::vector<sim::Jolt>> jolts;  // by the ride's serial and the cutoff
     sim::Conflicts conflicts;
-    sim::Folds folds;
+    sim::Folds folds, tight_bends{sim::tight_bends_of};
     sim::ElementMemo elements;
     sim::ElementRoom room;
     sim::CircuitMemo circuit;

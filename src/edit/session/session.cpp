@@ -105,10 +105,11 @@ std::string missed_forces(const Finder& find) {
 }  // namespace
 
 std::optional<std::string> ride_report(const Finder& find) {
-  const Findings& found = find(Want::ratings | Want::overloads | Want::riders);
+  const Findings& found = find(Want::ratings | Want::overloads | Want::riders | Want::tight_bends);
   if (found.ride == nullptr) return std::nullopt;
   std::string text =
       sim::report_text(*found.ride, *found.ratings, found.riders->all(), found.overloads, find.session().document.name);
+  if (!found.tight_bends.empty()) text += fmt::format("  {}\n", sim::tight_text(found.tight_bends));
   text += missed_forces(find);
   if (const auto& import = find.session().file.import) {
     text += fmt::format("  {:<22} {:8.2f} mm, {:.3f} deg, of the file's rows; at their jumps {:.3f} deg\n",

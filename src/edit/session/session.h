@@ -91,6 +91,7 @@ struct WaySearch {
 struct Notices {
   std::vector<Notice> list;  // the newest last, at most 32
   std::uint64_t serial = 0;  // number of the newest
+  std::size_t tight = 0;     // tight bends of the track that a notice told of
   std::uint64_t before = 0;  // number of the newest before the last command that gave any
 };
 

@@ -225,10 +225,9 @@ class Simulation {
     const GhostSample &now = ghost.samples.back(), &then = ghost.samples[ghost.samples.size() - 1 - kForceEvery];
     const double moved = now.travelled - then.travelled;
     const std::size_t count = segments_.size(), entry = (ghost.samples.size() - 1) / kForceEvery;
-    if (moved == 0) return;
     TightWay way{then, now, kForceEvery * world::kTick};
     const bool joint = from != to;
-    for (double done = 0;;) {
+    for (double done = 0; moved != 0;) {
       const std::size_t next = (from + (moved < 0 ? count - 1 : 1)) % count;
       const double share = from == to ? 1 : share_to(moved < 0 ? from : next, at, moved);
       double s = at - (1 - share) * moved - tables_.start(from);
@@ -245,7 +244,7 @@ class Simulation {
     ghost.passages.push_back(way.passage());
     Passage& passed = ghost.passages.back();
     passed.car = car, passed.entry = entry;
-    passed.time = (static_cast<double>(entry) - 1) * kForceEvery * world::kTick + passed.time;
+    passed.time += (static_cast<double>(entry) - 1) * kForceEvery * world::kTick;
   }
   double length_of(std::size_t segment) const { return tables_.start(segment + 1) - tables_.start(segment); }
 

@@ -119,6 +119,8 @@ std::string fold_text(const Fold& fold, double height) {
                      fold.radius, std::abs(height));
 }
 
+std::vector<Fold> rail_folds(const SegmentShape& shape) { return folds_of(shape, shape.key.rails); }
+
 const std::vector<Fold>& Folds::update(const Derived& derived) {
   if (last_build_ == derived.last_build && base::same_bits(order_, derived.order)) return all_;
   const auto changes = derived.changes_since(std::exchange(last_build_, derived.last_build));
@@ -130,7 +132,7 @@ const std::vector<Fold>& Folds::update(const Derived& derived) {
   const auto take = [&](std::size_t i) {
     const SegmentShape& shape = derived.shape_at(i);
     if (entries_[i].build == shape.shape_build) return;
-    entries_[i] = {shape.shape_build, folds_of(shape, shape.key.rails)};
+    entries_[i] = {shape.shape_build, find_(shape)};
     if (entries_[i].found.empty()) folded_.erase(i);
     else folded_.insert(i);
   };

@@ -25,9 +25,15 @@ std::vector<Fold> folds_of(const Derived& derived, double height);
 // Returns "at 12.3 m, where the curve's radius of 0.80 m is below the height of 1.10 m".
 std::string fold_text(const Fold& fold, double height);
 
-// The folds of the rails, cached: update() checks only segments with a new shape_build, and nothing if there are none.
+// Returns the folds of a segment's rails, m along it.
+std::vector<Fold> rail_folds(const SegmentShape& shape);
+
+// The folds of the rails, or what else is found segment by segment, cached: update() checks only segments with a new
+// shape_build, and nothing if there are none.
 class Folds {
  public:
+  using Find = std::vector<Fold>(const SegmentShape&);
+  explicit Folds(Find* find = rail_folds) : find_(find) {}
   const std::vector<Fold>& update(const Derived& derived);
 
  private:
@@ -35,6 +41,7 @@ class Folds {
     std::uint64_t build = 0;
     std::vector<Fold> found;  // m along the segment
   };
+  Find* find_;
   std::vector<Entry> entries_;    // by index in the order
   std::set<std::size_t> folded_;  // indices of those with folds
   std::vector<Fold> all_;

@@ -17,6 +17,7 @@
 #include "sim/study/live_errata.h"
 #include "ui/context/rows.h"
 #include "ui/lab/cache.h"
+#include "ui/tools/places.h"
 #include "ui/widgets/table.h"
 
 namespace coaster::ui {
@@ -124,13 +125,40 @@ void side(Ui& ui, const JointList& list) {
               {"Largest first###Hardest first", "List the joints by jolt, largest first."});
 }
 
+constexpr TableColumn kTightColumns[] = {
+    {"Tight bend", "m", 70, "Distance along the track, of the curve of the knots. Click a row to go there."},
+    {"Radius", "m", 70, "Least radius of the bend; 0 where the direction reverses."},
+    {"Kind", "", 70, "A bend with a radius below 0.5 m, or a reversal of the direction.", true}};
+
+// Draws the tight bends of the track, if there are any, and returns the height that is left.
+float tight_bends(Ui& ui, float height) {
+  const std::span<const sim::TightBend> bends = ui.find(edit::Want::tight_bends).tight_bends;
+  constexpr std::size_t kMostRows = 4;
+  const float own = std::min(0.5f * height, ImGui::GetFrameHeight() * (1.5f + std::min(bends.size(), kMostRows)));
+  if (bends.empty()) return height;
+  if (begin_table(ui, "Tight bends table", kTightColumns, own)) {
+    ImGuiListClipper clipper;
+    clipper.Begin(static_cast<int>(bends.size()));
+    while (clipper.Step())
+      for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i) {
+        const sim::TightBend& bend = bends[static_cast<std::size_t>(i)];
+        const std::string radius = digits(ui, bend.radius, 4, "m"), kind = bend.radius > 0 ? "bend" : "reversal";
+        const Cell cells[] = {{digits(ui, bend.at, 1, "m")}, {radius, kBadColour}, {kind, kPlainColour, true}};
+        if (table_row(ui, fmt::format("Tight bend {}", i + 1), cells, false, kind + " " + radius, "Click to go there."))
+          show_place(ui, bend.at);
+      }
+    end_table();
+  }
+  return height - own - ImGui::GetStyle().ItemSpacing.y;
+}
+
 }  // namespace
 
 void joints_page(Ui& ui) {
   const JointList& list = kept_joints(ui);
   Page page(ui, 230);
   side(ui, list);
-  const float height = page.pictures();
+  const float height = tight_bends(ui, page.pictures());
   if (list.rows.empty()) return small_note("No joints yet. A joint connects two segments.");
   if (!begin_table(ui, "Joints table", kJointColumns, height)) return;
   ImGuiListClipper clipper;

@@ -88,6 +88,16 @@ void folds(Ui& ui) {
     show_next_fold(ui);
 }
 
+void tight_bends(Ui& ui) {
+  if (ui.find(edit::Want::tight_bends).tight_bends.empty()) return;
+  read_query(ui, "Tight bends", "tight_bends",
+             "Places where the curve bends with a radius below 0.5 m or reverses its direction.",
+             {.decimals = 0, .warns = true});
+  if (button(ui, "Next tight bend", "Go to the next bend that is too tight for a train.", true,
+             ImGui::GetContentRegionAvail().x))
+    show_next_tight_bend(ui);
+}
+
 // Returns the command that closes the track: ends that coincide, or nearly do, become one knot.
 edit::Command closing(const edit::Session& session) {
   const auto& knots = session.document.track.knots;
@@ -176,6 +186,7 @@ void track_panel(Ui& ui) {
   deviation(ui);
   conflicts(ui);
   folds(ui);
+  tight_bends(ui);
   building(ui);
   start(ui);
   file(ui);

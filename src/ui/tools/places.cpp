@@ -93,6 +93,11 @@ void show_next_fold(Ui& ui) {
   if (const auto* const next = next_of(ui, ui.find(edit::Want::folds).folds)) look_at(ui, next->at, next->place, 0, 24);
 }
 
+void show_next_tight_bend(Ui& ui) {
+  if (const auto* const next = next_of(ui, ui.find(edit::Want::tight_bends).tight_bends))
+    look_at(ui, next->at, next->place, 0, 24);
+}
+
 void show_knot(Ui& ui, world::Entity knot) {
   const world::Document& document = ui.session().document;
   const auto index = world::index_of(document.track.knots, knot);

@@ -25,6 +25,8 @@ void show_place(Ui& ui, double distance);
 void show_next_conflict(Ui& ui);
 // Selects the next fold of the rails in the same way.
 void show_next_fold(Ui& ui);
+// Selects the next tight bend in the same way.
+void show_next_tight_bend(Ui& ui);
 // Selects the knot and points the orbit camera there.
 void show_knot(Ui& ui, world::Entity knot);
 // Selects the knot with the largest jolt and points the orbit camera there; no-op without a jolt.
