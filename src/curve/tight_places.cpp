@@ -4,9 +4,9 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <span>
 
 #include "curve/frames.h"
+#include "curve/polynomial_roots.h"
 
 namespace coaster::curve {
 namespace {
@@ -15,66 +15,21 @@ using glm::dvec3;
 
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
 
-// A polynomial by its coefficients, and the product, of at most degree 7.
-using Polynomial = std::array<double, 8>;
-void add_product(const Polynomial& a, const Polynomial& b, double factor, Polynomial& sum) {
-  for (std::size_t i = 0; i < 8; ++i)
-    for (std::size_t j = 0; i + j < 8; ++j) sum[i + j] += factor * a[i] * b[j];
-}
-Polynomial slope_of(const Polynomial& a) {
-  Polynomial slope{};
-  for (std::size_t i = 1; i < 8; ++i) slope[i - 1] = static_cast<double>(i) * a[i];
-  return slope;
-}
-// Returns |a + t b + t^2 c|^2.
-Polynomial square_of(dvec3 a, dvec3 b, dvec3 c) {
-  return {dot(a, a), 2 * dot(a, b), dot(b, b) + 2 * dot(a, c), 2 * dot(b, c), dot(c, c)};
+// Returns half the slope of the square of the length of the quadratic with these controls, in Bernstein form.
+std::array<double, 4> slope_of_square(const std::array<dvec3, 3>& h) {
+  return product(h, std::array{h[1] - h[0], h[2] - h[1]});
 }
 
-// Returns the polynomial's coefficients in Bernstein's basis of degree 7.
-Polynomial bernstein_of(const Polynomial& a) {
-  Polynomial b{};
-  for (std::size_t i = 0; i < 8; ++i) {
-    double share = 1;  // C(i,j) / C(7,j)
-    for (std::size_t j = 0; j <= i; ++j) {
-      b[i] += share * a[j];
-      share *= static_cast<double>(i - j) / static_cast<double>(7 - std::min<std::size_t>(j, 6));
+// Appends the roots of a polynomial, halved with `value`, which may be more accurate.
+template <std::size_t N, class Value>
+void add_roots(const std::array<double, N>& c, const Value& value, std::vector<double>& out) {
+  each_crossing(c, 0, 1, [&](Bracket at, bool rising) {
+    for (int i = 0; i < 60; ++i) {
+      const double middle = 0.5 * (at.low + at.high);
+      ((value(middle) < 0) == rising ? at.low : at.high) = middle;
     }
-  }
-  return b;
-}
-
-// Appends the roots between two parameters of a polynomial with the coefficients `b` in Bernstein's basis there. Where
-// they change sign once there is one root (Descartes' rule), found by halving with `value`, which may be more accurate.
-template <class Value>
-void add_roots(Polynomial b, double from, double to, const Value& value, std::vector<double>& out) {
-  constexpr double kSplit = 0.4871, kClosest = 1e-12;  // the split avoids the middles of symmetric curves
-  int changes = 0;
-  double last = 0;
-  for (const double x : b) {
-    if (x == 0) continue;
-    changes += x * last < 0;
-    last = x;
-  }
-  if (changes == 0) return;
-  if (changes == 1 || to - from < kClosest) {
-    const bool rises = value(from) < value(to);
-    for (int i = 0; i < 60 && from < to; ++i) {
-      const double middle = 0.5 * (from + to);
-      ((value(middle) < 0) == rises ? from : to) = middle;
-    }
-    out.push_back(0.5 * (from + to));
-    return;
-  }
-  Polynomial left;
-  for (std::size_t level = 0; level < 8; ++level) {
-    left[level] = b[0];
-    for (std::size_t i = 0; i + level + 1 < 8; ++i) b[i] += kSplit * (b[i + 1] - b[i]);
-  }
-  const double middle = from + kSplit * (to - from);
-  if (b[0] == 0) out.push_back(middle);
-  add_roots(left, from, middle, value, out);
-  add_roots(b, middle, to, value, out);
+    out.push_back(0.5 * (at.low + at.high));
+  });
 }
 
 // True if the radius is at least `limit` between two parameters by the bounds of |B'| and |B' x B''| that Bernstein's
@@ -118,20 +73,20 @@ std::vector<TightPlace> tight_places(const Cubic& cubic, double limit) {
   if (is_gentle(k, binormal, limit, 0, 1)) return {};
   // The radius has its extremes where k^2 = N / D^3 has: N' D = 3 N D'. The minima of D mark what is sharpest, where
   // that polynomial is worst conditioned.
-  const Polynomial n = square_of(binormal.b0, binormal.b1, binormal.b2), d = square_of(k.c1, 2.0 * k.c2, 3.0 * k.c3),
-                   d_slope = slope_of(d);
-  Polynomial extremes{};
-  add_product(slope_of(n), d, 1, extremes), add_product(n, d_slope, -3, extremes);
-  const auto slowing = [&](double t) {  // D' / 2
-    return dot(k.derivative(t), k.second_derivative(t));
-  };
+  const std::array d{k.derivative(0), k.c1 + k.c2, k.derivative(1)},
+      b{binormal.b0, binormal.b0 + 0.5 * binormal.b1, binormal.at(1)};
+  const auto n_slope = slope_of_square(b), d_slope = slope_of_square(d);
+  std::array<double, 8> extremes = product(n_slope, product(d, d));
+  const auto other = product(product(b, b), d_slope);
+  for (std::size_t i = 0; i < extremes.size(); ++i) extremes[i] -= 3 * other[i];
+  const auto slowing = [&](double t) { return dot(k.derivative(t), k.second_derivative(t)); };  // D' / 2
   std::vector<double> at{0, 1};
-  add_roots(bernstein_of(d_slope), 0, 1, slowing, at);
+  add_roots(d_slope, slowing, at);
   add_roots(
-      bernstein_of(extremes), 0, 1,
+      extremes,
       [&](double t) {
-        const dvec3 first = k.derivative(t), second = k.second_derivative(t), b = cross(first, second);
-        return dot(b, cross(first, 6.0 * k.c3)) * dot(first, first) - 3 * dot(b, b) * slowing(t);
+        const dvec3 first = k.derivative(t), second = k.second_derivative(t), bend = cross(first, second);
+        return dot(bend, cross(first, 6.0 * k.c3)) * dot(first, first) - 3 * dot(bend, bend) * slowing(t);
       },
       at);
   std::ranges::sort(at);

@@ -23,7 +23,7 @@ struct Piece {
       return felt_at(table, s, static_cast<float>(a / world::kGravity),
                      static_cast<float>(speed * speed / world::kGravity));
     dvec3 sum = (a * cell->along + speed * speed * cell->bend) / world::kGravity + cell->weight;
-    if (cell->reversal) sum.x += 2 * speed * std::abs(speed) / world::kGravity;
+    sum.x += 2 * cell->reversal * speed * speed / world::kGravity;
     return sum / (cell->to - cell->from);
   }
 };

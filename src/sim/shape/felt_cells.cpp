@@ -47,7 +47,8 @@ class Cells {
                     2 * kTightRadius);
   }
   void add_reversal(double from, double to) {
-    start(from, to).reversal = true;
+    // Both of a segment's reversals are felt in the axes of the track between them.
+    start(from, to).reversal = reversals_++ % 2 == 0 ? 1 : -1;
     near_.push_back(true);
   }
   // Removes the cells that are further from a tight one than the table's entries reach.
@@ -80,6 +81,7 @@ class Cells {
   const SegmentShape& shape_;
   SegmentTable& table_;
   curve::CoefficientsD curve_;
+  int reversals_ = 0;
   std::vector<bool> near_;  // of each cell: it is tight
 };
 

@@ -29,7 +29,7 @@ FeltEntry felt_entry(const SegmentShape& shape, double s, double t, const curve:
 struct FeltCell {
   double from = 0, to = 0;  // m along the segment
   glm::dvec3 along{0}, bend{0}, weight{0};
-  bool reversal = false;  // the direction turns round in it
+  int reversal = 0;  // the direction turns round in it: the push is 2 v forwards (1) or backwards (-1)
 };
 
 // Tight bends have cells, in ascending order, without gaps within a bend: where the radius falls below kTightRadius,

@@ -212,19 +212,21 @@ TEST(TightWay, FeelsReversalsWhereverTheSamplesFall) {
   }
 }
 
-// Both turn the rider round: what is forwards afterwards is the same direction of the seat.
-TEST(TightWay, AddsReversalsThatFollowSoon) {
+// Felt in the axes of the track between them, one pushes forwards and the next backwards.
+TEST(TightWay, FeelsReversalsThatFollowSoonToAndFro) {
   for (const double speed : {5.0, 10.0, 20.0}) {
     const double size = 20, apart = size * (5.0 / 32 - 1.0 / 8) / speed;  // s: B(1/4) and B(1/2) are at these shares
     constexpr double kBin = 1e-5;
     Filter filter{dvec3(0)};
-    double right = 0;
+    double right = 0, back = 0;
     for (int i = 0; i < 100'000; ++i) {
-      const bool hit = i == 1000 || i == 1000 + static_cast<int>(apart / kBin);
-      right = std::max(right, filter.next(dvec3(hit ? 2 * speed / kG / kBin : 0, 0, 0), kBin).x);
+      const int push = i == 1000 ? 1 : i == 1000 + static_cast<int>(apart / kBin) ? -1 : 0;
+      const double felt = filter.next(dvec3(push * 2 * speed / kG / kBin, 0, 0), kBin).x;
+      right = std::max(right, felt), back = std::min(back, felt);
     }
     const Ratings r = ride(reversing(speed, {0.3f, 0, 1}, static_cast<float>(size)), 0.01, 1).ratings;
     EXPECT_NEAR(r.forward_most.value, right, 0.02 * right) << speed;
+    EXPECT_NEAR(r.back_most.value, back, 0.02 * right) << speed;
     EXPECT_NEAR(r.jolt_most.value, 2.40 * kCutoff * 2 * speed / kG, 0.02 * right) << speed;
   }
 }
