@@ -37,7 +37,7 @@ exchange::JsonMembers overload(const sim::RedSpan& span) {
 }  // namespace
 
 std::optional<std::string> ride_report_json(const Finder& find) {
-  const Findings& found = find(Want::ratings | Want::overloads | Want::riders);
+  const Findings& found = find(Want::ratings | Want::overloads | Want::riders | Want::tight_bends);
   if (found.ride == nullptr) return std::nullopt;
   const sim::Ghost& ghost = *found.ride;
   const sim::Ratings& r = *found.ratings;
@@ -66,8 +66,10 @@ std::optional<std::string> ride_report_json(const Finder& find) {
                                       {"intensity", r.intensity},
                                       {"nausea", r.nausea}};
   all.insert(all.end(), ratings.begin(), ratings.end());
-  exchange::JsonList overloads, missed;
+  exchange::JsonList overloads, missed, bends;
   for (const sim::RedSpan& span : found.overloads) overloads.push_back(overload(span));
+  for (const sim::TightBend& bend : found.tight_bends) bends.push_back({{"at_m", bend.at}, {"radius_m", bend.radius}});
+  all.emplace_back("tight_bends", std::move(bends));
   all.emplace_back("overloads", std::move(overloads));
   const auto forces = forces_missed(find);
   for (const MissedForces& one : forces.value_or(std::vector<MissedForces>{}))
