@@ -124,8 +124,9 @@ class Build:
                 if name not in taken:
                     words += members[name]
                 taken.add(name)
-            elif "whole-archive" in word:
-                words.pop()  # -Xlinker
+            elif "whole-archive" in word:  # -Wl,--whole-archive or, by clang, -Xlinker --whole-archive
+                if words[-1] == "-Xlinker":
+                    words.pop()
             else:
                 words.append(word)
         if "-fuse-ld=lld" not in words and shutil.which("ld.lld"):
@@ -176,7 +177,9 @@ class Build:
         if new not in link:
             fail(f"{old} is not linked into {self.program}")
         linked = subprocess.run(link, cwd=self.folder, capture_output=True, text=True)
-        return (None, linked.stderr[-2000:]) if linked.returncode else (program, None)
+        if linked.returncode:  # not a mutant's fault
+            fail(f"{self.program} with {file} does not link:\n{linked.stderr[-2000:]}")
+        return program, None
 
     def plant_header(self, file, source):
         if self.tree == SOURCE:
