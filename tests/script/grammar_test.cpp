@@ -243,7 +243,7 @@ TEST(grammar, blocks_nest_and_must_be_closed) {
 TEST(grammar, of_a_long_line_the_part_around_the_error_is_shown) {
   Source source{"a.coaster", ".", {}};
   source.lines = {"  " + std::string(5'000'000, '\x1b') + "wrong" + std::string(5'000'000, 'z')};
-  const std::string shown = describe_error(source, 1, 5'000'003, "no");
+  const std::string shown = describe_error(source, {source.name, 1, 5'000'003, "no", {}});
   EXPECT_LT(shown.size(), 2'000u);
   EXPECT_NE(shown.find("...\\u001b"), std::string::npos);
   EXPECT_NE(shown.find("wrongzz"), std::string::npos);
