@@ -22,11 +22,12 @@ double turn_by(double by, double length) {
 
 // Returns the error along each axis of a handle and its knot.
 dvec3 rounding_error(glm::vec3 a, glm::vec3 b) {
-  const glm::vec3 size = glm::max(glm::abs(a), glm::abs(b));
+  const glm::vec3 size = glm::max(glm::max(glm::abs(a), glm::abs(b)), glm::vec3(glm::length(b - a)));
   const auto ulp = [](float x) {
     return double{std::bit_cast<float>(std::bit_cast<std::uint32_t>(x) + 1)} - double{x};
   };
-  return {ulp(size.x), ulp(size.y), ulp(size.z)};
+  const double level = ulp(std::max(size.x, size.z));
+  return {level, ulp(size.y), level};
 }
 
 }  // namespace

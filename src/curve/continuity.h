@@ -31,8 +31,10 @@ struct Joint {
 // p1.
 glm::dvec3 curvature_vector(const Cubic& cubic, double t);
 
-// Returns the farthest, m, that rounding to float can have moved a control point: along each axis an ulp of the larger
-// coordinate of a knot and its handle. With e that distance, B' is off by at most 6 e, B'' by 24 e.
+// Returns the farthest, m, that rounding to float can have moved a control point: along each axis an ulp of the
+// largest of a knot's coordinate, its handle's and the handle's length, whose direction is rounded as a unit vector;
+// the same along both level axes, because carrying turns knots about the vertical. With e that distance, B' is off
+// by at most 6 e, B'' by 24 e.
 double rounding_error(const Cubic& cubic);
 
 // Returns the most, 1/m, by which rounding can have changed the curvature vector at t, to first order: knots by an ulp

@@ -112,6 +112,14 @@ double shift_at(const ForceTask& task, const ForcePath& path, const std::vector<
   return std::min(kMostShift, share * task.program.tolerance * world::kGravity / square * least * least / 6);
 }
 
+// Returns the jump at a knot as a part of what is allowed: inside the section any that is G2.
+double jump_strain(const ForceTask& task, const Spans& spans, std::size_t knot) {
+  const std::size_t last = spans.jumps.size() - 1;
+  if (knot == last && !task.held) return 0;
+  const double strain = knot == 0 || knot == last ? spans.jumps[knot] / kElementJump : 0;
+  return spans.strains[knot] > 1 ? std::max(strain, spans.strains[knot]) : strain;
+}
+
 Attempt attempt_with(const ForceTask& task, const ForcePath& path, std::vector<std::size_t> at, double share) {
   constexpr double kAtPoints = 0.99;  // of the tolerance: between the path's points riders feel slightly more
   Attempt now{std::move(at), {}, {}, {}, {}};
@@ -120,10 +128,8 @@ Attempt attempt_with(const ForceTask& task, const ForcePath& path, std::vector<s
     const world::Knot &from = now.spans.knots[k], &to = now.spans.knots[k + 1];
     now.errors.push_back(span_error(task, path, now.at[k], now.at[k + 1], from, to));
     const SpanError& error = now.errors.back();
-    const bool last = k + 2 == now.at.size();
-    const double jump =
-        std::max(k == 0 ? now.spans.jumps.front() : 0.0, last && task.held ? now.spans.jumps.back() : 0.0);
-    now.strains.push_back(std::max({error.felt.error / (kAtPoints * task.program.tolerance), jump / kElementJump,
+    const double jump = std::max(jump_strain(task, now.spans, k), jump_strain(task, now.spans, k + 1));
+    now.strains.push_back(std::max({error.felt.error / (kAtPoints * task.program.tolerance), jump,
                                     error.check.roll_error / base::radians(kElementRoll_deg)}));
     if (!(now.strains.back() <= 1)) now.failing.push_back(k);
   }
@@ -133,7 +139,7 @@ Attempt attempt_with(const ForceTask& task, const ForcePath& path, std::vector<s
 Attempt attempt(const ForceTask& task, const ForcePath& path, const std::vector<std::size_t>& at) {
   Attempt best = attempt_with(task, path, at, 0.25);
   for (const double share : {1.0, 4.0}) {
-    if (std::max(best.spans.jumps.front(), task.held ? best.spans.jumps.back() : 0.0) <= kElementJump) break;
+    if (std::max(jump_strain(task, best.spans, 0), jump_strain(task, best.spans, at.size() - 1)) <= 1) break;
     Attempt farther = attempt_with(task, path, at, share);
     if (farther.strains[farther.worst()] < best.strains[best.worst()]) best = std::move(farther);
   }
