@@ -199,15 +199,14 @@ Finding look_at(const edit::Finder& find, const Rule& rule) {
   const base::Result<bool> held = holds(rule.condition, *value);
   finding.holds = held && *held;
   finding.found = shown(*rule.query, *value);
-  if (rule.query->name == "ride.envelope") finding.found += finding.found == "1" ? " overload" : " overloads";
-  if (const double* const number = std::get_if<double>(&*value)) finding.value = *number;
-  // A train that does not complete the lap has no lap time.
-  if (rule.query->name == "ride.lap_time" && finding.value && !(*finding.value > 0)) {
-    finding = {};
-    finding.found = "no lap";
+  if (const None* const none = std::get_if<None>(&*value); none != nullptr && !finding.holds) {
+    finding.found = none->why.empty() ? "none" : none->why;
     finding.missing = true;
     return finding;
   }
+  if (rule.query->name == "ride.envelope" && !is_none(*value))
+    finding.found += finding.found == "1" ? " overload" : " overloads";
+  if (const double* const number = std::get_if<double>(&*value)) finding.value = *number;
   finding.place = place_of(find, rule.query->name);
   if (!finding.place) finding.place = place_of_joint(find, rule.query->name);
   if (!finding.place && rule.query->argument.size() == 1 && rule.query->argument[0].kind == world::Kind::knot)

@@ -124,8 +124,21 @@ base::Result<bool> holds_number(const Condition& c, double found) {
   return ordered(*c.op, found, *wanted, c.tolerance.value_or(0), whole(found) && whole(*wanted));
 }
 
-// "none" of a query of numbers is beyond every limit.
-bool holds_text(const Condition& c, const std::string& found) {
+// Returns the number that a text begins with, as panels show it: 6.25 of "6.25 m/s". Nothing if it begins otherwise.
+std::optional<double> leading_number(std::string_view text) {
+  std::string_view part = text.substr(0, text.find_first_not_of("0123456789.eE+-"));
+  while (!part.empty() && !number_of(part)) part.remove_suffix(1);
+  return number_of(part);
+}
+
+// With a tolerance, texts compare by the numbers that they begin with.
+base::Result<bool> holds_text(const Condition& c, const std::string& found) {
+  if (c.tolerance) {
+    const auto number = leading_number(found);
+    return number ? holds_number(c, *number)
+                  : base::Result<bool>(
+                        mismatch("expected a text that begins with a number, found " + base::quoted(found)));
+  }
   const std::string wanted = joined(c.values);
   if (*c.op == Op::contains) return lower(found).find(lower(wanted)) != std::string::npos;
   const auto bare = [](std::string_view t) { return t.starts_with('@') ? t.substr(1) : t; };
@@ -165,8 +178,12 @@ bool check_numbers(Words& words, const Query& query, const Condition& c, std::si
 }
 
 // Checks that the query can have these values and that the operator can compare them.
-bool check_values(Words& words, const Query& query, const Condition& c, const base::Token& op) {
+bool check_values(Words& words, const Query& query, const Condition& c, const base::Token& op, bool tolerance) {
   const auto [type, names] = values_with(query, c.argument);
+  if (tolerance && (type == Type::ranked || !names.empty() || joined(c.values) == kNone))
+    return words.fail(words.at_end() ? words.end_column() : words.peek()->column,
+                      fmt::format("a tolerance needs a number, found {}", base::quoted(joined(c.values))));
+  if (tolerance && type == Type::text) return check_numbers(words, query, c, 1);
   if (c.op == Op::contains) return true;
   const bool equality = c.op == Op::equal || c.op == Op::not_equal;
   if (!equality && (type == Type::text || type == Type::vector))
@@ -174,6 +191,9 @@ bool check_values(Words& words, const Query& query, const Condition& c, const ba
                       fmt::format("a {} can be compared only with {}, found {}", type == Type::text ? "text" : "vector",
                                   type == Type::text ? "==, != and ~" : "== and !=", base::quoted(op.text)));
   const std::string all = joined(c.values);
+  if (all == kNone && !equality && type == Type::number)
+    return words.fail(op.column,
+                      fmt::format("none can be compared only with == and !=, found {}", base::quoted(op.text)));
   if (all == kNone && (type != Type::ranked || !query.argument.empty())) return true;
   if (type == Type::number || type == Type::vector) return check_numbers(words, query, c, type == Type::number ? 1 : 3);
   if (names.empty()) return true;
@@ -192,6 +212,12 @@ std::string near_query(std::string_view name) {
   const std::string end = fmt::format(".{}", name);
   const auto found = std::find_if(known.begin(), known.end(), [&](const std::string& k) { return k.ends_with(end); });
   return found != known.end() ? base::suggestion(*found, known) : "; coaster --help-script lists all";
+}
+
+// No value meets only a comparison with none, "not" or not.
+bool holds_none(const Condition& c) {
+  const bool compares = (c.op == Op::equal || c.op == Op::not_equal) && joined(c.values) == kNone;
+  return compares && (c.op == Op::equal) != c.negated;
 }
 
 bool is_true(const Value& value) {
@@ -253,7 +279,7 @@ bool parse_condition(Words& words, Condition& condition, std::string_view stop) 
     condition.values.pop_back();
   if (condition.values.empty())
     return words.fail(words.at_end() ? words.end_column() : words.peek()->column, "expected a value");
-  if (!check_values(words, *query, condition, *op)) return false;
+  if (!check_values(words, *query, condition, *op, !stops())) return false;
   if (!stops() && !parse_tolerance(words, condition)) return false;
   if (condition.tolerance) condition.text += " +-" + base::to_text(*condition.tolerance);
   return true;
@@ -266,7 +292,9 @@ base::Result<bool> holds(const Condition& condition, const Value& value) {
     base::Result<bool> operator()(const std::string& v) const { return holds_text(c, v); }
     base::Result<bool> operator()(const Ranked& v) const { return holds_ranked(c, v); }
     base::Result<bool> operator()(glm::dvec3 v) const { return holds_vector(c, v); }
+    base::Result<bool> operator()(const None&) const { return false; }
   };
+  if (is_none(value)) return holds_none(condition);
   const base::Result<bool> result =
       condition.op ? std::visit(Visitor{condition}, value) : base::Result<bool>(is_true(value));
   if (!result) return result.status();
@@ -274,8 +302,10 @@ base::Result<bool> holds(const Condition& condition, const Value& value) {
 }
 
 std::string describe(const Query& query, const Value& value) {
+  if (const None* const none = std::get_if<None>(&value))
+    return fmt::format("but {} is none{}{}", query.name, none->why.empty() ? "" : ": ", none->why);
   const std::string text = std::holds_alternative<std::string>(value) ? base::quoted(to_text(value)) : to_text(value);
-  return fmt::format("{}{}{}", text, query.unit.empty() ? "" : " ", query.unit);
+  return fmt::format("found {}{}{}", text, query.unit.empty() ? "" : " ", query.unit);
 }
 
 }  // namespace coaster::query

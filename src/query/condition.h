@@ -28,12 +28,13 @@ struct Condition {
 // error is in `words`.
 bool parse_condition(base::Words& words, Condition& condition, std::string_view stop = {});
 
-// True if the value meets the condition. Without a tolerance, numbers are equal if they are equal as written or in
-// single precision. Texts compare without a leading @; "~" means contains, ignoring case. Code::usage if value and
-// operator do not fit; the message says what was expected.
+// True if the value meets the condition. None meets only == none and not != none. Without a tolerance, numbers are
+// equal if they are equal as written or in single precision. Texts compare without a leading @; "~" means contains,
+// ignoring case. Code::usage if value and operator do not fit, and for a text without a number at its start that is
+// compared with a tolerance.
 base::Result<bool> holds(const Condition& condition, const Value& value);
 
-// Returns the value of a query as text with its unit.
+// Returns "found 3.5 m", or "but ride.lap_time is none: no lap completed".
 std::string describe(const query::Query& query, const Value& value);
 
 }  // namespace coaster::query

@@ -56,7 +56,7 @@ inline constexpr std::array kFrameNumbers{
                 &FrameStats::support_rebuilds},
     FrameNumber{"colour.low", "", "Lower end of the colours' legend, in their unit.", &FrameStats::colour_low},
     FrameNumber{"colour.high", "", "Upper end of the colours' legend.", &FrameStats::colour_high},
-    FrameNumber{"fps", "1/s", "Frames per second; 0 if not measured.", &FrameStats::fps},
+    FrameNumber{"fps", "1/s", "Frames per second; none if not measured.", &FrameStats::fps},
     FrameNumber{"cpu_ms", "ms", "Processor time of the last frame, outside OpenGL and waiting.", &FrameStats::cpu_ms},
     FrameNumber{"gl_ms", "ms", "Time of the last frame inside OpenGL.", &FrameStats::gl_ms},
     FrameNumber{"evaluation_time", "ms", "Time of evaluators in the last frame that evaluated anything.",

@@ -93,11 +93,11 @@ base::Result<edit::GoalState> measure_goal(edit::Session& session, const std::st
   const base::Result<Value> value = read->query->evaluate(Context{session, kNothingDrawn, {}, {}}, read->argument);
   if (!value) return value.status();
   const double* const number = std::get_if<double>(&*value);
-  const bool lap = read->query->name == "ride.lap_time";
-  if (!number || !std::isfinite(*number) || (lap && !(*number > 0)))
+  if (const None* const none = std::get_if<None>(&*value))
     return base::Status{base::Code::refused,
-                        lap ? "the train does not complete the lap"
-                            : fmt::format("{} is {}, not a number", read->query->name, to_text(*value))};
+                        fmt::format("{} is none{}{}", read->query->name, none->why.empty() ? "" : ": ", none->why)};
+  if (!number)
+    return base::Status{base::Code::refused, fmt::format("{} is {}, not a number", read->query->name, to_text(*value))};
   const bool less = read->op == Op::less || read->op == Op::less_equal;
   const bool equal = read->op == Op::equal;
   edit::GoalState state{*number,

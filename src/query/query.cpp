@@ -22,13 +22,18 @@ std::string to_text(const Value& value) {
     std::string operator()(glm::dvec3 v) const {
       return fmt::format("{} {} {}", base::to_text(v.x), base::to_text(v.y), base::to_text(v.z));
     }
+    std::string operator()(const None&) const { return "none"; }
   };
   return std::visit(Visitor{}, value);
 }
 
 base::Result<Value> Query::evaluate(const Context& context, std::string_view word) const {
   if (const auto wrong = wrong_argument(argument, word)) return base::Status{base::Code::usage, wrong->message};
-  return row(context, word);
+  base::Result<Value> value = row(context, word);
+  const auto* const number = value ? std::get_if<double>(&*value) : nullptr;
+  const auto* const vector = value ? std::get_if<glm::dvec3>(&*value) : nullptr;
+  const bool finite = number ? std::isfinite(*number) : !vector || std::isfinite(vector->x + vector->y + vector->z);
+  return finite ? value : none("it is not finite");
 }
 
 std::span<const Query> queries() {
@@ -59,7 +64,7 @@ std::optional<int> rank_of(const Query& query, std::string_view word) {
 
 // A parameter has the same choices in each element that has it.
 ValuesNow values_with(const Query& query, std::string_view argument) {
-  const auto& [type, words] = query.values;
+  const auto& [type, words, may_be_none] = query.values;
   if (type != Type::parameter) return {type, words ? words() : std::vector<std::string>()};
   const std::string_view name = argument.substr(argument.rfind('.') + 1);
   ValuesNow values;
@@ -95,9 +100,9 @@ base::Result<world::Entity> entity_of(const Context& context, std::string_view a
                       fmt::format("no {} {}{}", base::name_of(kind), wanted, base::suggestion(wanted, names))};
 }
 
-curve::Joint joint_at(const world::Document& document, world::Entity knot) {
+std::optional<curve::Joint> joint_at(const world::Document& document, world::Entity knot) {
   const world::Neighbours at = world::neighbours(document, knot);
-  if (!at.before.valid() || !at.after.valid()) return {.speed_ratio = 1};
+  if (!at.before.valid() || !at.after.valid()) return std::nullopt;
   return curve::joint(world::cubic_of(document, at.before), world::cubic_of(document, at.after));
 }
 

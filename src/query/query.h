@@ -24,16 +24,22 @@ struct Ranked {
   int rank;
   std::string text;
 };
-using Value = std::variant<double, std::string, Ranked, glm::dvec3>;
+// There is no value; `why` says why, if a row knows.
+struct None {
+  std::string why;
+};
+using Value = std::variant<double, std::string, Ranked, glm::dvec3, None>;
 
-std::string to_text(const Value& value);
+std::string to_text(const Value& value);  // "none" for None
+inline bool is_none(const Value& value) { return std::holds_alternative<None>(value); }
 
-// What the values of a query are; numbers and texts may be the text "none" instead. parameter: the argument ends in a
-// parameter of an element, so they are numbers or the names of its choices.
+// What the values of a query are. parameter: the argument ends in a parameter of an element, so they are numbers or the
+// names of its choices.
 enum class Type : std::uint8_t { number, text, ranked, vector, parameter };
 struct Values {
   Type type = Type::number;
-  std::vector<std::string> (*words)() = nullptr;  // all texts, besides none, or null for any text; all ranks, ascending
+  std::vector<std::string> (*words)() = nullptr;  // all texts, or null for any text; all ranks, ascending
+  bool may_be_none = false;                       // there is no value in some states
 };
 
 struct Query {
@@ -44,7 +50,8 @@ struct Query {
   base::Result<Value> (*row)(const Context& context, std::string_view argument);  // of an argument that is accepted
   Values values = {};
 
-  // Code::usage for an argument that the query does not accept, Code::refused for an entity that does not exist.
+  // None where there is no value, and for a number that is not finite. Code::usage for an argument that the query does
+  // not accept, Code::refused for an entity that does not exist.
   base::Result<Value> evaluate(const Context& context, std::string_view word) const;
 };
 

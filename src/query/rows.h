@@ -42,16 +42,28 @@ Value number(Number n) {
   return static_cast<double>(n);
 }
 inline Value text(std::string_view t) { return std::string(t); }
+inline Value none(std::string_view why = {}) { return None{std::string(why)}; }
+// Returns one of a set of words; the word none is none.
+inline Value word(std::string_view w) { return w == "none" ? none() : text(w); }
 
-// Returns a switch as on or off, an enumerator by name, a level of continuity as ranked, any other value unchanged.
+// Reasons that several rows share.
+inline constexpr std::string_view kNoSegment = "there is no segment", kNoRide = "there is no ride",
+                                  kNoTrain = "there is no train", kNothingSelected = "nothing is selected",
+                                  kOpenEnd = "no joint at an end of an open track",
+                                  kNoFrame = "no frame has been drawn";
+
+// Returns a switch as on or off, an enumerator by name, a level of continuity as ranked, any other value unchanged;
+// none for the name none and an optional without a value.
 template <class T>
 Value value_of(const T& value) {
   if constexpr (std::is_same_v<T, bool>) return yes_no(value);
   else if constexpr (std::is_same_v<T, curve::Geometric> || std::is_same_v<T, curve::Parametric>)
-    return Ranked{static_cast<int>(value), std::string(base::name_of(value))};
-  else if constexpr (base::Named<T>) return text(base::name_of(value));
+    return value == T{} ? none() : Value(Ranked{static_cast<int>(value), std::string(base::name_of(value))});
+  else if constexpr (base::Named<T>) return word(base::name_of(value));
   else if constexpr (std::is_arithmetic_v<T>) return number(value);
   else if constexpr (std::is_same_v<T, glm::vec3>) return glm::dvec3(value);
+  else if constexpr (std::is_same_v<T, std::optional<double>>)
+    return value ? number(*value) : none("the ride does not arrive there");
   else return value;
 }
 
@@ -62,6 +74,10 @@ template <base::Named E>
 inline constexpr Values kOneOf{Type::text, base::names_of<E>};
 template <base::Named E>
 inline constexpr Values kRankOf{Type::ranked, base::names_of<E>};
+constexpr Values or_none(Values values = {}) {
+  values.may_be_none = true;
+  return values;
+}
 template <class T>
 constexpr Values values_of() {
   if constexpr (std::is_same_v<T, bool>) return kSwitch;
@@ -93,6 +109,11 @@ template <auto... path>
 Answer of_stats(const Context& c, View) {
   return value_of(member_at(c.stats, path...));
 }
+// The same of what the last frame drew; none before the first.
+template <auto... path>
+Answer of_frame(const Context& c, View) {
+  return c.stats.frame > 0 ? value_of(member_at(c.stats, path...)) : none(kNoFrame);
+}
 
 // Returns the value of `function` for the entity that the argument names.
 template <class Function>
@@ -102,14 +123,21 @@ Answer of_entity(const Context& c, View argument, world::Kind kind, Function fun
   return value_of(function(*entity));
 }
 
-// Returns the joint at a knot; at an end of an open track one without continuity, jumps and curvature.
-curve::Joint joint_at(const world::Document& document, world::Entity knot);
+// Returns the joint at a knot; nothing at an end of an open track.
+std::optional<curve::Joint> joint_at(const world::Document& document, world::Entity knot);
 
-// Row of a member of the joint at a knot.
+// Returns the value of `function` for the joint at the knot that the argument names.
+template <class Function>
+Answer at_joint(const Context& c, View argument, Function function) {
+  return of_entity(c, argument, world::Kind::knot, [&](world::Entity e) {
+    const auto joint = joint_at(c.session.document, e);
+    return joint ? value_of(function(*joint)) : none(kOpenEnd);
+  });
+}
+// Row of a member of it.
 template <auto member>
 Answer of_joint(const Context& c, View argument) {
-  return of_entity(c, argument, world::Kind::knot,
-                   [&](world::Entity e) { return joint_at(c.session.document, e).*member; });
+  return at_joint(c, argument, [](const curve::Joint& joint) { return joint.*member; });
 }
 
 }  // namespace coaster::query

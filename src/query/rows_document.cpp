@@ -22,7 +22,7 @@ Answer longest(const Context& c, View) {
   double most = -1;
   for (const world::Entity e : derived.order)
     if (const double one = derived.shape(e).arc.length(); one > most) most = one, found = e;
-  return text(found.valid() ? world::label_of(c.session.document, found) : "none");
+  return found.valid() ? text(world::label_of(c.session.document, found)) : none(kNoSegment);
 }
 
 // --- conflicts
@@ -40,7 +40,7 @@ Answer conflict_missing(const Context& c, View) {
 template <double sim::Conflict::*distance>
 Answer conflict_place(const Context& c, View) {
   const sim::Conflict* const worst = worst_conflict(c);
-  return worst ? number(worst->*distance) : text("none");
+  return worst ? number(worst->*distance) : none("there is no conflict");
 }
 
 // --- folds
@@ -48,16 +48,18 @@ Answer folds(const Context& c, View) { return number(c.find(edit::Want::folds).f
 Answer tight_bends(const Context& c, View) { return number(c.find(edit::Want::tight_bends).tight_bends.size()); }
 Answer tight_bend_at(const Context& c, View) {
   const auto found = c.find(edit::Want::tight_bends).tight_bends;
-  return found.empty() ? text("none") : number(std::ranges::min_element(found, {}, &sim::TightBend::radius)->at);
+  return found.empty() ? none("there is no tight bend")
+                       : number(std::ranges::min_element(found, {}, &sim::TightBend::radius)->at);
 }
 Answer least_radius(const Context& c, View) {
   const double least = sim::least_radius(c.session.derived);
-  return std::isfinite(least) ? number(least) : text("none");
+  return std::isfinite(least) ? number(least)
+                              : none(c.session.derived.order.empty() ? kNoSegment : "the track is straight");
 }
 template <double sim::Fold::*value>
 Answer first_fold(const Context& c, View) {
   const auto found = c.find(edit::Want::folds).folds;
-  return found.empty() ? text("none") : number(found.front().*value);
+  return found.empty() ? none("there is no fold") : number(found.front().*value);
 }
 
 Answer hash(const Context& c, View argument) {
@@ -68,15 +70,17 @@ Answer hash(const Context& c, View argument) {
 // --- fit of an imported track
 Answer open_end_distance(const Context& c, View) {
   const world::Track& track = c.session.document.track;
-  if (track.closed || track.knots.empty()) return number(0.0);
+  if (track.closed) return number(0.0);
+  if (track.knots.size() < 2) return none("fewer than two knots");
   const auto place = [&](world::Entity e) { return glm::dvec3(world::knot(c.session.document, e).position); };
   return number(glm::distance(place(track.knots.front()), place(track.knots.back())));
 }
 
 template <auto member>
 Answer of_import(const Context& c, View) {
-  return value_of(c.session.file.import.value_or(exchange::ImportReport{}).*member);
+  return c.session.file.import ? number((*c.session.file.import).*member) : none("the track was not imported");
 }
+Answer import_knots(const Context& c, View) { return number(c.session.file.import ? c.session.file.import->knots : 0); }
 
 // --- knots
 template <auto member>
@@ -105,7 +109,7 @@ Answer segment_length(const Context& c, View argument) {
 Answer twist(const Context& c, View argument) {
   return of_entity(c, argument, world::Kind::segment, [&](world::Entity e) {
     const sim::SegmentShape& shape = c.session.derived.shape(e);
-    return sim::has_cusp(shape) ? text("none") : number(base::degrees(shape.roll.twist));
+    return sim::has_cusp(shape) ? none("the segment has a cusp") : number(base::degrees(shape.roll.twist));
   });
 }
 
@@ -124,9 +128,10 @@ constexpr std::array kDocumentRows{
     Query{"name", kNoArgument, "", "The track's name.", of_document<&world::Document::name>, kText},
     Query{"start_speed", kNoArgument, "m/s", "Start speed of trains.", of_document<&world::Document::start_speed>},
     Query{"open_end.distance", kNoArgument, "m",
-          "Distance of the last knot from the first one in space; 0 on a closed track.", open_end_distance},
+          "Distance of the last knot from the first one in space; 0 on a closed track, none below two knots.",
+          open_end_distance, or_none()},
     Query{"datum", kNoArgument, "m", "Height at which potential energy is zero.", of_document<&world::Document::datum>},
-    Query{"longest", kNoArgument, "", "The longest segment; none without a segment.", longest, kText},
+    Query{"longest", kNoArgument, "", "The longest segment; none without a segment.", longest, or_none(kText)},
     Query{"conflicts", kNoArgument, "",
           "Places where the track lacks clearance from itself: a train has too little room beside, below or above "
           "another stretch.",
@@ -134,23 +139,23 @@ constexpr std::array kDocumentRows{
     Query{"conflict.missing", kNoArgument, "m", "Clearance missing at the worst conflict; 0 if there is none.",
           conflict_missing},
     Query{"conflict.at", kNoArgument, "m", "Distance of the worst conflict along the track; none if there is none.",
-          conflict_place<&sim::Conflict::at>},
+          conflict_place<&sim::Conflict::at>, or_none()},
     Query{"conflict.other", kNoArgument, "m", "Distance of its other stretch along the track; none if there is none.",
-          conflict_place<&sim::Conflict::other>},
+          conflict_place<&sim::Conflict::other>, or_none()},
     Query{"folds", kNoArgument, "",
           "Places where the rails fold: the curve's radius is below the rails' distance from it.", folds},
     Query{"fold.at", kNoArgument, "m", "Distance of the first fold along the track; none if there is none.",
-          first_fold<&sim::Fold::at>},
+          first_fold<&sim::Fold::at>, or_none()},
     Query{"fold.radius", kNoArgument, "m", "The curve's radius there; none if there is none.",
-          first_fold<&sim::Fold::radius>},
+          first_fold<&sim::Fold::radius>, or_none()},
     Query{"tight_bends", kNoArgument, "",
           "Places where the curve bends with a radius below 0.5 m or reverses its direction: no train can pass.",
           tight_bends},
     Query{"tight_bend.at", kNoArgument, "m", "Distance of the tightest one along the track; none if there is none.",
-          tight_bend_at},
+          tight_bend_at, or_none()},
     Query{"least_radius", kNoArgument, "m",
           "Least radius of the curve, found exactly: 0 where it reverses its direction, none for a straight track.",
-          least_radius},
+          least_radius, or_none()},
     Query{"hash", kHashed, "", "Hash of the document or of the motion, 16 hexadecimal digits.", hash, kText},
     Query{"position", kKnot, "m", "A knot's position.", of_knot<&world::Knot::position>, kVector},
     Query{"tangent", kKnot, "", "A knot's direction of travel, a unit vector.", of_knot<&world::Knot::tangent>,
@@ -166,34 +171,36 @@ constexpr std::array kDocumentRows{
     Query{"joint", kKnot, "", "A knot's kind of joint: smooth, aligned or automatic.", of_knot<&world::Knot::joint>,
           kOneOf<world::JointKind>},
     Query{"geometric", kKnot, "", "Geometric continuity: G0 < G1 < G2; none at the end of an open track.",
-          of_joint<&curve::Joint::geometric>, kRankOf<curve::Geometric>},
+          of_joint<&curve::Joint::geometric>, or_none(kRankOf<curve::Geometric>)},
     Query{"parametric", kKnot, "", "Parametric continuity: C0 < C1 < C2; none at the end of an open track.",
-          of_joint<&curve::Joint::parametric>, kRankOf<curve::Parametric>},
-    Query{"gap", kKnot, "m", "Distance between the ends of the segments at a knot.", of_joint<&curve::Joint::gap>},
-    Query{"speed_ratio", kKnot, "", "|C'(0)| / |B'(1)| of the segments at a knot.",
-          of_joint<&curve::Joint::speed_ratio>},
-    Query{"curvature_jump", kKnot, "1/m", "Length of the difference of the curvature vectors at a knot.",
-          of_joint<&curve::Joint::curvature_jump>},
+          of_joint<&curve::Joint::parametric>, or_none(kRankOf<curve::Parametric>)},
+    Query{"gap", kKnot, "m", "Distance between the ends of the segments at a knot; none at the end of an open track.",
+          of_joint<&curve::Joint::gap>, or_none()},
+    Query{"speed_ratio", kKnot, "", "|C'(0)| / |B'(1)| of the segments at a knot; none at the end of an open track.",
+          of_joint<&curve::Joint::speed_ratio>, or_none()},
+    Query{"curvature_jump", kKnot, "1/m",
+          "Length of the difference of the curvature vectors at a knot; none at the end of an open track.",
+          of_joint<&curve::Joint::curvature_jump>, or_none()},
     Query{"turns", kSegment, "", "Whole turns of roll within a segment.", turns},
     Query{"segment_length", kSegment, "m", "A segment's length by the chosen arc-length method.", segment_length},
     Query{"twist", kSegment, "deg", "Roll over a segment, relative to its rotation-minimising frame; none over a cusp.",
-          twist},
+          twist, or_none()},
     Query{"import.max_error", kNoArgument, "m",
-          "Largest distance of an imported file's rows from the fitted track; 0 without an import.",
-          of_import<&exchange::ImportReport::max_error>},
-    Query{"import.frame_error", kNoArgument, "deg",
-          "Largest angle between a row's frame and the fitted track's, except within 0.5 m of a jump between rows; 0 "
-          "without an import.",
-          of_import<&exchange::ImportReport::frame_error>},
+          "Largest distance of an imported file's rows from the fitted track; none without an import.",
+          of_import<&exchange::ImportReport::max_error>, or_none()},
+    Query{
+        "import.frame_error", kNoArgument, "deg",
+        "Largest angle between a row's frame and the fitted track's, except within 0.5 m of a jump between rows; none "
+        "without an import.",
+        of_import<&exchange::ImportReport::frame_error>, or_none()},
     Query{"import.rms_error", kNoArgument, "m", "Root mean square of the distances of import.max_error.",
-          of_import<&exchange::ImportReport::rms_error>},
+          of_import<&exchange::ImportReport::rms_error>, or_none()},
     Query{"import.rms_frame_error", kNoArgument, "deg", "Root mean square of the angles of import.frame_error.",
-          of_import<&exchange::ImportReport::rms_frame_error>},
+          of_import<&exchange::ImportReport::rms_frame_error>, or_none()},
     Query{"import.jump_error", kNoArgument, "deg",
           "As import.frame_error, within 0.5 m of where rows jump; 0 without a jump.",
-          of_import<&exchange::ImportReport::jump_error>},
-    Query{"import.knots", kNoArgument, "", "Number of knots of the fitted track; 0 without an import.",
-          of_import<&exchange::ImportReport::knots>},
+          of_import<&exchange::ImportReport::jump_error>, or_none()},
+    Query{"import.knots", kNoArgument, "", "Number of knots of the fitted track; 0 without an import.", import_knots},
     Query{"vertices", kNoArgument, "", "Number of vertices of all polylines.", vertices},
 };
 

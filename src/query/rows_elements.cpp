@@ -12,35 +12,45 @@ const sim::ElementPlan& plan(const Context& c) { return *c.find(edit::Want::elem
 Answer element(const Context& c, View) { return text(base::row_of(c.session.settings.element.kind).name); }
 Answer side(const Context& c, View) {
   const world::Element& e = c.session.settings.element;
-  return text(!base::row_of(e.kind).sided ? "none" : e.right ? "right" : "left");
+  return base::row_of(e.kind).sided ? text(e.right ? "right" : "left") : none("the element has no side");
 }
 Answer value(const Context& c, View argument) {
   const world::Element& e = plan(c).element;
   const world::ElementRow& row = base::row_of(e.kind);
   for (std::size_t i = 0; i < row.parameters.size(); ++i) {
     const world::ElementParameter& p = row.parameters[i];
-    if (p.name == argument) return p.names.empty() ? number(e.values[i]) : text(world::choice_of(p, e.values[i]).name);
+    if (p.name == argument) return p.names.empty() ? number(e.values[i]) : word(world::choice_of(p, e.values[i]).name);
   }
-  return text("none");
+  return none("the element has no such parameter");
 }
-Answer error(const Context& c, View) { return number(plan(c).fit.error); }
-Answer roll_error(const Context& c, View) { return number(base::degrees(plan(c).fit.roll_error)); }
-Answer jump(const Context& c, View) { return number(plan(c).fit.jump); }
+// A member of the plan; none if it has no spans.
+template <auto... path>
+Answer of_plan(const Context& c, View) {
+  const sim::ElementPlan& found = plan(c);
+  return found.spans() > 0 ? value_of(member_at(found, path...)) : none(found.refusal);
+}
+Answer roll_error(const Context& c, View) {
+  const sim::ElementPlan& found = plan(c);
+  return found.spans() > 0 ? number(base::degrees(found.fit.roll_error)) : none(found.refusal);
+}
 Answer spans(const Context& c, View) { return number(plan(c).spans()); }
-Answer element_length(const Context& c, View) { return number(plan(c).length); }
-Answer lead(const Context& c, View) { return number(plan(c).lead); }
-Answer lowest(const Context& c, View) { return number(plan(c).lowest); }
-Answer missing(const Context& c, View) { return number(sim::worst(c.find(edit::Want::room).room)); }
-Answer refusal(const Context& c, View) { return text(plan(c).refusal.empty() ? "none" : plan(c).refusal); }
+Answer missing(const Context& c, View) {
+  const std::string refusal = plan(c).refusal;
+  const double worst = sim::worst(c.find(edit::Want::room).room);
+  return plan(c).spans() > 0 ? number(worst) : none(refusal);
+}
+Answer refusal(const Context& c, View) {
+  return plan(c).refusal.empty() ? none("it can be placed") : text(plan(c).refusal);
+}
 
 const sim::CircuitProposals& circuit(const Context& c) { return *c.find(edit::Want::circuit).circuit; }
 Answer proposals(const Context& c, View) { return number(circuit(c).list.size()); }
 constexpr ArgumentPart kWay[]{{.usage = "N", .most = sim::kMostProposals}};
-// Returns function(index) of the proposal that the argument names, 0 without it.
+// Returns function(index) of the proposal that the argument names, none without it.
 template <class Function>
 Answer of_proposal(const Context& c, View argument, Function function) {
   const auto i = static_cast<std::size_t>(*base::parse_int(argument)) - 1;
-  return number(i < circuit(c).list.size() ? function(i) : 0.0);
+  return i < circuit(c).list.size() ? number(function(i)) : none("there is no such way home");
 }
 Answer circuit_length(const Context& c, View argument) {
   return of_proposal(c, argument, [&](std::size_t i) { return circuit(c).list[i].plan.length; });
@@ -52,7 +62,7 @@ Answer circuit_jolt(const Context& c, View argument) {
   return of_proposal(c, argument, [&](std::size_t i) { return c.find.way_jolt(i); });
 }
 Answer circuit_refusal(const Context& c, View) {
-  return text(circuit(c).refusal.empty() ? "none" : circuit(c).refusal);
+  return circuit(c).refusal.empty() ? none("there is a way home") : text(circuit(c).refusal);
 }
 
 constexpr ArgumentPart kParameter[]{{.words = parameter_names}};
@@ -60,41 +70,39 @@ std::vector<std::string> sides() { return {"left", "right"}; }
 
 constexpr std::array kElementRows{
     Query{"element", kNoArgument, "", "The palette's element, such as loop.", element, kOneOf<world::ElementKind>},
-    Query{"element.side",
-          kNoArgument,
-          "",
-          "left or right; none for an element without a side.",
-          side,
-          {Type::text, sides}},
-    Query{"element.value",
-          kParameter,
-          "",
+    Query{"element.side", kNoArgument, "", "left or right; none for an element without a side.", side,
+          or_none({Type::text, sides})},
+    Query{"element.value", kParameter, "",
           "A parameter of the palette's element, such as radius, within its limits; none if it has no such parameter.",
-          value,
-          {Type::parameter}},
+          value, or_none({Type::parameter})},
     Query{"element.error", kNoArgument, "m",
-          "Largest distance of the palette's element, as Bezier spans, from its ideal curve.", error},
+          "Largest distance of the palette's element, as Bezier spans, from its ideal curve; none without a plan.",
+          of_plan<&sim::ElementPlan::fit, &sim::ElementFit::error>, or_none()},
     Query{"element.roll_error", kNoArgument, "deg", "Largest angle between the spans' frames and the ideal curve's.",
-          roll_error},
+          roll_error, or_none()},
     Query{"element.jump", kNoArgument, "1/m",
-          "Largest jump of curvature at the joints of the palette's element, including its first.", jump},
+          "Largest jump of curvature at the joints of the palette's element, including its first.",
+          of_plan<&sim::ElementPlan::fit, &sim::ElementFit::jump>, or_none()},
     Query{"element.spans", kNoArgument, "", "Number of Bezier spans of the palette's element.", spans},
-    Query{"element.length", kNoArgument, "m", "Length of the palette's element with its lead-in.", element_length},
+    Query{"element.length", kNoArgument, "m", "Length of the palette's element with its lead-in.",
+          of_plan<&sim::ElementPlan::length>, or_none()},
     Query{"element.lead", kNoArgument, "m",
-          "Length of its lead-in, which eases the curvature of the track's end and levels it.", lead},
-    Query{"element.lowest", kNoArgument, "m", "Lowest height of its rails above the ground.", lowest},
+          "Length of its lead-in, which eases the curvature of the track's end and levels it.",
+          of_plan<&sim::ElementPlan::lead>, or_none()},
+    Query{"element.lowest", kNoArgument, "m", "Lowest height of its rails above the ground.",
+          of_plan<&sim::ElementPlan::lowest>, or_none()},
     Query{"element.missing", kNoArgument, "m", "Clearance missing between it and other track; 0 if there is enough.",
-          missing},
-    Query{"element.refusal", kNoArgument, "", "Why it cannot be placed; none if it can.", refusal, kText},
+          missing, or_none()},
+    Query{"element.refusal", kNoArgument, "", "Why it cannot be placed; none if it can.", refusal, or_none(kText)},
     Query{"complete.proposals", kNoArgument, "", "Number of ways from the open end to the first knot: 0 to 3.",
           proposals},
-    Query{"complete.length", kWay, "m", "Length of a way home; 0 without it.", circuit_length},
-    Query{"complete.worst_g", kWay, "g", "Largest vertical felt g on a way home, not low-passed; 0 without it.",
-          circuit_g},
-    Query{"complete.jolt", kWay, "g", "Largest jolt at the joints of a way home on a whole ride; 0 without it.",
-          circuit_jolt},
+    Query{"complete.length", kWay, "m", "Length of a way home; none without it.", circuit_length, or_none()},
+    Query{"complete.worst_g", kWay, "g", "Largest vertical felt g on a way home, not low-passed; none without it.",
+          circuit_g, or_none()},
+    Query{"complete.jolt", kWay, "g", "Largest jolt at the joints of a way home on a whole ride; none without it.",
+          circuit_jolt, or_none()},
     Query{"complete.refusal", kNoArgument, "", "Why there is no way home; none if there is one.", circuit_refusal,
-          kText},
+          or_none(kText)},
 };
 
 }  // namespace

@@ -17,7 +17,7 @@ Answer of_plan(const Context& c, View argument, Function function) {
   const auto section = entity_of(c, argument, world::Kind::section);
   if (!section) return section.status();
   const sim::ForcePlan* const plan = c.find.force(*section);
-  return plan != nullptr ? function(*plan) : Answer(text("none"));
+  return plan != nullptr ? function(*plan) : Answer(none("it is not a force section"));
 }
 
 // A position of a channel: "@q3.vertical/40".
@@ -38,7 +38,8 @@ double asked_at(const sim::ForcePlan& plan, const ForcePlace& spot) {
   return sim::between_points(plan, spot.at, value);
 }
 
-double met_at(const Context& c, const sim::ForcePlan& plan, const ForcePlace& spot, std::size_t first) {
+// Returns nothing where the ride does not arrive.
+std::optional<double> met_at(const Context& c, const sim::ForcePlan& plan, const ForcePlace& spot, std::size_t first) {
   const double start = c.session.derived.starts[first];
   const edit::Findings& found = c.find(edit::Want::ride);
   const auto length = [&](std::size_t i) { return plan.path.curve.points[i].s; };
@@ -46,7 +47,7 @@ double met_at(const Context& c, const sim::ForcePlan& plan, const ForcePlace& sp
   if (plan.task.program.of == world::ForceOf::curvature)
     return sim::curvature_at(c.session.derived, first, place)[static_cast<std::size_t>(spot.channel)];
   const auto passing = found.ride != nullptr ? sim::passing(*found.ride, place) : std::nullopt;
-  if (!passing) return 0;
+  if (!passing) return std::nullopt;
   std::size_t index = 0;
   const double s = found.tables->locate(place, index), g = world::kGravity;
   if (spot.channel == world::ForceChannel::roll) {
@@ -67,7 +68,7 @@ Answer force_met(const Context& c, View word) {
   return of_plan(c, spot.section, [&](const sim::ForcePlan& plan) {
     const auto section = entity_of(c, spot.section, world::Kind::section);
     const world::SectionRun run = world::run_of(c.session.document, *section);
-    return number(met_at(c, plan, spot, run.first));
+    return value_of(met_at(c, plan, spot, run.first));
   });
 }
 Answer force_keys(const Context& c, View word) {
@@ -84,10 +85,15 @@ template <auto... path>
 Answer of_force(const Context& c, View word) {
   return of_plan(c, word, [](const sim::ForcePlan& plan) { return value_of(member_at(plan, path...)); });
 }
+Answer force_unmet_at(const Context& c, View word) {
+  return of_plan(c, word, [](const sim::ForcePlan& plan) {
+    return plan.unmet > 0 ? number(plan.unmet_at) : none("the keys are met");
+  });
+}
 Answer force_stopped(const Context& c, View word) {
   return of_plan(c, word, [](const sim::ForcePlan& plan) {
-    const std::string text_of = sim::stop_text(plan);
-    return text(text_of.empty() ? "none" : View(text_of));
+    const std::string stopped = sim::stop_text(plan);
+    return stopped.empty() ? none("it has its whole length") : text(stopped);
   });
 }
 
@@ -101,42 +107,44 @@ constexpr std::array kForceRows{
           "The value that a force section requires at a position (m or s from its start), such as @q3.vertical/40: "
           "vertical or lateral g, or roll in degrees per metre or second; of curvature 1/m, or degrees. With the ramp "
           "at its start.",
-          force_asked},
+          force_asked, or_none()},
     Query{"force.met", kChannelPlace, "",
-          "What the riders of the first car feel there, 0 where the ride does not arrive; of curvature, what the track "
+          "What the riders of the first car feel there, none where the ride does not arrive; of curvature, what the "
+          "track "
           "has there.",
-          force_met},
-    Query{"force.keys", kChannel, "", "Number of keys of a channel.", force_keys},
+          force_met, or_none()},
+    Query{"force.keys", kChannel, "", "Number of keys of a channel.", force_keys, or_none()},
     Query{"force.over", kSection, "", "Axis of the keys: distance or time.", of_program<&world::ForceProgram::over>,
-          kOneOf<world::ForceOver>},
+          or_none(kOneOf<world::ForceOver>)},
     Query{"force.of", kSection, "", "Quantity of the keys: forces or curvature.", of_program<&world::ForceProgram::of>,
-          kOneOf<world::ForceOf>},
+          or_none(kOneOf<world::ForceOf>)},
     Query{"force.length", kSection, "", "Length of a force section's program, m or s.",
-          of_program<&world::ForceProgram::length>},
+          of_program<&world::ForceProgram::length>, or_none()},
     Query{"force.tolerance", kSection, "g",
           "Largest allowed difference between what riders feel and the keys; of curvature, at 20 m/s.",
-          of_program<&world::ForceProgram::tolerance>},
+          of_program<&world::ForceProgram::tolerance>, or_none()},
     Query{"force.speed", kSection, "m/s", "The speed at its start that a force section was planned for.",
-          of_program<&world::ForceProgram::speed>},
+          of_program<&world::ForceProgram::speed>, or_none()},
     Query{"force.error", kSection, "g",
           "Largest difference between what riders feel on its spans and the required value, vertical or lateral; of "
           "curvature, at 20 m/s.",
-          of_force<&sim::ForcePlan::fit, &sim::ForceFit::felt_error>},
+          of_force<&sim::ForcePlan::fit, &sim::ForceFit::felt_error>, or_none()},
     Query{"force.shape_error", kSection, "m", "Largest distance of its spans from the path with those forces.",
-          of_force<&sim::ForcePlan::fit, &sim::ForceFit::spans, &sim::ElementFit::error>},
+          of_force<&sim::ForcePlan::fit, &sim::ForceFit::spans, &sim::ElementFit::error>, or_none()},
     Query{"force.hold", kSection, "", "Whether both ends of a force section stay.",
-          of_program<&world::ForceProgram::hold>, kSwitch},
+          of_program<&world::ForceProgram::hold>, or_none(kSwitch)},
     Query{
         "force.unmet", kSection, "",
         "Largest difference between what riders feel and the keys, vertical or lateral, because both ends stay: g; of "
         "curvature 1/m.",
-        of_force<&sim::ForcePlan::unmet>},
-    Query{"force.unmet_at", kSection, "", "Where that is, m or s from its start.", of_force<&sim::ForcePlan::unmet_at>},
+        of_force<&sim::ForcePlan::unmet>, or_none()},
+    Query{"force.unmet_at", kSection, "", "Where that is, m or s from its start; none if it is 0.", force_unmet_at,
+          or_none()},
     Query{"force.ramp", kSection, "",
           "Length of the ramp at its start from the felt values to those of the keys, m or s.",
-          of_force<&sim::ForcePlan::path, &sim::ForcePath::ramp>},
+          of_force<&sim::ForcePlan::path, &sim::ForcePath::ramp>, or_none()},
     Query{"force.stopped", kSection, "", "Why a force section is shorter than its program; none if it is not.",
-          force_stopped, kText},
+          force_stopped, or_none(kText)},
 };
 
 }  // namespace

@@ -1,5 +1,5 @@
 // Queries of the whole ride of the selected train, else of the first by name: simulated over the present track on
-// demand, 0 without a ride.
+// demand, none without a ride.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -13,32 +13,35 @@ namespace {
 
 const sim::Ghost* ghost_of(const Context& c) { return c.find(edit::Want::ride).ride; }
 
-template <auto member>
+template <auto... path>
 Answer rating(const Context& c, View) {
-  return value_of((*c.find(edit::Want::ratings).ratings).*member);
+  return ghost_of(c) ? value_of(member_at(*c.find(edit::Want::ratings).ratings, path...)) : none(kNoRide);
 }
 template <sim::Extreme sim::Ratings::*member>
-Answer extreme(const Context& c, View) {
-  return number(((*c.find(edit::Want::ratings).ratings).*member).value);
-}
+constexpr auto extreme = rating<member, &sim::Extreme::value>;
 // The largest value of all cars, in either direction.
 template <sim::RideValue value>
 Answer most(const Context& c, View) {
   const edit::Findings& found = c.find(edit::Want::riders);
-  return number(found.riders != nullptr ? std::abs(sim::most_of(found.riders->all(), value).value) : 0.0);
+  return found.riders != nullptr ? number(std::abs(sim::most_of(found.riders->all(), value).value)) : none(kNoRide);
 }
 
 Answer lap_time(const Context& c, View) {
   const sim::Ghost* const ghost = ghost_of(c);
-  return number(ghost && ghost->lap ? ghost->lap_time : 0.0);
+  return ghost && ghost->lap ? number(ghost->lap_time) : none(ghost ? "no lap completed" : kNoRide);
 }
-Answer envelope(const Context& c, View) { return number(c.find(edit::Want::overloads).overloads.size()); }
+Answer envelope(const Context& c, View) {
+  return ghost_of(c) ? number(c.find(edit::Want::overloads).overloads.size()) : none(kNoRide);
+}
 Answer envelope_name(const Context& c, View) { return text(c.session.limits.name); }
-Answer fail(const Context& c, View) { return text(base::name_of(c.session.motion.failure.kind)); }
-Answer fail_distance(const Context& c, View) { return number(c.session.motion.failure.distance); }
+Answer fail(const Context& c, View) { return value_of(c.session.motion.failure.kind); }
+Answer fail_distance(const Context& c, View) {
+  const world::Failure& failure = c.session.motion.failure;
+  return failure.kind != world::FailureKind::none ? number(failure.distance) : none("the ride has not failed");
+}
 Answer ghost_end(const Context& c, View) {
   const sim::Ghost* const ghost = ghost_of(c);
-  return text(base::name_of(ghost ? ghost->end : world::FailureKind::none));
+  return ghost ? value_of(ghost->end) : none(kNoRide);
 }
 Answer losses(const Context& c, View) {
   const auto set = world::loss_set_of(c.session.document.resistance);
@@ -53,7 +56,7 @@ Answer equipment(const Context& c, View argument) {
   const auto segment = entity_of(c, argument, world::Kind::segment);
   if (!segment) return segment.status();
   const auto* const found = c.session.document.entities.find<world::Equipment>(*segment);
-  return text(found ? base::name_of(found->kind) : "none");
+  return found ? value_of(found->kind) : none("it has no equipment");
 }
 
 // Returns the number of segments with that equipment.
@@ -70,61 +73,66 @@ std::vector<std::string> loss_sets() {
 }
 
 constexpr std::array kGhostRows{
-    Query{"ride.lap_time", kNoArgument, "s", "Lap time of the ghost; 0 if it does not complete the lap.", lap_time},
+    Query{"ride.lap_time", kNoArgument, "s", "Lap time of the ghost; none if it does not complete the lap.", lap_time,
+          or_none()},
     Query{"ride.g_up_max", kNoArgument, "g", "Largest vertical felt g of the whole ride, low-passed, of all cars.",
-          extreme<&sim::Ratings::up_most>},
+          extreme<&sim::Ratings::up_most>, or_none()},
     Query{"ride.g_up_min", kNoArgument, "g", "Smallest vertical felt g of the whole ride, low-passed.",
-          extreme<&sim::Ratings::up_least>},
+          extreme<&sim::Ratings::up_least>, or_none()},
     Query{"ride.g_side_max", kNoArgument, "g", "Largest lateral felt g of the whole ride, low-passed, to either side.",
-          extreme<&sim::Ratings::side_most>},
+          extreme<&sim::Ratings::side_most>, or_none()},
     Query{"ride.g_forward_max", kNoArgument, "g", "Largest felt g forwards of the whole ride, low-passed.",
-          extreme<&sim::Ratings::forward_most>},
+          extreme<&sim::Ratings::forward_most>, or_none()},
     Query{"ride.g_back_max", kNoArgument, "g", "Largest felt g backwards of the whole ride, low-passed.",
-          extreme<&sim::Ratings::back_most>},
+          extreme<&sim::Ratings::back_most>, or_none()},
     Query{"ride.road_load_max", kNoArgument, "kN", "Largest load of a car's road wheels in the whole ride, low-passed.",
-          extreme<&sim::Ratings::road_most>},
+          extreme<&sim::Ratings::road_most>, or_none()},
     Query{"ride.up_stop_load_max", kNoArgument, "kN", "Largest load of a car's up-stop wheels in the whole ride.",
-          extreme<&sim::Ratings::up_stop_most>},
+          extreme<&sim::Ratings::up_stop_most>, or_none()},
     Query{"ride.side_load_max", kNoArgument, "kN", "Largest load of a car's side wheels in the whole ride.",
-          extreme<&sim::Ratings::side_load_most>},
+          extreme<&sim::Ratings::side_load_most>, or_none()},
     Query{"ride.jerk_max", kNoArgument, "g/s", "Largest jerk of the whole ride, of all cars.",
-          most<sim::RideValue::jerk>},
+          most<sim::RideValue::jerk>, or_none()},
     Query{"ride.roll_rate_max", kNoArgument, "deg/s", "Largest roll rate of the whole ride, to either side.",
-          most<sim::RideValue::roll_rate>},
+          most<sim::RideValue::roll_rate>, or_none()},
     Query{"ride.roll_acceleration_max", kNoArgument, "deg/s^2",
-          "Largest roll acceleration of the whole ride, to either side.", most<sim::RideValue::roll_acceleration>},
+          "Largest roll acceleration of the whole ride, to either side.", most<sim::RideValue::roll_acceleration>,
+          or_none()},
     Query{"ride.jolt_max", kNoArgument, "g", "Largest jolt of the whole ride, of all joints and cars.",
-          extreme<&sim::Ratings::jolt_most>},
-    Query{"ride.speed_max", kNoArgument, "m/s", "Largest speed of the whole ride.", extreme<&sim::Ratings::top_speed>},
+          extreme<&sim::Ratings::jolt_most>, or_none()},
+    Query{"ride.speed_max", kNoArgument, "m/s", "Largest speed of the whole ride.", extreme<&sim::Ratings::top_speed>,
+          or_none()},
     Query{"ride.envelope", kNoArgument, "", "Number of overloads: stretches where a g exceeds its limit for too long.",
-          envelope},
+          envelope, or_none()},
     Query{"envelope", kNoArgument, "", "Name of the force limits: data to edit, not a compliance check.", envelope_name,
           kText},
     Query{"ride.excitement", kNoArgument, "",
           "Excitement from 0 to 10: drops, speed, airtime, near misses, less jolts and overloads.",
-          rating<&sim::Ratings::excitement>},
+          rating<&sim::Ratings::excitement>, or_none()},
     Query{"ride.intensity", kNoArgument, "", "Intensity by OpenRCT2's terms of g and drops.",
-          rating<&sim::Ratings::intensity>},
-    Query{"ride.nausea", kNoArgument, "", "Nausea by OpenRCT2's terms of g and drops.", rating<&sim::Ratings::nausea>},
+          rating<&sim::Ratings::intensity>, or_none()},
+    Query{"ride.nausea", kNoArgument, "", "Nausea by OpenRCT2's terms of g and drops.", rating<&sim::Ratings::nausea>,
+          or_none()},
     Query{"ride.airtime", kNoArgument, "s", "Time of the whole ride with vertical g below 0.",
-          rating<&sim::Ratings::airtime>},
+          rating<&sim::Ratings::airtime>, or_none()},
     Query{"ride.drops", kNoArgument, "", "Number of descents of 3 m or more in the whole ride.",
-          rating<&sim::Ratings::drops>},
+          rating<&sim::Ratings::drops>, or_none()},
     Query{"ride.drop_max", kNoArgument, "m", "Height of the highest of these descents.",
-          rating<&sim::Ratings::highest_drop>},
+          rating<&sim::Ratings::highest_drop>, or_none()},
     Query{"ride.height_max", kNoArgument, "m", "Largest height of the rails in the whole ride.",
-          extreme<&sim::Ratings::highest>},
+          extreme<&sim::Ratings::highest>, or_none()},
     Query{"ride.near_misses", kNoArgument, "", "Times that riders pass close by other track or a support.",
-          rating<&sim::Ratings::near_misses>},
+          rating<&sim::Ratings::near_misses>, or_none()},
     Query{"ride.inversions", kNoArgument, "", "Number of inversions in the whole ride.",
-          rating<&sim::Ratings::inversions>},
+          rating<&sim::Ratings::inversions>, or_none()},
     Query{"ride.ghost_end", kNoArgument, "",
           "Why the ghost does not complete the lap: none, stalled, rolled back, ran off the open end.", ghost_end,
-          kOneOf<world::FailureKind>},
+          or_none(kOneOf<world::FailureKind>)},
     Query{"ride.fail", kNoArgument, "",
           "Why the ride stopped by itself: none, stalled, rolled back, ran off the open end, collided.", fail,
-          kOneOf<world::FailureKind>},
-    Query{"ride.fail_distance", kNoArgument, "m", "Distance along the track where it stopped.", fail_distance},
+          or_none(kOneOf<world::FailureKind>)},
+    Query{"ride.fail_distance", kNoArgument, "m", "Distance along the track where it stopped; none if it has not.",
+          fail_distance, or_none()},
     Query{"rolling", kNoArgument, "", "Rolling friction, as a fraction of the weight.",
           of_document<&world::Document::resistance, &world::Resistance::rolling>},
     Query{"drag", kNoArgument, "1/m", "Drag.", of_document<&world::Document::resistance, &world::Resistance::drag>},
@@ -142,7 +150,7 @@ constexpr std::array kGhostRows{
     Query{"car_length", kCart, "m", "Length of a car's body.", of_cart<&world::Cart::length>},
     Query{"car_mass", kCart, "kg", "Mass of a car with its riders.", of_cart<&world::Cart::mass>},
     Query{"equipment", kSegment, "", "Equipment of a segment: station, lift, launch, brake, block or none.", equipment,
-          kOneOf<world::EquipmentKind>},
+          or_none(kOneOf<world::EquipmentKind>)},
     Query{"equipped", kWordOf<world::EquipmentKind>, "", "Number of segments with that equipment.", equipped},
 };
 

@@ -18,9 +18,11 @@ Answer shown(const Context& c, View word) {
 const sim::SegmentShape* selected_shape(const Context& c) {
   return c.session.derived.segments.find(c.session.settings.selected);
 }
+constexpr View kNoSegmentSelected = "no segment is selected";
 Answer construction_point(const Context& c, View) {
   const sim::SegmentShape* const shape = selected_shape(c);
-  return Value(shape ? curve::point(shape->key.cubic, c.session.settings.selected_t) : glm::dvec3(0));
+  if (!shape) return none(kNoSegmentSelected);
+  return Value(curve::point(shape->key.cubic, c.session.settings.selected_t));
 }
 
 // sim::largest or sim::seam of the selected segment's rounding.
@@ -28,8 +30,8 @@ template <auto figure>
 Answer rounding(const Context& c, View) {
   const sim::SegmentShape* const shape = selected_shape(c);
   const world::Evaluation& evaluation = *c.session.settings.evaluation;
-  return number(shape ? figure(sim::rounding(shape->curve, base::row_of(evaluation.evaluator), evaluation.steps))
-                      : 0.0);
+  if (!shape) return none(kNoSegmentSelected);
+  return number(figure(sim::rounding(shape->curve, base::row_of(evaluation.evaluator), evaluation.steps)));
 }
 
 Answer measuring(const Context& c, View) { return yes_no(c.session.measuring.measurement.running); }
@@ -52,29 +54,29 @@ Answer measured(const Context& c, View word) {
   const auto index = std::find(steps.begin(), steps.end(), word.substr(slash + 1)) - steps.begin();
   const sim::MeasuredRow* const row = sim::row_of(c.session.measuring.measurement, evaluator);
   if (row == nullptr || row->cells[static_cast<std::size_t>(index)].rounds == 0)
-    return base::Status{base::Code::refused, std::string(word) + " has not been measured"};
+    return none("it has not been measured");
   if (member == &sim::MeasuredCell::ns_per_point && !row->is_timed())
-    return base::Status{base::Code::refused, std::string(word) + " has no time of the processor: it runs on the GPU"};
+    return none("it runs on the GPU and has no time of the processor");
   return value_of(row->cells[static_cast<std::size_t>(index)].*member);
 }
 
 constexpr std::array kLabRows{
     Query{"shown", kWordOf<world::Layer>, "", "on if a layer of the laboratory is drawn.", shown, kSwitch},
     Query{"construction_point", kNoArgument, "m",
-          "Point at the picked position of the selected segment; 0 0 0 if none is selected.", construction_point,
-          kVector},
+          "Point at the picked position of the selected segment; none if none is selected.", construction_point,
+          or_none(kVector)},
     Query{"rounding", kNoArgument, "m", "Largest rounding error of the evaluator's vertices on the selected segment.",
-          rounding<sim::largest>},
+          rounding<sim::largest>, or_none()},
     Query{"seam", kNoArgument, "m", "Rounding error of the last vertex before the selected segment's exact end.",
-          rounding<sim::seam>},
+          rounding<sim::seam>, or_none()},
     Query{"measuring", kNoArgument, "", "on during the measurement of evaluators.", measuring, kSwitch},
     Query{"measure.progress", kNoArgument, "", "Progress of the measurement, 0 to 1.", measure_progress},
     Query{"measure.rows", kNoArgument, "", "Number of evaluators measured; 0 before the first measurement.",
           measure_rows},
     Query{"measure.error", kMeasured, "m", "Measured largest error over all segments, for example of horner/64.",
-          measured<&sim::MeasuredCell::worst_error>},
+          measured<&sim::MeasuredCell::worst_error>, or_none()},
     Query{"measure.time", kMeasured, "ns", "Measured time per point on the processor, for example of horner/64.",
-          measured<&sim::MeasuredCell::ns_per_point>},
+          measured<&sim::MeasuredCell::ns_per_point>, or_none()},
 };
 
 }  // namespace

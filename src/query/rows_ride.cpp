@@ -1,4 +1,4 @@
-// Queries of the ride: of the selected train, else of the first by name; 0 and "none" without a train.
+// Queries of the ride: of the selected train, else of the first by name; none without a train.
 #include <array>
 
 #include "query/rows.h"
@@ -25,11 +25,11 @@ template <class Function>
 Answer of_cart(const Context& context, Function function) {
   const Riding riding = cart_of(context.session);
   const bool there = riding.motion && context.session.derived.segments.contains(riding.motion->segment);
-  return number(there ? function(riding.entity, *riding.motion) : 0.0);
+  return there ? value_of(function(riding.entity, *riding.motion)) : none(kNoTrain);
 }
 
 Answer state(const Context& c, View) {
-  return text(cart_of(c.session).motion ? base::name_of(c.session.motion.state) : "none");
+  return cart_of(c.session).motion ? value_of(c.session.motion.state) : none(kNoTrain);
 }
 template <auto member>
 Answer of_motion(const Context& c, View) {
@@ -68,54 +68,61 @@ Answer roll(const Context& c, View) {
 }
 // Jerk depends on earlier values, so it comes from the simulation of the whole ride.
 Answer jerk(const Context& c, View) {
-  return of_cart(c, [&](world::Entity, const world::CartMotion& cart) {
+  return of_cart(c, [&](world::Entity, const world::CartMotion& cart) -> std::optional<double> {
     const sim::Riders* const riders = c.find(edit::Want::riders).riders;
-    if (riders == nullptr) return 0.0;
-    return sim::value_at(riders->car(0), cart.track_distance, sim::RideValue::jerk).value_or(0);
+    if (riders == nullptr) return std::nullopt;
+    return sim::value_at(riders->car(0), cart.track_distance, sim::RideValue::jerk);
   });
 }
-Answer cost(const Context& c, View) { return number(c.session.measuring.ride_cost.ns_per_tick); }
+Answer cost(const Context& c, View) {
+  const double ns = c.session.measuring.ride_cost.ns_per_tick;
+  return ns > 0 ? number(ns) : none("it was not measured");
+}
 Answer segment(const Context& c, View) {
   const world::CartMotion* const cart = cart_of(c.session).motion;
-  return text(cart ? world::label_of(c.session.document, cart->segment) : "none");
+  return cart ? text(world::label_of(c.session.document, cart->segment)) : none(kNoTrain);
 }
 Answer carts(const Context& c, View) { return number(c.session.document.entities.pool<world::Cart>().size()); }
 
 constexpr std::array kRideRows{
     Query{"carts", kNoArgument, "", "Number of trains.", carts},
     Query{"ride.state", kNoArgument, "", "stopped, running, paused, ended or failed; none without a train.", state,
-          kOneOf<world::RideState>},
+          or_none(kOneOf<world::RideState>)},
     Query{"ride.speed", kNoArgument, "m/s", "Speed along the track, negative backwards.",
-          of_motion<&world::CartMotion::speed>},
-    Query{"ride.height", kNoArgument, "m", "Height (y) of the rails under the train.", cart_height},
+          of_motion<&world::CartMotion::speed>, or_none()},
+    Query{"ride.height", kNoArgument, "m", "Height (y) of the rails under the train.", cart_height, or_none()},
     Query{"ride.distance", kNoArgument, "m", "Distance of the train along the track.",
-          of_motion<&world::CartMotion::track_distance>},
+          of_motion<&world::CartMotion::track_distance>, or_none()},
     Query{"ride.travelled", kNoArgument, "m", "Distance travelled since the start; backwards counts negative.",
-          of_motion<&world::CartMotion::travelled>},
+          of_motion<&world::CartMotion::travelled>, or_none()},
     Query{"ride.lap", kNoArgument, "", "Whole laps since the start; backwards counts negative.",
-          of_motion<&world::CartMotion::laps>},
-    Query{"ride.segment", kNoArgument, "", "Segment under the train.", segment, kText},
-    Query{"ride.energy", kNoArgument, "J/kg", "v^2/2 + g (y - datum).", energy<sim::energy>},
+          of_motion<&world::CartMotion::laps>, or_none()},
+    Query{"ride.segment", kNoArgument, "", "Segment under the train.", segment, or_none(kText)},
+    Query{"ride.energy", kNoArgument, "J/kg", "v^2/2 + g (y - datum).", energy<sim::energy>, or_none()},
     Query{"ride.cost", kNoArgument, "ns",
-          "Time of a tick of the live ride on this machine, all trains together; 0 before the first tick.", cost},
+          "Time of a tick of the live ride on this machine, all trains together; none before the first tick.", cost,
+          or_none()},
     Query{"ride.energy_drift", kNoArgument, "", "|energy - energy at the start| / largest kinetic energy.",
-          energy<sim::energy_drift>},
+          energy<sim::energy_drift>, or_none()},
     Query{"ride.g_up", kNoArgument, "g", "Felt g towards the rider's head, not low-passed; 1 at rest on level track.",
-          felt<&sim::Felt::up>},
-    Query{"ride.g_side", kNoArgument, "g", "Felt g to the rider's left, not low-passed.", felt<&sim::Felt::left>},
-    Query{"ride.g_forward", kNoArgument, "g", "Felt g forwards, not low-passed.", felt<&sim::Felt::forward>},
+          felt<&sim::Felt::up>, or_none()},
+    Query{"ride.g_side", kNoArgument, "g", "Felt g to the rider's left, not low-passed.", felt<&sim::Felt::left>,
+          or_none()},
+    Query{"ride.g_forward", kNoArgument, "g", "Felt g forwards, not low-passed.", felt<&sim::Felt::forward>, or_none()},
     Query{"wheels.road", kWordOf<sim::WheelSet>, "kN", "Load of the first car's road wheels: the rails push them up.",
-          wheels<&sim::Wheels::road>},
+          wheels<&sim::Wheels::road>, or_none()},
     Query{"wheels.up_stop", kWordOf<sim::WheelSet>, "kN",
-          "Load of the first car's up-stop wheels: the rails push them down.", wheels<&sim::Wheels::up_stop>},
+          "Load of the first car's up-stop wheels: the rails push them down.", wheels<&sim::Wheels::up_stop>,
+          or_none()},
     Query{"wheels.side", kWordOf<sim::WheelSet>, "kN",
-          "Load of the first car's side wheels: the rails push them outwards.", wheels<&sim::Wheels::side>},
+          "Load of the first car's side wheels: the rails push them outwards.", wheels<&sim::Wheels::side>, or_none()},
     Query{"ride.jerk", kNoArgument, "g/s",
-          "Change of the low-passed felt g per second where the train is, in the whole ride.", jerk},
+          "Change of the low-passed felt g per second where the train is, in the whole ride.", jerk, or_none()},
     Query{"ride.roll_rate", kNoArgument, "deg/s",
-          "Rate at which the first car rolls about the rails. Positive to the right.", roll<&sim::Rolling::rate>},
+          "Rate at which the first car rolls about the rails. Positive to the right.", roll<&sim::Rolling::rate>,
+          or_none()},
     Query{"ride.roll_acceleration", kNoArgument, "deg/s^2", "Change of the roll rate per second.",
-          roll<&sim::Rolling::acceleration>},
+          roll<&sim::Rolling::acceleration>, or_none()},
 };
 
 }  // namespace

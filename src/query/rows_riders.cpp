@@ -54,7 +54,7 @@ Answer at_seat(const Context& c, View word) {
       const std::optional<double> here = sim::value_at(rider, spot.distance, value);
       if (here && (!result || (spot.least ? *here < *result : *here > *result))) result = here;
     }
-  return number(result.value_or(0));
+  return result ? number(*result) : none(found.ride ? "the seat does not arrive there" : kNoRide);
 }
 
 }  // namespace
@@ -64,7 +64,7 @@ std::span<const Query> rider_rows() {
     std::vector<Query> made;
     const auto add = [&]<std::size_t... I>(std::index_sequence<I...>) {
       (made.push_back({sim::kRideValues[I].name, kDistanceSeat, sim::kRideValues[I].unit, sim::kRideValues[I].help,
-                       at_seat<static_cast<sim::RideValue>(I)>}),
+                       at_seat<static_cast<sim::RideValue>(I)>, or_none()}),
        ...);
     };
     add(std::make_index_sequence<sim::kRideValueCount>());

@@ -48,13 +48,12 @@ Answer section_of(const Context& c, View argument) {
     return world::label_of(c.session.document, world::segment(c.session.document, e).section);
   });
 }
-// Returns a figure of the section; "none" if the ride does not reach it.
+// Returns a figure of the section; none if the ride does not reach it.
 template <auto Member>
 Answer section_figure(const Context& c, View argument) {
   return of_run(c, argument, [&](const world::SectionRun& run) -> Value {
     const auto value = c.find(edit::Want::sections).sections->of(run).*Member;
-    if constexpr (std::is_same_v<decltype(value), const double>) return number(value);
-    else return value ? number(*value) : text("none");
+    return value_of(value);
   });
 }
 // The argument is "@q1.height".
@@ -63,14 +62,14 @@ Answer section_value(const Context& c, View argument) {
   const auto entity = entity_of(c, argument.substr(0, dot), world::Kind::section);
   if (!entity) return entity.status();
   const world::Section& section = world::section(c.session.document, *entity);
-  if (section.kind != world::SectionKind::element) return text("none");
+  if (section.kind != world::SectionKind::element) return none("the section has no parameters");
   const world::ElementRow& row = base::row_of(section.element.kind);
   for (std::size_t i = 0; i < row.parameters.size(); ++i)
     if (row.parameters[i].name == argument.substr(dot + 1))
       return row.parameters[i].names.empty()
                  ? number(section.element.values[i])
-                 : text(world::choice_of(row.parameters[i], section.element.values[i]).name);
-  return text("none");
+                 : word(world::choice_of(row.parameters[i], section.element.values[i]).name);
+  return none("the section has no such parameter");
 }
 
 constexpr ArgumentPart kSectionParameter[]{kSection[0],
@@ -92,24 +91,22 @@ constexpr std::array kSectionRows{
           section_kind,
           {Type::text, kinds}},
     Query{"section.title", kSection, "", "A section's title; without one its kind.", section_title, kText},
-    Query{"section.value",
-          kSectionParameter,
-          "",
+    Query{"section.value", kSectionParameter, "",
           "A parameter that a section was planned with, such as @q2.height; none if it has no such parameter.",
-          section_value,
-          {Type::parameter}},
+          section_value, or_none({Type::parameter})},
     Query{"section.length", kSection, "m", "A section's length.", section_length},
     Query{"section.top", kSection, "m", "A section's largest height.", section_figure<&sim::SectionFigures::top>},
     Query{"section.speed_in", kSection, "m/s",
           "Speed of the chosen seat where a section begins; none where the ride does not arrive.",
-          section_figure<&sim::SectionFigures::speed_in>},
+          section_figure<&sim::SectionFigures::speed_in>, or_none()},
     Query{"section.speed_out", kSection, "m/s", "The same where it ends.",
-          section_figure<&sim::SectionFigures::speed_out>},
+          section_figure<&sim::SectionFigures::speed_out>, or_none()},
     Query{"section.g_most", kSection, "g", "Largest vertical felt g of the chosen seat on a section, not low-passed.",
-          section_figure<&sim::SectionFigures::g_most>},
-    Query{"section.g_least", kSection, "g", "Least vertical g on it.", section_figure<&sim::SectionFigures::g_least>},
+          section_figure<&sim::SectionFigures::g_most>, or_none()},
+    Query{"section.g_least", kSection, "g", "Least vertical g on it.", section_figure<&sim::SectionFigures::g_least>,
+          or_none()},
     Query{"section.g_side", kSection, "g", "Largest lateral g on it, to either side.",
-          section_figure<&sim::SectionFigures::g_side>},
+          section_figure<&sim::SectionFigures::g_side>, or_none()},
     Query{"section.segments", kSection, "", "Number of a section's segments.", section_segments},
     Query{"section.first", kSection, "", "The knot where a section begins.", section_first, kText},
     Query{"section.last", kSection, "", "The knot where a section ends.", section_last, kText},

@@ -12,13 +12,17 @@ namespace {
 
 Answer selected(const Context& c, View) {
   const world::Entity e = c.session.settings.selected;
-  return text(c.session.document.entities.find<world::Name>(e) ? world::label_of(c.session.document, e) : "none");
+  const bool any = c.session.document.entities.find<world::Name>(e) != nullptr;
+  return any ? text(world::label_of(c.session.document, e)) : none(kNothingSelected);
 }
 Answer selected_kind(const Context& c, View) {
   const auto* const name = c.session.document.entities.find<world::Name>(c.session.settings.selected);
-  return text(name ? base::name_of(name->kind) : "none");
+  return name ? value_of(name->kind) : none(kNothingSelected);
 }
-Answer selected_t(const Context& c, View) { return number(c.session.settings.selected_t); }
+Answer selected_t(const Context& c, View) {
+  const bool segment = c.session.derived.segments.contains(c.session.settings.selected);
+  return segment ? number(c.session.settings.selected_t) : none("no segment is selected");
+}
 Answer selected_count(const Context& c, View) {
   const std::size_t several = world::selected_knots(c.session.document, c.session.settings).size() +
                               world::selected_sections(c.session.document, c.session.settings).size();
@@ -58,8 +62,9 @@ Answer polyline(const Context& c, View) { return yes_no(c.session.settings.lab->
 Answer link_bytes(const Context& c, View) { return number(c.session.shared.size()); }
 Answer file(const Context& c, View) { return text(c.session.file.path.filename().string()); }
 
-Answer camera_height(const Context& c, View) { return number(c.stats.eye.y); }
+Answer camera_height(const Context& c, View) { return c.stats.frame > 0 ? number(c.stats.eye.y) : none(kNoFrame); }
 Answer camera_tilt(const Context& c, View) {
+  if (c.stats.frame == 0) return none(kNoFrame);
   // Roll of the picture's horizontal against the ground, clockwise as the rider tilts to the right.
   const double right = glm::cross(c.stats.eye_forward, c.stats.eye_up).y;
   return number(glm::degrees(std::atan2(-right, c.stats.eye_up.y)));
@@ -76,11 +81,12 @@ Answer entities(const Context& c, View) {
 }
 
 constexpr std::array kSessionRows{
-    Query{"selected", kNoArgument, "", "The selection, such as k4; none if nothing is selected.", selected, kText},
+    Query{"selected", kNoArgument, "", "The selection, such as k4; none if nothing is selected.", selected,
+          or_none(kText)},
     Query{"selected_t", kNoArgument, "", "Picked position on the selected segment, a parameter from 0 to 1.",
-          selected_t},
+          selected_t, or_none()},
     Query{"selected_kind", kNoArgument, "", "knot, segment, cart or section: what is selected; none if nothing is.",
-          selected_kind, kOneOf<world::Kind>},
+          selected_kind, or_none(kOneOf<world::Kind>)},
     Query{"selected_count", kNoArgument, "", "Number of selected knots or sections; 1 for a segment or a train.",
           selected_count},
     Query{"snapping", kNoArgument, "", "Dragged knots snap to: off, grid, knots or ground.", snapping,
@@ -111,16 +117,19 @@ constexpr std::array kSessionRows{
     Query{"quits", kNoArgument, "", "on if the program was asked to quit: a window closes then, a script continues.",
           of_stats<&FrameStats::keeping, &Keeping::quits>, kSwitch},
     Query{"camera_shown", kNoArgument, "", "The camera of the last frame: orbit if there is no train to follow.",
-          of_stats<&FrameStats::camera_shown>, kOneOf<world::CameraMode>},
-    Query{"camera_eye", kNoArgument, "m", "Position of the last frame's camera.", of_stats<&FrameStats::eye>, kVector},
-    Query{"camera_height", kNoArgument, "m", "Height of the last frame's camera above the ground.", camera_height},
-    Query{"camera_forward", kNoArgument, "", "Direction of the last frame's view.", of_stats<&FrameStats::eye_forward>,
-          kVector},
-    Query{"camera_up", kNoArgument, "", "Up vector of the last frame's camera.", of_stats<&FrameStats::eye_up>,
-          kVector},
-    Query{"camera_tilt", kNoArgument, "deg", "Roll of the last frame's view, positive to the right.", camera_tilt},
+          of_frame<&FrameStats::camera_shown>, or_none(kOneOf<world::CameraMode>)},
+    Query{"camera_eye", kNoArgument, "m", "Position of the last frame's camera.", of_frame<&FrameStats::eye>,
+          or_none(kVector)},
+    Query{"camera_height", kNoArgument, "m", "Height of the last frame's camera above the ground.", camera_height,
+          or_none()},
+    Query{"camera_forward", kNoArgument, "", "Direction of the last frame's view.", of_frame<&FrameStats::eye_forward>,
+          or_none(kVector)},
+    Query{"camera_up", kNoArgument, "", "Up vector of the last frame's camera.", of_frame<&FrameStats::eye_up>,
+          or_none(kVector)},
+    Query{"camera_tilt", kNoArgument, "deg", "Roll of the last frame's view, positive to the right.", camera_tilt,
+          or_none()},
     Query{"camera_field_of_view", kNoArgument, "deg", "Vertical field of view of the last frame.",
-          of_stats<&FrameStats::field_of_view_deg>},
+          of_frame<&FrameStats::field_of_view_deg>, or_none()},
     Query{"camera_target", kNoArgument, "m", "Target of the camera.", camera_target, kVector},
     Query{"camera_distance", kNoArgument, "m", "Distance of the camera from its target.", camera_distance},
     Query{"camera_yaw", kNoArgument, "deg", "Yaw of the camera; 0 looks along -Z.", camera_yaw},

@@ -70,7 +70,8 @@ constexpr std::array kInput{
     HelpRow{"raw.key CHORD down|up", "Presses or releases a key."},
 };
 constexpr std::array kOutput{
-    HelpRow{"expect QUERY [ARGUMENT] OP VALUE [+-TOLERANCE]", "Checks a value. OP: == != < <= > >= and ~ (contains)."},
+    HelpRow{"expect QUERY [ARGUMENT] OP VALUE [+-TOLERANCE]",
+            "Checks a value. OP: == != < <= > >= and ~ (contains). A value that is none meets only == none."},
     HelpRow{"expect [not] visible|enabled \"PATH\"", "Checks a widget's state."},
     HelpRow{"expect file \"FILE\" exists | same \"FILE\"",
             "Checks that a file exists, or equals another byte by byte."},
@@ -115,8 +116,8 @@ std::string help() {
   out += "\nQueries\n";
   for (const query::Query& query : query::queries()) {
     const std::string unit = query.unit.empty() ? "" : fmt::format(" ({})", query.unit);
-    out += fmt::format("  {}{}{}{}\n      {}\n", query.name, query.argument.empty() ? "" : " ",
-                       usage_of(query.argument), unit, query.text);
+    out += fmt::format("  {}{}{}{}{}\n      {}\n", query.name, query.argument.empty() ? "" : " ",
+                       usage_of(query.argument), unit, query.values.may_be_none ? " or none" : "", query.text);
   }
   return out +
          "\nExit codes: 0 success, 1 failed expectation, 2 usage or script error, 3 bad file, 4 no graphics, "

@@ -75,7 +75,7 @@ Failure Runner::perform(const Expect& expect) {
   const base::Result<bool> result = check(condition, found);
   if (!result) return failure(result.status(), column_of(condition, found));
   if (*result) return {};
-  return failed(fmt::format("{}{}, found {}", condition.negated ? "expected not " : "expected ", condition.text, found),
+  return failed(fmt::format("{}{}, {}", condition.negated ? "expected not " : "expected ", condition.text, found),
                 condition.column);
 }
 
@@ -87,7 +87,7 @@ Failure Runner::perform(const Wait& wait) {
     if (result && *result) return {};
     if (!result && result.status().code != base::Code::refused)
       return failure(result.status(), column_of(wait.condition, found));
-    found = result ? "found " + found : result.status().message;
+    if (!result) found = result.status().message;
     const std::string still = stands_still(wait.condition);
     if (i == wait.most || !still.empty() || frames_.interrupted())
       return {base::Code::timeout,

@@ -57,7 +57,7 @@ Failure Runner::attend() {
     const std::string still = stands_still(lesson.until);
     if (still.empty() && given.waited++ < kMostLessonFrames) return failure(frames_.frame({}));
     return end({base::Code::timeout,
-                fmt::format("the lesson's lines did not reach {}, found {}{}{}", lesson.until.text, found,
+                fmt::format("the lesson's lines did not reach {}, {}{}{}", lesson.until.text, found,
                             still.empty() ? "" : "; ", still),
                 lesson.until.column});
   }

@@ -20,6 +20,7 @@ exchange::JsonValue to_json(const query::Value& value) {
     exchange::JsonValue operator()(const std::string& v) const { return v; }
     exchange::JsonValue operator()(const query::Ranked& v) const { return v.text; }
     exchange::JsonValue operator()(glm::dvec3 v) const { return std::array{v.x, v.y, v.z}; }
+    exchange::JsonValue operator()(const query::None&) const { return nullptr; }
   };
   return std::visit(Visitor{}, value);
 }

@@ -163,11 +163,61 @@ TEST(condition, an_argument_is_what_the_query_takes) {
 TEST(condition, none_is_another_value_than_any_number) {
   EXPECT_EQ(holds_for("== none", 3.0), 0);
   EXPECT_EQ(holds_for("!= none", 3.0), 1);
-  EXPECT_EQ(holds_for("== none", std::string("none"), "fold.at"), 1);
-  EXPECT_EQ(holds_for("!= none", std::string("none"), "fold.at"), 0);
-  EXPECT_EQ(holds_for("< 3", std::string("none"), "fold.at"), 0);
-  EXPECT_EQ(holds_for(">= 3", std::string("none"), "fold.at"), 0);
-  EXPECT_EQ(holds_for("!= 3", std::string("none"), "fold.at"), 1);
+  EXPECT_EQ(holds_for("< none", 3.0), -1);
+  EXPECT_EQ(parse_error("fold.at >= none"), "9: none can be compared only with == and !=, found \">=\"");
+}
+
+TEST(condition, none_meets_only_a_comparison_with_none) {
+  for (const std::string query : {"fold.at", "selected", "geometric @k1", "construction_point", "card.end"}) {
+    const bool vector = query == "construction_point", text = query == "selected" || query == "card.end";
+    const std::string value = query == "geometric @k1" ? "G1" : vector ? "0 0 0" : query == "card.end" ? "lap" : "0";
+    for (const std::string op : {"==", "!=", "<", "<=", ">", ">=", "~"}) {
+      if ((vector || text) && op != "==" && op != "!=" && op != "~") continue;
+      EXPECT_EQ(holds_for(op + " " + value, None{}, query), 0) << query << " " << op;
+      EXPECT_EQ(holds_for(op + " " + value, None{}, "not " + query), 0) << "not " << query << " " << op;
+    }
+    EXPECT_EQ(holds_for("", None{}, query), 0) << query;
+    EXPECT_EQ(holds_for("", None{}, "not " + query), 0) << query;
+    EXPECT_EQ(holds_for("~ none", None{}, query), 0) << query;
+    EXPECT_EQ(holds_for("== none", None{}, query), 1) << query;
+    EXPECT_EQ(holds_for("!= none", None{}, query), 0) << query;
+    EXPECT_EQ(holds_for("== none", None{}, "not " + query), 0) << query;
+    EXPECT_EQ(holds_for("!= none", None{}, "not " + query), 1) << query;
+  }
+  EXPECT_EQ(holds_for("== none", std::string("none"), "name"), 1) << "a track may have that name";
+}
+
+TEST(condition, what_was_found_is_said_with_its_unit_or_why_it_is_none) {
+  EXPECT_EQ(describe(*find_query("length"), 3.5), "found 3.5 m");
+  EXPECT_EQ(describe(*find_query("name"), std::string("Skew")), "found \"Skew\"");
+  EXPECT_EQ(describe(*find_query("fold.at"), None{"there is no fold"}), "but fold.at is none: there is no fold");
+  EXPECT_EQ(describe(*find_query("fold.at"), None{}), "but fold.at is none");
+}
+
+TEST(condition, a_text_with_a_tolerance_compares_by_the_number_it_begins_with) {
+  const auto text = [](const std::string& rest, const char* shown) {
+    return holds_for(rest, std::string(shown), "text \"Ride/Speed\"");
+  };
+  EXPECT_EQ(text("== 6 +- 0.1", "6.05 m/s"), 1);
+  EXPECT_EQ(text("== 6 +- 0.1", "6.25 m/s"), 0);
+  EXPECT_EQ(text("!= 6 +- 0.1", "6.25 m/s"), 1);
+  EXPECT_EQ(text("== 1884 +- 3", "1885"), 1);
+  EXPECT_EQ(text("== -0.5 +-0.02", "-0.52 g"), 1);
+  EXPECT_EQ(text("== 12 +- 1", "12.5%"), 1);
+  EXPECT_EQ(text("== 3 +- 1", "+3.5 m"), 1);
+  EXPECT_EQ(text("== 1e-5 +- 1e-6", "1.05e-05 m"), 1);
+  EXPECT_EQ(text("== 6 +- 0", "6 e"), 1) << "the unit may begin with e";
+  EXPECT_EQ(text("== 3 +- 0.5", "3.2, 7.5"), 1) << "the first of several";
+  for (const char* const without : {"--", "", "fast", "on", "inf", "nan", "-", "about 6"})
+    EXPECT_EQ(text("== 6 +- 100", without), -1) << without;
+  EXPECT_EQ(text("!= 6 +- 100", "--"), -1) << "no number is not another number";
+  EXPECT_EQ(text("== 6", "6.0"), 0) << "without a tolerance it is a text";
+  EXPECT_EQ(parse_error("text \"A\" == \"6 m\" +- 1").substr(0, 30), "13: expected one number, found");
+  EXPECT_EQ(parse_error("text \"A\" == abc +- 1"), "13: expected a number, found \"abc\"");
+  EXPECT_EQ(parse_error("ride.state == running +- 1"), "23: a tolerance needs a number, found \"running\"");
+  EXPECT_EQ(parse_error("geometric @k1 == G1 +- 1"), "21: a tolerance needs a number, found \"G1\"");
+  EXPECT_EQ(parse_error("closed == on +- 1"), "14: a tolerance needs a number, found \"on\"");
+  EXPECT_EQ(parse_error("fold.at == none +- 1"), "17: a tolerance needs a number, found \"none\"");
 }
 
 TEST(condition, continuity_compares_by_rank) {
@@ -177,7 +227,7 @@ TEST(condition, continuity_compares_by_rank) {
   EXPECT_EQ(holds_for("== G0", g1, "geometric @k1"), 0);
   EXPECT_EQ(holds_for("== g1", g1, "geometric @k1"), 1);
   EXPECT_EQ(holds_for("!= G2", g1, "geometric @k1"), 1);
-  EXPECT_EQ(holds_for(">= G1", query::Ranked{0, "none"}, "geometric @k1"), 0) << "an open end joins nothing";
+  EXPECT_EQ(holds_for("< G2", None{}, "geometric @k1"), 0) << "an open end joins nothing";
   EXPECT_EQ(holds_for("== none", g1, "geometric @k1"), 0);
   EXPECT_EQ(holds_for(">= C1", g1, "geometric @k1"), -1) << "C1 is a rank of another scale";
   EXPECT_EQ(holds_for("== on", query::Value(query::Ranked{1, "on"})), 1);

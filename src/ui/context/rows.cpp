@@ -11,17 +11,13 @@
 namespace coaster::ui {
 namespace {
 
-// Returns nothing for a number of the ride without a train, and for the time of a lap that is not completed: their
-// queries return 0.
+// Returns nothing for none.
 std::optional<query::Value> value_of(const Ui& ui, std::string_view name, std::string_view argument) {
   const query::Query* row = query::find_query(name);
   if (row == nullptr) return std::nullopt;
   const query::Context context{ui.state.find, ui.state.stats, {}, ui.session().document.name};
   auto result = row->evaluate(context, argument);
-  if (!result) return std::nullopt;
-  if (const double* const number = std::get_if<double>(&*result); number != nullptr && name.starts_with("ride.")) {
-    if (ui.session().motion.carts.size() == 0 || (name == "ride.lap_time" && *number == 0)) return std::nullopt;
-  }
+  if (!result || query::is_none(*result)) return std::nullopt;
   return *result;
 }
 

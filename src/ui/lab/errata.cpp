@@ -46,7 +46,7 @@ void errata_page(Ui& ui) {
   const auto probe = need_probe(ui);
   if (!probe) return;
   const world::Settings& settings = ui.session().settings;
-  const double speed = std::abs(number_of(ui, "ride.speed").value_or(0));
+  const double speed = std::abs(number_of(ui, "ride.speed").value_or(NAN));
   const auto& rows = ui.lab.errata.get(
       {probe->shape->shape_build, ui.session().derived.last_build, settings.evaluation->steps, speed},
       [&] { return sim::errata(ui.session().derived, probe->segment, speed, settings.evaluation->steps); });

@@ -73,12 +73,12 @@ constexpr TableColumn kJointColumns[] = {
      "Largest change of felt g by the jumps of curvature and roll, low-pass filtered, in the whole ride, all cars."},
 };
 
+std::uint32_t tint_of(double g) { return g > sim::kJoltLimit ? kBadColour : g > 0.3 ? kPolygonColour : kPlainColour; }
+
 void row_of(Ui& ui, const JointRow& row) {
   const bool selected = ui.session().settings.selected == row.knot;
+  const double jolt = ui.find(edit::Want::ride).ride != nullptr ? row.jolt : NAN;
   const std::string name = world::to_text(row.name), step = row.step ? fixed(*row.step, 3) : "--";
-  const std::uint32_t jolt_tint = row.jolt > sim::kJoltLimit ? kBadColour
-                                  : row.jolt > 0.3           ? kPolygonColour
-                                                             : kPlainColour;
   const std::uint32_t tint = row.joint.geometric == curve::Geometric::g2   ? kGoodColour
                              : row.joint.geometric == curve::Geometric::g1 ? kPlainColour
                                                                            : kBadColour;
@@ -90,7 +90,7 @@ void row_of(Ui& ui, const JointRow& row) {
                         {fixed(row.joint.speed_ratio, 3)},
                         {digits(ui, row.joint.curvature_jump, 5, "1/m")},
                         {step, row.step > sim::kStepLimit ? kBadColour : kPlainColour},
-                        {fixed(row.jolt, 2), jolt_tint}};
+                        {fixed(jolt, 2), tint_of(jolt)}};
   if (table_row(ui, "Joint " + name, cells, selected, fmt::format("{} {} {} g", geometric, parametric, step),
                 "Click to select the knot.") &&
       !selected)

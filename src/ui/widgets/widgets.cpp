@@ -282,6 +282,7 @@ void read_out(WidgetFrame& ui, std::string_view label, double value, int decimal
 }
 
 std::string fixed(double value, int decimals) {
+  if (std::isnan(value)) return "--";
   std::string text = fmt::format("{:.{}f}", value, decimals);
   return text.find_first_not_of("-0.") == std::string::npos && text[0] == '-' ? text.substr(1) : text;
 }

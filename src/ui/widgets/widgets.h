@@ -205,7 +205,7 @@ void read_out(WidgetFrame& ui, std::string_view label, double value, int decimal
               std::string_view tooltip, bool warns = false);
 void read_out(WidgetFrame& ui, std::string_view label, std::string_view value, std::string_view unit,
               std::string_view tooltip, bool warns = false, bool red = false);
-// Returns "12345.60", without a "-" before zero.
+// Returns "12345.60", without a "-" before zero; "--" for NaN.
 std::string fixed(double value, int decimals);
 
 }  // namespace coaster::ui
