@@ -86,6 +86,14 @@ std::vector<std::string> parameter_names() {
   return names;
 }
 
+Value parameter_of(const world::Element& element, std::string_view name) {
+  const std::span<const world::ElementParameter> all = base::row_of(element.kind).parameters;
+  for (std::size_t i = 0; i < all.size(); ++i)
+    if (all[i].name == name)
+      return all[i].names.empty() ? number(element.values[i]) : word(world::choice_of(all[i], element.values[i]).name);
+  return none("the element has no such parameter");
+}
+
 base::Result<world::Entity> entity_of(const Context& context, std::string_view argument, world::Kind kind) {
   const world::Document& document = context.session.document;
   const std::string_view word = argument.starts_with('@') ? argument.substr(1) : argument;

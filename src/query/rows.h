@@ -87,8 +87,9 @@ constexpr Values values_of() {
   else return kText;
 }
 
-// Returns the names of the parameters of all elements.
+// Returns the names of the parameters of all elements, and the value of one.
 std::vector<std::string> parameter_names();
+Value parameter_of(const world::Element& element, std::string_view name);
 
 // Returns the member at the end of a path of members.
 template <class T>

@@ -14,30 +14,20 @@ Answer side(const Context& c, View) {
   const world::Element& e = c.session.settings.element;
   return base::row_of(e.kind).sided ? text(e.right ? "right" : "left") : none("the element has no side");
 }
-Answer value(const Context& c, View argument) {
-  const world::Element& e = plan(c).element;
-  const world::ElementRow& row = base::row_of(e.kind);
-  for (std::size_t i = 0; i < row.parameters.size(); ++i) {
-    const world::ElementParameter& p = row.parameters[i];
-    if (p.name == argument) return p.names.empty() ? number(e.values[i]) : word(world::choice_of(p, e.values[i]).name);
-  }
-  return none("the element has no such parameter");
-}
-// A member of the plan; none if it has no spans.
+Answer value(const Context& c, View argument) { return parameter_of(plan(c).element, argument); }
+// Returns a member of the plan; none if it has no spans.
 template <auto... path>
 Answer of_plan(const Context& c, View) {
   const sim::ElementPlan& found = plan(c);
   return found.spans() > 0 ? value_of(member_at(found, path...)) : none(found.refusal);
 }
 Answer roll_error(const Context& c, View) {
-  const sim::ElementPlan& found = plan(c);
-  return found.spans() > 0 ? number(base::degrees(found.fit.roll_error)) : none(found.refusal);
+  const Answer radians = of_plan<&sim::ElementPlan::fit, &sim::ElementFit::roll_error>(c, {});
+  return is_none(*radians) ? radians : number(base::degrees(std::get<double>(*radians)));
 }
 Answer spans(const Context& c, View) { return number(plan(c).spans()); }
 Answer missing(const Context& c, View) {
-  const std::string refusal = plan(c).refusal;
-  const double worst = sim::worst(c.find(edit::Want::room).room);
-  return plan(c).spans() > 0 ? number(worst) : none(refusal);
+  return plan(c).spans() > 0 ? number(sim::worst(c.find(edit::Want::room).room)) : none(plan(c).refusal);
 }
 Answer refusal(const Context& c, View) {
   return plan(c).refusal.empty() ? none("it can be placed") : text(plan(c).refusal);

@@ -8,14 +8,12 @@
 namespace coaster::query {
 namespace {
 
-// The number of frames is 0 before the first. Times and rates are 0 until they are measured.
-constexpr bool counts_frames(View query) { return query == "frame"; }
-
+// Times and rates are 0 until they are measured.
 template <const auto& table, std::size_t row>
 Answer number_of_frame(const Context& c, View) {
   const auto& [query, unit, text, member] = table[row];
   const double value = std::visit([&](auto of) { return static_cast<double>(c.stats.*of); }, member);
-  if (c.stats.frame == 0 && !counts_frames(query)) return none(kNoFrame);
+  if (c.stats.frame == 0 && query != "frame") return none(kNoFrame);
   return value == 0 && (unit == "ms" || unit == "1/s") ? none("it was not measured") : number(value);
 }
 
@@ -26,7 +24,7 @@ constexpr auto rows_of(std::index_sequence<row...>) {
                           table[row].unit,
                           table[row].text,
                           number_of_frame<table, row>,
-                          {.may_be_none = !counts_frames(table[row].query)}}...};
+                          table[row].query == "frame" ? Values{} : or_none()}...};
 }
 
 // The deviation of the processor, or the one captured from the GPU.

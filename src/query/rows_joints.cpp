@@ -27,16 +27,6 @@ Answer g_step(const Context& c, View argument) {
     return speed ? number(sim::g_step(joint.curvature_jump, *speed)) : none(kNoTrain);
   });
 }
-// The curvature vector on one side of a knot, which an end of an open track may have, too.
-template <world::Entity world::Neighbours::*beside, int t>
-Answer curvature_beside(const Context& c, View argument) {
-  return of_entity(c, argument, world::Kind::knot, [&](world::Entity e) {
-    const world::Entity segment = world::neighbours(c.session.document, e).*beside;
-    return segment.valid() ? value_of(curve::curvature_vector(world::cubic_of(c.session.document, segment), t))
-                           : none("there is no segment on that side");
-  });
-}
-
 // Calls visit(knot, before, after) for each joint of the track, with the cubics that meet there.
 template <class Visit>
 void for_each_joint(const edit::Session& session, Visit visit) {
@@ -218,10 +208,10 @@ constexpr std::array kJointRows{
     Query{"joint_angle", kKnot, "deg", "Angle between the tangents of the segments at a knot.", joint_angle, or_none()},
     Query{"curvature_before", kKnot, "1/m",
           "Curvature vector at the end of the segment before a knot, towards the centre.",
-          curvature_beside<&world::Neighbours::before, 1>, or_none(kVector)},
+          of_joint<&curve::Joint::curvature_before>, or_none(kVector)},
     Query{"curvature_after", kKnot, "1/m",
           "Curvature vector at the start of the segment after a knot, towards the centre.",
-          curvature_beside<&world::Neighbours::after, 0>, or_none(kVector)},
+          of_joint<&curve::Joint::curvature_after>, or_none(kVector)},
     Query{"second_jump", kKnot, "m", "Length of C''(0) - B''(1) at a knot; 0 for C2.",
           of_joint<&curve::Joint::second_jump>, or_none()},
     Query{"g_step", kKnot, "g", "Jump of the force at a knot, v^2 |dK| / g, at the present speed of the first train.",

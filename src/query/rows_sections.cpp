@@ -63,13 +63,7 @@ Answer section_value(const Context& c, View argument) {
   if (!entity) return entity.status();
   const world::Section& section = world::section(c.session.document, *entity);
   if (section.kind != world::SectionKind::element) return none("the section has no parameters");
-  const world::ElementRow& row = base::row_of(section.element.kind);
-  for (std::size_t i = 0; i < row.parameters.size(); ++i)
-    if (row.parameters[i].name == argument.substr(dot + 1))
-      return row.parameters[i].names.empty()
-                 ? number(section.element.values[i])
-                 : word(world::choice_of(row.parameters[i], section.element.values[i]).name);
-  return none("the section has no such parameter");
+  return parameter_of(section.element, argument.substr(dot + 1));
 }
 
 constexpr ArgumentPart kSectionParameter[]{kSection[0],

@@ -54,7 +54,7 @@ TEST_F(JointsQueryTest, the_g_step_is_at_the_present_speed_of_the_first_cart) {
   for (const char* knot : {"@k2", "@k3", "@k4"}) most = std::max(most, number("g_step", knot));
   EXPECT_EQ(number("g_step_max"), most);
   EXPECT_EQ(number("g_step", "@" + words("roughest_joint")), most);
-  EXPECT_EQ(number("g_step", "@k1"), 0) << "an end joins nothing";
+  EXPECT_EQ(words("g_step", "@k1"), "none") << "an end joins nothing";
 }
 
 TEST_F(JointsQueryTest, the_ride_g_step_is_at_the_fastest_passage_of_all_cars) {
@@ -88,7 +88,7 @@ TEST_F(JointsQueryTest, jolts_are_those_of_the_whole_ride_at_the_knots) {
       sim::jolts(*edit::find(session, edit::Want::ride).ride, session.limits.envelope.cutoff);
   expected.resize(5);
   double most = 0;
-  for (std::size_t i = 0; i < 5; ++i) {
+  for (std::size_t i = 1; i < 4; ++i) {
     const std::string knot = "@k" + std::to_string(i + 1);
     EXPECT_EQ(number("jolt", knot), expected[i].total) << knot;
     EXPECT_EQ(number("jolt.vertical", knot), expected[i].up) << knot;
@@ -97,12 +97,12 @@ TEST_F(JointsQueryTest, jolts_are_those_of_the_whole_ride_at_the_knots) {
     most = std::max(most, number("jolt", knot));
   }
   EXPECT_GT(most, 0.1);
-  EXPECT_EQ(number("jolt", "@k1"), 0) << "an end joins nothing";
+  for (const char* const end : {"@k1", "@k5"}) EXPECT_EQ(words("jolt", end), "none") << "an end joins nothing";
   EXPECT_EQ(number("ride.jolt_max"), most);
   EXPECT_EQ(number("jolt", "@" + words("ride.jolt_knot")), most);
   good("remove @c1");
   good("remove @c2");
-  EXPECT_EQ(number("jolt", "@k3"), 0) << "no ride";
+  EXPECT_EQ(words("jolt", "@k3"), "none") << "no ride";
   EXPECT_EQ(words("ride.jolt_knot"), "none");
 }
 
@@ -157,7 +157,7 @@ TEST_F(JointsQueryTest, frames_are_chosen_by_the_name_of_their_row) {
     EXPECT_EQ(words("frames_by"), name);
     EXPECT_NEAR(glm::length(std::get<glm::dvec3>(*ask("cart_up"))), 1, 1e-9);
   }
-  EXPECT_EQ(number("loop_twist"), 0);
+  EXPECT_EQ(words("loop_twist"), "none");
   good("closed on");
   EXPECT_NE(number("loop_twist"), 0);
   EXPECT_LE(std::abs(number("loop_twist")), 180);

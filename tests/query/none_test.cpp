@@ -82,7 +82,11 @@ const Names kForce{"force.asked",  "force.met",       "force.keys",     "force.o
                    "force.hold",   "force.unmet",     "force.unmet_at", "force.ramp",  "force.stopped"};
 const Names kPlan{"element.error", "element.roll_error", "element.jump",   "element.length",
                   "element.lead",  "element.lowest",     "element.missing"};
-const Names kConflict{"conflict.at", "conflict.other"}, kFold{"fold.at", "fold.radius"};
+const Names kConflict{"conflict.at", "conflict.other"}, kFold{"fold.at", "fold.radius"},
+    kFails{"ride.fail", "ride.fail_distance"};
+const Names kJolts{"jolt", "jolt.vertical", "jolt.lateral",
+                   "jolt.longitudinal"};  // at knots that the ride does not pass
+const Names kWays{"complete.length", "complete.worst_g", "complete.jolt"};
 
 Names operator+(Names a, const Names& b) {
   a.insert(b.begin(), b.end());
@@ -160,13 +164,13 @@ class NoneTest : public test::SessionTest {
 };
 
 TEST_F(NoneTest, each_query_is_none_in_exactly_the_states_where_it_has_no_answer) {
-  // Whatever the state: an element lacks some parameter, no ride has failed, ...
-  const Names always = kSeats + Names{"element.value", "ride.fail", "ride.fail_distance", "equipment"};
+  // Whatever the state: an element lacks some parameter, there are fewer than three ways home, no ride has failed.
+  const Names always = kSeats + kFails + kWays + Names{"element.value"};
   const Names untouched = kSelection + kChallenge + kResult + kImport + kMeasured;
 
-  // An open track of five knots with two trains, nothing selected.
-  const Names open = always + untouched + kOpenEnd + kForce + kConflict + kFold +
-                     Names{"ride.lap_time", "loop_twist", "element.refusal", "section.value"};
+  // An open track of five knots in one section, with two trains that start on its second and its last segment.
+  const Names open = always + untouched + kOpenEnd + kForce + kConflict + kFold + kSpeeds +
+                     Names{"ride.lap_time", "loop_twist", "element.refusal", "section.value", "equipment"};
   expect_none("open", open);
 
   stats = {};
@@ -175,6 +179,9 @@ TEST_F(NoneTest, each_query_is_none_in_exactly_the_states_where_it_has_no_answer
   session.measuring.ride_cost = {};
   expect_none("no tick", open + Names{"ride.cost"});
   draw();
+  good("element.choose straight");
+  expect_none("no side", open + Names{"element.side"});
+  good("element.choose loop");
 
   // A segment selected, a challenge, a result, an import and a measurement.
   good("select @s2 at 0.3");
@@ -192,20 +199,28 @@ TEST_F(NoneTest, each_query_is_none_in_exactly_the_states_where_it_has_no_answer
   good("select none");
   good("remove @c1");
   good("remove @c2");
-  expect_none("no train", open + kTrain + kRide + kSpeeds + Names{"erratum", "erratum_wrong"} - Names{"equipment"});
+  expect_none("no train", open + kTrain + kRide + Names{"erratum", "erratum_wrong"});
 
   start_on(world::Document{});
   draw();
-  const Names nothing = always + untouched + kConflict + kFold + kTrain + kRide + kJoint + kTrack;
-  expect_none("empty", nothing + Names{"roll_max", "open_end.distance"});
+  const Names nothing = always + untouched + kConflict + kFold + kTrain + kRide + kJoint + kTrack +
+                        Names{"loop_twist", "element.refusal", "open_end.distance"};
+  expect_none("empty", nothing + Names{"roll_max"});
   good("append at 0 2 0");
-  expect_none("one knot", nothing + kOpenEnd + Names{"open_end.distance"});
+  expect_none("one knot", nothing + kOpenEnd - Names{"selected", "selected_kind"});
 
   circuit();
+  good("select none");
   draw();
-  expect_none("circuit", always + untouched);
-  good("start_speed 0");
-  expect_none("no lap", always + untouched);
+  const Names closed = always + untouched + kConflict + kFold + kPlan + kForce + Names{"section.value", "equipment"};
+  expect_none("circuit", closed + Names{"ride.ghost_end"});
+  good("losses rolling 0.1 drag 0.01");
+  expect_none("no lap", closed + kSpeeds + kJolts + Names{"ride.lap_time"});
+  good("undo");
+  good("undo");
+  good("select none");
+  expect_none("way home", (closed - kPlan - kWays) + kOpenEnd +
+                              Names{"ride.lap_time", "loop_twist", "element.refusal", "complete.refusal"});
 
   for (const Query& query : queries())
     EXPECT_TRUE(!query.values.may_be_none || seen.count(std::string(query.name)) > 0) << query.name << " is never none";
