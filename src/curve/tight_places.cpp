@@ -20,15 +20,15 @@ std::array<double, 4> slope_of_square(const std::array<dvec3, 3>& h) {
   return product(h, std::array{h[1] - h[0], h[2] - h[1]});
 }
 
-// Appends the roots of a polynomial, halved with `value`, which may be more accurate.
-template <std::size_t N, class Value>
-void add_roots(const std::array<double, N>& c, const Value& value, std::vector<double>& out) {
+// Calls found(t) for the roots of a polynomial, halved with `value`, which may be more accurate.
+template <std::size_t N, class Value, class Found>
+void each_root_of(const std::array<double, N>& c, const Value& value, const Found& found) {
   each_crossing(c, 0, 1, [&](Bracket at, bool rising) {
     for (int i = 0; i < 60; ++i) {
       const double middle = 0.5 * (at.low + at.high);
       ((value(middle) < 0) == rising ? at.low : at.high) = middle;
     }
-    out.push_back(0.5 * (at.low + at.high));
+    found(0.5 * (at.low + at.high));
   });
 }
 
@@ -80,27 +80,30 @@ std::vector<TightPlace> tight_places(const Cubic& cubic, double limit) {
   const auto other = product(product(b, b), d_slope);
   for (std::size_t i = 0; i < extremes.size(); ++i) extremes[i] -= 3 * other[i];
   const auto slowing = [&](double t) { return dot(k.derivative(t), k.second_derivative(t)); };  // D' / 2
-  std::vector<double> at{0, 1};
-  add_roots(d_slope, slowing, at);
-  add_roots(
-      extremes,
-      [&](double t) {
-        const dvec3 first = k.derivative(t), second = k.second_derivative(t), bend = cross(first, second);
-        return dot(bend, cross(first, 6.0 * k.c3)) * dot(first, first) - 3 * dot(bend, bend) * slowing(t);
-      },
-      at);
-  std::ranges::sort(at);
   float largest = 0;
   for (const glm::vec3& p : {cubic.p0, cubic.p1, cubic.p2, cubic.p3})
     largest = std::max({largest, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
   // Each control point is off by half an ulp, B' by six times that on three axes; a knot's tangent adds as much.
   const double rounding = 20 * 0x1p-24 * double{largest};
   std::vector<TightPlace> all, found;
-  for (const double t : at) {
+  const auto add = [&](double t) {
     all.push_back({t, radius_at(cubic, t)});
     if (!(k.speed(t) > 0)) all.back().radius = kInfinite;
     find_reversal(cubic, k, rounding, all.back());
-  }
+  };
+  add(0), add(1);
+  each_root_of(d_slope, slowing, add);
+  const std::vector<TightPlace> slowest = all;
+  each_root_of(
+      extremes,
+      [&](double t) {
+        const dvec3 first = k.derivative(t), second = k.second_derivative(t), bend = cross(first, second);
+        return dot(bend, cross(first, 6.0 * k.c3)) * dot(first, first) - 3 * dot(bend, bend) * slowing(t);
+      },
+      [&](double t) {  // near a reversal it is rounding
+        if (std::ranges::none_of(slowest, [&](const TightPlace& p) { return std::abs(t - p.t) <= p.half; })) add(t);
+      });
+  std::ranges::sort(all, {}, &TightPlace::t);
   for (std::size_t i = 0; i < all.size(); ++i) {
     const double before = i > 0 ? all[i - 1].radius : kInfinite,
                  after = i + 1 < all.size() ? all[i + 1].radius : kInfinite;

@@ -137,13 +137,7 @@ bool parse_camera(Words& words, Action& action) {
   const auto name = words.one_of("target, yaw, pitch, distance, all, selection, orbit, ride, chase or fly", kNames);
   if (!name) return false;
   if (*name >= 7) {
-    std::vector<base::Token> line{{"camera", 1, false}};
-    line.insert(line.end(), rest.begin(), rest.end());
-    base::TextError error;
-    const auto command = edit::parse(line, error);
-    if (!command) return words.fail(error);
-    action = RunCommand{*command};
-    return true;
+    return parse_command("camera", rest, words, action);
   }
   if (*name >= 3)
     action = RunCommand{edit::Set<&world::Settings::camera_mode>{static_cast<world::CameraMode>(*name - 3)}};
@@ -164,6 +158,16 @@ void for_each_line(Visit visit) {
 }
 
 }  // namespace
+
+bool parse_command(std::string_view name, std::span<const base::Token> rest, Words& words, Action& action) {
+  std::vector<base::Token> line{{std::string(name), 1, false}};
+  line.insert(line.end(), rest.begin(), rest.end());
+  base::TextError error;
+  const auto command = edit::parse(line, error);
+  if (!command) return words.fail(error);
+  action = RunCommand{*command};
+  return true;
+}
 
 std::vector<std::string> line_words() {
   std::vector<std::string> words;

@@ -36,6 +36,9 @@ std::span<const LineRow> input_lines();
 std::span<const LineRow> ui_lines();
 std::span<const LineRow> aim_lines();
 
+// Reads `rest` as the words of the command of that name, which is a statement's, too. Fails through `words`.
+bool parse_command(std::string_view name, std::span<const base::Token> rest, Words& words, Action& action);
+
 bool parse_lesson(Words& words, Action& action);  // opens a block; lines_expect.cpp
 
 // Returns the column of the next word, or of the end of the line.

@@ -83,7 +83,11 @@ bool parse_wheel(Words& words, Action& action) {
   return finish(words, action, std::move(input));
 }
 
+// Parses a file, or knots to lower to the ground: the command of that name.
 bool parse_drop(Words& words, Action& action) {
+  if (const base::Token* const first = words.peek();
+      first && !first->quoted && (first->text.starts_with('@') || first->text == "all" || first->text == "selected"))
+    return parse_command("drop", words.rest(), words, action);
   const base::Token* const path = words.take("a file");
   if (!path) return false;
   action = Input{{{platform::Drop{path->text}}}};

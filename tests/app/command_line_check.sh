@@ -130,9 +130,11 @@ tr -d ' \n' <"$OUT/stdout" | grep -qx '{"code":0,"errors":\[\]}' || fail "--vali
 # a kill. A folder that the user named gives a warning.
 mkdir -p "$OUT/a" "$OUT/b"
 cp "$OUT/passes.coaster" "$OUT/b/foo.coaster"
-script a/foo 'ticks 10000000'
+script a/foo 'repeat 1000000
+ticks 10000000
+end'
 at_out() (cd "$OUT" && exec "$COASTER" --headless --script "$@")
-at_out a/foo.coaster >"$OUT/slow" 2>&1 &
+(cd "$OUT" && exec "$COASTER" --headless --script a/foo.coaster) >"$OUT/slow" 2>&1 &
 slow=$!
 for _ in $(seq 100); do grep -q "^Drawing" "$OUT/slow" && break; sleep 0.1; done
 at_out b/foo.coaster >"$OUT/stdout" 2>"$OUT/stderr"

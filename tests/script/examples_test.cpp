@@ -173,6 +173,7 @@ std::vector<std::string> lines_of(std::string usage) {
           depth -= c == ']';
         }
       }
+      line = std::regex_replace(line, std::regex(" +"), " ");
       // "a|b|c" is one of them; "ui.open|close" is ui.open or ui.close. "pad rest | a" is two forms.
       std::string chosen, prefix;
       if (const std::size_t bar = line.find(" | "); bar != std::string::npos) {

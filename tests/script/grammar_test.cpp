@@ -454,5 +454,15 @@ TEST(grammar, a_place_on_a_curve_is_a_parameter_from_0_to_1) {
     EXPECT_EQ(parse_lines(std::string("aim.hover ") + bad + "\n").errors.size(), 1u) << bad;
 }
 
+// Recordings have the command.
+TEST(grammar, drop_takes_a_file_or_knots) {
+  const auto action = [](const std::string& line) { return parse_lines(line + "\n").script.statements.at(0).action; };
+  for (const char* const knots : {"@k1", "@k1,@k2 to 3", "@k1..@k4", "all to 2", "selected"})
+    EXPECT_TRUE(std::holds_alternative<RunCommand>(action(std::string("drop ") + knots))) << knots;
+  for (const char* const file : {"a.json", "\"@k1\"", "\"all\"", "\"a b.json\""})
+    EXPECT_TRUE(std::holds_alternative<Input>(action(std::string("drop ") + file))) << file;
+  EXPECT_EQ(parse_lines("drop @k1 too 3\n").errors.size(), 1u);
+}
+
 }  // namespace grammar_test
 }  // namespace coaster::script

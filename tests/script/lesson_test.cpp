@@ -115,10 +115,9 @@ TEST(lesson, needs_a_text_and_an_until) {
 
 TEST(lesson, says_at_once_that_a_ride_that_does_not_move_leads_nowhere) {
   FakeHost fake;
-  const base::Status status =
-      run_lines(fake,
-                "append at 0 5 0\nappend at 9 4 0\nadd_cart @s1 at 0\nlesson \"Ride\" until ride.lap == 1\n"
-                "  start_speed 3\nend\n");
+  const base::Status status = run_lines(fake,
+                                        "append at 0 5 0\nappend at 9 4 0\nlesson \"Ride\" until ride.lap == 1\n"
+                                        "  start_speed 3\nend\n");
   EXPECT_EQ(status.code, base::Code::timeout);
   EXPECT_NE(status.message.find("did not reach ride.lap == 1, found 0; the ride was never started"), std::string::npos)
       << status.message;

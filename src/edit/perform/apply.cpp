@@ -157,11 +157,11 @@ Status carry_out(Session& session, base::Files& files, const Command& command) {
     return status;
   }
   if (effect == Effect::document || effect == Effect::history) watch_built(session);
+  if (effect != Effect::settings && effect != Effect::motion) warn_of_tight_bends(session);
   for (const std::string& line : change.clamped) notify(session, NoticeKind::warning, line);
   if (complete && session.history.dropped > 0)
     notify(session, NoticeKind::warning, "The history is full: its oldest steps are dropped.");
   if (!change.note.empty()) notify(session, NoticeKind::info, change.note);
-  if (effect != Effect::settings && effect != Effect::motion) warn_of_tight_bends(session);
   return {};
 }
 

@@ -11,18 +11,14 @@ using base::Status;
 
 Status perform(Session& session, Change&, const Select& command) {
   world::Settings& settings = session.settings;
-  const bool segment = command.what.name.number != 0 && command.what.name.kind == world::Kind::segment;
-  if (!segment && command.at != Select{}.at) return refused("only a segment is selected at a parameter, such as @s3");
+  if (const Status on = within("a parameter t", command.at, 0, 1); !on) return on;
   if (command.what.name.number == 0) {
     settings.selected = world::kNone, settings.also.clear();
     return {};
   }
   const auto e = require(session, command.what, command.what.name.kind);
   if (!e) return e.status();
-  if (segment) {
-    if (const Status on = within("a parameter t", command.at, 0, 1); !on) return on;
-    settings.selected_t = command.at;
-  }
+  if (command.what.name.kind == world::Kind::segment) settings.selected_t = command.at;
   settings.selected = *e, settings.also.clear();
   return {};
 }

@@ -226,7 +226,7 @@ TEST(TightWay, FeelsReversalsThatFollowSoonToAndFro) {
     }
     const Ratings r = ride(reversing(speed, {0.3f, 0, 1}, static_cast<float>(size)), 0.01, 1).ratings;
     EXPECT_NEAR(r.forward_most.value, right, 0.02 * right) << speed;
-    EXPECT_NEAR(r.back_most.value, back, 0.02 * right) << speed;
+    EXPECT_NEAR(r.back_most.value, -back, 0.02 * right) << speed;
     EXPECT_NEAR(r.jolt_most.value, 2.40 * kCutoff * 2 * speed / kG, 0.02 * right) << speed;
   }
 }

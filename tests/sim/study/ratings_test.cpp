@@ -109,10 +109,11 @@ TEST(ratings, a_higher_drop_more_airtime_and_no_jolt_excite_more) {
   double last = 0;
   for (const float height : {8.0f, 15.0f, 25.0f, 40.0f}) {
     world::Document d;
+    const float level = std::max(30.0f, 2.5f * height);  // more than both handles, so that no span doubles back
     for (const auto& [x, y] : {std::pair{0.0f, height + 2},
-                               {30.0f, height + 2},
-                               {30.0f + 2.5f * height, 2.0f},
-                               {60.0f + 2.5f * height, 2.0f}})
+                               {level, height + 2},
+                               {level + 2.5f * height, 2.0f},
+                               {2 * level + 2.5f * height, 2.0f}})
       world::append_knot(d, test::skew_knot({x, y, 2.7f}, {1, 0, 0}, std::max(9.0f, height), std::max(9.0f, height)));
     const double now = Rated(d, 6.3, 0.0).rate().excitement;
     EXPECT_GT(now, last + 0.1) << height;

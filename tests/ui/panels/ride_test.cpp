@@ -46,7 +46,7 @@ TEST_F(PanelRideTest, without_a_train_nothing_of_the_ride_has_a_number) {
   EXPECT_EQ(shown(world::Workspace::build, "Status/Length").substr(0, 3), "0.0");
   EXPECT_EQ(shown(world::Workspace::ride, "Ride/Speed"), "--");
   EXPECT_EQ(shown(world::Workspace::all, "Ride/Energy"), "-- J/kg");
-  EXPECT_EQ(shown(world::Workspace::all, "Ride/State"), "none");
+  EXPECT_EQ(shown(world::Workspace::all, "Ride/State"), "--");
 }
 
 TEST_F(PanelRideTest, a_lap_that_is_not_completed_has_no_time) {
