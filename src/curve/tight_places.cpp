@@ -104,6 +104,8 @@ std::vector<TightPlace> tight_places(const Cubic& cubic, double limit) {
         if (std::ranges::none_of(slowest, [&](const TightPlace& p) { return std::abs(t - p.t) <= p.half; })) add(t);
       });
   std::ranges::sort(all, {}, &TightPlace::t);
+  const auto same = [](const TightPlace& x, const TightPlace& y) { return y.t - x.t < 1e-14; };  // of a multiple root
+  all.erase(std::unique(all.begin(), all.end(), same), all.end());
   for (std::size_t i = 0; i < all.size(); ++i) {
     const double before = i > 0 ? all[i - 1].radius : kInfinite,
                  after = i + 1 < all.size() ? all[i + 1].radius : kInfinite;
