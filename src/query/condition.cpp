@@ -114,7 +114,7 @@ std::optional<double> number_of(std::string_view text) {
   return base::parse_double(text);
 }
 
-base::Result<bool> holds_number(const Condition& c, double found) {
+base::Result<bool> meets(const Condition& c, double found) {
   const std::string wanted_text = joined(c.values);
   if (*c.op == Op::contains && !c.tolerance)
     return lower(base::to_text(found)).find(lower(wanted_text)) != std::string::npos;
@@ -132,12 +132,10 @@ std::optional<double> leading_number(std::string_view text) {
 }
 
 // With a tolerance, texts compare by the numbers that they begin with.
-base::Result<bool> holds_text(const Condition& c, const std::string& found) {
+base::Result<bool> meets(const Condition& c, const std::string& found) {
   if (c.tolerance) {
-    const auto number = leading_number(found);
-    return number ? holds_number(c, *number)
-                  : base::Result<bool>(
-                        mismatch("expected a text that begins with a number, found " + base::quoted(found)));
+    if (const auto number = leading_number(found)) return meets(c, *number);
+    return mismatch("expected a text that begins with a number, found " + base::quoted(found));
   }
   const std::string wanted = joined(c.values);
   if (*c.op == Op::contains) return lower(found).find(lower(wanted)) != std::string::npos;
@@ -147,14 +145,16 @@ base::Result<bool> holds_text(const Condition& c, const std::string& found) {
   return *c.op == Op::equal ? same : *c.op == Op::not_equal && !same;
 }
 
-bool holds_ranked(const Condition& c, const Ranked& found) {
+bool meets(const Condition& c, const Ranked& found) {
   const std::string wanted = joined(c.values);
   if (*c.op == Op::contains) return lower(found.text).find(lower(wanted)) != std::string::npos;
   const std::optional<int> rank = rank_of(*find_query(c.query), wanted);
   return rank ? ordered(*c.op, found.rank, *rank, 0, true) : *c.op == Op::not_equal;  // none is no rank
 }
 
-bool holds_vector(const Condition& c, glm::dvec3 found) {
+bool meets(const Condition&, const None&) { return false; }
+
+bool meets(const Condition& c, glm::dvec3 found) {
   bool same = c.values.size() == 3;
   for (int axis = 0; same && axis < 3; ++axis) {
     const auto wanted = number_of(c.values[static_cast<std::size_t>(axis)].text);
@@ -181,8 +181,7 @@ bool check_numbers(Words& words, const Query& query, const Condition& c, std::si
 bool check_values(Words& words, const Query& query, const Condition& c, const base::Token& op, bool tolerance) {
   const auto [type, names] = values_with(query, c.argument);
   if (tolerance && (type == Type::ranked || !names.empty() || joined(c.values) == kNone))
-    return words.fail(words.at_end() ? words.end_column() : words.peek()->column,
-                      fmt::format("a tolerance needs a number, found {}", base::quoted(joined(c.values))));
+    return words.fail(c.values.front().column, "a tolerance needs a number, found " + base::quoted(joined(c.values)));
   if (tolerance && type == Type::text) return check_numbers(words, query, c, 1);
   if (c.op == Op::contains) return true;
   const bool equality = c.op == Op::equal || c.op == Op::not_equal;
@@ -212,12 +211,6 @@ std::string near_query(std::string_view name) {
   const std::string end = fmt::format(".{}", name);
   const auto found = std::find_if(known.begin(), known.end(), [&](const std::string& k) { return k.ends_with(end); });
   return found != known.end() ? base::suggestion(*found, known) : "; coaster --help-script lists all";
-}
-
-// No value meets only a comparison with none, "not" or not.
-bool holds_none(const Condition& c) {
-  const bool compares = (c.op == Op::equal || c.op == Op::not_equal) && joined(c.values) == kNone;
-  return compares && (c.op == Op::equal) != c.negated;
 }
 
 bool is_true(const Value& value) {
@@ -286,17 +279,13 @@ bool parse_condition(Words& words, Condition& condition, std::string_view stop) 
 }
 
 base::Result<bool> holds(const Condition& condition, const Value& value) {
-  struct Visitor {
-    const Condition& c;
-    base::Result<bool> operator()(double v) const { return holds_number(c, v); }
-    base::Result<bool> operator()(const std::string& v) const { return holds_text(c, v); }
-    base::Result<bool> operator()(const Ranked& v) const { return holds_ranked(c, v); }
-    base::Result<bool> operator()(glm::dvec3 v) const { return holds_vector(c, v); }
-    base::Result<bool> operator()(const None&) const { return false; }
-  };
-  if (is_none(value)) return holds_none(condition);
-  const base::Result<bool> result =
-      condition.op ? std::visit(Visitor{condition}, value) : base::Result<bool>(is_true(value));
+  if (is_none(value)) {
+    const bool compares =
+        (condition.op == Op::equal || condition.op == Op::not_equal) && joined(condition.values) == kNone;
+    return compares && (condition.op == Op::equal) != condition.negated;
+  }
+  const auto meets_it = [&](const auto& v) -> base::Result<bool> { return meets(condition, v); };
+  const base::Result<bool> result = condition.op ? std::visit(meets_it, value) : base::Result<bool>(is_true(value));
   if (!result) return result.status();
   return *result != condition.negated;
 }

@@ -214,10 +214,10 @@ TEST(condition, a_text_with_a_tolerance_compares_by_the_number_it_begins_with) {
   EXPECT_EQ(text("== 6", "6.0"), 0) << "without a tolerance it is a text";
   EXPECT_EQ(parse_error("text \"A\" == 6 m +- 1"), "13: expected one number, found \"6 m\"");
   EXPECT_EQ(parse_error("text \"A\" == abc +- 1"), "13: expected a number, found \"abc\"");
-  EXPECT_EQ(parse_error("ride.state == running +- 1"), "23: a tolerance needs a number, found \"running\"");
-  EXPECT_EQ(parse_error("geometric @k1 == G1 +- 1"), "21: a tolerance needs a number, found \"G1\"");
-  EXPECT_EQ(parse_error("closed == on +- 1"), "14: a tolerance needs a number, found \"on\"");
-  EXPECT_EQ(parse_error("fold.at == none +- 1"), "17: a tolerance needs a number, found \"none\"");
+  EXPECT_EQ(parse_error("ride.state == running +- 1"), "15: a tolerance needs a number, found \"running\"");
+  EXPECT_EQ(parse_error("geometric @k1 == G1 +- 1"), "18: a tolerance needs a number, found \"G1\"");
+  EXPECT_EQ(parse_error("closed == on +- 1"), "11: a tolerance needs a number, found \"on\"");
+  EXPECT_EQ(parse_error("fold.at == none +- 1"), "12: a tolerance needs a number, found \"none\"");
 }
 
 TEST(condition, continuity_compares_by_rank) {
