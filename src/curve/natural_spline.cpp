@@ -8,20 +8,14 @@ namespace {
 
 using glm::dvec3;
 
-// Row i: below m[i-1] + middle m[i] + above m[i+1] = right.
-struct Row {
-  double below = 0, middle = 1, above = 0;
-  dvec3 right{0};
-};
-
 // Continuity of the second derivative at a point between steps `before` and `after`, with the chords' slopes.
-Row inner_row(double before, double after, dvec3 slope_before, dvec3 slope_after) {
+TridiagonalRow inner_row(double before, double after, dvec3 slope_before, dvec3 slope_after) {
   return {after, 2 * (before + after), before, 3.0 * (after * slope_before + before * slope_after)};
 }
 
 // Thomas' algorithm; T is the type of the unknowns.
 template <class T>
-std::vector<T> solve(const std::vector<Row>& rows, std::vector<T> right) {
+std::vector<T> solve(const std::vector<TridiagonalRow>& rows, std::vector<T> right) {
   const std::size_t n = rows.size();
   std::vector<double> above(n);
   double middle = rows[0].middle;
@@ -37,15 +31,18 @@ std::vector<T> solve(const std::vector<Row>& rows, std::vector<T> right) {
   return right;
 }
 
-std::vector<dvec3> solve_open(const std::vector<Row>& rows) {
+std::vector<dvec3> solve_open(const std::vector<TridiagonalRow>& rows) {
   std::vector<dvec3> right;
   right.reserve(rows.size());
-  for (const Row& row : rows) right.push_back(row.right);
+  for (const TridiagonalRow& row : rows) right.push_back(row.right);
   return solve(rows, std::move(right));
 }
 
+}  // namespace
+
 // The two corners of the closed system are a rank-one correction (Sherman and Morrison, 1950).
-std::vector<dvec3> solve_closed(std::vector<Row> rows) {
+std::vector<dvec3> solve_tridiagonal(std::vector<TridiagonalRow> rows, bool closed) {
+  if (!closed) return solve_open(rows);
   const std::size_t n = rows.size();
   const double first_corner = rows[0].below, last_corner = rows[n - 1].above, gamma = -rows[0].middle;
   rows[0].middle -= gamma;
@@ -59,8 +56,6 @@ std::vector<dvec3> solve_closed(std::vector<Row> rows) {
   return x;
 }
 
-}  // namespace
-
 std::vector<dvec3> spline_derivatives(const SplinePoints& spline) {
   const std::size_t n = spline.points.size();
   COASTER_CHECK(n >= (spline.closed ? 3u : 2u) && spline.steps.size() == (spline.closed ? n : n - 1),
@@ -68,12 +63,12 @@ std::vector<dvec3> spline_derivatives(const SplinePoints& spline) {
   const auto step = [&](std::size_t i) { return spline.steps[i]; };
   const auto slope = [&](std::size_t i) { return (spline.points[(i + 1) % n] - spline.points[i]) / step(i); };
   const auto before = [n](std::size_t i) { return (i + n - 1) % n; };
-  std::vector<Row> rows(n);
+  std::vector<TridiagonalRow> rows(n);
   for (std::size_t i = spline.closed ? 0 : 1; i + (spline.closed ? 0 : 1) < n; ++i)
     rows[i] = inner_row(step(before(i)), step(i), slope(before(i)), slope(i));
-  if (spline.closed) return solve_closed(std::move(rows));
-  rows[0] = spline.first ? Row{0, 1, 0, *spline.first} : Row{0, 2, 1, 3.0 * slope(0)};
-  rows[n - 1] = spline.last ? Row{0, 1, 0, *spline.last} : Row{1, 2, 0, 3.0 * slope(n - 2)};
+  if (spline.closed) return solve_tridiagonal(std::move(rows), true);
+  rows[0] = spline.first ? TridiagonalRow{0, 1, 0, *spline.first} : TridiagonalRow{0, 2, 1, 3.0 * slope(0)};
+  rows[n - 1] = spline.last ? TridiagonalRow{0, 1, 0, *spline.last} : TridiagonalRow{1, 2, 0, 3.0 * slope(n - 2)};
   return solve_open(rows);
 }
 

@@ -23,4 +23,13 @@ struct SplinePoints {
 // stay at a few ulps. Uses only the four operations: the same bits on every machine.
 std::vector<glm::dvec3> spline_derivatives(const SplinePoints& spline);
 
+// Row i of a system of equations: below x[i-1] + middle x[i] + above x[i+1] = right.
+struct TridiagonalRow {
+  double below = 0, middle = 1, above = 0;
+  glm::dvec3 right{0};
+};
+// Returns the solution x; closed: the first row's `below` belongs to the last x, and the last row's `above` to the
+// first. The matrix is diagonally dominant or positive definite; closed ones have at least 2 rows.
+std::vector<glm::dvec3> solve_tridiagonal(std::vector<TridiagonalRow> rows, bool closed);
+
 }  // namespace coaster::curve

@@ -41,26 +41,8 @@ std::vector<Sample> samples_of(const sim::Derived& derived) {
   return samples;
 }
 
-// Returns the rates (rad/m) of the cubic spline through `points` whose rate is 0 at both ends: the tridiagonal system
-// of its continuous second derivative, by Thomas' algorithm.
-std::vector<double> spline_rates(const std::vector<Sample>& samples, const std::vector<std::size_t>& points) {
-  const std::size_t count = points.size();
-  std::vector<double> rates(count, 0.0), factors(count, 0.0);
-  for (std::size_t i = 1; i + 1 < count; ++i) {
-    const Sample &a = samples[points[i - 1]], &b = samples[points[i]], &c = samples[points[i + 1]];
-    const double before = 1 / (b.s - a.s), after = 1 / (c.s - b.s);
-    const double right = 3 * ((b.angle - a.angle) * before * before + (c.angle - b.angle) * after * after);
-    const double pivot = 2 * (before + after) - before * factors[i - 1];
-    factors[i] = after / pivot;
-    rates[i] = (right - before * rates[i - 1]) / pivot;
-  }
-  for (std::size_t i = count - 1; i-- > 1;) rates[i] -= factors[i] * rates[i + 1];
-  return rates;
-}
-
 // Returns true if every interpretation of the rolls between two samples matches the samples between them.
-bool reads_well(const std::vector<Sample>& samples, std::size_t from, std::size_t to, double rate_from,
-                double rate_to) {
+bool reads_well(const std::vector<Sample>& samples, std::size_t from, std::size_t to, const RollSpline& spline) {
   const double bound = base::radians(kRollError);
   const Sample &a = samples[from], &b = samples[to];
   const double length = b.s - a.s, turn = b.angle - a.angle;
@@ -68,9 +50,9 @@ bool reads_well(const std::vector<Sample>& samples, std::size_t from, std::size_
   for (std::size_t i = from + 1; i < to; ++i) {
     const Sample& here = samples[i];
     const double u = (here.s - a.s) / length, v = 1 - u, wanted = here.angle - a.angle;
-    const double smooth = u * u * (3 - 2 * u) * turn + length * u * v * (v * rate_from - u * rate_to);
     const dvec3 mixed = curve::perpendicular(here.frame.forward, v * a.frame.up + u * b.frame.up);
-    if (std::abs(u * turn - wanted) > bound || std::abs(smooth - wanted) > bound ||
+    if (std::abs(u * turn - wanted) > bound ||
+        std::abs(spline.at(here.s).angle - here.angle) > base::radians(kSplineError) ||
         curve::angle_between(mixed, here.frame.up) > bound)
       return false;
   }
@@ -84,12 +66,13 @@ std::vector<double> roll_places(const sim::Derived& derived) {
   std::vector<std::size_t> points;
   for (std::size_t added = 1; added > 0;) {
     points.clear();
+    std::vector<RollPoint> rolls;
     for (std::size_t i = 0; i < samples.size(); ++i)
-      if (samples[i].chosen) points.push_back(i);
-    const std::vector<double> rates = spline_rates(samples, points);
+      if (samples[i].chosen) points.push_back(i), rolls.push_back({samples[i].s, samples[i].angle});
+    const RollSpline spline(std::move(rolls));
     added = 0;
     for (std::size_t i = 0; i + 1 < points.size(); ++i)
-      if (points[i + 1] - points[i] > 1 && !reads_well(samples, points[i], points[i + 1], rates[i], rates[i + 1])) {
+      if (points[i + 1] - points[i] > 1 && !reads_well(samples, points[i], points[i + 1], spline)) {
         samples[(points[i] + points[i + 1]) / 2].chosen = true;
         ++added;
       }

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "base/portable_math.h"
+#include "curve/natural_spline.h"
 #include "exchange/nolimits/nl2_rolls.h"
 #include "sim/shape/roll.h"
 #include "world/components.h"
@@ -15,57 +16,77 @@ using glm::dvec3;
 
 constexpr int kFrameSteps = 32;  // between stops, as in the derived frames of a segment
 constexpr double kTurn = 2 * base::kPi;
+constexpr double kLeastStep = 0.01;  // m between points of the spline
 
 // A position that may become a knot.
 struct Candidate {
-  Stop stop;
-  bool knot = false;
-  double off = 0;  // m between the position and its roll
+  Stop stop;  // its `up` is that of its roll, if there is one
+  bool knot = false, strict = false;
+  double off = 0;  // m from the position to its roll
   curve::Frame carried;
+  bool rolled = false;  // has a roll
+  double rate = 0;      // rad/m, of the spline
 };
 
 void give_roll(Candidate& to, const ElementRoll& roll, double off) {
-  if (!to.stop.up || off < to.off) to.stop.up = roll.up, to.off = off;
+  if (!to.stop.up || std::abs(off) < std::abs(to.off)) to.stop.up = roll.up, to.strict = roll.strict, to.off = off;
 }
 
 // Returns the start of every piece, the rolls between, and the end; rolls near a knot go to it.
-std::vector<Candidate> candidates_of(std::span<const Bezier> pieces, bool closed, std::vector<ElementRoll> rolls) {
+std::vector<Candidate> candidates_of(std::span<const Bezier> pieces, bool closed, std::vector<ElementRoll> rolls,
+                                     const std::vector<curve::ArcLengthMap>& arcs, const std::vector<double>& starts) {
   std::stable_sort(rolls.begin(), rolls.end(),
                    [](const ElementRoll& a, const ElementRoll& b) { return a.coord < b.coord; });
-  std::vector<curve::ArcLengthMap> arcs;
-  std::vector<double> starts{0};
-  for (const Bezier& piece : pieces) {
-    arcs.emplace_back(in_float(piece));
-    starts.push_back(starts.back() + arcs.back().length());
-  }
   std::vector<Candidate> all;
   std::size_t next = 0;
+  double last_roll = -kRollApart;
   for (std::size_t i = 0; i < pieces.size(); ++i) {
     // The piece's last roll may belong to its end, which has no candidate yet.
-    Candidate start{{i, 0, starts[i], {}, 0}, true, 0, {}};
+    Candidate start{{i, 0, starts[i], {}, 0}, true, false, 0, {}};
     if (next > 0) {
-      const double off = starts[i] - rolls[next - 1].coord * starts.back();
-      if (off < kRollSnap) give_roll(start, rolls[next - 1], off);
+      const double off = rolls[next - 1].coord * starts.back() - starts[i];
+      if (off > -kRollSnap) give_roll(start, rolls[next - 1], off);
     }
     all.push_back(start);
     for (; next < rolls.size() && (rolls[next].coord * starts.back() < starts[i + 1]); ++next) {
       const double s = rolls[next].coord * starts.back(), within = std::max(0.0, s - starts[i]);
       if (within < kRollSnap) give_roll(all.back(), rolls[next], within);
-      else if (starts[i + 1] - s >= kRollSnap && s - all.back().stop.s >= kRollSnap)
-        all.push_back({{i, arcs[i].parameter(within), s, rolls[next].up, 0}, false, 0, {}});
+      else if (starts[i + 1] - s >= kRollSnap) {
+        if (s - last_roll < kRollApart) continue;
+        all.push_back({{i, arcs[i].parameter(within), s, rolls[next].up, 0}, false, rolls[next].strict, 0, {}});
+      }
+      last_roll = s;
     }
   }
-  Candidate end{{pieces.size() - 1, 1, starts.back(), {}, 0}, true, 0, {}};
+  Candidate end{{pieces.size() - 1, 1, starts.back(), {}, 0}, true, false, 0, {}};
   for (std::size_t k = rolls.size(); k-- > 0;)
-    if (const double off = (1 - rolls[k].coord) * starts.back(); off < kRollSnap) give_roll(end, rolls[k], off);
+    if (const double off = (rolls[k].coord - 1) * starts.back(); off > -kRollSnap) give_roll(end, rolls[k], off);
     else break;
   if (closed) {
     Candidate& first = all.front();
-    if (end.stop.up && (!first.stop.up || end.off < first.off)) first.stop.up = end.stop.up;
-    end.stop.up = first.stop.up;
+    if (end.stop.up && (!first.stop.up || -end.off < first.off)) first.stop.up = end.stop.up;
+    end.stop.up = first.stop.up, first.off = end.off = 0;
   }
   all.push_back(end);
   return all;
+}
+
+// Adds candidates without a roll between the others, where the track is compared with the spline.
+std::vector<Candidate> sampled(const std::vector<Candidate>& all, const std::vector<curve::ArcLengthMap>& arcs,
+                               const std::vector<double>& starts) {
+  constexpr int kParts = 4;
+  std::vector<Candidate> more;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    more.push_back(all[i]);
+    const Stop& from = all[i].stop;
+    for (int k = 1; k < kParts && i + 1 < all.size(); ++k) {
+      const double s = from.s + (all[i + 1].stop.s - from.s) * k / kParts;
+      if (all[i + 1].stop.s - from.s > kRollApart)
+        more.push_back(
+            {{from.piece, arcs[from.piece].parameter(s - starts[from.piece]), s, {}, 0}, false, false, 0, {}});
+    }
+  }
+  return more;
 }
 
 // Carries a rotation-minimising frame from the start of the track through all candidates.
@@ -88,84 +109,32 @@ void carry_frames(std::span<const Bezier> pieces, std::vector<Candidate>& all) {
   }
 }
 
-struct Angle {
-  double s, value;
-};
-
-// Returns the angles of the rolls, each the nearest to the one before by whole turns.
-std::vector<Angle> angles_of(const std::vector<Candidate>& all, bool closed) {
-  std::vector<Angle> angles;
+// Returns the spline through the rolls, each angle the nearest to the one before by whole turns.
+RollSpline spline_of(const std::vector<Candidate>& all, bool closed) {
+  std::vector<RollPoint> points;
   for (const Candidate& c : all) {
-    if (!c.stop.up) continue;
+    if (!c.stop.up || (!points.empty() && c.stop.s + c.off - points.back().s < kLeastStep)) continue;
     double value =
         curve::signed_angle(c.carried.up, curve::perpendicular(c.carried.forward, *c.stop.up), c.carried.forward);
-    if (!angles.empty()) value += kTurn * std::round((angles.back().value - value) / kTurn);
-    angles.push_back({c.stop.s, value});
+    if (!points.empty()) value += kTurn * std::round((points.back().angle - value) / kTurn);
+    points.push_back({c.stop.s + c.off, value, c.strict});
   }
-  if (!closed || all.front().stop.up) return angles;
+  if (!closed || all.front().stop.up) return RollSpline(std::move(points));
   // The roll before the first and after the last are a lap away; after a lap the carried frame has rotated.
-  const double length = all.back().stop.s;
   const curve::Frame &start = all.front().carried, &end = all.back().carried;
-  const double lap = curve::signed_angle(end.up, start.up, start.forward);
-  const Angle first = angles.front(), last = angles.back();
-  double again = first.value + lap;
-  again += kTurn * std::round((last.value - again) / kTurn);
-  angles.push_back({first.s + length, again});
-  angles.insert(angles.begin(), {last.s - length, last.value + first.value - again});
-  return angles;
+  double lap = curve::signed_angle(end.up, start.up, start.forward);
+  const double first = points.front().angle, last = points.back().angle;
+  lap += kTurn * std::round((last - first - lap) / kTurn);
+  // What lies more than 8 points away has no effect.
+  const int laps = 1 + 8 / static_cast<int>(points.size());
+  std::vector<RollPoint> round;
+  for (int k = -laps; k <= laps; ++k)
+    for (const RollPoint& p : points) round.push_back({p.s + k * all.back().stop.s, p.angle + k * lap, p.strict});
+  return RollSpline(std::move(round));
 }
 
-double angle_at(const std::vector<Angle>& angles, double s) {
-  const auto after =
-      std::upper_bound(angles.begin(), angles.end(), s, [](double x, const Angle& a) { return x < a.s; });
-  if (after == angles.begin()) return angles.front().value;
-  const Angle& before = *(after - 1);
-  if (after == angles.end()) return before.value;
-  return before.value + (after->value - before.value) * (s - before.s) / (after->s - before.s);
-}
-
-// A symmetric system of equations for the spins of knots, each coupled only to its neighbours.
-struct SpinSystem {
-  std::vector<double> diagonal, beside, right;  // beside: coupling to the next one, cyclically
-
-  std::vector<double> times(const std::vector<double>& x) const {
-    const std::size_t n = x.size();
-    std::vector<double> y(n);
-    for (std::size_t i = 0; i < n; ++i) y[i] += diagonal[i] * x[i];
-    for (std::size_t i = 0; i < n; ++i)
-      if (const std::size_t next = i + 1 < n ? i + 1 : 0; next != i)
-        y[i] += beside[i] * x[next], y[next] += beside[i] * x[i];
-    return y;
-  }
-  // Improves x by conjugate gradients (Hestenes and Stiefel 1952), scaled by the diagonal.
-  void solve(std::vector<double>& x) const {
-    constexpr int kMostSteps = 200;
-    constexpr double kDone = 1e-24;  // of the first residual's square
-    const std::size_t n = x.size();
-    const std::vector<double> at_start = times(x);
-    std::vector<double> rest(n), way(n);
-    double size = 0;
-    for (std::size_t i = 0; i < n; ++i) {
-      rest[i] = right[i] - at_start[i], way[i] = rest[i] / diagonal[i];
-      size += rest[i] * way[i];
-    }
-    const double first = size;
-    for (int step = 0; step < kMostSteps && size > kDone * first; ++step) {
-      const std::vector<double> moved = times(way);
-      double along = 0, next = 0;
-      for (std::size_t i = 0; i < n; ++i) along += way[i] * moved[i];
-      for (std::size_t i = 0; i < n; ++i) {
-        x[i] += size / along * way[i], rest[i] -= size / along * moved[i];
-        next += rest[i] * rest[i] / diagonal[i];
-      }
-      for (std::size_t i = 0; i < n; ++i) way[i] = rest[i] / diagonal[i] + next / size * way[i];
-      size = next;
-    }
-  }
-};
-
-// Returns the roll between neighbouring stops among `at`, with the spins that match the rolls between them by least
-// squares, weakly drawn to the automatic ones.
+// Returns the roll between neighbouring stops among `at`, with the spins that match the candidates between them by
+// least squares, weakly drawn to the spline's rates.
 std::vector<sim::Roll> rolls_between(const std::vector<Candidate>& all, const std::vector<std::size_t>& at,
                                      bool closed) {
   constexpr double kPull = 1e-4;
@@ -176,29 +145,26 @@ std::vector<sim::Roll> rolls_between(const std::vector<Candidate>& all, const st
   }
   const std::size_t count = closed ? rolls.size() : at.size();
   const auto next = [count](std::size_t k) { return k + 1 < count ? k + 1 : 0; };
-  std::vector<double> spins(count);
-  for (std::size_t k = closed ? 0 : 1; k < rolls.size(); ++k) {
-    const sim::Roll& before = rolls[k > 0 ? k - 1 : rolls.size() - 1];
-    spins[k] = sim::automatic_spin(before.twist, before.length, rolls[k].twist, rolls[k].length);
-  }
-  SpinSystem system{std::vector<double>(count), std::vector<double>(count), std::vector<double>(count)};
+  std::vector<curve::TridiagonalRow> rows(count, {0, 0, 0, dvec3(0)});
   for (std::size_t k = 0; k < rolls.size(); ++k) {
     const double length = rolls[k].length, pull = kPull * length * kPull * length;
-    for (const std::size_t end : {k, next(k)}) system.diagonal[end] += pull, system.right[end] += pull * spins[end];
+    curve::TridiagonalRow &from = rows[k], &to = rows[next(k)];
+    from.middle += pull, from.right.x += pull * all[at[k]].rate;
+    to.middle += pull, to.right.x += pull * all[at[k + 1]].rate;
     for (std::size_t i = at[k] + 1; i < at[k + 1]; ++i) {
       const double s = all[i].stop.s - all[at[k]].stop.s, missing = all[i].stop.angle - all[at[k]].stop.angle -
                                                                     sim::Roll{length, rolls[k].twist, 0, 0}.angle(s);
       const double a = sim::Roll{length, 0, 1, 0}.angle(s), b = sim::Roll{length, 0, 0, 1}.angle(s);
-      system.diagonal[k] += a * a, system.diagonal[next(k)] += b * b, system.beside[k] += a * b;
-      system.right[k] += a * missing, system.right[next(k)] += b * missing;
+      from.middle += a * a, to.middle += b * b, from.above += a * b, to.below += a * b;
+      from.right.x += a * missing, to.right.x += b * missing;
     }
   }
-  system.solve(spins);
-  for (std::size_t k = 0; k < rolls.size(); ++k) rolls[k].from = spins[k], rolls[k].to = spins[next(k)];
+  const std::vector<dvec3> spins = curve::solve_tridiagonal(std::move(rows), closed);
+  for (std::size_t k = 0; k < rolls.size(); ++k) rolls[k].from = spins[k].x, rolls[k].to = spins[next(k)].x;
   return rolls;
 }
 
-// The roll between two stops with the largest error, if there is any.
+// The candidate between two stops with the largest error, if there is any.
 struct Miss {
   std::size_t at = 0;
   double off = 0;  // rad; 0: all match
@@ -209,12 +175,21 @@ Miss worst_miss(const std::vector<Candidate>& all, std::size_t a, std::size_t b,
   for (std::size_t i = a + 1; i < b; ++i) {
     const double angle = all[a].stop.angle + roll.angle(all[i].stop.s - all[a].stop.s);
     const double off = std::abs(angle - all[i].stop.angle);
-    if (off > base::radians(kRollTolerance) && off > worst.off) worst = {i, off};
+    if (off > base::radians(all[i].rolled ? kRollTolerance : kBetweenRolls) && off > worst.off) worst = {i, off};
   }
   return worst;
 }
 
-// Makes knots of rolls until the track matches all of them. Of neighbouring spans with errors only the worst is
+// Returns the roll nearest to a miss among those between two stops; the miss itself if there is none. Stops at rolls
+// follow the spline exactly.
+std::size_t roll_at(const std::vector<Candidate>& all, std::size_t miss, std::size_t low, std::size_t high) {
+  for (std::size_t d = 0; miss >= low + d || miss + d <= high; ++d)
+    for (const std::size_t i : {miss >= low + d ? miss - d : miss, std::min(miss + d, high)})
+      if (all[i].rolled && !all[i].knot) return i;
+  return miss;
+}
+
+// Makes knots of rolls until the track matches all candidates. Of neighbouring spans with errors only the worst is
 // divided, because spins that fit it better may correct the others.
 void choose_knots(std::vector<Candidate>& all, bool closed) {
   for (bool changed = true; changed;) {
@@ -231,7 +206,8 @@ void choose_knots(std::vector<Candidate>& all, bool closed) {
     for (std::size_t k = 0; k < misses.size(); ++k) {
       const double before = k > 0 ? misses[k - 1].off : 0, after = k + 1 < misses.size() ? misses[k + 1].off : 0;
       if (misses[k].off > 0 && misses[k].off > before && misses[k].off >= after)
-        all[misses[k].at].knot = changed = true;
+        all[roll_at(all, misses[k].at, at[k > 0 ? k - 1 : 0], at[std::min(k + 2, at.size() - 1)])].knot = changed =
+            true;
     }
   }
 }
@@ -239,13 +215,22 @@ void choose_knots(std::vector<Candidate>& all, bool closed) {
 }  // namespace
 
 std::vector<Stop> stops_of(std::span<const Bezier> pieces, bool closed, std::vector<ElementRoll> rolls) {
+  std::vector<curve::ArcLengthMap> arcs;
+  std::vector<double> starts{0};
+  for (const Bezier& piece : pieces) {
+    arcs.emplace_back(in_float(piece));
+    starts.push_back(starts.back() + arcs.back().length());
+  }
   const bool rolled = !rolls.empty();
-  std::vector<Candidate> all = candidates_of(pieces, closed, std::move(rolls));
+  std::vector<Candidate> all = candidates_of(pieces, closed, std::move(rolls), arcs, starts);
   if (rolled) {
+    all = sampled(all, arcs, starts);
     carry_frames(pieces, all);
-    const std::vector<Angle> angles = angles_of(all, closed);
+    const RollSpline spline = spline_of(all, closed);
     for (Candidate& c : all) {
-      c.stop.angle = angle_at(angles, c.stop.s);
+      c.rolled = c.stop.up.has_value();
+      const RollSpline::Value roll = spline.at(c.stop.s);
+      c.stop.angle = roll.angle, c.rate = roll.rate;
       c.stop.up = curve::rotate(c.carried.up, c.carried.forward, c.stop.angle);
     }
     choose_knots(all, closed);

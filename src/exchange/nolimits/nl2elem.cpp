@@ -127,9 +127,8 @@ bool read_roll(XmlReader& r, const XMLElement& element, ElementFile& file) {
     return r.fail(element.GetLineNum(), fmt::format("at most {} rolls", world::kMaxKnots), "more");
   ElementRoll roll;
   dvec3 right(0);
-  bool strict = false;
   if (!read_vector(r, element, "u", 2, roll.up) || !read_vector(r, element, "r", 2, right) ||
-      !read_number(r, element, "coord", 1, roll.coord) || !read_strict(r, element, strict))
+      !read_number(r, element, "coord", 1, roll.coord) || !read_strict(r, element, roll.strict))
     return false;
   if (roll.coord < 0) return r.fail(element.GetLineNum(), "a <coord> from 0 to 1", base::to_text(roll.coord));
   for (const dvec3& v : {roll.up, right})

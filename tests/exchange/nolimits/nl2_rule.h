@@ -80,6 +80,74 @@ inline std::vector<double> rule_rates(const std::vector<double>& s, const std::v
   return rate;
 }
 
+// The cubic spline through points (s, angle) with rate 0 at both ends and at strict points: four coefficients a step by
+// Gauss's elimination of the whole system in long double.
+struct RuleRollSpline {
+  std::vector<double> s;
+  std::vector<long double> c;  // of powers of the distance from the step's start
+
+  RuleRollSpline(const std::vector<double>& at, const std::vector<double>& angle, const std::vector<bool>& strict)
+      : s(at), c(4 * (at.size() - 1)) {
+    const std::size_t n = c.size(), steps = at.size() - 1;
+    std::vector<std::vector<long double>> rows;
+    const auto row = [&](std::size_t step, int derivative, long double x, long double sign) {
+      auto& r = rows.back();
+      for (int k = derivative; k < 4; ++k) {
+        long double factor = sign;
+        for (int j = 0; j < derivative; ++j) factor *= k - j;
+        r[4 * step + static_cast<std::size_t>(k)] += factor * std::pow(x, static_cast<long double>(k - derivative));
+      }
+    };
+    const auto add = [&](long double right) { rows.emplace_back(n + 1, 0.0L), rows.back()[n] = right; };
+    for (std::size_t i = 0; i < steps; ++i) {
+      const long double h = at[i + 1] - at[i];
+      add(angle[i]), row(i, 0, 0, 1);
+      add(angle[i + 1]), row(i, 0, h, 1);
+      const bool joined = i + 1 < steps && !strict[i + 1];
+      if (i == 0 || strict[i]) add(0), row(i, 1, 0, 1);
+      if (!joined) add(0), row(i, 1, h, 1);
+      for (int derivative = 1; joined && derivative < 3; ++derivative)
+        add(0), row(i, derivative, h, 1), row(i + 1, derivative, 0, -1);
+    }
+    for (std::size_t k = 0; k < n; ++k) {
+      std::size_t best = k;
+      for (std::size_t i = k; i < n; ++i)
+        if (std::abs(rows[i][k]) > std::abs(rows[best][k])) best = i;
+      std::swap(rows[k], rows[best]);
+      for (std::size_t i = 0; i < n; ++i)
+        if (const long double f = i != k ? rows[i][k] / rows[k][k] : 0; f != 0)
+          for (std::size_t j = k; j <= n; ++j) rows[i][j] -= f * rows[k][j];
+    }
+    for (std::size_t k = 0; k < n; ++k) c[k] = rows[k][n] / rows[k][k];
+  }
+  double angle(double at, int derivative = 0) const {
+    std::size_t i = 0;
+    while (i + 2 < s.size() && s[i + 1] < at) ++i;
+    const long double x = at - s[i], *k = &c[4 * i];
+    return static_cast<double>(derivative == 0 ? k[0] + x * (k[1] + x * (k[2] + x * k[3]))
+                                               : k[1] + x * (2 * k[2] + x * 3 * k[3]));
+  }
+};
+
+// Frames of least rotation along the rule's curve, by projection over very short steps.
+struct RuleFrame {
+  double s;
+  glm::dvec3 place, forward, up;
+};
+inline std::vector<RuleFrame> rule_frames(const std::vector<RuleVertex>& vertices, int steps) {
+  std::vector<glm::dvec3> places;
+  for (const RuleSpan& span : rule_spans(vertices))
+    for (int k = places.empty() ? 0 : 1; k <= steps; ++k) places.push_back(span.at(static_cast<double>(k) / steps));
+  std::vector<RuleFrame> frames;
+  glm::dvec3 up(0, 1, 0);
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    const glm::dvec3 forward = glm::normalize(places[std::min(i + 1, places.size() - 1)] - places[i > 0 ? i - 1 : 0]);
+    up = glm::normalize(up - glm::dot(up, forward) * forward);
+    frames.push_back({i > 0 ? frames.back().s + glm::distance(places[i], places[i - 1]) : 0, places[i], forward, up});
+  }
+  return frames;
+}
+
 // The number in a tag after `from`, which moves behind it.
 inline double rule_number(const std::string& text, const std::string& tag, std::size_t& from) {
   from = text.find("<" + tag + ">", from) + tag.size() + 2;
@@ -112,7 +180,9 @@ inline std::string rule_text(double x) {
 }
 
 inline std::string encode(const std::vector<RuleVertex>& vertices,
-                          const std::vector<std::pair<double, glm::dvec3>>& rolls = {}) {
+                          const std::vector<std::pair<double, glm::dvec3>>& rolls = {},
+                          const std::vector<bool>& strict_rolls = {}) {
+  std::size_t roll = 0;
   std::string out =
       "<?xml version=\"1.0\" encoding=\"UTF-8\" standalone=\"no\" ?>\r\n<root>\r\n<element>\r\n<description>made by "
       "hand</description>\r\n";
@@ -124,7 +194,9 @@ inline std::string encode(const std::vector<RuleVertex>& vertices,
         glm::normalize(glm::cross(std::abs(up.x) < 0.9 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0), up));
     out += "<roll><ux>" + rule_text(up.x) + "</ux><uy>" + rule_text(up.y) + "</uy><uz>" + rule_text(up.z) +
            "</uz><rx>" + rule_text(right.x) + "</rx><ry>" + rule_text(right.y) + "</ry><rz>" + rule_text(right.z) +
-           "</rz>\r\n<coord>" + rule_text(coord) + "</coord><strict>false</strict></roll>\r\n";
+           "</rz>\r\n<coord>" + rule_text(coord) + "</coord><strict>" +
+           (roll < strict_rolls.size() && strict_rolls[roll] ? "true" : "false") + "</strict></roll>\r\n";
+    ++roll;
   }
   return out + "</element>\r\n</root>\r\n";
 }
