@@ -65,7 +65,8 @@ void equip(LoadedTrack& loaded) {
   if (loaded.knows_speed) return;
   if (const auto speed = sim::completing_speed(document)) {
     document.start_speed = *speed;
-    loaded.note = fmt::format("The train completes the ride with a start speed of {} m/s.", base::to_text(*speed));
+    if (!loaded.note.empty()) loaded.note += ' ';
+    loaded.note += fmt::format("The train completes the ride with a start speed of {} m/s.", base::to_text(*speed));
   } else {
     loaded.warnings.push_back(
         fmt::format("No start speed up to {} m/s completes the ride.", base::to_text(world::kMaxSpeed)));

@@ -13,11 +13,15 @@ using glm::dvec3;
 constexpr double kNoDirection = 1e-4;  // m: shorter differences of control points have no direction
 
 // Interpolates; exact at w = 0 and w = 1.
-dvec3 between(dvec3 a, dvec3 b, double w) { return (1 - w) * a + w * b; }
+template <class T>
+T between(T a, T b, double w) {
+  return (1 - w) * a + w * b;
+}
 
 // Returns the blossom (polar form) of one span of a cubic B-spline, by de Boor's recurrence with an argument for each
 // step. knots[2] and knots[3] bound the span. With arguments from these two it gives the span's Bézier control points.
-dvec3 blossom(std::array<dvec3, 4> d, const std::array<double, 6>& knots, std::array<double, 3> arguments) {
+template <class T>
+T blossom(std::array<T, 4> d, const std::array<double, 6>& knots, std::array<double, 3> arguments) {
   for (std::size_t step = 0; step < 3; ++step)
     for (std::size_t i = 0; i + step < 3; ++i)
       d[i] = between(d[i], d[i + 1], (arguments[step] - knots[i + step]) / (knots[i + 3] - knots[i + step]));
@@ -25,24 +29,41 @@ dvec3 blossom(std::array<dvec3, 4> d, const std::array<double, 6>& knots, std::a
 }
 
 // Returns span k of a clamped uniform cubic B-spline with `run` as its control points.
-Bezier span_of(std::span<const SplineVertex> run, std::size_t k) {
+template <class T>
+std::array<T, 4> span_of(const std::vector<T>& run, std::size_t k) {
   const double last = static_cast<double>(run.size() - 3), a = static_cast<double>(k), b = a + 1;
   std::array<double, 6> knots;
   for (int i = 0; i < 6; ++i) knots[static_cast<std::size_t>(i)] = std::clamp(a + i - 2, 0.0, last);
-  const std::array<dvec3, 4> d{run[k].position, run[k + 1].position, run[k + 2].position, run[k + 3].position};
+  const std::array<T, 4> d{run[k], run[k + 1], run[k + 2], run[k + 3]};
   return {blossom(d, knots, {a, a, a}), blossom(d, knots, {a, a, b}), blossom(d, knots, {a, b, b}),
           blossom(d, knots, {b, b, b})};
 }
 
+// Returns the spans of the B-spline of degree min(3, n - 1) with n control points.
+template <class T>
+std::vector<std::array<T, 4>> spans_of(const std::vector<T>& run) {
+  const T a = run.front(), b = run.back();
+  if (run.size() == 2) return {{a, between(a, b, 1.0 / 3), between(a, b, 2.0 / 3), b}};
+  if (run.size() == 3) return {{a, between(a, run[1], 2.0 / 3), between(b, run[1], 2.0 / 3), b}};
+  std::vector<std::array<T, 4>> spans;
+  for (std::size_t k = 0; k + 3 < run.size(); ++k) spans.push_back(span_of(run, k));
+  return spans;
+}
+
 void append_run(std::span<const SplineVertex> run, std::size_t first, std::vector<SplinePiece>& pieces) {
-  const dvec3 a = run.front().position, b = run.back().position;
-  if (run.size() == 2) pieces.push_back({{a, between(a, b, 1.0 / 3), between(a, b, 2.0 / 3), b}, first});
-  else if (run.size() == 3) {
-    const dvec3 middle = run[1].position;
-    pieces.push_back({{a, between(a, middle, 2.0 / 3), between(b, middle, 2.0 / 3), b}, first});
-  } else
-    for (std::size_t k = 0; k + 3 < run.size(); ++k)
-      pieces.push_back({span_of(run, k), k == 0 ? first : first + k + 1});
+  std::vector<dvec3> places;
+  std::vector<glm::dvec4> weighted;
+  bool rational = false;
+  for (const SplineVertex& v : run) {
+    places.push_back(v.position), weighted.emplace_back(v.weight * v.position, v.weight);
+    rational = rational || (run.size() > 2 && v.weight != run.front().weight);
+  }
+  const auto vertex = [first](std::size_t k) { return k == 0 ? first : first + k + 1; };
+  std::size_t k = 0;
+  if (rational)
+    for (const RationalBezier& span : spans_of(weighted)) append_cubics(span, vertex(k++), pieces);
+  else
+    for (const Bezier& span : spans_of(places)) pieces.push_back({span, vertex(k++)});
 }
 
 dvec3 direction(dvec3 from, std::array<dvec3, 3> towards) {

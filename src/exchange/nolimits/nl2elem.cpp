@@ -92,21 +92,32 @@ bool read_strict(XmlReader& r, const XMLElement& parent, bool& strict) {
          r.fail(element->GetLineNum(), "true or false in <strict>", base::quoted_start(text));
 }
 
-// Vertices of NoLimits 2 can have a weight, but no public source names its tag. Any tag or attribute that may be one is
-// rejected unless it is 1, the weight of a vertex without one.
-bool check_weight(XmlReader& r, const XMLElement& vertex) {
-  const auto accepted = [](const char* name, std::string_view value) {
+// Vertices of NoLimits 2 can have a weight, but no public source names its member in an element: `w` and `weight` are
+// read, as a tag or an attribute. Any other name that speaks of a weight is rejected unless it is 1.
+bool read_weight(XmlReader& r, const XMLElement& vertex, ElementFile& file, double& weight) {
+  constexpr double kMostRatio = 100;
+  bool found = false;
+  const auto take = [&](int line, const char* name, std::string what, std::string_view value) {
     const std::string lower = base::lower(name);
-    return (lower != "w" && lower.find("weight") == std::string::npos) || base::parse_double(value) == 1.0;
-  };
-  const auto fail = [&](int line, const std::string& what, std::string_view value) {
-    return r.fail(line, "vertices without weights", fmt::format("{} of {}", what, base::quoted_start(value)));
+    if (lower != "w" && lower.find("weight") == std::string::npos) return true;
+    const auto number = base::parse_double(value);
+    if (lower != "w" && lower != "weight")
+      return number == 1.0 || r.fail(line, "weights in <w> or <weight>", what + " of " + base::quoted_start(value));
+    if (std::exchange(found, true)) return r.fail(line, "one weight", "a second one");
+    const double first = file.vertices.empty() ? 1 : file.vertices[0].weight,
+                 ratio = file.vertices.empty() ? 1e6 : kMostRatio;
+    if (!number || !(*number >= first / ratio && *number <= first * ratio))
+      return r.fail(line, fmt::format("a weight from {:.6g} to {:.6g} in {}", first / ratio, first * ratio, what),
+                    base::quoted_number(value));
+    weight = *number;
+    if (weight != 1 && file.weights.empty()) file.weights = std::move(what);
+    return true;
   };
   for (const tinyxml2::XMLAttribute* a = vertex.FirstAttribute(); a; a = a->Next())
-    if (const std::string_view value = without_blanks(a->Value()); !accepted(a->Name(), value))
-      return fail(a->GetLineNum(), fmt::format("the attribute {}", a->Name()), value);
+    if (!take(a->GetLineNum(), a->Name(), fmt::format("the attribute {}", a->Name()), without_blanks(a->Value())))
+      return false;
   for (const XMLElement* e = vertex.FirstChildElement(); e; e = e->NextSiblingElement())
-    if (!accepted(e->Name(), text_of(*e))) return fail(e->GetLineNum(), fmt::format("<{}>", e->Name()), text_of(*e));
+    if (!take(e->GetLineNum(), e->Name(), fmt::format("<{}>", e->Name()), text_of(*e))) return false;
   return true;
 }
 
@@ -115,7 +126,7 @@ bool read_vertex(XmlReader& r, const XMLElement& element, ElementFile& file) {
     return r.fail(element.GetLineNum(), fmt::format("at most {} vertices", world::kMaxKnots), "more");
   SplineVertex v;
   if (!read_vector(r, element, "", world::kMaxCoordinate, v.position) || !read_strict(r, element, v.strict) ||
-      !check_weight(r, element))
+      !read_weight(r, element, file, v.weight))
     return false;
   file.vertices.push_back(v);
   file.lines.push_back(element.GetLineNum());
@@ -220,6 +231,7 @@ base::Result<LoadedTrack> parse_nl2elem(std::string_view text, std::string_view 
     } else {
       loaded.document = std::move(track.document);
       loaded.import = track.report;
+      if (!file.weights.empty()) loaded.note = "The weights of vertices were read from " + file.weights + ".";
       loaded.document.name = name_of_file(r.name);
       for (const auto& [vertex, warning] : track.warnings)
         loaded.warnings.push_back(fmt::format("{}:{}: warning: {}", r.name, file.lines[vertex], warning));

@@ -9,12 +9,13 @@
 
 namespace coaster::exchange {
 
-// Parses an element. Its curve (nl2_spline.h) becomes segments, exact except for the rounding of knots to float and for
-// corners, which become fillets (nl2_corners.h) with a warning each. Rolls that the track does not match add knots
-// (nl2_rolls.h); without rolls the track follows the horizon. The track is closed if the first and last vertices
-// coincide. One train at the start. Errors are Code::bad_file, one line "NAME:LINE: error: expected ..., found ...".
-// Rejects broken XML, no root/element, missing, repeated or non-finite numbers, positions beyond world::kMaxCoordinate,
-// weights, coords outside 0..1, frames that are not unit and perpendicular to 5 %, fewer than 2 vertices, more than
+// Parses an element. Its curve (nl2_spline.h) becomes segments, exact except for the rounding of knots to float, for
+// runs with different weights (kRationalOff), and for corners, which become fillets (nl2_corners.h) with a warning
+// each. Rolls that the track does not match add knots (nl2_rolls.h); without rolls the track follows the horizon. The
+// track is closed if the first and last vertices coincide. One train at the start. Errors are Code::bad_file, one line
+// "NAME:LINE: error: expected ..., found ...". Rejects broken XML, no root/element, missing, repeated or non-finite
+// numbers, positions beyond world::kMaxCoordinate, weights that are not positive or differ by more than 100 times from
+// the first, coords outside 0..1, frames that are not unit and perpendicular to 5 %, fewer than 2 vertices, more than
 // world::kMaxKnots, corners beyond kSharpest, and vertices at which the track has no direction.
 base::Result<LoadedTrack> parse_nl2elem(std::string_view text, std::string_view name);
 

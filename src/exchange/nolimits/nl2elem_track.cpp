@@ -47,6 +47,7 @@ std::vector<Bezier> curves_of(const ElementFile& file, ElementTrack& out) {
     out.error = {0, "vertices at different places", "all at one"};
     return {};
   }
+  for (const SplinePiece& piece : pieces) out.report.max_error = std::max(out.report.max_error, piece.off);
   if (const auto fold = find_fold(pieces, file.closed)) {
     out.error = {fold->vertex, fmt::format("turns of at most {} degrees within {} cm", kSharpest, 200 * kCornerOff),
                  fmt::format("one of {:.6g} degrees near vertex {}", base::degrees(fold->angle), fold->vertex + 1)};

@@ -15,6 +15,7 @@ struct ElementFile {
   std::vector<int> lines;              // line numbers of the vertices
   std::vector<ElementRoll> rolls;      // in any order
   bool closed = false;
+  std::string weights;  // the name of the member that holds the vertices' weights; empty if all are 1
 };
 
 // A vertex that makes the file unusable.

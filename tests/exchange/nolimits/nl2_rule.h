@@ -17,6 +17,7 @@ namespace coaster::test {
 struct RuleVertex {
   glm::dvec3 p{0};
   bool strict = false;
+  double weight = 1;
 };
 
 struct RuleRoll {
@@ -40,29 +41,32 @@ inline long double rule_basis(int i, int degree, int of_degree, int count, long 
 
 // One polynomial piece of the curve: the span of a run's B-spline from knot `span` to the next.
 struct RuleSpan {
-  std::vector<glm::dvec3> run;
+  std::vector<RuleVertex> run;
   int span = 0;
   glm::dvec3 at(double t) const {
     const int count = static_cast<int>(run.size()), degree = std::min(3, count - 1);
     const long double x = span + std::min(static_cast<long double>(t), 1 - 1e-15L);
-    long double sum[3] = {0, 0, 0};
+    long double sum[4] = {0, 0, 0, 0};
     for (int i = 0; i < count; ++i) {
-      const long double weight = rule_basis(i, degree, degree, count, x);
-      for (int axis = 0; axis < 3; ++axis) sum[axis] += weight * run[static_cast<std::size_t>(i)][axis];
+      const RuleVertex& v = run[static_cast<std::size_t>(i)];
+      const long double weight = v.weight * rule_basis(i, degree, degree, count, x);
+      for (int axis = 0; axis < 3; ++axis) sum[axis] += weight * v.p[axis];
+      sum[3] += weight;
     }
-    return {static_cast<double>(sum[0]), static_cast<double>(sum[1]), static_cast<double>(sum[2])};
+    return {static_cast<double>(sum[0] / sum[3]), static_cast<double>(sum[1] / sum[3]),
+            static_cast<double>(sum[2] / sum[3])};
   }
 };
 
 inline std::vector<RuleSpan> rule_spans(const std::vector<RuleVertex>& vertices) {
   std::vector<RuleSpan> spans;
-  std::vector<glm::dvec3> run;
+  std::vector<RuleVertex> run;
   for (std::size_t i = 0; i < vertices.size(); ++i) {
-    run.push_back(vertices[i].p);
+    run.push_back(vertices[i]);
     if (i == 0 || (!vertices[i].strict && i + 1 < vertices.size())) continue;
     const int count = static_cast<int>(run.size()), pieces = count - std::min(3, count - 1);
     for (int k = 0; k < pieces; ++k) spans.push_back({run, k});
-    run = {vertices[i].p};
+    run = {vertices[i]};
   }
   return spans;
 }
@@ -188,7 +192,8 @@ inline std::string encode(const std::vector<RuleVertex>& vertices,
       "hand</description>\r\n";
   for (const RuleVertex& v : vertices)
     out += "<vertex><x>" + rule_text(v.p.x) + "</x><y>" + rule_text(v.p.y) + "</y>\r\n<z> " + rule_text(v.p.z) +
-           " </z>" + (v.strict ? "<strict>true</strict>" : "") + "</vertex>\r\n";
+           " </z>" + (v.strict ? "<strict>true</strict>" : "") +
+           (v.weight != 1 ? "<w>" + rule_text(v.weight) + "</w>" : "") + "</vertex>\r\n";
   for (const auto& [coord, up] : rolls) {
     const glm::dvec3 right =
         glm::normalize(glm::cross(std::abs(up.x) < 0.9 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0), up));
