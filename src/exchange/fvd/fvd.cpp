@@ -30,6 +30,7 @@ struct Import {
   LoadedTrack loaded;
   double speed = 0;  // m/s at the open end
   int forced = 0, shaped = 0, short_ones = 0;
+  bool on_rails = false;  // forced sections kept their shape instead of their forces
 };
 
 // Returns the first knot. openFVD starts towards -Z; pitch turns up, yaw and roll to the left.
@@ -125,8 +126,11 @@ std::string add(Import& import, FvdSection section) {
   section.name = std::string(base::utf8_start(section.name, world::kMaxNameBytes));
   const world::ForceOver over = section.by_distance ? world::ForceOver::distance : world::ForceOver::time;
   const bool fits = path.at.back() >= world::shortest_of(over) && path.at.back() <= world::longest_of(over);
-  return section.kind == FvdKind::forced && section.free_speed && fits ? add_forced(import, section, path)
-                                                                       : add_shaped(import, section, path);
+  const bool forces = section.kind == FvdKind::forced && section.free_speed && fits;
+  // With a heartline the train there moves on the rails, here on the hearts: the same forces shape other track.
+  if (forces && import.track.heart == 0) return add_forced(import, section, path);
+  import.on_rails |= forces;
+  return add_shaped(import, section, path);
 }
 
 }  // namespace
@@ -161,6 +165,10 @@ base::Result<LoadedTrack> parse_fvd(std::string_view bytes, std::string_view nam
   if (track->others > 0) warn(fmt::format("only the first of the {} tracks is read", track->others + 1));
   import.loaded.note = fmt::format("Opened {} force section{} and {} hand-shaped one{}.", import.forced,
                                    import.forced == 1 ? "" : "s", import.shaped, import.shaped == 1 ? "" : "s");
+  if (import.on_rails)
+    import.loaded.note +=
+        " Forced sections keep their shape: with a heartline openFVD moves the train on the rails. "
+        "Read forces makes force sections of them.";
   return std::move(import.loaded);
 }
 

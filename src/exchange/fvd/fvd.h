@@ -1,4 +1,4 @@
-// Import of openFVD and FVD++ projects (.fvd): their force sections become force sections.
+// Import of openFVD and FVD++ projects (.fvd).
 #pragma once
 
 #include <string_view>
@@ -7,11 +7,11 @@
 
 namespace coaster::exchange {
 
-// Returns the first track of the project, on its heartline. A forced section with a free speed becomes a force section
-// with keys that follow its functions within 0.01 g; straight, curved and geometric sections, and those with a constant
-// speed, become hand-shaped ones, within 1 cm of their integrated path; a section with a constant speed gets a lift, or
-// a brake if the train arrives faster. Reading stops before the first section that cannot be read, with a warning.
-// Layout, formulas and what is left out: docs/forces.md. Errors as read_fvd.
+// Returns the first track of the project, on its heartline. A forced section with a free speed becomes, if there is no
+// heartline, a force section with keys that follow its functions within 0.01 g. All others become hand-shaped ones,
+// within 1 cm of their integrated path; a section with a constant speed gets a lift, or a brake if the train arrives
+// faster. Reading stops before the first section that cannot be read, with a warning. Layout, formulas and what is left
+// out: docs/forces.md. Errors as read_fvd.
 base::Result<LoadedTrack> parse_fvd(std::string_view bytes, std::string_view name);
 
 }  // namespace coaster::exchange

@@ -20,19 +20,28 @@ using glm::dvec3;
 constexpr double kStep = 0.05, kPointStep = 0.25, kShortestLead = 1;  // m
 constexpr double kNoLead = 1e-9;                                      // m
 constexpr double kSlowest = 1;                                        // m/s
+constexpr double kGravityThere = 9.80665;                             // m/s^2
+constexpr double kMostLift = 0.9;     // share of the train's speed by which hearts above a turn may be slower
+constexpr double kSpeedHeight = 0.9;  // of the heartline, from the hearts down to the point that has the train's energy
 constexpr dvec3 kUp{0, 1, 0};
 
 struct Train {
   dvec3 position, forward, up;
   double square;         // m^2/s^2, the speed squared
-  double s = 0, at = 0;  // m; m, s or degrees of the section's functions
+  dvec3 right;           // level: the axis of pitch, which stays on its side through the vertical
+  double s = 0, at = 0;  // m of the hearts; m, s or degrees of the section's functions
+  double rails = 0;      // m of the rails, which swing aside as the train rolls about its hearts
 };
 
+// By metre of the hearts.
 struct Rates {
-  dvec3 forward{0};      // unit
-  dvec3 curvature{0};    // 1/m
-  double twist = 0;      // rad/m to the right
-  double per_metre = 1;  // of `at`
+  dvec3 forward{0};           // unit
+  dvec3 curvature{0};         // 1/m
+  double twist = 0;           // rad/m to the right
+  double yaw = 0;             // rad/m of a geometric section's heading to the left
+  double per_metre = 1;       // of `at`
+  double way = 1, rails = 1;  // m that the train's speed covers; m of the rails
+  bool folded = false;        // the turn is too tight for the heartline
 };
 
 class Walk {
@@ -49,8 +58,11 @@ class Walk {
   void record(const Train& train);
   double rest(const Train& train, const Rates& now) const;
 
+  double energy_height(const Train& train) const { return train.position.y - kSpeedHeight * track_.heart * train.up.y; }
+
   const FvdTrack& track_;
   FvdSection& section_;
+  const double gravity_;  // without a heartline that of force sections, which such a track gets
   const curve::Frame start_;
   Train train_;
   double length_ = 0;  // of `at`
@@ -69,11 +81,24 @@ double yaw_of(dvec3 forward, dvec3 curvature) {
   return level > 1e-6 ? base::degrees(glm::dot(curvature, glm::cross(kUp, forward)) / level) : 0.0;
 }
 
+// Returns a level vector across a direction, on the side of `before`; that itself near the vertical.
+dvec3 level_right(dvec3 forward, dvec3 before) {
+  const dvec3 right = glm::cross(forward, kUp);
+  if (!(glm::length(right) > 0.05)) return before;
+  return glm::dot(right, before) < 0 ? -right : right;
+}
+
+dvec3 right_at(const FvdStart& start) {
+  const dvec3 right = glm::cross(start.forward, kUp);
+  return glm::length(right) > 1e-6 ? right : glm::cross(start.forward, start.up);
+}
+
 Walk::Walk(const FvdTrack& track, FvdSection& section, const FvdStart& start)
     : track_(track),
       section_(section),
+      gravity_(track.heart == 0 ? world::kGravity : kGravityThere),
       start_{start.forward, start.up},
-      train_{start.position, start.forward, start.up, start.speed * start.speed} {
+      train_{start.position, start.forward, start.up, start.speed * start.speed, right_at(start)} {
   if (!section.free_speed) train_.square = section.speed * section.speed;
   const bool forced = section.kind == FvdKind::forced || section.kind == FvdKind::geometric;
   const std::array<const FvdFunction*, 3> all{&section.roll, &section.vertical, &section.lateral};
@@ -83,24 +108,28 @@ Walk::Walk(const FvdTrack& track, FvdSection& section, const FvdStart& start)
     join_pieces(*function, function->front().start, length_);
     for (const FvdPiece& piece : *function) corners_.push_back(piece.from);
   }
-  std::ranges::sort(corners_);
   // A turn of a small angle has room for shorter leads only: one turns by half of its length over the radius.
+  // Without a lead a train with a heartline bends at once, as there.
   const double radius = std::max(section.radius, 1e-3), turn = base::radians(length_);
-  lead_in_ = std::max(1.997 * radius * base::radians(section.lead_in), std::min(kShortestLead, radius * turn));
-  lead_out_angle_ = std::max(section.lead_out, base::degrees(std::min(kShortestLead / radius, turn) / 2));
+  const double shortest = track.heart == 0 ? kShortestLead : 0;
+  lead_in_ = std::max(1.997 * radius * base::radians(section.lead_in), std::min(shortest, radius * turn));
+  lead_out_angle_ = std::max(section.lead_out, base::degrees(std::min(shortest / radius, turn) / 2));
   lead_in_ = std::max(lead_in_, kNoLead);
+  if (section.kind == FvdKind::curved && track.heart != 0) corners_.push_back(length_ - lead_out_angle_);
+  std::ranges::sort(corners_);
 }
 
 // Returns the curvature of a turn, which rises and falls as a smooth step of the length.
 double Walk::turn_at(const Train& train) const {
-  double share = std::min(train.s / lead_in_, 1.0);
-  if (out_from_) share = std::min(share, std::clamp(1 - (train.s - *out_from_) / lead_out_, 0.0, 1.0));
+  double share = lead_in_ > kNoLead ? std::min(train.rails / lead_in_, 1.0) : 1.0;
+  if (out_from_) share = std::min(share, std::clamp(1 - (train.rails - *out_from_) / lead_out_, 0.0, 1.0));
   return sim::smooth_step(share) / section_.radius;
 }
 
 Rates Walk::rates(const Train& train) const {
-  const double speed = std::sqrt(train.square);
-  Rates r;
+  const double speed = std::sqrt(train.square), heart = track_.heart;
+  double most = kMostLift;
+  Rates r;  // by metre of the train's way, until the end
   r.forward = train.forward;
   if (section_.kind == FvdKind::curved) r.per_metre = std::max(base::degrees(turn_at(train)), 1e-9);
   else if (section_.kind != FvdKind::straight && !section_.by_distance) r.per_metre = 1 / speed;
@@ -116,16 +145,19 @@ Rates Walk::rates(const Train& train) const {
     case FvdKind::forced: {
       const dvec3 felt = value_of(piece_at(section_.vertical, train.at), train.at) * train.up +
                          value_of(piece_at(section_.lateral, train.at), train.at) * left - kUp;
-      r.curvature = world::kGravity / train.square * (felt - glm::dot(felt, train.forward) * train.forward);
+      r.curvature = gravity_ / train.square * (felt - glm::dot(felt, train.forward) * train.forward);
+      // Upwards it is that of the hearts, which have their own speed: k (1 - heart k) = up. That program goes on a
+      // little beyond what can be solved.
+      const double up = glm::dot(r.curvature, train.up), root = std::sqrt(std::max(1 - 4 * heart * up, 0.0));
+      if (heart != 0) r.curvature += (2 / (1 + root) - 1) * up * train.up, most = 0.6;
       break;
     }
     case FvdKind::geometric: {
       const double pitch = value_of(piece_at(section_.vertical, train.at), train.at) * r.per_metre,
                    yaw = value_of(piece_at(section_.lateral, train.at), train.at) * r.per_metre;
-      const dvec3 right = glm::cross(train.forward, kUp);
-      const double level = glm::length(right);
-      if (level > 1e-6) r.curvature = base::radians(pitch) / level * glm::cross(right, train.forward);
+      r.curvature = base::radians(pitch) / glm::length(train.right) * glm::cross(train.right, train.forward);
       r.curvature += base::radians(yaw) * glm::cross(kUp, train.forward);
+      r.yaw = base::radians(yaw);
       break;
     }
     default: break;
@@ -136,6 +168,10 @@ Rates Walk::rates(const Train& train) const {
   if (section_.upright || piece.shape == FvdShape::to_zero)
     roll -= train.forward.y * yaw_of(train.forward, r.curvature);
   r.twist = -base::radians(roll);
+  const double lift = heart * glm::dot(r.curvature, train.up), swing = std::sqrt(1 + heart * heart * r.twist * r.twist);
+  r.folded = lift > most, r.way = 1 / (1 - std::min(lift, kMostLift)), r.rails = swing * r.way;
+  if (section_.by_distance) r.per_metre *= swing;
+  r.curvature *= r.way, r.twist *= r.way, r.yaw *= r.way, r.per_metre *= r.way;
   return r;
 }
 
@@ -157,8 +193,8 @@ void Walk::enter_piece(const Train& train) {
 }
 
 void Walk::enter_lead_out(const Train& train) {
-  if (section_.kind == FvdKind::curved && !out_from_ && train.at >= length_ - lead_out_angle_) {
-    out_from_ = train.s;
+  if (section_.kind == FvdKind::curved && !out_from_ && train.at >= length_ - lead_out_angle_ - 1e-9) {
+    out_from_ = train.rails;
     lead_out_ = std::max(1.997 * section_.radius * base::radians(length_ - train.at), kNoLead);
   }
 }
@@ -170,13 +206,14 @@ Train Walk::moved(const Train& train, const Rates& rates, double by) const {
   if (const double size = glm::length(turn); size > 0) {
     next.forward = glm::normalize(curve::rotate(train.forward, turn / size, size * by));
     next.up = curve::perpendicular(next.forward, curve::rotate(train.up, turn / size, size * by));
+    next.right = level_right(next.forward, curve::rotate(train.right, kUp, rates.yaw * by));
   }
   const double arc = by * by * glm::dot(rates.curvature, rates.curvature);
   next.position += by * (1 - arc / 24) * rates.forward;  // the chord
   if (section_.free_speed)
-    next.square -= 2 * (world::kGravity * (next.position.y - train.position.y + track_.friction * by) +
-                        track_.resistance * train.square * by);
-  next.s += by, next.at += rates.per_metre * by;
+    next.square -= 2 * (gravity_ * (energy_height(next) - energy_height(train) + track_.friction * rates.rails * by) +
+                        track_.resistance * train.square * rates.way * by);
+  next.s += by, next.at += rates.per_metre * by, next.rails += rates.rails * by;
   return next;
 }
 
@@ -189,8 +226,8 @@ void Walk::record(const Train& train) {
 
 // Returns the metres to the section's end.
 double Walk::rest(const Train& train, const Rates& now) const {
-  if (section_.kind == FvdKind::curved)
-    return out_from_ ? *out_from_ + lead_out_ - train.s : std::numeric_limits<double>::infinity();
+  if (section_.kind == FvdKind::curved && lead_out_angle_ > 0)
+    return out_from_ ? (*out_from_ + lead_out_ - train.rails) / now.rails : std::numeric_limits<double>::infinity();
   return (length_ - train.at) / now.per_metre;
 }
 
@@ -211,6 +248,7 @@ FvdPath Walk::run() {
     if (at_corner) by = std::max((corners_[corner] - train_.at) / now.per_metre, 1e-9);
     train_ = moved(train_, rates(moved(train_, now, by / 2)), by);
     if (train_.square < kSlowest * kSlowest) path_.stopped = fmt::format("the train falls below {} m/s", kSlowest);
+    else if (rates(train_).folded) path_.stopped = "the turn is too tight for the heartline";
     else if (!(train_.s < kLongestFvd)) path_.stopped = fmt::format("it is longer than {} m", kLongestFvd);
     else if (!(glm::length(train_.position) < world::kMaxCoordinate)) path_.stopped = "it leaves the world";
     if (!path_.stopped.empty()) break;

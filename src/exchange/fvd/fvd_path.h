@@ -24,9 +24,9 @@ struct FvdPath {
 
 inline constexpr double kLongestFvd = 2000;  // m, of a section
 
-// Joins the section's functions to the start, and integrates it to its end in steps of at most 5 cm. A turn without a
-// lead-in gets one of 1 m. Bezier sections and pieces without points stop at once. Positions are within a millimetre of
-// a path in closed form after 100 m.
+// Joins the section's functions to the start, and integrates it to its end in steps of at most 5 cm. The train moves on
+// the rails, a heartline below the path. Without a heartline a turn without a lead-in gets one of 1 m. Bezier sections
+// and pieces without points stop at once. Positions are within a millimetre of a path in closed form after 100 m.
 FvdPath fvd_path(const FvdTrack& track, FvdSection& section, const FvdStart& start);
 
 }  // namespace coaster::exchange

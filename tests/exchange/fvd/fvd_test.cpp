@@ -1,4 +1,5 @@
-// Also tests fvd_file.h and fvd_path.h, which it uses.
+// Also tests fvd_file.h and fvd_path.h, which it uses. Only tracks without a heartline get force sections: those here
+// have none unless a test gives them one.
 #include "exchange/fvd/fvd.h"
 
 #include <cmath>
@@ -23,7 +24,7 @@ FvdFunction steady(double length, double value = 0) { return {{FvdShape::linear,
 FvdTrack track_of(std::vector<FvdSection> sections) {
   FvdTrack track;
   track.name = "Wild one", track.position = {3, 60, -4}, track.pitch = -20, track.yaw = 30, track.speed = 22;
-  track.heart = 1.2, track.friction = 0.03, track.resistance = 2e-5, track.sections = std::move(sections);
+  track.friction = 0.03, track.resistance = 2e-5, track.sections = std::move(sections);
   return track;
 }
 
@@ -119,7 +120,7 @@ TEST(Fvd, forces_over_time_lead_where_the_other_program_goes) {
   EXPECT_FALSE(world::broken_invariant(d));
   EXPECT_EQ(d.name, "Wild one");
   EXPECT_EQ(d.curve, world::TrackCurve::heartline);
-  EXPECT_EQ(d.heartline, float(track.heart));
+  EXPECT_EQ(d.heartline, 0);
   EXPECT_EQ(d.start_speed, 22);
   EXPECT_EQ(d.resistance.rolling, 0.03f);
   const std::vector<world::SectionRun> runs = world::sections_of(d);
@@ -340,6 +341,51 @@ TEST(Fvd, what_cannot_be_read_ends_the_track_with_a_reason) {
   const auto both = parse_fvd(two.done(), "a.fvd");
   ASSERT_TRUE(both);
   EXPECT_EQ(both->warnings.at(0), "a.fvd: warning: only the first of the 2 tracks is read");
+}
+
+// What openFVD shows, a heartline above rails on which its train moves: what the knots keep, through a file of ours.
+TEST(Fvd, with_a_heartline_sections_keep_their_place) {
+  const auto pull = [](bool by_distance) {
+    const double length = by_distance ? 45 : 2.2;
+    FvdSection s = forced(
+        length, {{FvdShape::cubic, 0, length / 2, 1, 1.6}, {FvdShape::cubic, length / 2, length, 2.6, -2}},
+        {{FvdShape::quartic, 0, length, 0, 0.4, -10}}, {{FvdShape::plateau, 0, length, 0, by_distance ? 1.5 : 35, 1}});
+    s.by_distance = by_distance;
+    return s;
+  };
+  FvdSection straight, turn;
+  straight.roll = steady(8), turn.kind = FvdKind::curved, turn.roll = steady(60);
+  turn.angle = 60, turn.radius = 20, turn.direction = 60, turn.lead_in = turn.lead_out = 10;
+  FvdTrack track = track_of({pull(false), straight, turn, pull(true)});
+  track.heart = 1.2;
+  const LoadedTrack loaded = opened(track);
+  EXPECT_TRUE(loaded.warnings.empty()) << loaded.warnings.front();
+  EXPECT_EQ(
+      loaded.note,
+      "Opened 0 force sections and 4 hand-shaped ones. Forced sections keep their shape: with a heartline openFVD "
+      "moves the train on the rails. Read forces makes force sections of them.");
+  const world::Document& d = loaded.document;
+  EXPECT_EQ(d.heartline, 1.2f);
+  const std::vector<world::SectionRun> runs = world::sections_of(d);
+  ASSERT_EQ(runs.size(), 4u);
+  FvdStart start;
+  const world::Knot& first = world::knot(d, d.track.knots[0]);
+  start.position = first.position, start.forward = first.tangent, start.up = first.up, start.speed = track.speed;
+  for (std::size_t i = 0; i < 4; ++i) {
+    FvdSection section = track.sections[i];
+    for (FvdFunction* const f : {&section.roll, &section.vertical, &section.lateral})
+      for (FvdPiece& piece : *f)
+        piece.change = float(piece.change), piece.from = float(piece.from), piece.to = float(piece.to),
+        piece.form = float(piece.form);
+    FvdTrack there = track;
+    there.heart = float(1.2), there.friction = float(0.03), there.resistance = float(2e-5);
+    const FvdPath path = fvd_path(there, section, start);
+    const sim::ElementPoint& end = path.curve.points.back();
+    const world::Knot& knot = world::knot(d, d.track.knots[runs[i].end()]);
+    EXPECT_LT(glm::distance(dvec3(knot.position), end.position), 0.003 * double(i + 1)) << i;
+    EXPECT_LT(glm::distance(dvec3(knot.up), end.up), 0.002) << i;
+    start = {end.position, end.tangent, end.up, path.speed};
+  }
 }
 
 TEST(Fvd, a_broken_file_is_refused_at_its_byte) {
