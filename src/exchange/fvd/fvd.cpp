@@ -151,15 +151,19 @@ base::Result<LoadedTrack> parse_fvd(std::string_view bytes, std::string_view nam
     import.loaded.warnings.push_back(fmt::format("{}: warning: {}", name, text));
   };
   const std::size_t count = track->sections.size();
+  std::string end = fmt::format("track 1 ({}) has no section{}", track->name,
+                                count > 0 ? fmt::format(" of {} m or more", kShortestSection) : "");
   for (std::size_t i = 0; i < count; ++i) {
     const world::Document before = document;
     std::string stopped = add(import, track->sections[i]);
     if (const auto broken = world::broken_invariant(document)) document = before, stopped = *broken;
     if (stopped.empty()) continue;
-    warn(
-        fmt::format("section {} of {} ({}): {}; the track ends there", i + 1, count, track->sections[i].name, stopped));
+    end = fmt::format("section {} of {} ({}): {}", i + 1, count, track->sections[i].name, stopped);
+    warn(end + "; the track ends there");
     break;
   }
+  if (document.track.segments.empty())
+    return base::Status{base::Code::bad_file, fmt::format("{}: error: {}", name, end)};
   if (import.short_ones > 0)
     warn(fmt::format("sections shorter than {} m were left out: {}", kShortestSection, import.short_ones));
   if (track->others > 0) warn(fmt::format("only the first of the {} tracks is read", track->others + 1));

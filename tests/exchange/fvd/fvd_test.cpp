@@ -188,7 +188,9 @@ TEST(Fvd, straights_turns_and_pitch_become_hand_shaped_track) {
 }
 
 TEST(Fvd, directions_are_those_of_the_other_program) {
-  FvdTrack track = track_of({});
+  FvdSection any;
+  any.roll = steady(10);
+  FvdTrack track = track_of({any});
   track.pitch = track.yaw = 0, track.roll = 30;
   const dvec3 up(world::knot(opened(track).document, opened(track).document.track.knots[0]).up);
   EXPECT_LT(glm::distance(up, dvec3(-0.5, std::sqrt(0.75), 0)), 1e-6) << "rolled to the left";
@@ -329,7 +331,7 @@ TEST(Fvd, what_cannot_be_read_ends_the_track_with_a_reason) {
   EXPECT_EQ(first.warnings[0],
             "folder/ride.fvd: warning: section 2 of 3 (Fitted): Bezier sections are not read; the track ends there");
   EXPECT_EQ(world::sections_of(first.document).size(), 1u);
-  EXPECT_NE(opened(track_of({free_form})).warnings.at(0).find("free-form"), std::string::npos);
+  EXPECT_NE(opened(track_of({straight, free_form})).warnings.at(0).find("free-form"), std::string::npos);
   // A climb that no train gets over.
   FvdTrack steep = track_of({straight});
   steep.pitch = 80, steep.speed = 5, steep.sections[0].roll = steady(100);
@@ -341,6 +343,25 @@ TEST(Fvd, what_cannot_be_read_ends_the_track_with_a_reason) {
   const auto both = parse_fvd(two.done(), "a.fvd");
   ASSERT_TRUE(both);
   EXPECT_EQ(both->warnings.at(0), "a.fvd: warning: only the first of the 2 tracks is read");
+}
+
+TEST(Fvd, a_file_without_any_track_is_refused_with_the_reason) {
+  FvdSection slow, tiny, straight, bezier;
+  slow.roll = straight.roll = steady(20), slow.name = "Crawl", slow.free_speed = false, slow.speed = 0.5;
+  tiny.roll = steady(0.02), bezier.kind = FvdKind::bezier, bezier.name = "Fitted";
+  const auto refusal = [](const FvdTrack& track) {
+    const auto loaded = parse_fvd(test::fvd_of(track), "a.fvd");
+    EXPECT_FALSE(loaded);
+    EXPECT_EQ(loaded.status().code, base::Code::bad_file);
+    return loaded.status().message;
+  };
+  EXPECT_EQ(refusal(track_of({slow, straight})), "a.fvd: error: section 1 of 2 (Crawl): it keeps a speed of 0.5 m/s");
+  EXPECT_EQ(refusal(track_of({tiny, bezier})), "a.fvd: error: section 2 of 2 (Fitted): Bezier sections are not read");
+  EXPECT_EQ(refusal(track_of({})), "a.fvd: error: track 1 (Wild one) has no section");
+  EXPECT_EQ(refusal(track_of({tiny, tiny})), "a.fvd: error: track 1 (Wild one) has no section of 0.05 m or more");
+  FvdTrack stands = track_of({straight});
+  stands.speed = 0;
+  EXPECT_EQ(refusal(stands), "a.fvd: error: section 1 of 1 (): the train falls below 1 m/s");
 }
 
 // What openFVD shows, a heartline above rails on which its train moves: what the knots keep, through a file of ours.
@@ -403,7 +424,7 @@ TEST(Fvd, a_broken_file_is_refused_at_its_byte) {
   };
   refused(test::FvdWriter("v9.99").done(), "expected version v0.77 or v0.30, found \"v9.99\"");
   refused(test::FvdWriter().done(), "the project has no track");
-  FvdTrack odd = track_of({});
+  FvdTrack odd = track_of({forced(2, {}, {}, {})});
   odd.speed = NAN;
   refused(test::fvd_of(odd), "expected the start speed from -1000 to 1000, found no finite number");
   FvdSection backwards = forced(2, {{FvdShape::linear, 2, 1, 1, 0}}, {}, {});
