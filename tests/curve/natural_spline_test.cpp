@@ -1,5 +1,7 @@
 #include "curve/natural_spline.h"
 
+#include <random>
+
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
@@ -79,6 +81,26 @@ TEST(NaturalSpline, a_straight_line_at_even_steps_stays_one) {
   const std::vector<dvec3> p{{0, 0, 0}, {1, 2, 0}, {2, 4, 0}, {3, 6, 0}};
   for (const dvec3 m : spline_derivatives({p, std::vector<double>(3, 0.5), {}, {}, false}))
     EXPECT_LT(glm::length(m - dvec3(2, 4, 0)), 1e-14);
+}
+
+// The system's rows times the solution are its right-hand sides, round the corner too.
+TEST(NaturalSpline, tridiagonal_systems_are_solved_open_and_closed) {
+  std::mt19937 bits(6);
+  const auto uniform = [&](double low, double high) { return low + (high - low) * (bits() / 4294967296.0); };
+  for (const std::size_t n : {2u, 3u, 7u, 40u})
+    for (const bool closed : {false, true}) {
+      std::vector<TridiagonalRow> rows;
+      for (std::size_t i = 0; i < n; ++i)
+        rows.push_back({uniform(-1, 1), uniform(2.5, 4), uniform(-1, 1), {uniform(-9, 9), uniform(-9, 9), 1}});
+      const std::vector<glm::dvec3> x = solve_tridiagonal(rows, closed);
+      ASSERT_EQ(x.size(), n);
+      for (std::size_t i = 0; i < n; ++i) {
+        glm::dvec3 sum = rows[i].middle * x[i];
+        if (closed || i > 0) sum += rows[i].below * x[(i + n - 1) % n];
+        if (closed || i + 1 < n) sum += rows[i].above * x[(i + 1) % n];
+        EXPECT_LT(glm::distance(sum, rows[i].right), 1e-13) << n;
+      }
+    }
 }
 
 }  // namespace natural_spline_test
