@@ -92,7 +92,8 @@ Frame carried(const Cubic& cubic, const Frame& from, double t0, double t1) {
   for (int i = 0; i < all.count; ++i) {
     const double at = all.t[i];
     const dvec3 onward = glm::normalize(c.second_derivative(at));
-    if (at > t1 + kBeside || at < t0 - kBeside || glm::dot(frame.forward, onward) > 0 && at <= t0 + kBeside) continue;
+    if (at > t1 + kBeside || at < t0 - kBeside) continue;
+    if (at <= t0 + kBeside && glm::dot(frame.forward, onward) > 0) continue;
     if (at >= t1 - kBeside && glm::dot(last, onward) < 0) continue;
     if (at > t0) frame = carried_smoothly(c, frame, t0, at, -onward), t0 = at;
     frame.forward = onward;

@@ -24,7 +24,9 @@ constexpr std::array<double, N> binomials() {
 // scalar product of two curves.
 template <std::size_t A, std::size_t B, class Point>
 std::array<double, A + B - 1> product(const std::array<Point, A>& a, const std::array<Point, B>& b) {
-  static constexpr auto x = binomials<A>(), y = binomials<B>(), whole = binomials<A + B - 1>();
+  static constexpr auto x = binomials<A>();
+  static constexpr auto y = binomials<B>();
+  static constexpr auto whole = binomials<A + B - 1>();
   std::array<double, A + B - 1> c{};
   for (std::size_t i = 0; i < A; ++i)
     for (std::size_t j = 0; j < B; ++j) c[i + j] += x[i] * y[j] * glm::dot(a[i], b[j]);

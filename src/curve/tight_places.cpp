@@ -50,7 +50,7 @@ bool is_gentle(const CoefficientsD& k, const BinormalCurve& bend, double limit, 
 }
 
 // Sets the place to a reversal if it is one.
-void find_reversal(const Cubic& cubic, const CoefficientsD& k, double rounding, TightPlace& place) {
+void find_reversal(const CoefficientsD& k, double rounding, TightPlace& place) {
   if (!(place.t > 0 && place.t < 1) || !(k.speed(place.t) <= rounding)) return;
   const double second = glm::length(k.second_derivative(place.t)), room = std::min(place.t, 1 - place.t);
   const double half = second > 0 ? std::min(4 * rounding / second, room) : room;
@@ -89,7 +89,7 @@ std::vector<TightPlace> tight_places(const Cubic& cubic, double limit) {
   const auto add = [&](double t) {
     all.push_back({t, radius_at(cubic, t)});
     if (!(k.speed(t) > 0)) all.back().radius = kInfinite;
-    find_reversal(cubic, k, rounding, all.back());
+    find_reversal(k, rounding, all.back());
   };
   add(0), add(1);
   each_root_of(d_slope, slowing, add);

@@ -12,7 +12,7 @@ using glm::dvec3;
 Force force_from(dvec3 g) { return {static_cast<float>(g.x), static_cast<float>(g.y), static_cast<float>(g.z)}; }
 
 // A piece of the rails in or between cells, or half of one around a Gauss node.
-struct Piece {
+struct FeltPiece {
   const SegmentTable& table;
   const FeltCell* cell;  // null between cells
   double s, length;      // m: a place on it
@@ -35,13 +35,14 @@ bool for_pieces(const SegmentTable& table, double low, double high, const Visit&
   const auto gap = [&](double from, double to) {
     constexpr double kNode = 0.21132486540518708;  // (1 - 1 / sqrt(3)) / 2
     if (!(to > from)) return;
-    for (const double u : {kNode, 1 - kNode}) visit(Piece{table, nullptr, std::lerp(from, to, u), 0.5 * (to - from)});
+    for (const double u : {kNode, 1 - kNode})
+      visit(FeltPiece{table, nullptr, std::lerp(from, to, u), 0.5 * (to - from)});
   };
   auto cell = std::ranges::partition_point(table.cells, [&](const FeltCell& c) { return c.to <= low; });
   for (; cell != table.cells.end() && cell->from < high; ++cell) {
     gap(low, cell->from);
     const double from = std::max(low, cell->from), to = std::min(high, cell->to);
-    visit(Piece{table, &*cell, 0.5 * (from + to), to - from});
+    visit(FeltPiece{table, &*cell, 0.5 * (from + to), to - from});
     low = to, tight = true;
   }
   gap(low, high);
@@ -58,7 +59,7 @@ void TightWay::add(const SegmentTable& table, double s0, double s1, double u0, d
   if (s0 == s1) return;
   const double per_metre = (u1 - u0) / (s1 - s0), low = std::min(s0, s1), high = std::max(s0, s1);
   const auto share_of = [&](double s) { return u0 + per_metre * (s - s0); };
-  const bool tight = for_pieces(table, low, high, [&](const Piece& piece) {
+  const bool tight = for_pieces(table, low, high, [&](const FeltPiece& piece) {
     const double share = share_of(piece.s);
     const Moment moment = at(share);
     const dvec3 felt = std::abs(per_metre) * piece.length * seconds_ * piece.felt(moment.speed, moment.a);
@@ -77,7 +78,7 @@ void TightWay::take_peak(const SegmentTable& table, double peak, double share) {
   if (!(high > low)) return;
   dvec3 sum(0), first(0), last(0);
   bool begun = false;
-  for_pieces(table, low, high, [&](const Piece& piece) {
+  for_pieces(table, low, high, [&](const FeltPiece& piece) {
     last = piece.felt(moment.speed, moment.a);
     if (!std::exchange(begun, true)) first = last;
     sum += piece.length / speed * last;
