@@ -190,7 +190,8 @@ TEST(nl2elem, few_rolls_give_the_frames_of_the_rule) {
     }
     const auto loaded = parse_nl2elem(encode(vertices, rolls, strict), "x");
     ASSERT_TRUE(loaded) << loaded.status().message;
-    EXPECT_LT(loaded->import->frame_error, 0.05);
+    // Spins match rolls within 0.05 degrees along the vertices' curve; the document's own lengths move them a little.
+    EXPECT_LT(loaded->import->frame_error, 0.1);
     if (closed && !seam) {
       double lap = curve::signed_angle(frames.back().up, frames.front().up, frames.front().forward);
       lap += 2 * M_PI * std::round((angle.back() - angle.front() - lap) / (2 * M_PI));

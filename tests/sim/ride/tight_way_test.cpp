@@ -208,7 +208,7 @@ TEST(TightWay, FeelsReversalsWhereverTheSamplesFall) {
     const Ratings r = ride(d, 0.001 * i, i % 5 == 0 ? 8 : 1).ratings;
     EXPECT_NEAR(r.forward_most.value, right, 0.02 * right) << speed;
     EXPECT_NEAR(r.jolt_most.value, right, 0.02 * right) << speed;
-    EXPECT_LT(r.side_most.value, 0.01 * right);
+    EXPECT_LT(r.side_most.value, 0.02 * right);  // control points are rounded: the turn is not quite half a one
   }
 }
 
