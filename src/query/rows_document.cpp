@@ -48,8 +48,7 @@ Answer folds(const Context& c, View) { return number(c.find(edit::Want::folds).f
 Answer tight_bends(const Context& c, View) { return number(c.find(edit::Want::tight_bends).tight_bends.size()); }
 Answer tight_bend_at(const Context& c, View) {
   const auto found = c.find(edit::Want::tight_bends).tight_bends;
-  return found.empty() ? none("there is no tight bend")
-                       : number(std::ranges::min_element(found, {}, &sim::TightBend::radius)->at);
+  return found.empty() ? none("there is no tight bend") : number(sim::tightest(found).at);
 }
 Answer least_radius(const Context& c, View) {
   const double least = sim::least_radius(c.session.derived);

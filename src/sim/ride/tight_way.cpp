@@ -38,7 +38,8 @@ bool for_pieces(const SegmentTable& table, double low, double high, const Visit&
     for (const double u : {kNode, 1 - kNode})
       visit(FeltPiece{table, nullptr, std::lerp(from, to, u), 0.5 * (to - from)});
   };
-  auto cell = std::ranges::partition_point(table.cells, [&](const FeltCell& c) { return c.to <= low; });
+  auto cell =
+      std::partition_point(table.cells.begin(), table.cells.end(), [&](const FeltCell& c) { return c.to <= low; });
   for (; cell != table.cells.end() && cell->from < high; ++cell) {
     gap(low, cell->from);
     const double from = std::max(low, cell->from), to = std::min(high, cell->to);

@@ -29,9 +29,14 @@ std::vector<TightBend> tight_bends_of(const SegmentShape& shape) {
 
 std::vector<TightBend> tight_bends_of(const Derived& derived) { return Folds(tight_bends_of).update(derived); }
 
+const TightBend& tightest(std::span<const TightBend> bends) {
+  return *std::min_element(bends.begin(), bends.end(),
+                           [](const TightBend& a, const TightBend& b) { return a.radius < b.radius; });
+}
+
 std::string tight_text(std::span<const TightBend> bends) {
   if (bends.empty()) return {};
-  const TightBend& worst = *std::ranges::min_element(bends, {}, &TightBend::radius);
+  const TightBend& worst = tightest(bends);
   const std::string what =
       worst.radius > 0 ? fmt::format("a radius of {:.3g} m", worst.radius) : "the direction reverses";
   return fmt::format("{} tight bend{}: {} at {:.1f} m", bends.size(), bends.size() == 1 ? "" : "s", what, worst.at);

@@ -16,6 +16,9 @@ using TightBend = Fold;
 std::vector<TightBend> tight_bends_of(const SegmentShape& shape);
 std::vector<TightBend> tight_bends_of(const Derived& derived);
 
+// Returns the first one with the least radius, of one or more.
+const TightBend& tightest(std::span<const TightBend> bends);
+
 // Returns "2 tight bends: the direction reverses at 5.3 m", the tightest one.
 std::string tight_text(std::span<const TightBend> bends);
 
