@@ -85,8 +85,9 @@ function(coaster_room name)
   target_include_directories(coaster_${name} PUBLIC ${CMAKE_CURRENT_SOURCE_DIR}/src)
   list(TRANSFORM room_USES PREPEND coaster_)
   target_link_libraries(coaster_${name} PUBLIC ${room_USES} ${room_LINK})
-  if(room_COLD AND EMSCRIPTEN)
-    coaster_precompile(coaster_${name} -Oz)  # what a page loads should be small
+  # What a page loads should be small: a ride's frame takes a tenth of the time that it may there.
+  if(EMSCRIPTEN AND (room_COLD OR name MATCHES "^(gfx|view)$"))
+    coaster_precompile(coaster_${name} -Oz)
   elseif(room_COLD AND COASTER_SANITIZE AND NOT COASTER_FUZZ)
     coaster_precompile(coaster_${name} -O0)
   elseif(room_COLD AND CMAKE_BUILD_TYPE STREQUAL "Release")
