@@ -16,8 +16,7 @@ using Frames = std::array<curve::Frame, kFrameIntervals + 1>;
 
 double at_uniform(int i) { return static_cast<double>(i) / kFrameIntervals; }
 
-// Finds the intervals that need several steps, and carries the frames anew unless those of single steps are near enough
-// as they are.
+// Finds the intervals that need several steps. Replaces the frames unless those of single steps are within the bound.
 void refine(const curve::Cubic& cubic, Frames& frames, std::uint32_t& tight) {
   constexpr double kSpare = 0.25 * curve::kFrameBound;  // for the step from a stored frame to a place in its interval
   const curve::CoefficientsD c = curve::coefficients_d(cubic);
