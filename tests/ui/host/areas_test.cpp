@@ -8,6 +8,7 @@
 #include "edit/commands/commands_force.h"
 #include "edit/commands/commands_ride.h"
 #include "edit/commands/commands_session.h"
+#include "edit/commands/set_setting.h"
 #include "ui/stage.h"
 #include "ui/widgets/widgets.h"
 #include "world/aids.h"

@@ -1,6 +1,7 @@
 #include "ui/host/imgui_renderer.h"
 
 #include "edit/commands/commands_session.h"
+#include "edit/commands/set_setting.h"
 #include "gfx/image.h"
 #include "ui/stage.h"
 #include "ui/widgets/theme.h"

@@ -2,6 +2,7 @@
 #include "ui/lab/force_clip.h"
 
 #include "edit/commands/commands_force.h"
+#include "edit/commands/set_setting.h"
 #include "ui/sections_stage.h"
 #include "world/panels.h"
 

@@ -1,5 +1,6 @@
 // The force graph as an editor: mouse and keyboard edit a force section's keys.
 #include "edit/commands/commands_force.h"
+#include "edit/commands/set_setting.h"
 #include "ui/sections_stage.h"
 #include "world/panels.h"
 

@@ -2,6 +2,7 @@
 #include "edit/commands/commands_document.h"
 #include "edit/commands/commands_operation.h"
 #include "edit/commands/commands_session.h"
+#include "edit/commands/set_setting.h"
 #include "ui/panels/panels.h"
 #include "ui/stage.h"
 

@@ -1,5 +1,6 @@
 #include "ui/panels/sections_table.h"
 
+#include "edit/commands/set_setting.h"
 #include "ui/sections_stage.h"
 #include "world/look.h"
 #include "world/panels.h"

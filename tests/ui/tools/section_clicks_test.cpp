@@ -1,5 +1,6 @@
 #include "ui/tools/section_clicks.h"
 
+#include "edit/commands/set_setting.h"
 #include "ui/sections_stage.h"
 #include "ui/widgets/widgets.h"
 #include "view/angle_handle.h"
