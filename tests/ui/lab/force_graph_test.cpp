@@ -2,6 +2,7 @@
 
 #include "edit/commands/commands_document.h"
 #include "edit/commands/commands_elements.h"
+#include "edit/commands/commands_session.h"
 #include "edit/commands/set_setting.h"
 #include "ui/stage.h"
 #include "world/panels.h"

@@ -7,6 +7,7 @@
 #include "edit/commands/commands_elements.h"
 #include "edit/commands/commands_operation.h"
 #include "edit/commands/commands_ride.h"
+#include "edit/commands/commands_session.h"
 #include "edit/commands/set_setting.h"
 #include "ui/stage.h"
 #include "ui/tools/places.h"

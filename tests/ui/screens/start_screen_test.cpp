@@ -4,6 +4,7 @@
 #include <fstream>
 
 #include "base/scratch_folder.h"
+#include "edit/commands/commands_session.h"
 #include "ui/stage.h"
 
 namespace coaster::ui {

@@ -6,6 +6,7 @@
 
 #include "base/utf8.h"
 #include "edit/commands/commands_document.h"
+#include "edit/commands/commands_elements.h"
 #include "edit/commands/set_setting.h"
 #include "ui/stage.h"
 #include "world/evaluation.h"
