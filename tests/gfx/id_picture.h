@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "gfx/objects.h"
+#include "sim/ride/ride.h"
 #include "sim/tracks.h"
 #include "view/pick.h"
 #include "world/aids.h"

@@ -1,6 +1,7 @@
 #include "gfx/scene_programs.h"
 
 #include "gfx/studio.h"
+#include "world/look.h"
 
 namespace coaster::gfx {
 namespace scene_programs_test {

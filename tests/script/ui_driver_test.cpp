@@ -3,6 +3,7 @@
 #include "script/ui_driver.h"
 #include "world/panels.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "edit/commands/commands_document.h"
