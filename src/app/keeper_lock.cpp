@@ -69,7 +69,7 @@ void after_command(Program& program, const edit::Command& command, const base::S
     exchange::remember(recent, base::canonical_path(save->path).string());
   } else if (const auto* const load = command.as<edit::Load>()) {
     follow_file(program, keeper);
-    if (!keeper.unasked && !edit::opens_link(command))
+    if (!keeper.unasked && !edit::opens_link(command) && !exchange::is_pasted(load->path))
       exchange::remember(recent, base::canonical_path(load->path).string());
   } else if (command.is<edit::RecoverTrack>() || command.is<edit::NewTrack>() || command.is<edit::StartChallenge>()) {
     follow_file(program, keeper);

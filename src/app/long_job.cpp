@@ -17,10 +17,10 @@ namespace {
 
 constexpr double kBarAfter = 0.15;  // s: shorter jobs show no bar
 
-Beside::Work reading(const std::string& path) {
-  return [path](base::Progress* progress) -> base::Result<Found> {
+Beside::Work reading(const edit::Load& command) {
+  return [command](base::Progress* progress) -> base::Result<Found> {
     base::Files files;
-    base::Result<exchange::LoadedTrack> read = exchange::load_track(files, path, progress);
+    base::Result<exchange::LoadedTrack> read = exchange::load_track(files, command.path, progress, command.import);
     return read ? base::Result<Found>(std::move(*read)) : read.status();
   };
 }
@@ -68,8 +68,9 @@ bool begin_work(const Program& program, const edit::Command& command, LongJob& j
     const exchange::Format* const format = exchange::format_of(load->path);
     if (!format || !format->parse_watched) return false;
     job.panel = "Import", job.title = "Fitting a track to the imported points";
-    job.cancelled = "Cancelled the import of " + load->path;
-    job.work = std::make_unique<Beside>(reading(load->path), load->path);
+    const bool pasted = exchange::is_pasted(load->path);
+    job.cancelled = "Cancelled the import of " + (pasted ? "pasted points" : load->path);
+    job.work = std::make_unique<Beside>(reading(*load), pasted ? "" : load->path);
     return true;
   }
   if (const auto* const seek = command.as<edit::Seek>()) {
@@ -83,9 +84,10 @@ bool begin_work(const Program& program, const edit::Command& command, LongJob& j
 
 // Hands what was found to the session, for the command.
 void hand_over(edit::Session& session, const LongJob& job, Found found) {
-  if (auto* const track = std::get_if<exchange::LoadedTrack>(&found))
-    session.file.read_ahead = edit::ReadAhead{job.command.as<edit::Load>()->path, std::move(*track)};
-  else if (auto* const sought = std::get_if<edit::Sought>(&found))
+  if (auto* const track = std::get_if<exchange::LoadedTrack>(&found)) {
+    const edit::Load& load = *job.command.as<edit::Load>();
+    session.file.read_ahead = edit::ReadAhead{load.path, load.import, std::move(*track)};
+  } else if (auto* const sought = std::get_if<edit::Sought>(&found))
     session.sought = edit::SoughtAhead{edit::print(job.command), job.edits, std::move(*sought)};
   else session.way_search.found = edit::FoundWay{*job.way, std::get<sim::ChangedWay>(std::move(found))};
 }

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <limits>
 #include <vector>
 
 #include <fmt/format.h>
@@ -16,27 +18,53 @@
 #include "exchange/nolimits/nl2elem.h"
 #include "exchange/nolimits/nltrack.h"
 #include "exchange/own/link.h"
+#include "exchange/points/points.h"
 #include "sim/fit/switch_curve.h"
+#include "sim/plan/banking.h"
 #include "sim/ride/start_speed.h"
 #include "sim/shape/folds.h"
+#include "sim/shape/roll.h"
 #include "world/topology.h"
 
 namespace coaster::exchange {
 namespace {
 
-base::Result<LoadedTrack> parse_rows(std::string_view bytes, std::string_view name) {
-  return parse_nl2_csv(bytes, name);
+base::Status unfit_import(std::string_view name, std::string_view words) {
+  return {base::Code::bad_file, fmt::format("{}: error: {} only for lists of points", name, words)};
+}
+base::Result<LoadedTrack> parse_csv(std::string_view bytes, std::string_view name, const Import& import,
+                                    base::Progress* progress) {
+  if (is_points(bytes, false)) return parse_points(bytes, name, import, progress);
+  if (!(import == Import{.origin = import.origin})) return unfit_import(name, "up, scale, smooth and bank are");
+  return parse_nl2_csv(bytes, name, progress, import.origin);
+}
+template <auto parse>
+base::Result<LoadedTrack> as_proposed(std::string_view bytes, std::string_view name) {
+  return parse(bytes, name, {}, nullptr);
 }
 std::string print_rows(const world::Document& document) { return print_nl2_csv(document, kNl2Spacing); }
 base::Status check_rows(const world::Document& document) { return check_nl2_csv(document, kNl2Spacing); }
 
+// The file's bytes, or the pasted lines.
+base::Result<std::string> bytes_of(base::Files& files, const std::filesystem::path& path, const Format& format) {
+  return is_pasted(path.native()) ? path.string() : files.read(path, format.most_bytes);
+}
+
+constexpr Format points_format(std::string_view ending) {
+  return {ending, "list of points", as_proposed<parse_points>, nullptr,     false,
+          false,  nullptr,          base::kMaxFileBytes,       parse_points};
+}
+
 constexpr std::array kFormats{
     Format{".json", "coaster track", parse_track, print_track, false, true},
     Format{".nltrack", "NoLimits 1 track", parse_nltrack, nullptr, true, false},
-    Format{".csv", "NoLimits 2 track spline", parse_rows, print_rows, false, false, check_rows, base::kMaxFileBytes,
-           parse_nl2_csv},
+    Format{".csv", "NoLimits 2 track spline", as_proposed<parse_csv>, print_rows, false, false, check_rows,
+           base::kMaxFileBytes, parse_csv},
     Format{".nl2elem", "NoLimits 2 element", parse_nl2elem, print_nl2elem, false, false, check_nl2elem,
            kMaxNl2ElemBytes, nullptr, true},
+    points_format(".xyz"),
+    points_format(".txt"),
+    points_format(".sp"),
     Format{".fvd", "openFVD project", parse_fvd, nullptr, true, false},
     Format{".gltf", "glTF 2.0", nullptr, print_gltf, false, false, check_solid},
     Format{".obj", "Wavefront OBJ", nullptr, print_obj, false, false, check_solid},
@@ -73,20 +101,38 @@ void equip(LoadedTrack& loaded) {
   }
 }
 
+// Banks the knots for the speeds of the ride.
+void bank(LoadedTrack& loaded) {
+  const sim::Derived derived = sim::shapes_of(loaded.document);
+  sim::GhostMemo memo;
+  const sim::Ghost* const ghost = memo.ride(loaded.document, derived, world::first_cart(loaded.document));
+  if (!ghost) return;
+  const int turned = sim::bank_knots(loaded.document, derived, *ghost);
+  loaded.note += fmt::format(" Banked {} {}.", turned, turned == 1 ? "knot" : "knots");
+  sim::set_automatic_spins(loaded.document);
+}
+
 // Warns of an import that is too large for a coaster: its positions may have another unit. Forces are no sign of that:
-// without losses they are the same at every scale.
-void warn_of_unit(LoadedTrack& loaded, const std::string& name) {
+// without losses they are the same at every scale. Warns of rows that are far from the origin, too.
+void warn_of_unit(LoadedTrack& loaded, const std::string& name, const Format& format, bool points) {
   const world::Document& document = loaded.document;
   if (document.track.knots.empty()) return;
-  std::vector<float> heights;
-  for (const world::Entity e : document.track.knots) heights.push_back(world::knot(document, e).position.y);
-  const auto [low, high] = std::minmax_element(heights.begin(), heights.end());
-  const double length = world::exact_length(document), rise = *high - *low;
+  glm::vec3 low(std::numeric_limits<float>::max()), high = -low;
+  for (const world::Entity e : document.track.knots)
+    low = glm::min(low, world::knot(document, e).position), high = glm::max(high, world::knot(document, e).position);
+  const double length = world::exact_length(document), rise = high.y - low.y;
   if (length > kMostLength || rise > kMostHeight)
+    loaded.warnings.push_back(fmt::format(
+        "{}: warning: the track is {:.1f} km long and {:.0f} m high. Positions are in metres: if the file "
+        "has another unit, {}",
+        name, length / 1000, rise, points ? "load it with the word scale" : "scale its positions and open it again"));
+  const glm::vec3 far = glm::max(glm::abs(low), glm::abs(high));
+  const float most = std::max({far.x, far.y, far.z});
+  if (most > kFar && format.parse_watched)
     loaded.warnings.push_back(
-        fmt::format("{}: warning: the track is {:.1f} km long and {:.0f} m high. Positions are in metres: if the file "
-                    "has another unit, scale its positions and open it again",
-                    name, length / 1000, rise));
+        fmt::format("{}: warning: the track is {:.0f} km from the origin, where positions are rounded "
+                    "to {:.0f} mm: load it with the word origin to move it there",
+                    name, most / 1000, 1000 * (std::nextafter(most, 1e9f) - most)));
 }
 
 // Warns of a document that is valid but probably not intended.
@@ -137,12 +183,18 @@ base::Status print_to(base::Files& files, const std::filesystem::path& path, con
   return files.write_atomic(path, bytes);
 }
 
+bool is_list(const Format& format, std::string_view bytes) {
+  return format.parse_watched == parse_points || (format.parse_watched && is_points(bytes, false));
+}
+
 }  // namespace
+
+bool is_pasted(std::string_view path) { return path.find('\n') != std::string_view::npos && is_points(path); }
 
 std::span<const Format> formats() { return kFormats; }
 
 const Format* format_of(const std::filesystem::path& path) {
-  const std::string ending = base::lower(path.extension().string());
+  const std::string ending = is_pasted(path.native()) ? ".xyz" : base::lower(path.extension().string());
   const auto found =
       std::find_if(kFormats.begin(), kFormats.end(), [&](const Format& f) { return f.ending == ending; });
   return found == kFormats.end() ? nullptr : &*found;
@@ -155,22 +207,42 @@ std::string known_endings(Direction direction) {
   return base::alternatives(endings);
 }
 
-base::Result<LoadedTrack> load_track(base::Files& files, const std::filesystem::path& path, base::Progress* progress) {
-  if (is_link(path.string())) return parse_link(path.string());
+base::Result<LoadedTrack> load_track(base::Files& files, const std::filesystem::path& path, base::Progress* progress,
+                                     const Import& import) {
+  const bool pasted = is_pasted(path.native());
+  const std::string name = pasted ? "Pasted points" : path.string();
   const Format* const format = format_of(path);
+  const bool link = !pasted && is_link(name);
+  if (!(import == Import{}) && (link || (format && !format->parse_watched)))
+    return unfit_import(name, "origin is only for rows and points, the other words are");
+  if (link) return parse_link(name);
   if (!format || !format->parse) return base::Status{base::Code::bad_file, unfit_ending(path, format, Direction::read)};
-  const base::Result<std::string> bytes = files.read(path, format->most_bytes);
+  const base::Result<std::string> bytes = bytes_of(files, path, *format);
   if (!bytes) return bytes.status();
-  base::Result<LoadedTrack> loaded = progress && format->parse_watched
-                                         ? format->parse_watched(*bytes, path.string(), progress)
-                                         : format->parse(*bytes, path.string());
+  base::Result<LoadedTrack> loaded =
+      format->parse_watched ? format->parse_watched(*bytes, name, import, progress) : format->parse(*bytes, name);
   if (const std::string_view found = wrapping(*bytes); !loaded && !found.empty())
-    return base::Status{base::Code::bad_file, fmt::format("{}: error: expected the format {}, found {}", path.string(),
-                                                          format->label, found)};
-  if (loaded) warn_of_odd(*loaded, path.string());
+    return base::Status{base::Code::bad_file,
+                        fmt::format("{}: error: expected the format {}, found {}", name, format->label, found)};
+  if (loaded) warn_of_odd(*loaded, name);
   if (loaded) loaded->content = base::content_hash(*bytes);
-  if (loaded && !format->whole) warn_of_unit(*loaded, path.string()), equip(*loaded);
+  if (loaded && !format->whole) warn_of_unit(*loaded, name, *format, is_list(*format, *bytes)), equip(*loaded);
+  if (loaded && import.bank == ImportBank::automatic) bank(*loaded);
   return loaded;
+}
+
+std::optional<ImportQuestion> question_of(base::Files& files, const std::filesystem::path& path) {
+  const Format* const format = format_of(path);
+  if (!format || !format->parse_watched) return std::nullopt;
+  const base::Result<std::string> bytes = bytes_of(files, path, *format);
+  if (bytes && !is_list(*format, *bytes))
+    return starts_far(*bytes) ? std::optional(ImportQuestion{{.origin = true}}) : std::nullopt;
+  const base::Result<PointList> list = bytes ? read_points(*bytes, {}) : bytes.status();
+  if (!list) return std::nullopt;
+  ImportQuestion question{proposed(*list, {}), list->points.size(), list->length, list->high - list->low};
+  const glm::dvec3 far = *question.proposed.scale * glm::max(glm::abs(list->low), glm::abs(list->high));
+  question.proposed.origin = std::max({far.x, far.y, far.z}) > kFar;
+  return question;
 }
 
 base::Status save_track(base::Files& files, const std::filesystem::path& path, const world::Document& document,

@@ -6,6 +6,7 @@
 #include <string>
 #include <string_view>
 
+#include "exchange/own/import.h"
 #include "exchange/own/track_file.h"
 
 namespace coaster::exchange {
@@ -21,14 +22,17 @@ struct Format {
   base::Status (*check)(const world::Document& document) =
       nullptr;                                   // true if the document can be printed; null: always
   std::size_t most_bytes = base::kMaxFileBytes;  // larger files are rejected before they are read, and not written
-  // Parses and reports progress, for formats that may take longer than a frame; null for the others.
-  base::Result<LoadedTrack> (*parse_watched)(std::string_view bytes, std::string_view name,
+  // Parses by the words of an import and reports progress, for rows and points; null for the other formats.
+  base::Result<LoadedTrack> (*parse_watched)(std::string_view bytes, std::string_view name, const Import& import,
                                              base::Progress* progress) = nullptr;
   bool cubics = false;  // prints the curve's control points, so it is given a track whose curve is the rails
 };
 
 // Returns the table; the project's own format is first.
 std::span<const Format> formats();
+
+// True for the lines of a list of points in place of a path.
+bool is_pasted(std::string_view path);
 
 // Returns the row for the path's extension, or null.
 const Format* format_of(const std::filesystem::path& path);
@@ -38,7 +42,17 @@ const Format* format_of(const std::filesystem::path& path);
 // everything gets a train at its start, if it has none, and, unless the file gives one, a start speed with which its
 // ride completes (sim/ride/start_speed.h), if there is one; the note or a warning says so.
 base::Result<LoadedTrack> load_track(base::Files& files, const std::filesystem::path& path,
-                                     base::Progress* progress = nullptr);
+                                     base::Progress* progress = nullptr, const Import& import = {});
+// What a window asks before it opens a list of points, or rows that begin far from the origin.
+struct ImportQuestion {
+  Import proposed;         // for rows without axis and scale
+  std::size_t points = 0;  // 0: rows
+  double length = 0;       // of the list, in its units
+  glm::dvec3 size{0};      // of its bounds
+};
+// Reads the file; nothing for other files and for lists with errors, which load_track() reports.
+std::optional<ImportQuestion> question_of(base::Files& files, const std::filesystem::path& path);
+
 // Writes a track. Formats that do not hold everything get the rails, even of a heartline track; they are refused where
 // rails fold. `content` gets the hash of the bytes as soon as they are printed.
 base::Status save_track(base::Files& files, const std::filesystem::path& path, const world::Document& document,

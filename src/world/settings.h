@@ -22,7 +22,7 @@ enum class FrameMethod : std::uint8_t { knots, rmf, frenet, world_up };
 enum class IntegratorId : int {};
 
 enum class Axis : std::uint8_t { x, y, z };
-inline constexpr base::NameRow kAxes[] = {{"x"}, {"y"}, {"z"}};
+inline constexpr base::NameRow kAxes[] = {{"x", "X"}, {"y", "Y"}, {"z", "Z"}};
 constexpr std::span<const base::NameRow> rows_of(Axis) { return kAxes; }
 
 // The parameter of a spline through knots: chord lengths, or 1 per span.

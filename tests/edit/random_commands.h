@@ -61,6 +61,11 @@ class RandomCommands {
     if (below(2)) v.target.reset();
     if (below(2)) v.yaw_deg.reset();
   }
+  void fill(exchange::Import& v) {
+    fill(v.up.emplace()), fill(v.scale.emplace()), fill(v.smooth.emplace()), fill(v.bank.emplace()), fill(v.origin);
+    if (below(2)) v.up.reset(), v.bank.reset();
+    if (below(2)) v.scale.reset(), v.smooth.reset();
+  }
   void fill(glm::vec3& v) { v = {number(), number(), number()}; }
   void fill(float& v) { v = static_cast<float>(number()); }
   void fill(double& v) { v = number(); }

@@ -3,11 +3,15 @@
 #include <algorithm>
 #include <cmath>
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include "base/portable_math.h"
 #include "base/scratch_folder.h"
+#include "exchange/nolimits/nl2_csv.h"
 #include "sim/shape/roll.h"
 #include "sim/tracks.h"
+#include "world/topology.h"
 
 namespace coaster::exchange {
 namespace formats_test {
@@ -163,6 +167,98 @@ TEST(formats, an_import_in_millimetres_is_warned_of_and_none_in_metres) {
   EXPECT_TRUE(warned("high.nl2elem", test::straight_document({0, -5, 3}, {9'000, 605, 3}, 40)));
   EXPECT_FALSE(warned("low.nl2elem", test::straight_document({0, -5, 3}, {9'000, 585, 3}, 40)));
   EXPECT_FALSE(warned("long.json", test::straight_document({-10'000, 2, 3}, {11'000, 2, 3}, 40)));
+}
+
+struct ImportWords : testing::Test {
+  test::ScratchFolder scratch;
+  base::Files files;
+  std::string write(const std::string& name, const std::string& text) {
+    EXPECT_TRUE(files.write_atomic(scratch.path() / name, text).ok());
+    return (scratch.path() / name).string();
+  }
+  static glm::dvec3 place(const LoadedTrack& track, std::size_t i) {
+    return glm::dvec3(world::knot(track.document, track.document.track.knots.at(i)).position);
+  }
+};
+
+TEST_F(ImportWords, rows_at_50_km_are_warned_of_asked_about_and_moved_with_the_word_origin) {
+  world::Document circle = test::circle_document(40, {3, 12, -7}, {1, 0, 0});
+  const std::string near = print_nl2_csv(circle, 0.5);
+  std::string far;
+  for (std::size_t line = 0, at = 0, end = 0; at < near.size(); at = end + 1, ++line) {
+    end = near.find('\n', at);
+    const std::string row = near.substr(at, end + 1 - at);
+    const std::size_t a = row.find('\t'), b = row.find('\t', a + 1);
+    far +=
+        line == 0 ? row : row.substr(0, a + 1) + std::to_string(std::stod(row.substr(a + 1)) + 50'000) + row.substr(b);
+  }
+  const std::string path = write("far.csv", far);
+  const auto there = load_track(files, path);
+  ASSERT_TRUE(there) << there.status().message;
+  ASSERT_FALSE(there->warnings.empty());
+  EXPECT_NE(there->warnings.back().find("50 km from the origin"), std::string::npos) << there->warnings.back();
+  EXPECT_EQ(question_of(files, path)->proposed, Import{.origin = true});
+  EXPECT_EQ(question_of(files, path)->points, 0u);
+  EXPECT_FALSE(question_of(files, write("near.csv", near)));
+  const auto moved = load_track(files, path, nullptr, {.origin = true});
+  ASSERT_TRUE(moved) << moved.status().message;
+  EXPECT_TRUE(moved->warnings.empty());
+  EXPECT_NE(moved->note.find("Moved by (-50003.000, -10.000, 7.000) m to the origin."), std::string::npos)
+      << moved->note;
+  for (std::size_t i = 0; i < moved->document.track.knots.size(); ++i)
+    EXPECT_NEAR(glm::length(place(*moved, i) - glm::dvec3(0, 42, 0)), 40, 0.011);
+  EXPECT_NE(load_track(files, path, nullptr, {.scale = 1}).status().message.find("are only for lists of points"),
+            std::string::npos);
+}
+
+TEST_F(ImportWords, a_list_is_asked_about_with_its_proposal) {
+  const std::string utm =
+      write("utm.xyz", "500000 4000000 30\n500200 4000000 35\n500200 4000100 30\n500000 4000100 30\n");
+  const auto question = question_of(files, utm);
+  ASSERT_TRUE(question);
+  EXPECT_EQ(question->proposed, (Import{.up = world::Axis::z, .scale = 1, .origin = true}));
+  EXPECT_EQ(question->points, 4u);
+  EXPECT_EQ(question->size, glm::dvec3(200, 100, 5));
+  EXPECT_FALSE(question_of(files, write("bad.xyz", "1 2 3\n4 5\n"))) << "loading it tells the line";
+  EXPECT_FALSE(question_of(files, write("own.json", "{}")));
+  EXPECT_FALSE(question_of(files, (scratch.path() / "none.xyz").string()));
+}
+
+TEST_F(ImportWords, pasted_lines_are_a_list) {
+  const auto track = load_track(files, "3\n0 5 0\n60 5 0\n120 9 0\n", nullptr, {.up = world::Axis::y, .scale = 1});
+  ASSERT_TRUE(track) << track.status().message;
+  EXPECT_EQ(place(*track, 2), glm::dvec3(120, 9, 0));
+  EXPECT_TRUE(is_pasted("1 2 3\n4 5 6"));
+  EXPECT_FALSE(is_pasted("1 2 3")) << "one line is a path";
+  EXPECT_FALSE(is_pasted("to do:\n1 2 3"));
+  EXPECT_EQ(load_track(files, "0 5 0\n60 5\n").status().message.substr(0, 22), "Pasted points:2: error");
+}
+
+TEST_F(ImportWords, the_unit_warning_names_the_word_scale) {
+  const std::string list = write("mm.xyz", "0 0 0\n400000 0 0\n400000 5 30000\n");
+  const auto large = load_track(files, list, nullptr, {.up = world::Axis::y, .scale = 0.1});
+  ASSERT_TRUE(large) << large.status().message;
+  ASSERT_FALSE(large->warnings.empty());
+  EXPECT_NE(large->warnings[0].find("load it with the word scale"), std::string::npos) << large->warnings[0];
+  EXPECT_NE(load_track(files, list)->note.find("0.001 m a unit (proposed)"), std::string::npos);
+}
+
+// On a level circle without losses the bank is atan(v^2 / (r g)) everywhere.
+TEST_F(ImportWords, auto_bank_cancels_lateral_g_at_the_start_speed) {
+  std::string text;
+  for (int i = 0; i < 90; ++i)
+    text += fmt::format("{:.6f} 5 {:.6f}\n", 30 * std::cos(base::kPi * i / 45), 30 * std::sin(base::kPi * i / 45));
+  const std::string path = write("ring.txt", text);
+  const auto level = load_track(files, path),
+             banked = load_track(files, path, nullptr, {.bank = ImportBank::automatic});
+  ASSERT_TRUE(level && banked);
+  EXPECT_NE(banked->note.find("Banked 90 knots."), std::string::npos) << banked->note;
+  const double speed = banked->document.start_speed, bank = std::atan(speed * speed / (30 * 9.81)) * 180 / base::kPi;
+  ASSERT_GT(bank, 0.1);
+  for (const world::Entity e : level->document.track.knots)
+    EXPECT_NEAR(world::roll_deg(world::knot(level->document, e)), 0, 1e-4);
+  for (const world::Entity e : banked->document.track.knots)
+    EXPECT_NEAR(std::abs(world::roll_deg(world::knot(banked->document, e))), bank, 0.02 * bank);
 }
 
 }  // namespace formats_test

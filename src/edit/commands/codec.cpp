@@ -179,7 +179,7 @@ std::string print(const Command& command) {
     const Flag* const flag = field.flag();
     if (flag && !flag->set) continue;
     if (!field.keyword.word.empty()) text += " " + field.keyword.word;
-    if (!flag) text += " " + field.type->print(field.value);
+    if (const std::string value = field.type->print(field.value); !value.empty()) text += " " + value;
   }
   return text;
 }

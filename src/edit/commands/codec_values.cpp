@@ -152,29 +152,47 @@ bool read_value(base::Words& words, Phrase& value) {
   return words.take("words") != nullptr && words.reject("words");
 }
 
-std::string print_value(const CameraChange& value) {
+namespace {
+
+template <class T>
+bool read_part(base::Words& words, std::optional<T>& part) {
+  return read_value(words, part.emplace());
+}
+bool read_part(base::Words&, bool& part) { return part = true; }
+template <class T>
+std::string print_part(const std::optional<T>& part) {
+  return ' ' + print_value(*part);
+}
+std::string print_part(bool) { return {}; }
+
+// Values whose parts follow their names, in any order.
+std::string print_parts(const auto& value) {
   std::string text;
-  const auto add = [&](std::string_view name, const auto& part) {
-    if (part) text += fmt::format("{}{} {}", text.empty() ? "" : " ", name, print_value(*part));
-  };
-  add("target", value.target), add("yaw", value.yaw_deg), add("pitch", value.pitch_deg);
-  add("distance", value.distance);
+  value.fields(value, [&](std::string_view name, const auto& part) {
+    if (part) text += fmt::format("{}{}{}", text.empty() ? "" : " ", name, print_part(part));
+  });
   return text;
 }
-bool read_value(base::Words& words, CameraChange& value) {
-  static const Names kNames{"target", "yaw", "pitch", "distance"};
-  do {
-    const auto name = words.one_of("target, yaw, pitch or distance", kNames);
-    if (!name) return false;
-    if (*name == 0 ? !read_value(words, value.target.emplace())
-                   : !read_value(words, (*name == 1   ? value.yaw_deg
-                                         : *name == 2 ? value.pitch_deg
-                                                      : value.distance)
-                                            .emplace()))
-      return false;
-  } while (!words.at_end());
+bool read_parts(base::Words& words, auto& value, bool needs_one) {
+  Names names;
+  value.fields(value, [&](std::string_view name, auto&) { names.emplace_back(name); });
+  for (bool more = needs_one || !words.at_end(); more; more = !words.at_end()) {
+    const auto chosen = words.one_of(base::alternatives(names), names);
+    bool read = false;
+    value.fields(value, [&](std::string_view name, auto& part) {
+      if (chosen && name == names[*chosen]) read = read_part(words, part);
+    });
+    if (!read) return false;
+  }
   return true;
 }
+
+}  // namespace
+
+std::string print_value(const CameraChange& value) { return print_parts(value); }
+std::string print_value(const exchange::Import& value) { return print_parts(value); }
+bool read_value(base::Words& words, CameraChange& value) { return read_parts(words, value, true); }
+bool read_value(base::Words& words, exchange::Import& value) { return read_parts(words, value, false); }
 
 bool read_value(base::Words& words, Target& value) {
   constexpr std::string_view kExpected = "an entity such as @k3, @s2, @c1 or @q1";

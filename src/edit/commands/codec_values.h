@@ -12,6 +12,7 @@
 
 #include "base/words.h"
 #include "edit/commands/command.h"
+#include "exchange/own/import.h"
 #include "sim/ride/ride.h"
 #include "sim/shape/frame_methods.h"
 #include "world/document.h"
@@ -29,6 +30,7 @@ std::string print_value(const Knots& value);  // "@k1,@k2", "all", "selected"
 std::string print_value(const Sections& value);
 std::string print_value(const Phrase& value);
 std::string print_value(const CameraChange& value);
+std::string print_value(const exchange::Import& value);  // "" for the default
 std::string print_value(glm::vec3 value);
 std::string print_value(bool value);
 std::string print_value(const std::string& value);
@@ -46,6 +48,7 @@ std::string words_of(const Sections& value, const world::Document& document);
 std::string words_of(const KnotsOrSections& value, const world::Document& document);
 inline std::string words_of(const Phrase& value) { return value.text; }
 inline std::string words_of(const CameraChange& value) { return print_value(value); }
+inline std::string words_of(const exchange::Import& value) { return print_value(value); }
 std::string words_of(glm::vec3 value);
 std::string words_of(const world::Element& value);
 inline std::string words_of(bool value) { return print_value(value); }
@@ -60,7 +63,8 @@ bool read_value(base::Words& words, Knots& value);
 bool read_value(base::Words& words, Sections& value);
 bool read_value(base::Words& words, KnotsOrSections& value);
 bool read_value(base::Words& words, Phrase& value);
-bool read_value(base::Words& words, CameraChange& value);  // reads to the end of the line
+bool read_value(base::Words& words, CameraChange& value);      // reads to the end of the line
+bool read_value(base::Words& words, exchange::Import& value);  // reads to the end of the line
 bool read_value(base::Words& words, glm::vec3& value);
 bool read_value(base::Words& words, float& value);
 bool read_value(base::Words& words, double& value);
@@ -78,6 +82,9 @@ inline std::string usage_of(const Sections&) { return "@section,...|@section..@s
 inline std::string usage_of(const KnotsOrSections&) { return "@knot,...|@knot..@knot|@section,...|all|selected"; }
 inline std::string usage_of(const Phrase&) { return "WORDS"; }
 inline std::string usage_of(const CameraChange&) { return "[target X Y Z] [yaw A] [pitch B] [distance D]"; }
+inline std::string usage_of(const exchange::Import&) {
+  return "[up x|y|z] [scale METRES] [smooth METRES] [bank level|auto] [origin]";
+}
 inline std::string usage_of(glm::vec3) { return "X Y Z"; }
 inline std::string usage_of(bool) { return "on|off"; }
 inline std::string usage_of(const Flag&) { return {}; }

@@ -72,6 +72,11 @@ struct Flag {
 struct CameraChange {
   std::optional<glm::vec3> target;                    // m
   std::optional<float> yaw_deg, pitch_deg, distance;  // distance in m
+  template <class Self, class Visit>
+  static void fields(Self& self, Visit&& visit) {
+    visit("target", self.target), visit("yaw", self.yaw_deg), visit("pitch", self.pitch_deg);
+    visit("distance", self.distance);
+  }
   friend bool operator==(const CameraChange&, const CameraChange&) = default;
 };
 

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "edit/commands/command_fields.h"
+#include "exchange/own/import.h"
 
 namespace coaster::edit {
 
@@ -31,9 +32,13 @@ struct CancelGesture {
 };
 struct Load {
   std::string path;
-  COASTER_COMMAND(Load, "load", "Open a track file; its extension selects the format. Or open a shared link.",
-                  Effect::session);
-  COASTER_FIELDS(visit("", self.path))
+  exchange::Import import = {};
+  COASTER_COMMAND(
+      Load, "load",
+      "Open a track file; its extension selects the format. Or open a shared link. The words say how a list "
+      "of points becomes a track; origin moves it, or NoLimits 2 rows, to the origin.",
+      Effect::session);
+  COASTER_FIELDS(visit("", self.path), visit("", self.import))
 };
 // Refused with Code::io if another program changed the document's own file since it was opened, unless `overwrite`.
 struct Save {

@@ -83,15 +83,7 @@ Status perform(Session& session, Change&, const SetRollbackFails& command) {
 Status perform(Session& session, Change& change, const AutoBank&) {
   const sim::Ghost* const ghost = find(session, Want::ride).ride;
   if (!ghost) return refused("banking needs a track with a train");
-  const std::vector<glm::vec3> ups = sim::banked_ups(session.document, session.derived, *ghost);
-  int turned = 0;
-  for (std::size_t i = 0; i < ups.size(); ++i) {
-    world::Knot& knot = session.document.entities.get<world::Knot>(session.document.track.knots[i]);
-    if (knot.up == ups[i]) continue;
-    knot.up = ups[i];
-    world::orthonormalise(knot);
-    ++turned;
-  }
+  const int turned = sim::bank_knots(session.document, session.derived, *ghost);
   change.respun = session.document.track.knots;
   change.note = fmt::format("Banked {} {}.", turned, turned == 1 ? "knot" : "knots");
   return {};

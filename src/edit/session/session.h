@@ -13,6 +13,7 @@
 #include "edit/commands/command.h"
 #include "edit/session/challenge.h"
 #include "edit/session/findings.h"
+#include "exchange/own/import.h"
 #include "exchange/own/track_file.h"
 #include "sim/ride/ride.h"
 #include "sim/shape/derived.h"
@@ -61,6 +62,7 @@ struct RideCost {
 // A file that a thread has read in advance, for its next load.
 struct ReadAhead {
   std::string path;
+  exchange::Import import;
   exchange::LoadedTrack track;
 };
 

@@ -11,6 +11,7 @@
 #include "base/words.h"
 #include "exchange/nolimits/nl2_csv_lines.h"
 #include "exchange/nolimits/within_text.h"
+#include "exchange/own/import.h"
 #include "sim/fit/fit_track.h"
 #include "world/topology.h"
 
@@ -36,6 +37,9 @@ std::size_t decimals(std::string_view number) {
   return point == std::string_view::npos ? 0 : number.size() - point - 1;
 }
 
+constexpr const char* kFarHint = ": load it with the word origin to move it there";
+constexpr double kAnywhere = 1e9;  // m
+
 struct Reader {
   std::string_view name;
   Lines lines;
@@ -45,8 +49,9 @@ struct Reader {
   std::size_t more_warnings = 0;  // number of omitted warnings
   Separator separator = kSeparators[0];
   std::size_t data_rows = 0;
-  std::int64_t first_number = 1;   // of the rows: 0 or 1
-  std::size_t first_decimals = 0;  // the fewest decimals of the first row's numbers
+  std::int64_t first_number = 1;         // of the rows: 0 or 1
+  std::size_t first_decimals = 0;        // the fewest decimals of the first row's numbers
+  double limit = world::kMaxCoordinate;  // m, of positions
   std::string error;
 
   bool fail(std::string_view expected, std::string_view found) {
@@ -98,7 +103,8 @@ bool read_vector(Reader& r, const Cells& cells, std::size_t first, double limit,
     const auto number = base::parse_double(cells[i]);
     const auto expected = [&](std::string_view what) { return fmt::format("{} in column {}", what, kColumns[i]); };
     if (!number) return r.fail(expected("a finite number"), base::quoted_number(cells[i]));
-    if (!(std::abs(*number) <= limit)) return r.fail(expected(within_text(limit)), base::quoted_start(cells[i]));
+    if (!(std::abs(*number) <= limit))
+      return r.fail(expected(within_text(limit)), base::quoted_start(cells[i]) + (i < 4 ? kFarHint : ""));
     v[axis] = *number;
   }
   return true;
@@ -151,8 +157,7 @@ bool read_row(Reader& r, std::string_view line) {
   if (!number || *number != expected)
     return r.fail(fmt::format("the row's number {}", expected), base::quoted_start(cells[0]));
   sim::FitRow row;
-  if (!read_vector(r, cells, 1, world::kMaxCoordinate, row.position) || !read_frame(r, cells, row) ||
-      !check_cut(r, cells))
+  if (!read_vector(r, cells, 1, r.limit, row.position) || !read_frame(r, cells, row) || !check_cut(r, cells))
     return false;
   ++r.data_rows;
   if (!r.rows.empty() && glm::distance(r.rows.back().position, row.position) <= kSamePlace) {
@@ -234,9 +239,20 @@ bool read_rows(Reader& r) {
 
 }  // namespace
 
-base::Result<LoadedTrack> parse_nl2_csv(std::string_view text, std::string_view name, base::Progress* progress) {
+bool starts_far(std::string_view text) {
+  Reader r{.name = {}, .lines = Lines(text), .limit = kAnywhere};
+  std::string_view line;
+  return r.lines.next(line) && find_separator(r, line) &&
+         (is_row(r, line) || (read_header(r, line) && r.lines.next(line))) && read_row(r, line) &&
+         glm::length(r.rows[0].position) > kFar;
+}
+
+base::Result<LoadedTrack> parse_nl2_csv(std::string_view text, std::string_view name, base::Progress* progress,
+                                        bool origin) {
   Reader r{.name = name, .lines = Lines(text)};
+  if (origin) r.limit = kAnywhere;
   if (!read_rows(r)) return base::Status{base::Code::bad_file, r.error};
+  const std::string moved = origin ? move_to_origin(r.rows, &sim::FitRow::position) : "";
   const bool closed = sim::rows_close(r.rows);
   const bool repeated =
       r.rows.size() > 4 && glm::distance(r.rows.front().position, r.rows.back().position) <= kSamePlace;
@@ -245,6 +261,7 @@ base::Result<LoadedTrack> parse_nl2_csv(std::string_view text, std::string_view 
   if (progress && progress->cancelled)
     return base::Status{base::Code::refused, std::string(name) + ": the import was cancelled"};
   LoadedTrack loaded;
+  loaded.note = moved;
   loaded.document = std::move(fitted.document);
   loaded.document.name = name_of_file(name);
   world::add_cart(loaded.document, loaded.document.track.segments[0], 0);

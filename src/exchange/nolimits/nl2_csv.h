@@ -24,8 +24,11 @@ inline constexpr double kNl2Spacing = 0.05;  // m between saved rows; the same a
 // than kMaxNl2Rows, a truncated last number, and rows that run against Front. Leaves out rows at the position of the
 // previous row, with a warning. Warns of single steps against Front, of gaps and of jumps of the frame. Reports
 // `progress`, and is refused once it is cancelled.
+// `origin`: moves rows from anywhere to the origin (exchange/own/import.h).
 base::Result<LoadedTrack> parse_nl2_csv(std::string_view text, std::string_view name,
-                                        base::Progress* progress = nullptr);
+                                        base::Progress* progress = nullptr, bool origin = false);
+// True if the first row can be read and is further than kFar from the origin.
+bool starts_far(std::string_view text);
 
 // Checks that the track can be written: it has a segment and at most kMaxNl2Rows rows. `spacing` in m, above 0.
 base::Status check_nl2_csv(const world::Document& document, double spacing);

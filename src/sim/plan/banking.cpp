@@ -4,6 +4,7 @@
 
 #include "curve/continuity.h"
 #include "curve/frames.h"
+#include "world/topology.h"
 
 namespace coaster::sim {
 namespace {
@@ -51,6 +52,19 @@ std::vector<glm::vec3> banked_ups(const world::Document& document, const Derived
     ups.back() = glm::vec3(glm::normalize(across));
   }
   return ups;
+}
+
+int bank_knots(world::Document& document, const Derived& derived, const Ghost& ghost) {
+  const std::vector<glm::vec3> ups = banked_ups(document, derived, ghost);
+  int turned = 0;
+  for (std::size_t i = 0; i < ups.size(); ++i) {
+    world::Knot& knot = document.entities.get<world::Knot>(document.track.knots[i]);
+    if (knot.up == ups[i]) continue;
+    knot.up = ups[i];
+    world::orthonormalise(knot);
+    ++turned;
+  }
+  return turned;
 }
 
 }  // namespace coaster::sim

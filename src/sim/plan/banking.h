@@ -14,5 +14,7 @@ namespace coaster::sim {
 // the curvature jumps, the mean of both sides counts.
 inline constexpr double kLeastFelt = 0.05;  // g
 std::vector<glm::vec3> banked_ups(const world::Document& document, const Derived& derived, const Ghost& ghost);
+// Turns the knots to them; returns the number of knots that turned.
+int bank_knots(world::Document& document, const Derived& derived, const Ghost& ghost);
 
 }  // namespace coaster::sim

@@ -118,7 +118,8 @@ TEST(nl2_csv, errors_name_the_line_what_was_expected_and_what_was_found) {
     expect_error(replaced(two, "12.345678", bad),
                  "t.csv:2: error: expected a finite number in column PosY, found " + base::quoted(bad));
   expect_error(replaced(two, "12.345678", "100000.1"),
-               "t.csv:2: error: expected a position within 100000 m in column PosY, found \"100000.1\"");
+               "t.csv:2: error: expected a position within 100000 m in column PosY, found \"100000.1\": load it with "
+               "the word origin to move it there");
   const std::string turn = "1\t0\t0\t0\t0\t-1\t";
   expect_error(head + row(1, 1, "1.1\t0\t0\t0\t0\t-1\t0\t1\t0"),
                "t.csv:2: error: expected Front to be a unit vector, found one of length 1.1");

@@ -27,9 +27,9 @@ TEST_F(TrackFile, what_is_saved_loads_again) {
 }
 
 TEST_F(TrackFile, other_endings_are_refused_with_the_known_ones) {
-  const auto loaded = load_track(files_, folder_ / "a.txt");
+  const auto loaded = load_track(files_, folder_ / "a.doc");
   EXPECT_EQ(loaded.status().code, base::Code::bad_file);
-  EXPECT_NE(loaded.status().message.find("a.txt: error: expected a file ending in .json"), std::string::npos);
+  EXPECT_NE(loaded.status().message.find("a.doc: error: expected a file ending in .json"), std::string::npos);
   const auto folder = load_track(files_, folder_);
   EXPECT_NE(folder.status().message.find("this is a folder; expected a file ending in .json"), std::string::npos);
   EXPECT_FALSE(save_track(files_, folder_ / "a", {}));

@@ -1,0 +1,48 @@
+// How a file of points or rows becomes a track: the words of the command `load` (docs/script.md).
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+
+#include <fmt/format.h>
+
+#include "world/settings.h"
+
+namespace coaster::exchange {
+
+enum class ImportBank : std::uint8_t { level, automatic };
+inline constexpr base::NameRow kImportBanks[] = {
+    {"level", "Level", "Rolls follow the horizon."},
+    {"auto", "Auto-bank", "Banks each knot until riders feel no lateral g."}};
+constexpr std::span<const base::NameRow> rows_of(ImportBank) { return kImportBanks; }
+
+struct Import {
+  std::optional<world::Axis> up;        // of the file; nothing: as proposed for the points
+  std::optional<double> scale, smooth;  // metres a unit, nothing: as proposed; m, nothing: through every point
+  std::optional<ImportBank> bank;       // nothing: level
+  bool origin = false;                  // moves the track to the origin
+  template <class Self, class Visit>
+  static void fields(Self& self, Visit&& visit) {
+    visit("up", self.up), visit("scale", self.scale), visit("smooth", self.smooth), visit("bank", self.bank);
+    visit("origin", self.origin);
+  }
+  friend bool operator==(const Import&, const Import&) = default;
+};
+
+inline constexpr double kFar = 10'000;  // m: further from the origin, float positions round to 1 mm or more
+
+// Moves rows to the origin: the middle to x = z = 0, the lowest point to 2 m, by whole mm. place(row): its position, m,
+// Y up.
+template <class Rows, class Place>
+std::string move_to_origin(Rows& rows, Place place) {
+  glm::dvec3 low = std::invoke(place, rows.front()), high = low;
+  for (const auto& row : rows)
+    low = glm::min(low, std::invoke(place, row)), high = glm::max(high, std::invoke(place, row));
+  const glm::dvec3 middle = 0.5 * (low + high), from(middle.x, low.y - 2, middle.z);
+  const glm::dvec3 move = 0.0 - glm::round(from * 1000.0) / 1000.0;
+  for (auto& row : rows) std::invoke(place, row) += move;
+  return fmt::format("Moved by ({:.3f}, {:.3f}, {:.3f}) m to the origin.", move.x, move.y, move.z);
+}
+
+}  // namespace coaster::exchange
