@@ -11,6 +11,7 @@
 #include "base/crash_guard.h"
 #include "edit/commands/commands_force.h"
 #include "edit/commands/commands_sections.h"
+#include "exchange/formats.h"
 #include "exchange/own/force_text.h"
 #include "exchange/own/link.h"
 #include "world/look.h"
@@ -51,10 +52,11 @@ void ask_for_tutorial(Program& program) {
                  "The tutorial needs a window and cannot run during a script.");
 }
 
-// Pastes the clipboard. A link is opened. The clipboard of another window has priority over what was copied here.
+// Pastes the clipboard. A link or a list of points is opened. The clipboard of another window has priority over what
+// was copied here.
 void paste(Program& program, bool link_alone, const std::optional<ui::KeysPlace>& keys_to) {
   std::string text = program.surface->clipboard();
-  if (exchange::is_link(text)) return program.ui->open(std::move(text));
+  if (exchange::is_link(text) || exchange::is_pasted(text)) return program.ui->open(std::move(text));
   if (link_alone) return;
   if (keys_to && exchange::parse_keys(text.empty() ? program.session.copied : text)) {
     edit::PasteForceKeys keys{{keys_to->section}, keys_to->channel, keys_to->at, {}};

@@ -50,6 +50,19 @@ TEST_F(Frame, sections_are_copied_from_one_program_to_another_as_text) {
   EXPECT_EQ(last_kind(*program_), "loop");
 }
 
+TEST_F(Frame, pasted_lines_of_numbers_open_as_points_after_a_question) {
+  surface(*program_).copied = "0 5 0\r\n60 5 0\r\n120 5 20\r\n";
+  press(*program_, platform::Key::v);
+  EXPECT_TRUE(program_->session.document.track.knots.empty());
+  const auto enter = [&] { return platform::KeyPress{platform::Key::enter, true, false, {}}; };
+  for (int i = 0; i < 3; ++i) run_frame(*program_, {platform::Tick{1.0 / 60}}, 0);
+  run_frame(*program_, {enter(), platform::Tick{1.0 / 60}}, 0);
+  ASSERT_EQ(program_->session.document.track.knots.size(), 3u);
+  EXPECT_EQ(world::knot(program_->session.document, program_->session.document.track.knots[1]).position,
+            glm::vec3(60, 5, 0));
+  EXPECT_EQ(program_->session.file.path, "");
+}
+
 // A search would hold up each frame of the drag.
 TEST_F(Frame, ways_home_are_not_searched_for_while_a_drag_changes_the_track) {
   place(*program_, world::ElementKind::straight);

@@ -11,6 +11,7 @@
 
 #include "base/kept.h"
 #include "edit/commands/command.h"
+#include "exchange/own/import.h"
 #include "ui/context/key_map.h"
 #include "ui/context/output.h"
 #include "ui/context/state.h"
@@ -40,7 +41,8 @@ struct Want {
     challenges,
     start_screen
   } kind = Kind::nothing;
-  std::string path;  // for load and challenge
+  std::string path;              // for load and challenge
+  exchange::Import import = {};  // for load: the words; none: they are asked for
 };
 
 // The last requested change of a section. If it is refused, the reason shows below its field.

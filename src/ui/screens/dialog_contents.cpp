@@ -2,9 +2,12 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include <fmt/format.h>
 
+#include "edit/commands/commands_session.h"
+#include "exchange/points/points.h"
 #include "ui/screens/dialogs.h"
 #include "ui/widgets/theme.h"
 
@@ -167,6 +170,53 @@ void Dialogs::build_challenges(Ui& ui) {
   else if (chosen) request(ui, {Want::Kind::challenge, chosen->string()});
 }
 
+void Dialogs::build_import(Ui& ui, const platform::Events& events, bool text_had_keyboard) {
+  exchange::Import& to = question_.proposed;
+  const bool rows = question_.points == 0;
+  const auto hit = [&](Key a, Key b = Key::unknown) { return !text_had_keyboard && pressed(events, a, b); };
+  ui.panel = rows ? "Import rows" : "Import points";
+  title(ui.panel);
+  if (hit(Key::tab) && ui.wish) ui.wish->panel = ui.panel;
+  if (rows) {
+    paragraph(ui, "Size", "The track is far from the origin, where positions are rounded.", palette().text);
+  } else {
+    const double height = *to.scale * std::abs(exchange::with_y_up(question_.size, *to.up).y);
+    paragraph(
+        ui, "Size",
+        fmt::format("{} points: {:.4g} m long, {:.3g} m high.", question_.points, *to.scale * question_.length, height),
+        palette().text);
+    for (const auto& [key, axis] :
+         {std::pair{Key::x, world::Axis::x}, {Key::y, world::Axis::y}, {Key::z, world::Axis::z}})
+      if (hit(key)) to.up = axis;
+    to.up = combo_of(ui, "Up axis", *to.up, "The file's axis of height. Keys X, Y, Z.").value_or(*to.up);
+    const Number scale{.value = *to.scale,
+                       .decimals = *to.scale < 0.1 ? 6 : 3,
+                       .step = 0.01 * *to.scale,
+                       .low = 1 / exchange::kMostScale,
+                       .high = exchange::kMostScale};
+    to.scale =
+        number(ui, "Metres a unit", scale, "Length of one unit of the file in metres. Key Tab.").value_or(*to.scale);
+    const Number within{.value = to.smooth.value_or(0), .unit = "m", .step = 0.005, .high = exchange::kMostSmooth};
+    if (const auto most =
+            number(ui, "Smooth within", within,
+                   "Largest distance of the track from the points, at least 0.02 m. 0 leads through every point."))
+      to.smooth = *most > 0 ? std::optional(std::max(*most, exchange::kLeastSmooth)) : std::nullopt;
+    using enum exchange::ImportBank;
+    if (hit(Key::b)) to.bank = to.bank == automatic ? level : automatic;
+    if (const auto bank = combo_of(ui, "Roll", to.bank.value_or(level), "How the track rolls. Key B.")) to.bank = bank;
+  }
+  const auto moves =
+      checkbox(ui, "Move to the origin", to.origin, "Move the middle of the track to the origin. Key O.");
+  to.origin = moves.value_or(hit(Key::o) ? !to.origin : to.origin);
+  const bool go = button(ui, "Import", "Open the track. Key Enter.") || hit(Key::enter, Key::keypad_enter);
+  ImGui::SameLine();
+  const bool cancel = button(ui, "Cancel", "Keep the open track. Key Escape.") || hit(Key::escape);
+  if (cancel) return abandon();
+  if (!go) return;
+  ui.emit(edit::Load{std::move(want_.path), to});
+  abandon();
+}
+
 void Dialogs::build_shown(Ui& ui, const platform::Events& events, bool text_had_keyboard) {
   switch (shown_) {
     case Dialog::none: break;
@@ -177,6 +227,7 @@ void Dialogs::build_shown(Ui& ui, const platform::Events& events, bool text_had_
     case Dialog::new_folder: build_new_folder(ui, events, text_had_keyboard); break;
     case Dialog::recovery: build_recovery(ui); break;
     case Dialog::challenges: build_challenges(ui); break;
+    case Dialog::import: build_import(ui, events, text_had_keyboard); break;
     case Dialog::settings:
       ui.panel = "Settings";
       title("Settings");

@@ -11,7 +11,6 @@
 #include "edit/commands/commands_challenge.h"
 #include "edit/commands/commands_sections.h"
 #include "edit/commands/commands_session.h"
-#include "exchange/formats.h"
 
 namespace coaster::ui {
 namespace {
@@ -65,7 +64,7 @@ void Dialogs::perform(Ui& ui, const Want& want) {
     case Want::Kind::start_screen: break;
     case Want::Kind::fresh: ui.emit(edit::NewTrack{}); break;
     case Want::Kind::browse: browse(ui, FileBrowser::Mode::open); break;
-    case Want::Kind::load: ui.emit(edit::Load{want.path}); break;
+    case Want::Kind::load: load(ui, want); break;
     case Want::Kind::tutorial: ui.out.wants_tutorial = true; break;
     case Want::Kind::challenge: ui.emit(edit::StartChallenge{want.path}); break;
     case Want::Kind::quit: ui.out.quit = true; break;
@@ -76,6 +75,14 @@ void Dialogs::perform(Ui& ui, const Want& want) {
     case Want::Kind::settings: dialog_ = Dialog::settings; break;
     case Want::Kind::challenges: dialog_ = Dialog::challenges, challenges_.reset(); break;
   }
+}
+
+// Asks how points become a track, unless the words say so.
+void Dialogs::load(Ui& ui, const Want& want) {
+  base::Files files;
+  const auto question = want.import == exchange::Import{} ? exchange::question_of(files, want.path) : std::nullopt;
+  if (!question) return ui.emit(edit::Load{want.path, want.import});
+  want_ = want, question_ = *question, dialog_ = Dialog::import;
 }
 
 // The save ran after the frame that requested it. If the document is still unsaved, a notice says why.

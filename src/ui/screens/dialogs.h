@@ -1,11 +1,12 @@
 // Modal dialogs, one at a time: unsaved changes, choosing a file, overwriting, a file changed by another program, a new
-// folder, recovering an autosave, settings, challenges. An open dialog takes all keys and the mouse. The document
-// changes only by the commands that answers emit.
+// folder, recovering an autosave, settings, challenges, how points become a track. An open dialog takes all keys and
+// the mouse. The document changes only by the commands that answers emit.
 #pragma once
 
 #include <string>
 #include <utility>
 
+#include "exchange/formats.h"
 #include "ui/screens/challenge_list.h"
 #include "ui/screens/file_browser.h"
 
@@ -23,12 +24,13 @@ class Dialogs {
   void build(Ui& ui, const platform::Events& events, bool text_had_keyboard, float width, float height);
 
  private:
-  enum class Dialog { none, unsaved, browse, overwrite, changed, new_folder, recovery, settings, challenges };
+  enum class Dialog { none, unsaved, browse, overwrite, changed, new_folder, recovery, settings, challenges, import };
 
   void request(Ui& ui, Want want);
   void save(Ui& ui);
   void proceed(Ui& ui);
   void perform(Ui& ui, const Want& want);
+  void load(Ui& ui, const Want& want);
   void abandon();
   void follow_save(Ui& ui);
   void write(Ui& ui, const std::filesystem::path& path, bool overwrite);
@@ -43,6 +45,7 @@ class Dialogs {
   void build_new_folder(Ui& ui, const platform::Events& events, bool text_had_keyboard);
   void build_recovery(Ui& ui);
   void build_challenges(Ui& ui);
+  void build_import(Ui& ui, const platform::Events& events, bool text_had_keyboard);
   std::pair<float, float> wanted_size()
       const;  // design px; a height below 0: as high as the content, at least that much
 
@@ -55,6 +58,7 @@ class Dialogs {
   bool sections_ = false;                                  // the browser shows files of sections, not of tracks
   std::optional<std::vector<ChallengeEntry>> challenges_;  // read when the dialog is first built
   int challenge_ = 0;                                      // the highlighted row
+  exchange::ImportQuestion question_;
   std::filesystem::path chosen_;
   std::string folder_name_;
 };

@@ -4,6 +4,7 @@
 #include <imgui_internal.h>
 
 #include "base/scratch_folder.h"
+#include "edit/commands/codec.h"
 #include "edit/commands/commands_challenge.h"
 #include "edit/commands/commands_document.h"
 #include "edit/commands/commands_session.h"
@@ -279,6 +280,103 @@ TEST_F(DialogsTest, the_settings_say_what_to_keep) {
   key(Key::escape);
   frames(2);
   EXPECT_EQ(find("Settings/Keys/Save"), nullptr);
+}
+
+// Of a track that is saved, so that nothing else is asked.
+struct ImportTest : DialogsTest {
+  std::string list = (folder / "list.xyz").string();
+  void SetUp() override {
+    DialogsTest::SetUp();
+    ASSERT_TRUE(edit::apply(session_, files_, edit::Save{(folder / "own.json").string()}));
+    ASSERT_TRUE(files_.write_atomic(list, "0 0 0\n40 0 0\n40 30 1\n0 30 1\n"));
+    drop();
+  }
+  void drop() {
+    commands_.clear();
+    frame({platform::Drop{list}});
+    frames(2);
+  }
+  const edit::Load* load() const {
+    for (const edit::Command& command : commands_)
+      if (const auto* const load = command.as<edit::Load>()) return load;
+    return nullptr;
+  }
+};
+
+TEST_F(ImportTest, points_are_opened_as_proposed_by_enter_and_not_at_all_by_escape) {
+  ASSERT_NE(find("Import points/Import"), nullptr);
+  EXPECT_EQ(find("Import points/Up axis")->value, "Z");
+  EXPECT_EQ(find("Import points/Size")->value, "4 points: 140 m long, 1 m high.");
+  key(Key::escape);
+  frames(2);
+  EXPECT_EQ(find("Import points/Import"), nullptr);
+  EXPECT_EQ(load(), nullptr);
+  drop();
+  click("Import points/Cancel");
+  EXPECT_EQ(load(), nullptr);
+  EXPECT_EQ(session_.document.track.knots.size(), 3u);
+  drop();
+  key(Key::enter);
+  ASSERT_NE(load(), nullptr);
+  EXPECT_EQ(load()->import, (exchange::Import{.up = world::Axis::z, .scale = 1}));
+  EXPECT_TRUE(session_.document.track.closed);
+  frames(2);
+  EXPECT_EQ(find("Import points/Import"), nullptr);
+}
+
+TEST_F(ImportTest, keys_and_fields_give_the_words_of_load) {
+  key(Key::y), key(Key::b), key(Key::o);
+  frames(2);
+  EXPECT_EQ(find("Import points/Size")->value, "4 points: 140 m long, 30 m high.");
+  type("Import points/Metres a unit", "2.5");
+  type("Import points/Smooth within", "0.001");
+  click("Import points/Import");
+  ASSERT_NE(load(), nullptr);
+  EXPECT_EQ(edit::print(*load()), "load \"" + list + "\" up y scale 2.5 smooth 0.02 bank auto origin");
+}
+
+TEST_F(ImportTest, tab_leads_through_the_numbers) {
+  key(Key::escape);
+  drop();
+  key(Key::tab);
+  frames(4);
+  frame({platform::TextInput{"0.5"}});
+  key(Key::tab);
+  frames(4);
+  frame({platform::TextInput{"0.25"}});
+  key(Key::enter);
+  frames(2);
+  ASSERT_EQ(load(), nullptr) << "that Enter was the field's";
+  key(Key::enter);
+  ASSERT_NE(load(), nullptr);
+  EXPECT_EQ(load()->import, (exchange::Import{.up = world::Axis::z, .scale = 0.5, .smooth = 0.25}));
+}
+
+TEST_F(ImportTest, far_rows_are_offered_at_the_origin_alone) {
+  key(Key::escape);
+  list = (folder / "far.csv").string();
+  std::string rows =
+      "\"No.\"\t\"PosX\"\t\"PosY\"\t\"PosZ\"\t\"FrontX\"\t\"FrontY\"\t\"FrontZ\"\t\"LeftX\"\t\"LeftY\"\t"
+      "\"LeftZ\"\t\"UpX\"\t\"UpY\"\t\"UpZ\"\n";
+  for (int i = 1; i < 30; ++i)
+    rows += std::to_string(i) + "\t" + std::to_string(50000 + i) + "\t3\t0\t1\t0\t0\t0\t0\t-1\t0\t1\t0\n";
+  ASSERT_TRUE(files_.write_atomic(list, rows));
+  drop();
+  ASSERT_NE(find("Import rows/Move to the origin"), nullptr);
+  EXPECT_EQ(find("Import rows/Up axis"), nullptr);
+  click("Import rows/Import");
+  ASSERT_NE(load(), nullptr);
+  EXPECT_EQ(load()->import, exchange::Import{.origin = true});
+}
+
+TEST_F(ImportTest, unsaved_changes_are_asked_about_first) {
+  key(Key::escape);
+  ASSERT_TRUE(edit::apply(session_, files_, edit::MoveKnot{{{world::Kind::knot, 1}}, {1, 2, 3}}));
+  drop();
+  EXPECT_EQ(find("Import points/Import"), nullptr);
+  click("Unsaved changes/Discard");
+  frames(2);
+  ASSERT_NE(find("Import points/Import"), nullptr);
 }
 
 }  // namespace dialogs_test
