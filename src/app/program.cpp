@@ -24,6 +24,7 @@
 #include "edit/commands/commands_settings.h"
 #include "edit/commands/set_setting.h"
 #include "edit/perform/apply.h"
+#include "exchange/formats.h"
 #include "query/challenge.h"
 #include "script/paths.h"
 #include "ui/tools/follow_camera.h"
@@ -171,7 +172,8 @@ base::Status apply(Program& program, const edit::Command& command) {
   if (applied && (command.is<edit::CopySection>() || command.is<edit::CopyForceKeys>()))
     program.surface->set_clipboard(program.session.copied);
   if (const std::string* const path = edit::output_path(command); applied && path && program.by_hand)
-    program.surface->offer(*path);
+    for (const std::filesystem::path& file : {std::filesystem::path(*path), exchange::materials_of(*path)})
+      if (!file.empty()) program.surface->offer(file.string());
   if (applied && command.is<edit::Share>())
     program.surface->set_clipboard(program.options.address + program.session.shared);
   if (!applied || edit::info(command).effect != edit::Effect::session || edit::output_path(command) ||

@@ -67,7 +67,8 @@ constexpr std::array kFormats{
     points_format(".sp"),
     Format{".fvd", "openFVD project", parse_fvd, nullptr, true, false},
     Format{".gltf", "glTF 2.0", nullptr, print_gltf, false, false, check_solid},
-    Format{".obj", "Wavefront OBJ", nullptr, print_obj, false, false, check_solid},
+    Format{".obj", "Wavefront OBJ", nullptr, print_obj, false, false, check_solid, base::kMaxFileBytes, nullptr, false,
+           obj_materials},
     Format{".svg", "drawing", nullptr, print_svg, false, false, nullptr, base::kMaxFileBytes, nullptr, true},
 };
 
@@ -174,7 +175,11 @@ base::Status print_to(base::Files& files, const std::filesystem::path& path, con
   if (format.check)
     if (const base::Status fit = format.check(document); !fit)
       return {fit.code, fmt::format("{}: {}", path.string(), fit.message)};
-  const std::string bytes = format.print(document);
+  std::string bytes = format.print(document);
+  if (const std::filesystem::path beside = materials_of(path); !beside.empty()) {
+    bytes = fmt::format("mtllib {}\n{}", beside.filename().string(), bytes);
+    if (const base::Status written = files.write_atomic(beside, format.materials()); !written) return written;
+  }
   if (content) *content = base::content_hash(bytes);
   // Refuses to write a file that would be too large to read.
   if (format.parse && bytes.size() > format.most_bytes)
@@ -190,6 +195,11 @@ bool is_list(const Format& format, std::string_view bytes) {
 }  // namespace
 
 bool is_pasted(std::string_view path) { return path.find('\n') != std::string_view::npos && is_points(path); }
+
+std::filesystem::path materials_of(const std::filesystem::path& path) {
+  const Format* const format = format_of(path);
+  return format && format->materials ? std::filesystem::path(path).replace_extension(".mtl") : std::filesystem::path();
+}
 
 std::span<const Format> formats() { return kFormats; }
 

@@ -26,6 +26,7 @@ struct Format {
   base::Result<LoadedTrack> (*parse_watched)(std::string_view bytes, std::string_view name, const Import& import,
                                              base::Progress* progress) = nullptr;
   bool cubics = false;  // prints the curve's control points, so it is given a track whose curve is the rails
+  std::string (*materials)() = nullptr;  // prints the file of materials_of()
 };
 
 // Returns the table; the project's own format is first.
@@ -33,6 +34,9 @@ std::span<const Format> formats();
 
 // True for the lines of a list of points in place of a path.
 bool is_pasted(std::string_view path);
+
+// Returns the path of the materials that are written beside a file; empty for formats without.
+std::filesystem::path materials_of(const std::filesystem::path& path);
 
 // Returns the row for the path's extension, or null.
 const Format* format_of(const std::filesystem::path& path);

@@ -261,5 +261,19 @@ TEST_F(ImportWords, auto_bank_cancels_lateral_g_at_the_start_speed) {
     EXPECT_NEAR(std::abs(world::roll_deg(world::knot(banked->document, e))), bank, 0.02 * bank);
 }
 
+TEST_F(ImportWords, an_obj_names_the_materials_of_the_file_beside_it) {
+  const std::filesystem::path path = scratch.path() / "track.obj";
+  ASSERT_TRUE(save_track(files, path, test::sample_document()));
+  const std::string obj = *files.read(path), mtl = *files.read(scratch.path() / "track.mtl");
+  EXPECT_EQ(obj.substr(0, 17), "mtllib track.mtl\n");
+  std::size_t used = 0;
+  for (std::size_t at = 0; (at = obj.find("\nusemtl ", at)) != std::string::npos; ++used) {
+    at += 8;
+    const std::string name = obj.substr(at, obj.find('\n', at) - at);
+    EXPECT_NE(mtl.find("newmtl " + name + "\nKd "), std::string::npos) << name;
+  }
+  EXPECT_GE(used, 4u);
+}
+
 }  // namespace formats_test
 }  // namespace coaster::exchange

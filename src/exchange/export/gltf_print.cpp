@@ -60,16 +60,19 @@ Json material(std::string_view name, glm::vec3 colour) {
        {{"baseColorFactor", {colour.x, colour.y, colour.z, 1.0}}, {"metallicFactor", 0.6}, {"roughnessFactor", 0.5}}}};
 }
 
-Json track_mesh(BinaryBuilder& builder, const TrackSolid& solid) {
+// Adds the materials that it uses.
+Json track_mesh(BinaryBuilder& builder, const TrackSolid& solid, Json& materials) {
   Json primitives = Json::array();
-  for (std::size_t i = 0; i < solid.parts.size(); ++i) {
-    const SolidPart& part = solid.parts[i];
+  for (const SolidPart& part : solid.parts) {
     if (part.indices.empty()) continue;
     Json attributes{{"POSITION", builder.positions(part.positions)}};
     attributes["NORMAL"] = builder.add(std::span(part.normals), kFloat, kVertices, {{"type", "VEC3"}});
     const std::size_t indices = builder.add(std::span(part.indices), kUnsigned, kIndices, {{"type", "SCALAR"}});
-    primitives.push_back(
-        {{"attributes", std::move(attributes)}, {"indices", indices}, {"material", i}, {"mode", kTriangles}});
+    primitives.push_back({{"attributes", std::move(attributes)},
+                          {"indices", indices},
+                          {"material", materials.size()},
+                          {"mode", kTriangles}});
+    materials.push_back(material(part.name, part.colour));
   }
   return {{"name", "track"}, {"primitives", std::move(primitives)}};
 }
@@ -82,17 +85,17 @@ std::string print_gltf(const world::Document& document) {
   Json scene{{"name", document.name}};
   if (!solid.centre_line.empty()) {
     BinaryBuilder builder;
-    const Json track = track_mesh(builder, solid);
+    Json materials = Json::array();
+    const Json track = track_mesh(builder, solid, materials);
     const std::size_t line = builder.positions(solid.centre_line);
     scene["nodes"] = Json::array({0, 1});
     file["nodes"] = Json::array({{{"name", "track"}, {"mesh", 0}}, {{"name", "centre line"}, {"mesh", 1}}});
     const Json attributes{{"POSITION", line}};
-    const Json strip{{"attributes", attributes}, {"material", solid.parts.size()}, {"mode", kLineStrip}};
+    const Json strip{{"attributes", attributes}, {"material", materials.size()}, {"mode", kLineStrip}};
     const Json line_mesh{{"name", "centre line"}, {"primitives", Json::array({strip})}};
     file["meshes"] = Json::array({track, line_mesh});
-    Json& materials = file["materials"] = Json::array();
-    for (const SolidPart& part : solid.parts) materials.push_back(material(part.name, part.colour));
-    materials.push_back(material("centre line", {1, 0.8f, 0}));
+    materials.push_back(material("centre line", kLineColour));
+    file["materials"] = std::move(materials);
     const Json buffer{{"byteLength", builder.bytes.size()},
                       {"uri", "data:application/octet-stream;base64," + base64(builder.bytes)}};
     file["buffers"] = Json::array({buffer});

@@ -29,7 +29,7 @@ std::string print_obj(const world::Document& document) {
   std::size_t before = 1;  // indices count from 1, over all groups
   for (const SolidPart& part : solid.parts) {
     if (part.indices.empty()) continue;
-    out += fmt::format("g {}\n", part.name);
+    out += fmt::format("g {0}\nusemtl {0}\n", part.name);
     for (const glm::vec3 p : part.positions) add_vector(out, "v", p);
     for (const glm::vec3 n : part.normals) add_vector(out, "vn", n);
     for (std::size_t i = 0; i < part.indices.size(); ++i) {
@@ -39,11 +39,22 @@ std::string print_obj(const world::Document& document) {
     before += part.positions.size();
   }
   if (solid.centre_line.empty()) return out;
-  out += "g centre_line\n";
+  out += "g centre_line\nusemtl centre_line\n";
   for (const glm::vec3 p : solid.centre_line) add_vector(out, "v", p);
   out += "l";
   for (std::size_t i = 0; i < solid.centre_line.size(); ++i) out += fmt::format(" {}", before + i);
   return out + "\n";
+}
+
+std::string obj_materials() {
+  std::string out;
+  const auto add = [&](std::string_view name, glm::vec3 colour) {
+    out += fmt::format("newmtl {}\n", name);
+    add_vector(out, "Kd", colour);
+  };
+  for (const SolidPart& part : TrackSolid{}.parts) add(part.name, part.colour);
+  add("centre_line", kLineColour);
+  return out;
 }
 
 }  // namespace coaster::exchange

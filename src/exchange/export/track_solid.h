@@ -19,6 +19,8 @@ struct SolidPart {
   std::vector<std::uint32_t> indices;
 };
 
+inline constexpr glm::vec3 kLineColour{1, 0.8f, 0};  // of the centre line
+
 struct TrackSolid {
   std::array<SolidPart, 6> parts{
       SolidPart{"rails", {0.75f, 0.1f, 0.08f}},    SolidPart{"spine", {0.2f, 0.25f, 0.35f}},

@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include <gtest/gtest.h>
 
 #include "exchange/export/shape_readers.h"
@@ -44,6 +46,17 @@ TEST(Gltf, keeps_the_rules_of_the_format_and_has_the_same_triangles_as_the_obj) 
   std::size_t used = 0;
   for (const Json& view : gltf.file["bufferViews"]) used += view["byteLength"].get<std::size_t>();
   EXPECT_EQ(used, gltf.buffer.size());
+}
+
+TEST(gltf_print, materials_that_no_part_uses_are_left_out) {
+  const Json file = Gltf(print_gltf(test::closed_document())).file;
+  std::vector<std::size_t> used;
+  for (const Json& mesh : file["meshes"])
+    for (const Json& primitive : mesh["primitives"]) used.push_back(primitive["material"].get<std::size_t>());
+  std::sort(used.begin(), used.end());
+  ASSERT_EQ(used.size(), file["materials"].size());
+  for (std::size_t i = 0; i < used.size(); ++i) EXPECT_EQ(used[i], i);
+  for (const Json& material : file["materials"]) EXPECT_NE(material["name"].get<std::string>(), "equipment");
 }
 
 }  // namespace gltf_print_test
