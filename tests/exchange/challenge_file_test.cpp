@@ -82,7 +82,7 @@ TEST(challenge_file, errors_name_the_place_and_what_was_expected) {
   expect_error(with("\"smooth\"", "[]"), "locks[0]: expected a text, found an array");
   expect_error(with("\"track\": {", "\"track\": 5, \"was\": {"), "track: expected a text");
   expect_error(with("\"track\": {", "\"track\": \"no/such.json\", \"was\": {"), "no/such.json");
-  expect_error(with("\"track\": {", "\"track\": \"readme.txt\", \"was\": {"), "track: expected the start track");
+  expect_error(with("\"track\": {", "\"track\": \"readme.md\", \"was\": {"), "track: expected the start track");
   expect_error(with("\"datum\":", "\"datums\":"), "track: track: error: datum: missing");
 }
 
