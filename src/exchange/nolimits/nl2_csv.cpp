@@ -4,12 +4,14 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 
 #include <fmt/format.h>
 
 #include "base/text.h"
 #include "base/words.h"
 #include "exchange/nolimits/nl2_csv_lines.h"
+#include "exchange/nolimits/nl2_numbers.h"
 #include "exchange/nolimits/within_text.h"
 #include "sim/fit/fit_track.h"
 #include "world/topology.h"
@@ -29,13 +31,6 @@ constexpr double kNoisySpan = 1;     // m a span on average: smooth rows of a wh
 constexpr int kNoisyKnots = 20;      // the least number of knots for that
 constexpr double kGap = 3;           // times the usual spacing: longer steps are reported
 
-bool same_word(std::string_view a, std::string_view b) { return base::lower(a) == base::lower(b); }
-
-std::size_t decimals(std::string_view number) {
-  const std::size_t point = number.find('.');
-  return point == std::string_view::npos ? 0 : number.size() - point - 1;
-}
-
 struct Reader {
   std::string_view name;
   Lines lines;
@@ -47,6 +42,11 @@ struct Reader {
   std::size_t data_rows = 0;
   std::int64_t first_number = 1;   // of the rows: 0 or 1
   std::size_t first_decimals = 0;  // the fewest decimals of the first row's numbers
+  DecimalMark mark;
+  Decimals positions, directions;
+  sim::RowSteps steps;             // 0 where the rows are not rounded
+  std::vector<sim::FitRow> given;  // as they are in the file, if they are rounded
+  bool closed = false;             // set if they are
   std::string error;
 
   bool fail(std::string_view expected, std::string_view found) {
@@ -68,6 +68,7 @@ bool find_separator(Reader& r, std::string_view line) {
   for (const Separator& s : kSeparators) {
     if (line.find(s.mark) == std::string_view::npos || (kinds > 0 && s.mark == ' ')) continue;
     r.separator = s, ++kinds;
+    r.mark.commas = s.mark == '\t' || s.mark == ';';
     if (split(line, s.mark, cells) == cells.size()) return true;
   }
   return kinds == 1 || r.fail("a header of 13 columns, separated by tabs",
@@ -84,7 +85,8 @@ bool read_header(Reader& r, std::string_view line) {
   Cells cells;
   const std::size_t count = split(line, r.separator.mark, cells);
   for (std::size_t i = 0; i < kColumns.size() && i < count; ++i) {
-    if (!same_word(cells[i], kColumns[i]) && !(i == 0 && same_word(cells[i], "No")))
+    const std::string name = base::lower(cells[i]);
+    if (name != base::lower(kColumns[i]) && !(i == 0 && name == "no"))
       return r.fail(fmt::format("column {} of the header to be \"{}\"", i + 1, kColumns[i]),
                     base::quoted_start(cells[i]) + ": name and order the columns as NoLimits 2 does");
   }
@@ -92,35 +94,41 @@ bool read_header(Reader& r, std::string_view line) {
                                             count > kColumns.size() ? "more" : std::to_string(count));
 }
 
-bool read_vector(Reader& r, const Cells& cells, std::size_t first, double limit, dvec3& v) {
+bool read_vector(Reader& r, const Cells& cells, std::size_t first, double limit, dvec3& v, Decimals& decimals) {
   for (int axis = 0; axis < 3; ++axis) {
     const std::size_t i = first + static_cast<std::size_t>(axis);
-    const auto number = base::parse_double(cells[i]);
+    const auto number = r.mark.read(cells[i]);
     const auto expected = [&](std::string_view what) { return fmt::format("{} in column {}", what, kColumns[i]); };
-    if (!number) return r.fail(expected("a finite number"), base::quoted_number(cells[i]));
+    if (!number) return r.fail(expected("a finite number"), r.mark.quoted(cells[i]));
     if (!(std::abs(*number) <= limit)) return r.fail(expected(within_text(limit)), base::quoted_start(cells[i]));
     v[axis] = *number;
+    decimals.add(*number);
   }
   return true;
 }
 
-// Reads a frame that is nearly right-handed, unit and perpendicular, and makes it exactly so; Front keeps its
-// direction.
+// Reads a frame that is right-handed, unit and perpendicular but for kSquare and the rounding of its own decimals, and
+// makes it exactly so; Front keeps its direction.
 bool read_frame(Reader& r, const Cells& cells, sim::FitRow& row) {
   dvec3 front, left, up;
-  if (!read_vector(r, cells, 4, 2, front) || !read_vector(r, cells, 7, 2, left) || !read_vector(r, cells, 10, 2, up))
+  Decimals own;
+  if (!read_vector(r, cells, 4, 2, front, own) || !read_vector(r, cells, 7, 2, left, own) ||
+      !read_vector(r, cells, 10, 2, up, own))
     return false;
+  r.directions.count = std::max(r.directions.count, own.count);
+  const double rounding = std::numbers::sqrt3 / 2 * std::min(own.step(), 0.1);  // of a vector
   const auto unit = [&](dvec3 v, std::string_view which) {
     const double length = glm::length(v);
-    return std::abs(length - 1) <= kSquare ||
+    return std::abs(length - 1) <= std::max(kSquare, rounding) ||
            r.fail(fmt::format("{} to be a unit vector", which), "one of length " + base::to_text(length));
   };
   if (!unit(front, "Front") || !unit(left, "Left") || !unit(up, "Up")) return false;
   const double cosine = glm::dot(front, up);
-  if (std::abs(cosine) > kSquare)
+  if (std::abs(cosine) > std::max(kSquare, 2.1 * rounding))
     return r.fail("Up perpendicular to Front", fmt::format("a cosine of {} between them", base::to_text(cosine)));
   const double off = glm::distance(glm::cross(front, left), up);
-  if (off > 2 * kSquare) return r.fail("Up = Front x Left", fmt::format("a vector that is {:.3g} off", off));
+  if (off > std::max(2 * kSquare, 3.2 * rounding))
+    return r.fail("Up = Front x Left", fmt::format("a vector that is {:.3g} off", off));
   row.forward = glm::normalize(front);
   row.up = curve::perpendicular(row.forward, up);
   return true;
@@ -151,7 +159,7 @@ bool read_row(Reader& r, std::string_view line) {
   if (!number || *number != expected)
     return r.fail(fmt::format("the row's number {}", expected), base::quoted_start(cells[0]));
   sim::FitRow row;
-  if (!read_vector(r, cells, 1, world::kMaxCoordinate, row.position) || !read_frame(r, cells, row) ||
+  if (!read_vector(r, cells, 1, world::kMaxCoordinate, row.position, r.positions) || !read_frame(r, cells, row) ||
       !check_cut(r, cells))
     return false;
   ++r.data_rows;
@@ -162,6 +170,22 @@ bool read_row(Reader& r, std::string_view line) {
   r.rows.push_back(row);
   r.row_lines.push_back(r.lines.number());
   return true;
+}
+
+// Takes the rounding off the rows, and closes them; `given` are then those of the file. Then only repeats are warned
+// of.
+void take_rounding_off(Reader& r, base::Progress* progress) {
+  r.steps = row_steps(r.rows, r.positions, r.directions);
+  r.closed = r.steps.rounded() && sim::rows_close(r.rows, kSamePlace + 2 * r.steps.position);
+  const bool repeated = r.closed && r.rows.front().position == r.rows.back().position;
+  sim::UnroundedRows smooth =
+      sim::unrounded_rows(std::span(r.rows).first(r.rows.size() - (repeated ? 1 : 0)), r.closed, r.steps, progress);
+  if (!r.steps.rounded()) return;
+  std::vector<int> lines;
+  for (const std::size_t from : smooth.from) r.given.push_back(r.rows[from]), lines.push_back(r.row_lines[from]);
+  r.rows = std::move(smooth.rows), r.row_lines = std::move(lines);
+  r.warnings.clear(), r.more_warnings = 0;
+  r.warn(r.row_lines[0], told_steps(r.steps));
 }
 
 // Checks that rows follow each other in the direction of Front; warns of steps that do not, of gaps and of jumps.
@@ -218,7 +242,7 @@ void check_axes(Reader& r) {
            "in positions and vectors");
 }
 
-bool read_rows(Reader& r) {
+bool read_rows(Reader& r, base::Progress* progress) {
   std::string_view line;
   if (!r.lines.next(line)) {
     r.error = std::string(r.name) + ":1: error: expected the header \"No.\" \"PosX\" ..., found an empty file";
@@ -227,6 +251,7 @@ bool read_rows(Reader& r) {
   if (!find_separator(r, line) || !(is_row(r, line) ? read_row(r, line) : read_header(r, line))) return false;
   while (r.lines.next(line))
     if (!read_row(r, line)) return false;
+  take_rounding_off(r, progress);
   if (r.rows.size() < 2) return r.fail("at least 2 rows at different positions", std::to_string(r.rows.size()));
   check_axes(r);
   return check_steps(r);
@@ -236,12 +261,12 @@ bool read_rows(Reader& r) {
 
 base::Result<LoadedTrack> parse_nl2_csv(std::string_view text, std::string_view name, base::Progress* progress) {
   Reader r{.name = name, .lines = Lines(text)};
-  if (!read_rows(r)) return base::Status{base::Code::bad_file, r.error};
-  const bool closed = sim::rows_close(r.rows);
+  if (!read_rows(r, progress)) return base::Status{base::Code::bad_file, r.error};
+  const bool rounded = r.steps.rounded(), closed = rounded ? r.closed : sim::rows_close(r.rows);
   const bool repeated =
-      r.rows.size() > 4 && glm::distance(r.rows.front().position, r.rows.back().position) <= kSamePlace;
+      !rounded && r.rows.size() > 4 && glm::distance(r.rows.front().position, r.rows.back().position) <= kSamePlace;
   if (closed && repeated) r.rows.pop_back();
-  sim::FittedTrack fitted = sim::fit_track(r.rows, closed, progress);
+  sim::FittedTrack fitted = sim::fit_track(r.rows, closed, progress, r.given, r.steps.position);
   if (progress && progress->cancelled)
     return base::Status{base::Code::refused, std::string(name) + ": the import was cancelled"};
   LoadedTrack loaded;
