@@ -1,16 +1,13 @@
-// Parses and checks the rows of a NoLimits 2 CSV, and fits a track to them.
+// Checks the rows of a NoLimits 2 CSV, and fits a track to them.
 #include "exchange/nolimits/nl2_csv.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include <fmt/format.h>
 
 #include "base/text.h"
-#include "base/words.h"
-#include "exchange/nolimits/nl2_csv_lines.h"
-#include "exchange/nolimits/within_text.h"
+#include "exchange/nolimits/nl2_csv_read.h"
 #include "exchange/own/import.h"
 #include "sim/fit/fit_track.h"
 #include "world/topology.h"
@@ -20,157 +17,31 @@ namespace {
 
 using glm::dvec3;
 
-constexpr auto& kColumns = kNl2Columns;
-constexpr double kSquare = 0.01;     // tolerance for unit and perpendicular frames
-constexpr double kSamePlace = 2e-6;  // m: rounding of printed positions
-constexpr double kWrong = 0.75;      // of the steps against Front or off it: the rows are refused
-constexpr double kRollDoubt = 0.4;   // g: what riders may feel more or less before it is reported
-constexpr double kBendDoubt = 0.8;   // the same of bends, whose figure is up to 16 times the error
-constexpr double kNoisySpan = 1;     // m a span on average: smooth rows of a whole track never need so many
-constexpr int kNoisyKnots = 20;      // the least number of knots for that
-constexpr double kGap = 3;           // times the usual spacing: longer steps are reported
+constexpr double kWrong = 0.75;     // of the steps against Front or off it: the rows are refused
+constexpr double kRollDoubt = 0.4;  // g: what riders may feel more or less before it is reported
+constexpr double kBendDoubt = 0.8;  // the same of bends, whose figure is up to 16 times the error
+constexpr double kNoisySpan = 1;    // m a span on average: smooth rows of a whole track never need so many
+constexpr int kNoisyKnots = 20;     // the least number of knots for that
+constexpr double kGap = 3;          // times the usual spacing: longer steps are reported
 
-bool same_word(std::string_view a, std::string_view b) { return base::lower(a) == base::lower(b); }
-
-std::size_t decimals(std::string_view number) {
-  const std::size_t point = number.find('.');
-  return point == std::string_view::npos ? 0 : number.size() - point - 1;
-}
-
-constexpr const char* kFarHint = ": load it with the word origin to move it there";
-constexpr double kAnywhere = 1e9;  // m
-
-struct Reader {
-  std::string_view name;
-  Lines lines;
-  std::vector<sim::FitRow> rows;
-  std::vector<int> row_lines;  // of each row
-  std::vector<std::string> warnings;
-  std::size_t more_warnings = 0;  // number of omitted warnings
-  Separator separator = kSeparators[0];
-  std::size_t data_rows = 0;
-  std::int64_t first_number = 1;         // of the rows: 0 or 1
-  std::size_t first_decimals = 0;        // the fewest decimals of the first row's numbers
-  double limit = world::kMaxCoordinate;  // m, of positions
-  std::string error;
-
-  bool fail(std::string_view expected, std::string_view found) {
-    error = fmt::format("{}:{}: error: expected {}, found {}", name, lines.number(), expected, found);
-    return false;
-  }
-  void warn(int line, std::string_view what) {
-    constexpr std::size_t kMost = 20;
-    if (warnings.size() < kMost) warnings.push_back(fmt::format("{}:{}: warning: {}", name, line, what));
-    else ++more_warnings;
-  }
-};
-
-// Finds the file's separator in its first line: one that makes 13 columns, else the only one. Blanks may only be it if
-// there is no other.
-bool find_separator(Reader& r, std::string_view line) {
-  Cells cells;
-  std::size_t kinds = 0;
-  for (const Separator& s : kSeparators) {
-    if (line.find(s.mark) == std::string_view::npos || (kinds > 0 && s.mark == ' ')) continue;
-    r.separator = s, ++kinds;
-    if (split(line, s.mark, cells) == cells.size()) return true;
-  }
-  return kinds == 1 || r.fail("a header of 13 columns, separated by tabs",
-                              kinds > 1 ? "several separators" : base::quoted_start(line));
-}
-
-// True if the line is a row, so that the file has no header: the checks of frames find columns of another order.
-bool is_row(const Reader& r, std::string_view line) {
-  Cells cells;
-  return split(line, r.separator.mark, cells) == cells.size() && base::parse_double(cells[0]);
-}
-
-bool read_header(Reader& r, std::string_view line) {
-  Cells cells;
-  const std::size_t count = split(line, r.separator.mark, cells);
-  for (std::size_t i = 0; i < kColumns.size() && i < count; ++i) {
-    if (!same_word(cells[i], kColumns[i]) && !(i == 0 && same_word(cells[i], "No")))
-      return r.fail(fmt::format("column {} of the header to be \"{}\"", i + 1, kColumns[i]),
-                    base::quoted_start(cells[i]) + ": name and order the columns as NoLimits 2 does");
-  }
-  return count == kColumns.size() || r.fail(fmt::format("a header of 13 columns, separated by {}", r.separator.name),
-                                            count > kColumns.size() ? "more" : std::to_string(count));
-}
-
-bool read_vector(Reader& r, const Cells& cells, std::size_t first, double limit, dvec3& v) {
-  for (int axis = 0; axis < 3; ++axis) {
-    const std::size_t i = first + static_cast<std::size_t>(axis);
-    const auto number = base::parse_double(cells[i]);
-    const auto expected = [&](std::string_view what) { return fmt::format("{} in column {}", what, kColumns[i]); };
-    if (!number) return r.fail(expected("a finite number"), base::quoted_number(cells[i]));
-    if (!(std::abs(*number) <= limit))
-      return r.fail(expected(within_text(limit)), base::quoted_start(cells[i]) + (i < 4 ? kFarHint : ""));
-    v[axis] = *number;
-  }
-  return true;
-}
-
-// Reads a frame that is nearly right-handed, unit and perpendicular, and makes it exactly so; Front keeps its
-// direction.
-bool read_frame(Reader& r, const Cells& cells, sim::FitRow& row) {
-  dvec3 front, left, up;
-  if (!read_vector(r, cells, 4, 2, front) || !read_vector(r, cells, 7, 2, left) || !read_vector(r, cells, 10, 2, up))
-    return false;
-  const auto unit = [&](dvec3 v, std::string_view which) {
-    const double length = glm::length(v);
-    return std::abs(length - 1) <= kSquare ||
-           r.fail(fmt::format("{} to be a unit vector", which), "one of length " + base::to_text(length));
-  };
-  if (!unit(front, "Front") || !unit(left, "Left") || !unit(up, "Up")) return false;
-  const double cosine = glm::dot(front, up);
-  if (std::abs(cosine) > kSquare)
-    return r.fail("Up perpendicular to Front", fmt::format("a cosine of {} between them", base::to_text(cosine)));
-  const double off = glm::distance(glm::cross(front, left), up);
-  if (off > 2 * kSquare) return r.fail("Up = Front x Left", fmt::format("a vector that is {:.3g} off", off));
-  row.forward = glm::normalize(front);
-  row.up = curve::perpendicular(row.forward, up);
-  return true;
-}
-
-// Detects a file that was truncated within its last number: the number is valid, but has fewer than the format's six
-// decimals.
-bool check_cut(Reader& r, const Cells& cells) {
-  if (r.data_rows == 0) {
-    r.first_decimals = decimals(cells[1]);
-    for (std::size_t i = 2; i + 1 < cells.size(); ++i)
-      r.first_decimals = std::min(r.first_decimals, decimals(cells[i]));
-  }
-  if (r.lines.ended() || r.first_decimals != 6 || decimals(cells.back()) >= 6) return true;
-  return r.fail("a last number with 6 decimals", base::quoted_start(cells.back()) + ": the file is truncated");
-}
-
-bool read_row(Reader& r, std::string_view line) {
-  Cells cells;
-  const std::size_t count = split(line, r.separator.mark, cells);
-  if (count != kColumns.size())
-    return r.fail(fmt::format("13 columns, separated by {}", r.separator.name),
-                  count > kColumns.size() ? "more" : std::to_string(count));
-  if (r.data_rows >= kMaxNl2Rows) return r.fail(fmt::format("at most {} rows", kMaxNl2Rows), "more");
-  const auto number = base::parse_int(cells[0]);
-  if (r.data_rows == 0 && number == 0) r.first_number = 0;
-  const auto expected = r.first_number + static_cast<std::int64_t>(r.data_rows);
-  if (!number || *number != expected)
-    return r.fail(fmt::format("the row's number {}", expected), base::quoted_start(cells[0]));
-  sim::FitRow row;
-  if (!read_vector(r, cells, 1, r.limit, row.position) || !read_frame(r, cells, row) || !check_cut(r, cells))
-    return false;
-  ++r.data_rows;
-  if (!r.rows.empty() && glm::distance(r.rows.back().position, row.position) <= kSamePlace) {
-    r.warn(r.lines.number(), "the row repeats the previous position; left out");
-    return true;
-  }
-  r.rows.push_back(row);
-  r.row_lines.push_back(r.lines.number());
-  return true;
+// Takes the rounding off the rows, and closes them; `given` are then those of the file. Then only repeats are warned
+// of.
+void take_rounding_off(Nl2CsvReader& r, base::Progress* progress) {
+  r.steps = row_steps(r.rows, r.positions, r.directions);
+  r.closed = r.steps.rounded() && sim::rows_close(r.rows, kSamePlace + 2 * r.steps.position);
+  const bool repeated = r.closed && r.rows.front().position == r.rows.back().position;
+  sim::UnroundedRows smooth =
+      sim::unrounded_rows(std::span(r.rows).first(r.rows.size() - (repeated ? 1 : 0)), r.closed, r.steps, progress);
+  if (!r.steps.rounded()) return;
+  std::vector<int> lines;
+  for (const std::size_t from : smooth.from) r.given.push_back(r.rows[from]), lines.push_back(r.row_lines[from]);
+  r.rows = std::move(smooth.rows), r.row_lines = std::move(lines);
+  r.warnings.clear(), r.more_warnings = 0;
+  r.warn(r.row_lines[0], told_steps(r.steps));
 }
 
 // Checks that rows follow each other in the direction of Front; warns of steps that do not, of gaps and of jumps.
-bool check_steps(Reader& r) {
+bool check_steps(Nl2CsvReader& r) {
   std::vector<double> lengths;
   std::vector<int> against, off;  // lines of rows whose step from the previous one is against, or off, both directions
   for (std::size_t i = 1; i < r.rows.size(); ++i) {
@@ -212,7 +83,7 @@ bool check_steps(Reader& r) {
 }
 
 // Warns of rows with Up mostly along Z although Front turns in the plane of X and Y: those of a program with Z up.
-void check_axes(Reader& r) {
+void check_axes(Nl2CsvReader& r) {
   constexpr double kUpright = 0.6, kTurns = 0.2;  // Z of the mean Up; X and Y of Front, root mean square
   dvec3 up(0), squares(0);
   for (const sim::FitRow& row : r.rows) up += row.up, squares += row.forward * row.forward;
@@ -223,15 +94,16 @@ void check_axes(Reader& r) {
            "in positions and vectors");
 }
 
-bool read_rows(Reader& r) {
+bool read_rows(Nl2CsvReader& r, base::Progress* progress) {
   std::string_view line;
   if (!r.lines.next(line)) {
     r.error = std::string(r.name) + ":1: error: expected the header \"No.\" \"PosX\" ..., found an empty file";
     return false;
   }
-  if (!find_separator(r, line) || !(is_row(r, line) ? read_row(r, line) : read_header(r, line))) return false;
+  if (!read_first_line(r, line)) return false;
   while (r.lines.next(line))
     if (!read_row(r, line)) return false;
+  take_rounding_off(r, progress);
   if (r.rows.size() < 2) return r.fail("at least 2 rows at different positions", std::to_string(r.rows.size()));
   check_axes(r);
   return check_steps(r);
@@ -239,25 +111,23 @@ bool read_rows(Reader& r) {
 
 }  // namespace
 
-bool starts_far(std::string_view text) {
-  Reader r{.name = {}, .lines = Lines(text), .limit = kAnywhere};
-  std::string_view line;
-  return r.lines.next(line) && find_separator(r, line) &&
-         (is_row(r, line) || (read_header(r, line) && r.lines.next(line))) && read_row(r, line) &&
-         glm::length(r.rows[0].position) > kFar;
-}
-
 base::Result<LoadedTrack> parse_nl2_csv(std::string_view text, std::string_view name, base::Progress* progress,
                                         bool origin) {
-  Reader r{.name = name, .lines = Lines(text)};
-  if (origin) r.limit = kAnywhere;
-  if (!read_rows(r)) return base::Status{base::Code::bad_file, r.error};
-  const std::string moved = origin ? move_to_origin(r.rows, &sim::FitRow::position) : "";
-  const bool closed = sim::rows_close(r.rows);
+  Nl2CsvReader r{.name = name, .lines = Lines(text)};
+  if (origin) r.limit = Nl2CsvReader::kAnywhere;
+  if (!read_rows(r, progress)) return base::Status{base::Code::bad_file, r.error};
+  const bool rounded = r.steps.rounded(), closed = rounded ? r.closed : sim::rows_close(r.rows);
+  std::string moved;
+  if (origin) {
+    const dvec3 move = way_to_origin(r.rows, &sim::FitRow::position);
+    for (auto* const rows : {&r.rows, &r.given})
+      for (sim::FitRow& row : *rows) row.position += move;
+    moved = moved_text(move);
+  }
   const bool repeated =
-      r.rows.size() > 4 && glm::distance(r.rows.front().position, r.rows.back().position) <= kSamePlace;
+      !rounded && r.rows.size() > 4 && glm::distance(r.rows.front().position, r.rows.back().position) <= kSamePlace;
   if (closed && repeated) r.rows.pop_back();
-  sim::FittedTrack fitted = sim::fit_track(r.rows, closed, progress);
+  sim::FittedTrack fitted = sim::fit_track(r.rows, closed, progress, r.given, r.steps.position);
   if (progress && progress->cancelled)
     return base::Status{base::Code::refused, std::string(name) + ": the import was cancelled"};
   LoadedTrack loaded;

@@ -32,17 +32,18 @@ struct Import {
 
 inline constexpr double kFar = 10'000;  // m: further from the origin, float positions round to 1 mm or more
 
-// Moves rows to the origin: the middle to x = z = 0, the lowest point to 2 m, by whole mm. place(row): its position, m,
-// Y up.
+// Returns the way that rows are moved by to the origin: the middle to x = z = 0, the lowest point to 2 m, by whole mm.
+// place(row): its position, m, Y up.
 template <class Rows, class Place>
-std::string move_to_origin(Rows& rows, Place place) {
+glm::dvec3 way_to_origin(const Rows& rows, Place place) {
   glm::dvec3 low = std::invoke(place, rows.front()), high = low;
   for (const auto& row : rows)
     low = glm::min(low, std::invoke(place, row)), high = glm::max(high, std::invoke(place, row));
   const glm::dvec3 middle = 0.5 * (low + high), from(middle.x, low.y - 2, middle.z);
-  const glm::dvec3 move = 0.0 - glm::round(from * 1000.0) / 1000.0;
-  for (auto& row : rows) std::invoke(place, row) += move;
-  return fmt::format("Moved by ({:.3f}, {:.3f}, {:.3f}) m to the origin.", move.x, move.y, move.z);
+  return 0.0 - glm::round(from * 1000.0) / 1000.0;
+}
+inline std::string moved_text(glm::dvec3 way) {
+  return fmt::format("Moved by ({:.3f}, {:.3f}, {:.3f}) m to the origin.", way.x, way.y, way.z);
 }
 
 }  // namespace coaster::exchange

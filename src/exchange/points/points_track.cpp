@@ -26,7 +26,11 @@ constexpr double kStillFit = 0.01;  // m of the distance for smoothing: what the
 // Scales and turns the points, moves them to the origin if asked to, and checks where they are.
 base::Status place(Points& p, std::string_view name, const Import& import, std::string& note) {
   for (dvec3& point : p) point = with_y_up(point, *import.up) * *import.scale;
-  if (import.origin) note = ' ' + move_to_origin(p, std::identity());
+  if (import.origin) {
+    const dvec3 way = way_to_origin(p, std::identity());
+    for (dvec3& point : p) point += way;
+    note = ' ' + moved_text(way);
+  }
   for (const dvec3& point : p)
     if (!glm::all(glm::lessThanEqual(glm::abs(point), dvec3(world::kMaxCoordinate))))
       return {base::Code::bad_file,

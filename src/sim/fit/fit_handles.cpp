@@ -14,18 +14,17 @@ namespace {
 
 constexpr std::size_t kFittedRows = 40;  // rows that handle lengths are fitted to
 constexpr int kIterations = 12;
-constexpr double kLeastHandle = 0.25;  // of the rows' length: curvature changes quickly beside shorter handles
 constexpr double kMostHandle = 0.495;  // of the rows' length: a little less than half the curve's
 constexpr double kBeyond = 40;         // weight of curvature beyond the limit, relative to that of a deviation
 constexpr double kStay = 1e-3;  // 1/m: weight of a change of the handles by the length, relative to that of a deviation
 using Curve = curve::CoefficientsD;
 
 // Returns the shortest and the longest handle of a span over so many metres of rows, within a knot's limits.
-double least_handle(double length) {
-  return std::clamp<double>(kLeastHandle * length, world::kMinHandle, world::kMaxHandle);
+double least_handle(const SpanEnds& ends, double length) {
+  return std::clamp<double>(ends.least_handle * length, world::kMinHandle, world::kMaxHandle);
 }
-double most_handle(double length) {
-  return std::clamp<double>(kMostHandle * length, least_handle(length), world::kMaxHandle);
+double most_handle(const SpanEnds& ends, double length) {
+  return std::clamp<double>(kMostHandle * length, least_handle(ends, length), world::kMaxHandle);
 }
 
 }  // namespace
@@ -61,7 +60,7 @@ Handles fit_handles(std::span<const FitRow> rows, std::span<const double> distan
   const auto row_of = [&](std::size_t k) { return first + (last - first) * k / (inner + 1); };
   for (std::size_t k = 0; k < inner + 2; ++k)
     parameters[k] = stations[k] = (distances[row_of(k)] - distances[first]) / length;
-  const double low = least_handle(length), high = most_handle(length);
+  const double low = least_handle(ends, length), high = most_handle(ends, length);
   // Without rows between the ends: the handles of a circle through both.
   const double third = inner > 0 ? length / 3 : length / (1.5 + 0.75 * glm::length(ends.t0 + ends.t3));
   Handles h{std::clamp(third, low, high), std::clamp(third, low, high)};
@@ -107,7 +106,7 @@ Handles most_alike(const SpanEnds& ends, double length, dvec3 from, dvec3 to, do
     const double moved = std::abs(at.out - start.out) + std::abs(at.in - start.in);
     return glm::length(off) + kBeyond * std::max(0.0, most - limit) + kStay * moved / length;
   };
-  const double low = least_handle(length), high = most_handle(length);
+  const double low = least_handle(ends, length), high = most_handle(ends, length);
   double best = cost(h);
   for (double step = 0.08 * length; step > 0.002 * length;) {
     const Handles before = h;

@@ -12,8 +12,11 @@ namespace coaster::sim {
 struct Handles {
   double out, in;  // m
 };
+// Of the rows' length: curvature changes quickly beside shorter handles.
+inline constexpr double kLeastHandle = 0.25;
 struct SpanEnds {
-  glm::dvec3 p0, t0, p3, t3;  // positions and unit tangents
+  glm::dvec3 p0, t0, p3, t3;           // positions and unit tangents
+  double least_handle = kLeastHandle;  // of the rows' length
 };
 
 curve::CoefficientsD curve_of(const SpanEnds& ends, Handles handles);

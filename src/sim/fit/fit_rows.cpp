@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <deque>
+#include <limits>
 
 #include "base/portable_math.h"
 #include "world/motion.h"
@@ -120,16 +121,22 @@ std::vector<char> near_jumps(std::span<const FitRow> rows, bool closed, double r
   return near;
 }
 
-bool rows_close(std::span<const FitRow> rows) {
+bool rows_close(std::span<const FitRow> rows, double rounding) {
   if (rows.size() < 4) return false;
   const FitRow &first = rows.front(), &last = rows.back();
   double longest = 0;
   for (std::size_t i = 1; i < rows.size(); ++i)
     longest = std::max(longest, glm::distance(rows[i - 1].position, rows[i].position));
   const dvec3 gap = first.position - last.position;
-  constexpr double kRounding = 1e-5, kSameWay = 0.5;  // m, rounding of printed positions; cosine
-  return glm::length(gap) <= 1.01 * longest + kRounding && glm::dot(gap, last.forward) >= -kRounding &&
+  constexpr double kSameWay = 0.5;  // cosine
+  return glm::length(gap) <= 1.01 * longest + rounding && glm::dot(gap, last.forward) >= -rounding &&
          glm::dot(first.forward, last.forward) > kSameWay;
+}
+
+double float_spacing(std::span<const FitRow> rows, int axis) {
+  float most = 0;
+  for (const FitRow& row : rows) most = std::max(most, std::abs(static_cast<float>(row.position[axis])));
+  return std::nextafter(most, std::numeric_limits<float>::infinity()) - most;
 }
 
 }  // namespace coaster::sim

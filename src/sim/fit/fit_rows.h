@@ -33,8 +33,11 @@ inline constexpr double kOffForward = 30;  // degrees
 double off_deg(const FitRow& a, const FitRow& b);
 
 // True if the last row leads back to the first: a step no longer than the others, forwards and in about the same
-// direction.
-bool rows_close(std::span<const FitRow> rows);
+// direction. `rounding` of positions, m.
+bool rows_close(std::span<const FitRow> rows, double rounding = 1e-5);
+
+// Returns the spacing of float numbers at the rows' largest coordinate of an axis, m.
+double float_spacing(std::span<const FitRow> rows, int axis);
 
 // Returns for each step from a row to the next the largest curvature (1/m) that a fitted curve may have there:
 // kBendShare times the rows' largest within kBendReach along them, plus kBendSpare. The rows' curvature is the angle

@@ -142,7 +142,8 @@ std::optional<FeltMiss> felt_miss(std::span<const FitRow> rows, std::span<const 
 SpanFit fit_span(std::span<const FitRow> rows, std::span<const double> distances, std::size_t first, std::size_t last,
                  double roll_low, double roll_high, const SpanBounds& bounds, SpanScratch& s) {
   const FitRow &from = rows[first], &to = rows[last];
-  const SpanEnds ends{dvec3(glm::vec3(from.position)), from.forward, dvec3(glm::vec3(to.position)), to.forward};
+  const SpanEnds ends{dvec3(glm::vec3(from.position)), from.forward, dvec3(glm::vec3(to.position)), to.forward,
+                      bounds.least_handle};
   Handles h = fit_handles(rows, distances, first, last, ends, s.parameters, s.stations);
   SpanFit fit;
   Roll roll;

@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "sim/fit/fit_handles.h"
 #include "sim/fit/fit_rows.h"
 #include "sim/fit/roll_window.h"
 
@@ -21,8 +22,9 @@ struct SpanBounds {
   std::span<const double> leans;   // per row: of that smooth roll against the row, rad
   bool open = false;               // the track begins at the first row and ends at the last one
   double felt = 0.2;               // g: what riders may feel more or less than on the rows, after a low-pass of 5 Hz
-  double heartline = 0;            // m above the rails, of the riders
-  std::span<const double> speeds;  // per row: squared speed of the train over g, m
+  double least_handle = kLeastHandle;      // of the rows' length
+  double heartline = 0;                    // m above the rails, of the riders
+  std::span<const double> speeds;          // per row: squared speed of the train over g, m
   std::span<const glm::dvec3> curvatures;  // per row: that of a smooth curve, 1/m
 };
 

@@ -17,8 +17,10 @@ using glm::dvec3;
 
 // m: rows whose frames are not fitted; less than the reach that the report excludes.
 constexpr double kInnerReach = 0.45;
-constexpr double kFeltRoot = 0.085;  // g: root mean square of what riders feel more or less than on the rows
-constexpr int kMaxRounds = 12;       // rounds of halving spans that fail on the finished document
+constexpr double kFeltRoot = 0.085;   // g: root mean square of what riders feel more or less than on the rows
+constexpr double kLastSpan = 2;       // m: rolls within the bound would be felt in a shorter last span of rounded rows
+constexpr double kFineHandle = 0.32;  // of a span of rounded rows: riders above the rails feel how curvature changes
+constexpr int kMaxRounds = 12;        // rounds of halving spans that fail on the finished document
 
 // Chooses a roll for every knot, from the last to the first, so that each span keeps its frames within the bound: that
 // of the smooth roll, or as near to it as the bound allows. Beside other rolls a short span would turn quickly.
@@ -127,6 +129,17 @@ void fit_all(FitWork& w) {
   }
 }
 
+// Sets the bounds of rows that were rounded to the step. Returns the largest distance from the rows as they were, m.
+double set_step(FitWork& w, double step) {
+  constexpr double kShare = 0.6, kMost = 0.002, kKnots = 0.85;  // of the step, m, and of the knots' own rounding
+  w.last_span = kLastSpan, w.least_handle = kFineHandle;
+  if (step <= 0) return kFitDistance;
+  double spacing = 0;
+  for (int axis = 0; axis < 3; ++axis) spacing = std::max(spacing, float_spacing(w.rows, axis));
+  w.distance *= std::min(1.0, std::max(std::min(kShare * step, kMost), kKnots * spacing) / kFitDistance);
+  return kSteps * std::max(step, spacing);
+}
+
 Doubt worst_doubt(std::span<const FitRow> rows, bool closed, const std::vector<double>& doubts) {
   const std::vector<char> jumps = near_jumps(rows, closed, kInnerReach);
   // Rows beside the track are no measure of its roll.
@@ -144,10 +157,12 @@ Doubt worst_doubt(std::span<const FitRow> rows, bool closed, const std::vector<d
 
 }  // namespace
 
-FittedTrack fit_track(std::span<const FitRow> rows, bool closed, base::Progress* progress) {
+FittedTrack fit_track(std::span<const FitRow> rows, bool closed, base::Progress* progress,
+                      std::span<const FitRow> given, double step) {
   COASTER_CHECK(rows.size() >= (closed ? 3u : 2u), "a track needs 2 rows, a closed one 3");
   const FilledRows filled = fill_rows(rows, closed);
   FitWork w = prepare(rows, filled, closed);
+  const double most = given.empty() ? kFitDistance : set_step(w, step);
   w.progress = progress;
   fit_all(w);
   if (w.cancelled()) return {};
@@ -161,8 +176,12 @@ FittedTrack fit_track(std::span<const FitRow> rows, bool closed, base::Progress*
   const Doubt roll_doubt = worst_doubt(
       rows, closed, roll_doubts(rows, closed, row_rolls(rows, closed), row_speeds(rows), world::Document{}.heartline));
   const Doubt bend_doubt = worst_doubt(rows, closed, bend_doubts(rows, closed, row_speeds(rows)));
-  std::vector<char> given;
-  for (std::size_t i = 0; i < filled.rows.size(); ++i) given.push_back(filled.given(i) ? 1 : 0);
+  std::vector<FitRow> measured = filled.rows;
+  std::vector<char> counted;
+  for (std::size_t i = 0; i < measured.size(); ++i) {
+    counted.push_back(filled.given(i) ? 1 : 0);
+    if (filled.given(i) && !given.empty()) measured[i] = given[filled.from[i]];
+  }
   FittedTrack fitted;
   Derived derived;
   for (int round = 0; round < kMaxRounds; ++round) {
@@ -170,7 +189,7 @@ FittedTrack fit_track(std::span<const FitRow> rows, bool closed, base::Progress*
     std::vector<std::size_t> ends;
     for (const Span& span : w.spans) ends.push_back(span.first);
     ends.push_back(w.spans.back().last);
-    const std::vector<FitReport> reports = measure_spans(derived, filled.rows, ends, free, given);
+    const std::vector<FitReport> reports = measure_spans(derived, measured, ends, free, counted);
     fitted.report = {0, 0, 0, static_cast<int>(fitted.document.track.knots.size()), roll_doubt, bend_doubt};
     std::vector<Span> next;
     for (std::size_t i = 0; i < reports.size(); ++i) {
@@ -178,7 +197,7 @@ FittedTrack fit_track(std::span<const FitRow> rows, bool closed, base::Progress*
       fitted.report.frame_error = std::max(fitted.report.frame_error, reports[i].frame_error);
       fitted.report.jump_error = std::max(fitted.report.jump_error, reports[i].jump_error);
       fitted.report.distances.add(reports[i].distances), fitted.report.angles.add(reports[i].angles);
-      const bool missed = reports[i].max_error > kFitDistance || reports[i].frame_error > kFitAngle;
+      const bool missed = reports[i].max_error > most || (given.empty() && reports[i].frame_error > kFitAngle);
       if (missed && w.spans[i].last > w.spans[i].first + 1) halve(w, w.spans[i], next);
       else next.push_back(w.spans[i]);
     }

@@ -57,6 +57,11 @@ struct FittedTrack {
 // km: two neighbouring rows always fit, and a span that misses on the finished document is halved. Spans between more
 // rows also bound what riders feel (SpanBounds::felt). The same bits on every machine; about 25 us per row. Reports to
 // `progress` (may be null); returns an empty document once it is cancelled.
-FittedTrack fit_track(std::span<const FitRow> rows, bool closed, base::Progress* progress = nullptr);
+// `given`: what rows that are not rounded any more (sim/fit/fit_rounding.h) are in place of, as many; the report
+// measures these. `step`: that their positions are rounded to, m, 0 if they are exact; the track stays within kSteps of
+// it.
+inline constexpr double kSteps = 1.5;
+FittedTrack fit_track(std::span<const FitRow> rows, bool closed, base::Progress* progress = nullptr,
+                      std::span<const FitRow> given = {}, double step = 0);
 
 }  // namespace coaster::sim

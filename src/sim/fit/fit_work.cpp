@@ -4,7 +4,6 @@ namespace coaster::sim {
 namespace {
 
 constexpr std::size_t kFirstStride = 32;  // rows of the first span to try
-constexpr double kLeastSpan = 0.06;       // m: in a shorter span the least handle length would not fit
 constexpr double kLeastScale = 0.4;       // relative to the bounds
 constexpr double kCopyScale = 0.2;        // the same for the rows of a track that was fitted before
 
@@ -34,9 +33,9 @@ Span longest_span(FitWork& w, std::size_t first, const RollRange& allowed, std::
     else bad = last;
   }
   // A knot just before the end moves back slightly: the step that closes a track is shorter than the others.
-  if (good.last < end && w.distances[end] - w.distances[good.last] < kLeastSpan) {
+  if (good.last < end && w.distances[end] - w.distances[good.last] < w.last_span) {
     std::size_t last = good.last;
-    while (last > first + 1 && w.distances[end] - w.distances[last] < kLeastSpan) --last;
+    while (last > first + 1 && w.distances[end] - w.distances[last] < w.last_span) --last;
     SpanFit fit = w.fit(first, last, allowed);
     if (fit.within) good.last = last, good.fit = std::move(fit);
   }

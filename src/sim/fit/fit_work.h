@@ -16,6 +16,8 @@ inline constexpr int kEvenings = 3;  // bisections for the smallest bounds that 
 // Longer tracks are not evened out, which would take up to five times as long.
 inline constexpr std::size_t kEvenedRows = 60'000;
 
+inline constexpr double kLeastSpan = 0.06;  // m: in a shorter span the least handle length would not fit
+
 struct Span {
   std::size_t first = 0, last = 0;
   SpanFit fit;
@@ -31,8 +33,11 @@ struct FitWork {
   RowRolls row_rolls;
   std::vector<glm::dvec3> curvatures;
   bool closed = false;
-  double scale = 1;       // relative to the bounds
-  double felt_scale = 1;  // the same of what riders feel
+  double distance = SpanBounds{}.distance;  // m: the bound of the rows' distances
+  double least_handle = kLeastHandle;
+  double last_span = kLeastSpan;  // m: the last one is no shorter
+  double scale = 1;               // relative to the bounds
+  double felt_scale = 1;          // the same of what riders feel
   SpanScratch scratch;
   std::vector<Span> spans;
   std::vector<double> rolls;  // additional roll of a knot at each row, radians
@@ -48,7 +53,8 @@ struct FitWork {
 
   SpanBounds bounds() const {
     SpanBounds b;
-    b.distance *= scale, b.angle *= scale, b.felt *= scale * felt_scale;
+    b.distance = distance * scale, b.least_handle = least_handle;
+    b.angle *= scale, b.felt *= scale * felt_scale;
     b.free = free, b.bends = bends, b.spins = row_rolls.spins, b.slopes = row_rolls.slopes, b.leans = row_rolls.leans;
     b.speeds = speeds, b.curvatures = curvatures;
     b.open = !closed;
