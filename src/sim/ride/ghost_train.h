@@ -26,8 +26,8 @@ class GhostTrain {
     settle();
   }
 
-  const TrainState& state() const { return moving_; }     // x: m from the track's start, unwrapped
-  double in_lap() const { return moving_.x - round_; }    // m from the start of the lap, of the first car
+  const TrainState& state() const { return moving_; }   // x: m from the track's start, unwrapped
+  double in_lap() const { return moving_.x - round_; }  // m from the start of the lap, of the first car
   bool held() const { return drive_.held; }
   // Returns the acceleration along the rails, m/s^2.
   double acceleration() const {
@@ -95,7 +95,8 @@ class GhostTrain {
     TrainState next = after(used);
     if (!equipment_.empty()) {
       const double left = used;
-      cut_at_switches(next, [&](const auto& value) { used = time_of(moving_, used, after, value), next = after(used); });
+      cut_at_switches(next,
+                      [&](const auto& value) { used = time_of(moving_, used, after, value), next = after(used); });
       dt = left - used;
     }
     if (losses_ && sign != 0 && next.speed * sign < 0) {  // friction stops it and does not reverse it

@@ -130,7 +130,8 @@ bool advance_stepped(const TickContext& tick, double dt, std::vector<TrackPlace>
     const Contacts& contacts = update_drive(tick, context, cart);
     const Drive drive = tick.control.drive;
     if (drive.held) return halt(cart), true;
-    if (!tick.row.splits && part == 0 && !near_equipment(tick, contacts, cart) && advance_across(tick, dt, places, cart))
+    if (!tick.row.splits && part == 0 && !near_equipment(tick, contacts, cart) &&
+        advance_across(tick, dt, places, cart))
       return true;
     context.drive = drive.acceleration;
     context.direction = drive.net ? 0.0 : direction_of(context, cart.speed);
