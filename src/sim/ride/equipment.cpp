@@ -61,29 +61,35 @@ class Driving {
   Drive drive_;
 };
 
-void lift(const world::Equipment& e, double speed, Driving& driving) {
-  if (driving.compare(speed, 0, e) < 0) return driving.hold();  // the ratchet catches a train that rolls back
-  const int fast = driving.compare(speed, e.speed, e);
+// Pushes a train until it has the speed `to`, and keeps it from falling below.
+void push(const world::Equipment& e, double to, double speed, Driving& driving) {
+  const int fast = driving.compare(speed, to, e);
   if (fast <= 0) driving.at_least(fast < 0 ? double{e.acceleration} : 0.0);
 }
 
-void launch(const world::Equipment& e, double share, double speed, Driving& driving) {
-  const int fast = driving.compare(speed, e.speed, e);
-  if (fast < 0) driving.add(e.acceleration * share);
-  if (fast == 0) driving.keep_speed(0, e.acceleration * share);
+void lift(const world::Equipment& e, double speed, Driving& driving) {
+  if (driving.compare(speed, 0, e) < 0) return driving.hold();  // the ratchet catches a train that rolls back
+  push(e, e.speed, speed, driving);
 }
 
 bool too_fast(const world::Equipment& e, double speed) { return std::abs(speed) > e.speed + e.hysteresis; }
 bool too_slow(const world::Equipment& e, double speed) { return std::abs(speed) < e.speed - e.hysteresis - kReached; }
 
-// Of a brake that works. It holds a train at rest. With next to no hysteresis it would switch many times a tick: it
-// keeps its lower speed.
-void brake(const world::Equipment& e, double share, double speed, Driving& driving) {
+// True if a launch, or a brake that works, is at a speed that it keeps. A brake holds a train at rest; with next to no
+// hysteresis it would switch many times a tick, and keeps its lower speed.
+bool keeps(const world::Equipment& e, double speed, const Driving& driving) {
+  if (e.kind == EquipmentKind::launch) return driving.compare(speed, e.speed, e) == 0;
+  const bool low = e.hysteresis < kNarrow && driving.compare(std::abs(speed), e.speed - e.hysteresis, e) == 0;
+  return low || driving.compare(speed, 0, e) == 0;
+}
+
+// Adds the force of a launch or brake of which a share of the train is on it, or keeps the speed by it.
+void act(const world::Equipment& e, double share, double speed, Driving& driving) {
   const double most = e.acceleration * share, sign = speed > 0 ? 1.0 : -1.0;
-  if (driving.compare(speed, 0, e) == 0) return driving.keep_speed(-most, most);
-  const bool low = e.hysteresis < kNarrow && driving.compare(sign * speed, e.speed - e.hysteresis, e) == 0;
-  if (low) return driving.keep_speed(sign > 0 ? -most : 0, sign > 0 ? 0 : most);
-  driving.add(-sign * most);
+  const bool launches = e.kind == EquipmentKind::launch, rests = driving.compare(speed, 0, e) == 0;
+  if (!keeps(e, speed, driving)) return driving.add(launches ? most : -sign * most);
+  const bool forwards = launches || rests || sign < 0, backwards = !launches && (rests || sign > 0);
+  driving.keep_speed(backwards ? -most : 0, forwards ? most : 0);
 }
 
 // Returns where a train's first car stops: at the span's end, or so far before it that the train leaves the span at the
@@ -111,6 +117,21 @@ void stop_and_go(const EquipmentSpan& span, double left, const TrainMoment& now,
   if (excess > on_curve || fast > 0) driving.set(-3.0 * push);
   else if (moves > 0 && excess >= -on_curve) driving.set(-push);
   else driving.set(fast < 0 ? push : 0.0);
+}
+
+// What a piece does to a train now, in the order in which it is done: those that set the acceleration follow those that
+// add to it, and see the sum, so that no two take turns.
+enum class Role { add, keep, lift, dispatch, stop, none };
+Role role_of(const Contact& contact, double speed, bool way_free, const ControlState& state, const Driving& driving) {
+  const world::Equipment& e = contact.span->equipment;
+  if (e.kind == EquipmentKind::lift) return Role::lift;
+  if (stops(*contact.span)) {
+    if (contact.front && (e.kind == EquipmentKind::station || !way_free || state.dwell > 0)) return Role::stop;
+    if (state.dwell < 0) return Role::dispatch;
+  }
+  const bool works = e.kind == EquipmentKind::launch ? driving.compare(speed, e.speed, e) <= 0
+                                                     : brakes(*contact.span) && state.braking && !too_slow(e, speed);
+  return !works ? Role::none : keeps(e, speed, driving) ? Role::keep : Role::add;
 }
 
 }  // namespace
@@ -171,31 +192,21 @@ Drive drive_of(const Contacts& contacts, const TrainPlace& train, const TrainMom
   const bool on = any([&](const Contact& c) { return brakes(*c.span) && too_fast(c.span->equipment, now.speed); });
   const bool keeps = any([&](const Contact& c) { return brakes(*c.span) && !too_slow(c.span->equipment, now.speed); });
   state.braking = on || (state.braking && keeps);
-  for (const auto& [span, share, front] : contacts.on) {
-    const world::Equipment& e = span->equipment;
-    const bool rests = driving.compare(now.speed, 0, e) == 0;
-    switch (e.kind) {
-      case EquipmentKind::lift: lift(e, now.speed, driving); break;
-      case EquipmentKind::launch: launch(e, share, now.speed, driving); break;
-      case EquipmentKind::station:
-      case EquipmentKind::block:
-        if (e.kind == EquipmentKind::block && front && way_free && state.dwell == 0 && rests) state.dwell = -1;
-        if (front && (e.kind == EquipmentKind::station || !way_free || state.dwell > 0)) {
-          const double left = stopping_point(*span, train) - 0.5 * kStopWithin - now.front;
-          stop_and_go(*span, left, now, driving, state);
-          break;
-        }
-        if (state.dwell < 0) {
-          const int fast = driving.compare(now.speed, std::max<double>(e.speed, kCreep), e);
-          if (fast <= 0) driving.at_least(fast < 0 ? double{e.acceleration} : 0.0);
-          break;
-        }
-        [[fallthrough]];
-      case EquipmentKind::brake:
-        if (brakes(*span) && state.braking && !too_slow(e, now.speed)) brake(e, share, now.speed, driving);
-        break;
-    }
+  for (const Contact& contact : contacts.on) {
+    const bool rests = contact.front && driving.compare(now.speed, 0, contact.span->equipment) == 0;
+    if (contact.span->equipment.kind == EquipmentKind::block && rests && way_free && state.dwell == 0) state.dwell = -1;
   }
+  for (const Role role : {Role::add, Role::keep, Role::lift, Role::dispatch, Role::stop})
+    for (const Contact& contact : contacts.on) {
+      const world::Equipment& e = contact.span->equipment;
+      if (role_of(contact, now.speed, way_free, state, driving) != role) continue;
+      if (role == Role::lift) lift(e, now.speed, driving);
+      else if (role == Role::dispatch) push(e, std::max<double>(e.speed, kCreep), now.speed, driving);
+      else if (role == Role::stop)
+        stop_and_go(*contact.span, stopping_point(*contact.span, train) - 0.5 * kStopWithin - now.front, now, driving,
+                    state);
+      else act(e, contact.share, now.speed, driving);
+    }
   return driving.drive();
 }
 

@@ -88,6 +88,11 @@ struct TrainMoment {
   double step = 0;  // s: of a train that is driven by whole steps, which reaches speeds within one step only
 };
 
+// A train's switches in one tick that are timed; from then on its drive holds to the tick's end. Only brakes whose
+// hysteresis is next to nothing get there.
+inline constexpr int kMostSwitches = 16;
+inline constexpr double kSwitchWithin = 1e-12;  // s
+
 // Returns the drive from this moment on; it holds until it would return another one or another state. `way_free` says
 // whether the section after the train's station or block is free. Updates `state`.
 Drive drive_of(const Contacts& contacts, const TrainPlace& train, const TrainMoment& now, bool way_free,

@@ -50,12 +50,14 @@ class Simulation {
     std::vector<GhostSample> samples = std::move(ghost.samples);
     std::vector<Force> forces = std::move(ghost.forces);
     std::vector<Passage> passages = std::move(ghost.passages);
-    samples.clear(), forces.clear(), passages.clear();
+    std::vector<GhostSwitch> switches = std::move(ghost.switches);
+    samples.clear(), switches.clear(), forces.clear(), passages.clear();
     ghost = Ghost{start_,
                   rails_.length,
                   rails_.closed,
                   document_.heartline,
                   std::move(samples),
+                  std::move(switches),
                   std::move(forces),
                   std::move(passages)};
     const auto most = static_cast<std::size_t>(std::max(0.0, limits.seconds) * world::kTicksPerSecond);
@@ -65,6 +67,10 @@ class Simulation {
     while (ghost.samples.size() <= most && ghost.end == world::FailureKind::none) {
       const double before = train_.state().x - start_.front;
       if (!train_.advance()) ghost.end = world::FailureKind::off_end;
+      for (GhostSwitch at : train_.switches()) {
+        at.sample = ghost.samples.size(), at.travelled -= start_.front;
+        ghost.switches.push_back(at);
+      }
       add_sample(ghost);
       if (ghost.end == world::FailureKind::none) ghost.end = failure(ghost);
       const double after = train_.state().x - start_.front;
@@ -75,6 +81,7 @@ class Simulation {
         if (limits.stop_after_lap) break;
       }
     }
+    if (const std::size_t rest = (ghost.samples.size() - 1) % kForceEvery; rest > 0) add_forces(ghost, rest);
     return ghost;
   }
 
@@ -90,9 +97,14 @@ class Simulation {
 
   void add_sample(Ghost& ghost) {
     const TrainState& now = train_.state();
-    const double speed = now.speed, along = train_.acceleration();
-    ghost.samples.push_back({now.x - start_.front, speed, along, now.work});
-    if ((ghost.samples.size() - 1) % kForceEvery != 0) return;
+    ghost.samples.push_back({now.x - start_.front, now.speed, train_.acceleration(), now.work});
+    if ((ghost.samples.size() - 1) % kForceEvery == 0) add_forces(ghost, kForceEvery);
+  }
+
+  // Adds an entry of the forces, of the last sample, `ticks` after the entry before.
+  void add_forces(Ghost& ghost, std::size_t ticks) {
+    const double along = ghost.samples.back().acceleration, speed = ghost.samples.back().speed;
+    between_ = ticks;
     const Float4 a = four(static_cast<float>(along / world::kGravity)),
                  v2 = four(static_cast<float>(speed * speed / world::kGravity));
     const std::size_t first = ghost.forces.size();
@@ -119,9 +131,9 @@ class Simulation {
   void add_passages(int car, std::size_t from, std::size_t to, double at, Ghost& ghost) const {
     const std::size_t first = from;
     bool tight = !segments_[from]->cells.empty();
-    const GhostSample &now = ghost.samples.back(), &then = ghost.samples[ghost.samples.size() - 1 - kForceEvery];
-    const double moved = now.travelled - then.travelled, time = kForceEvery * world::kTick;
-    const std::size_t count = segments_.size(), entry = (ghost.samples.size() - 1) / kForceEvery;
+    const GhostSample &now = ghost.samples.back(), &then = ghost.samples[ghost.samples.size() - 1 - between_];
+    const double moved = now.travelled - then.travelled, time = static_cast<double>(between_) * world::kTick;
+    const std::size_t count = segments_.size(), entry = ghost.forces.size() / cars_.size() - 1;
     const auto speed = [&](double share) { return std::lerp(then.speed, now.speed, share); };
     const auto acceleration = [&](double share) { return std::lerp(then.acceleration, now.acceleration, share); };
     const Force* const felt = &ghost.forces[entry * cars_.size() + static_cast<std::size_t>(car)];
@@ -149,7 +161,7 @@ class Simulation {
           passage(segments_[from]->felt, segments_[next]->felt, back, speed(share), acceleration(share)));
       Passage& passed = ghost.passages.back();
       passed.knot = knot, passed.car = car, passed.entry = entry;
-      passed.time = (static_cast<double>(entry) - 1 + share) * time;
+      passed.time = (static_cast<double>(entry) - 1) * kForceEvery * world::kTick + share * time;
       ride_to(share, from);
       from = next, tight = tight || !segments_[from]->cells.empty();
       if (from != to) continue;
@@ -167,10 +179,10 @@ class Simulation {
 
   // Adds the passage inside segments on the same way, if there are cells on it that the entries do not resolve.
   void add_tight(int car, std::size_t from, std::size_t to, double at, Ghost& ghost) const {
-    const GhostSample &now = ghost.samples.back(), &then = ghost.samples[ghost.samples.size() - 1 - kForceEvery];
+    const GhostSample &now = ghost.samples.back(), &then = ghost.samples[ghost.samples.size() - 1 - between_];
     const double moved = now.travelled - then.travelled;
-    const std::size_t count = segments_.size(), entry = (ghost.samples.size() - 1) / kForceEvery;
-    TightWay way{then, now, kForceEvery * world::kTick};
+    const std::size_t count = segments_.size(), entry = ghost.forces.size() / cars_.size() - 1;
+    TightWay way{then, now, static_cast<double>(between_) * world::kTick};
     const bool joint = from != to;
     for (double done = 0; moved != 0;) {
       const std::size_t next = (from + (moved < 0 ? count - 1 : 1)) % count;
@@ -201,6 +213,7 @@ class Simulation {
   Rails rails_;
   double furthest_ = 0;
   int still_ = 0;
+  std::size_t between_ = kForceEvery;  // ticks, of the last two entries of the forces
   struct CarPlace {
     double back;                          // m behind the first car
     std::size_t segment = 0;              // its last segment

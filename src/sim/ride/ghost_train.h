@@ -3,6 +3,8 @@
 
 #include <cmath>
 #include <functional>
+#include <span>
+#include <vector>
 
 #include "sim/ride/equipment.h"
 #include "sim/ride/ghost_tables.h"
@@ -34,6 +36,8 @@ class GhostTrain {
     if (drive_.net) return drive_.acceleration;
     return gravity_here_ + (drive_.acceleration - direction() * loss(resistance_, moving_.speed));
   }
+  // Returns those of the last tick; `travelled` is state().x, `sample` 0.
+  std::span<const GhostSwitch> switches() const { return switches_; }
 
   // Advances by a tick, in parts that end where equipment switches. Returns false at an open end.
   bool advance() {
@@ -42,10 +46,16 @@ class GhostTrain {
     bool on_track = true;
     if (equipment_.empty()) return advance(dt);
     count_down(true, control_);
+    switches_.clear(), switched_ = 0;
     for (int part = 0; dt > 0 && part < kMostParts && on_track; ++part) {
       place_.front = in_lap();
       contacts_ = &near_.update(equipment_, rails_, place_, moving_.x, moving_.speed < 0);
-      drive_ = drive_at(moving_, control_);
+      const Drive next = drive_at(moving_, control_);
+      if (!(next == drive_)) {
+        switches_.push_back({0, moving_.x, moving_.speed, acceleration(), 0});
+        drive_ = next;
+        switches_.back().acceleration_after = acceleration();
+      }
       if (drive_.held) {
         moving_.work -= 0.5 * moving_.speed * moving_.speed;
         moving_.speed = 0;
@@ -93,19 +103,24 @@ class GhostTrain {
                          [&](const TrainState& m) { return rates(m, gravity(m.x)); });
     };
     TrainState next = after(used);
-    if (!equipment_.empty()) {
-      const double left = used;
-      cut_at_switches(next,
-                      [&](const auto& value) { used = time_of(moving_, used, after, value), next = after(used); });
-      dt = left - used;
-    }
+    const double left = used;
+    const auto cut = [&](const auto& value, double within = 1e-15) {
+      used = time_of(moving_, used, after, value, within), next = after(used);
+    };
+    if (!equipment_.empty()) cut_at_switches(next, cut);
+    dt = left - used;
     if (losses_ && sign != 0 && next.speed * sign < 0) {  // friction stops it and does not reverse it
       const double part = moving_.speed / (moving_.speed - next.speed);
       next = {moving_.x + part * (next.x - moving_.x), 0.0, moving_.work + part * (next.work - moving_.work)};
     }
-    moving_ = next;
     const bool on_track = rails_.closed || (next.x >= 0 && next.x <= rails_.length);
-    if (!on_track) moving_.x = std::clamp(next.x, 0.0, rails_.length);
+    if (!on_track) {
+      const bool back = next.x < 0;
+      const double end = back ? 0.0 : rails_.length;
+      cut([&](const TrainState& at) { return back ? end - at.x : at.x - end; });
+      next.x = end;
+    }
+    moving_ = next;
     settle();
     return on_track;
   }
@@ -125,7 +140,8 @@ class GhostTrain {
       ControlState then = control_;
       return drive_at(at, then) == drive_ && then == control_ ? -1.0 : 1.0;
     };
-    if (!contacts_->on.empty() && switches(next) > 0) cut(switches);
+    if (!contacts_->on.empty() && switched_ < kMostSwitches && switches(next) > 0)
+      ++switched_, cut(switches, kSwitchWithin);
   }
 
   std::span<const EquipmentSpan> equipment_;
@@ -137,6 +153,8 @@ class GhostTrain {
   TrainContacts near_;
   const Contacts* contacts_ = nullptr;  // the present ones
   Drive drive_;
+  std::vector<GhostSwitch> switches_;
+  int switched_ = 0;  // in this tick
   TrainState moving_;
   double round_ = 0, gravity_here_ = 0;  // m, m/s^2
   bool losses_;

@@ -125,7 +125,7 @@ bool advance_stepped(const TickContext& tick, double dt, std::vector<TrackPlace>
   const world::Document& document = tick.input.document;
   const bool losses = !(tick.resistance == world::Resistance{});
   const int most_parts = kMaxJointsPerTick * static_cast<int>(places.size());
-  for (int part = 0; dt > 0 && part < most_parts; ++part) {
+  for (int part = 0, switched = 0; dt > 0 && part < most_parts; ++part) {
     TrainContext context{derived, places, document.datum, cart.reference_energy, tick.resistance};
     const Contacts& contacts = update_drive(tick, context, cart);
     const Drive drive = tick.control.drive;
@@ -140,7 +140,9 @@ bool advance_stepped(const TickContext& tick, double dt, std::vector<TrackPlace>
     double used = dt;
     const auto after = [&](double time) { return advance(tick, context, state, time); };
     TrainState next = after(used);
-    const auto cut = [&](const auto& value) { used = time_of(state, used, after, value), next = after(used); };
+    const auto cut = [&](const auto& value, double within = 1e-15) {
+      used = time_of(state, used, after, value, within), next = after(used);
+    };
     const double ahead = joint_ahead(context), back = joint_behind(context);
     const bool forward = next.x > ahead, backward = next.x < back;
     if (forward || backward) cut([&](const TrainState& at) { return forward ? at.x - ahead : back - at.x; });
@@ -154,9 +156,9 @@ bool advance_stepped(const TickContext& tick, double dt, std::vector<TrackPlace>
       ControlState then = tick.control.state;
       return drive_at(tick, context, contacts, at, then) == drive && then == tick.control.state ? -1.0 : 1.0;
     };
-    if (!contacts.on.empty() && switches(next) > 0) {
-      cut(switches);
-      at_joint = false;
+    if (!contacts.on.empty() && switched < kMostSwitches && switches(next) > 0) {
+      cut(switches, kSwitchWithin);
+      ++switched, at_joint = false;
     }
     const double x = at_joint ? (forward ? ahead : back) : next.x;
     const bool on_track = move_cars(derived, x, forward, at_joint, places, cart.laps);

@@ -137,7 +137,7 @@ TEST_F(Forces, its_own_equipment_counts_in_its_speed) {
     expect_g2();
   }
   good("section.unequip @" + section);
-  EXPECT_NEAR(plan().end_speed, free, 1e-6);  // what the knots' rounding leaves
+  EXPECT_NEAR(plan().end_speed, free, 1e-9);
 }
 
 TEST_F(Forces, planned_sections_behind_follow_an_end_that_turns) {
