@@ -50,9 +50,9 @@ inline constexpr base::NameRow kRideStates[] = {{"stopped"}, {"running"}, {"paus
 constexpr std::span<const base::NameRow> rows_of(RideState) { return kRideStates; }
 
 // Why a ride stopped.
-enum class FailureKind : std::uint8_t { none, stall, rollback, off_end, collision };
+enum class FailureKind : std::uint8_t { none, stall, rollback, off_end, collision, deadlock };
 inline constexpr base::NameRow kFailureKinds[] = {
-    {"none"}, {"stalled"}, {"rolled back"}, {"ran off the open end"}, {"collided"}};
+    {"none"}, {"stalled"}, {"rolled back"}, {"ran off the open end"}, {"collided"}, {"deadlocked"}};
 constexpr std::span<const base::NameRow> rows_of(FailureKind) { return kFailureKinds; }
 struct Failure {
   FailureKind kind = FailureKind::none;

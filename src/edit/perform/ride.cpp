@@ -26,7 +26,9 @@ Status perform(Session& session, Change&, const RideStart&) {
   const Status status = rideable(session);
   if (!status) return status;
   const bool over = session.motion.state == RideState::ended || session.motion.state == RideState::failed;
-  watch_start(session, over || session.motion.state == RideState::stopped);
+  const bool from_start = over || session.motion.state == RideState::stopped;
+  watch_start(session, from_start);
+  if (from_start) warn_of_deadlock(session);
   if (over) sim::reset(session.document, session.derived, session.motion);
   session.motion.state = RideState::running;
   return {};

@@ -131,6 +131,7 @@ Status perform(Session& session, Change& change, const AddCart& command) {
   if (session.document.entities.pool<world::Cart>().size() >= world::kMaxCarts)
     return refused(fmt::format("a track has at most {} trains", world::kMaxCarts));
   change.select = world::add_cart(session.document, *e, command.at);
+  warn_of_deadlock(session);
   return {};
 }
 

@@ -87,10 +87,9 @@ void find_sections(Session& session) {
   const std::uint64_t serial = kept.serial + 1, ride = found.ride != nullptr ? found.ride->serial : 0;
   found.sections =
       &found.memory.sections.get({session.edits, session.derived.last_build, ride, cars.first, cars.last}, [&] {
-        std::optional<sim::SeatCurves> curves;
-        if (found.ride != nullptr) curves = sim::curves_by_place(found.riders->cars(cars));
-        return sim::SectionTable{sim::section_figures(session.document, session.derived, curves ? &*curves : nullptr),
-                                 serial};
+        std::vector<sim::Rider> riders;
+        if (found.ride != nullptr) riders = found.riders->cars(cars);
+        return sim::SectionTable{sim::section_figures(session.document, session.derived, riders), serial};
       });
 }
 

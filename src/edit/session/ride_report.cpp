@@ -70,6 +70,8 @@ std::optional<std::string> ride_report_json(const Finder& find) {
   for (const sim::RedSpan& span : found.overloads) overloads.push_back(overload(span));
   for (const sim::TightBend& bend : found.tight_bends) bends.push_back({{"at_m", bend.at}, {"radius_m", bend.radius}});
   all.emplace_back("tight_bends", std::move(bends));
+  const std::string blocks = sim::deadlock_text(find.session().document, find.session().derived);
+  all.emplace_back("deadlock", blocks.empty() ? nullptr : JsonValue(blocks));
   all.emplace_back("overloads", std::move(overloads));
   const auto forces = forces_missed(find);
   for (const MissedForces& one : forces.value_or(std::vector<MissedForces>{}))

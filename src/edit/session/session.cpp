@@ -110,6 +110,8 @@ std::optional<std::string> ride_report(const Finder& find) {
   std::string text =
       sim::report_text(*found.ride, *found.ratings, found.riders->all(), found.overloads, find.session().document.name);
   if (!found.tight_bends.empty()) text += fmt::format("  {}\n", sim::tight_text(found.tight_bends));
+  if (const std::string blocks = sim::deadlock_text(find.session().document, find.session().derived); !blocks.empty())
+    text += fmt::format("  {}\n", blocks);
   text += missed_forces(find);
   if (const auto& import = find.session().file.import) {
     text += fmt::format("  {:<22} {:8.2f} mm, {:.3f} deg, of the file's rows; at their jumps {:.3f} deg\n",
@@ -133,6 +135,11 @@ std::string failure_text(const Session& session) {
     return fmt::format("Train {} {}.", world::label_of(session.document, failure.cart), result->reason);
   return fmt::format("Train {} {} at {:.1f} m ({:.1f} m/s).", world::label_of(session.document, failure.cart),
                      base::name_of(failure.kind), failure.distance, failure.speed);
+}
+
+void warn_of_deadlock(Session& session) {
+  const std::string text = sim::deadlock_text(session.document, session.derived);
+  if (!text.empty()) notify(session, NoticeKind::warning, text + ". All will wait for a free block.");
 }
 
 void advance(Session& session, int ticks) {

@@ -184,6 +184,9 @@ std::optional<std::string> ride_csv(const Finder& find);
 // ride has not failed.
 std::string failure_text(const Session& session);
 
+// Says so if there are too many trains for the block sections (sim::deadlock_text()).
+void warn_of_deadlock(Session& session);
+
 // Advances the ride by whole ticks. If it stops, a notice says why.
 void advance(Session& session, int ticks);
 

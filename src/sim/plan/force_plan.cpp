@@ -157,22 +157,6 @@ std::string stop_text(const ForcePlan& plan) {
   return fmt::format("the section ends at {:.1f} m: {} there", plan.length, plan.path.stopped);
 }
 
-// The energy gives the speed within a tick, because the last sample is in general not at the end of the track.
-std::optional<Passing> passing(const Ghost& ride, double distance) {
-  const double way = within_lap(distance - ride.start.front, ride.track_length, ride.closed);
-  if (!ride.closed && distance < ride.start.front) return std::nullopt;
-  const auto after = std::find_if(ride.samples.begin(), ride.samples.end(),
-                                  [&](const GhostSample& sample) { return sample.travelled >= way; });
-  if (after == ride.samples.end()) return std::nullopt;
-  if (after == ride.samples.begin()) return Passing{after->speed, after->acceleration};
-  const GhostSample &from = *(after - 1), &to = *after;
-  const double gone = way - from.travelled, gap = to.travelled - from.travelled;
-  const double share = gap > 0 ? gone / gap : 0.0,
-               along = from.acceleration + share * (to.acceleration - from.acceleration);
-  const double square = from.speed * from.speed + gone * (from.acceleration + along);
-  return Passing{std::sqrt(std::max(square, 0.0)), along};
-}
-
 bool ForceMemo::has(const ForceTask& task) const {
   return std::any_of(plans_.begin(), plans_.end(), [&](const ForcePlan& plan) { return plan.task == task; });
 }

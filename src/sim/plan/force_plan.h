@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "sim/plan/force_fit.h"
-#include "sim/ride/ghost.h"
+#include "sim/ride/passing.h"
 #include "world/sections.h"
 
 namespace coaster::sim {
@@ -76,13 +76,6 @@ std::string missed_text(const ForcePlan& plan);
 
 // Returns "the section ends at 41.2 m: the train falls below 3 m/s there"; empty if it reaches its end.
 std::string stop_text(const ForcePlan& plan);
-
-// The state of a train when its first car passes a position.
-struct Passing {
-  double speed = 0, along = 0;  // m/s, m/s^2 along the track
-};
-// Returns the state at the first pass; nothing if the ride does not reach the position.
-std::optional<Passing> passing(const Ghost& ride, double distance);
 
 // Caches the plans of the last tasks.
 class ForceMemo {

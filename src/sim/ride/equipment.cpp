@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+
+#include <fmt/format.h>
 
 namespace coaster::sim {
 namespace {
@@ -9,8 +12,10 @@ namespace {
 using world::EquipmentKind;
 
 constexpr double kStopWithin = 0.02;  // m from the stopping point
-constexpr double kStopSpeed = 0.05;   // m/s, slow enough to stop
 constexpr double kCreep = 0.3;        // m/s, at which tyres push a train that stopped short
+constexpr double kReached = 1e-10;    // m/s from a speed that counts as reached
+constexpr double kBorder = 1e-8;      // m from a border that counts as past it
+constexpr double kNarrow = 0.005;     // m/s, the hysteresis below which a brake holds its lower speed
 
 double car_place(const Rails& rails, const TrainPlace& train, int car) {
   return within_lap(train.front - car * train.spacing, rails.length, rails.closed);
@@ -18,49 +23,73 @@ double car_place(const Rails& rails, const TrainPlace& train, int car) {
 
 bool inside(const EquipmentSpan& span, double at) { return at >= span.from && at < span.to; }
 
-// Returns true if no car is on a span or within 1 m of it. May return false for a distant train across the track's
-// start.
-bool far_from(const EquipmentSpan& span, const Rails& rails, const TrainPlace& train, double front) {
-  constexpr double kNear = 1;  // m
-  const double tail = front - (train.cars - 1) * train.spacing;
-  return tail >= 0 && front <= rails.length && (span.from > front + kNear || span.to < tail - kNear);
+bool stops(const EquipmentSpan& span) {
+  return span.equipment.kind == EquipmentKind::station || span.equipment.kind == EquipmentKind::block;
+}
+bool brakes(const EquipmentSpan& span) {
+  return span.equipment.kind == EquipmentKind::brake || span.equipment.kind == EquipmentKind::block;
 }
 
-// Returns the fraction of a train's cars on a span.
-double share_on(const EquipmentSpan& span, const Rails& rails, const TrainPlace& train) {
-  int on = 0;
-  for (int i = 0; i < train.cars; ++i) on += inside(span, car_place(rails, train, i));
-  return static_cast<double>(on) / train.cars;
-}
+// What the spans that were looked at so far do together.
+class Driving {
+ public:
+  explicit Driving(const TrainMoment& now) : now_(now) {}
+  const Drive& drive() const { return drive_; }
+  double acceleration() const { return drive_.net ? drive_.acceleration : now_.free() + drive_.acceleration; }
+  void add(double acceleration) { drive_.acceleration += drive_.held ? 0.0 : acceleration; }
+  void set(double acceleration) {
+    if (!drive_.held) drive_ = {acceleration, true};
+  }
+  void hold() { drive_ = {0, true, true}; }
+  void at_least(double least) {
+    if (acceleration() < least) set(least);
+  }
+  // Keeps the speed by a force of `least`..`most`, or does what it can.
+  void keep_speed(double least, double most) {
+    const double need = -acceleration();
+    if (need > least && need < most) set(0);
+    else add(need > 0 ? most : least);
+  }
+  // Returns -1, 0 or 1: slower than a speed, at it, faster.
+  int compare(double speed, double to, const world::Equipment& e) const {
+    const double reached = kReached + e.acceleration * now_.step;
+    return speed < to - reached ? -1 : speed > to + reached ? 1 : 0;
+  }
 
-struct Moment {
-  double speed, free, dt;
-  // Returns the acceleration that equipment must add to gravity and losses to reach the speed `to`.
-  double towards(double to) const { return (to - speed) / dt - free; }
+ private:
+  const TrainMoment& now_;
+  Drive drive_;
 };
 
-// Returns the net acceleration towards a speed, within -brake..push.
-double steer(const Moment& now, double to, double push, double brake) {
-  return std::clamp((to - now.speed) / now.dt, -brake, push) - now.free;
+// Pushes a train until it has the speed `to`, and keeps it from falling below.
+void push(const world::Equipment& e, double to, double speed, Driving& driving) {
+  const int fast = driving.compare(speed, to, e);
+  if (fast <= 0) driving.at_least(fast < 0 ? double{e.acceleration} : 0.0);
 }
 
-double lift(const world::Equipment& e, const Moment& now) {
-  const double ratchet = now.towards(0.0);  // prevents rollback
-  const double pull = std::min(now.towards(e.speed), e.acceleration - now.free);
-  return std::max({pull, ratchet, 0.0});
+void lift(const world::Equipment& e, double speed, Driving& driving) {
+  if (driving.compare(speed, 0, e) < 0) return driving.hold();  // the ratchet catches a train that rolls back
+  push(e, e.speed, speed, driving);
 }
 
-double launch(const world::Equipment& e, const Moment& now, double share) {
-  return std::clamp(now.towards(e.speed), 0.0, e.acceleration * share);
+bool too_fast(const world::Equipment& e, double speed) { return std::abs(speed) > e.speed + e.hysteresis; }
+bool too_slow(const world::Equipment& e, double speed) { return std::abs(speed) < e.speed - e.hysteresis - kReached; }
+
+// True if a launch, or a brake that works, is at a speed that it keeps. A brake holds a train at rest; with next to no
+// hysteresis it would switch many times a tick, and keeps its lower speed.
+bool keeps(const world::Equipment& e, double speed, const Driving& driving) {
+  if (e.kind == EquipmentKind::launch) return driving.compare(speed, e.speed, e) == 0;
+  const bool low = e.hysteresis < kNarrow && driving.compare(std::abs(speed), e.speed - e.hysteresis, e) == 0;
+  return low || driving.compare(speed, 0, e) == 0;
 }
 
-double brake(const world::Equipment& e, const Moment& now, double share, ControlState& state) {
-  const double speed = std::abs(now.speed);
-  if (speed > e.speed + e.hysteresis) state.braking = true;
-  if (speed < e.speed - e.hysteresis) state.braking = false;
-  if (!state.braking) return 0.0;
-  const double most = e.acceleration * share, to_rest = now.towards(0.0);
-  return now.speed > 0 ? -std::min(most, std::max(-to_rest, 0.0)) : std::min(most, std::max(to_rest, 0.0));
+// Adds the force of a launch or brake of which a share of the train is on it, or keeps the speed by it.
+void act(const world::Equipment& e, double share, double speed, Driving& driving) {
+  const double most = e.acceleration * share, sign = speed > 0 ? 1.0 : -1.0;
+  const bool launches = e.kind == EquipmentKind::launch, rests = driving.compare(speed, 0, e) == 0;
+  if (!keeps(e, speed, driving)) return driving.add(launches ? most : -sign * most);
+  const bool forwards = launches || rests || sign < 0, backwards = !launches && (rests || sign > 0);
+  driving.keep_speed(backwards ? -most : 0, forwards ? most : 0);
 }
 
 // Returns where a train's first car stops: at the span's end, or so far before it that the train leaves the span at the
@@ -70,28 +99,39 @@ double stopping_point(const EquipmentSpan& span, const TrainPlace& train) {
   return span.to - std::clamp(run_up - (train.cars - 1) * train.spacing, 0.0, 0.5 * (span.to - span.from));
 }
 
-// Stops a train at its stopping point, waits, and dispatches it. `left`: m to that point.
-Drive stop_and_go(const EquipmentSpan& span, const Moment& now, double left, bool way_free, ControlState& state) {
+// Drives a train to its stopping point along v^2 = 2 a d, and on from there. The brake is three times as strong as
+// that needs. `left`: m to where it comes to rest.
+void stop_and_go(const EquipmentSpan& span, double left, const TrainMoment& now, Driving& driving,
+                 ControlState& state) {
   const world::Equipment& e = span.equipment;
-  const double push = e.acceleration;
-  if (state.dwell < 0)
-    return {std::max(steer(now, std::max<double>(e.speed, kCreep), push, 0.0), now.towards(0.0)), false};
-  if (state.dwell > 0) {
-    if (state.dwell > 1) --state.dwell;
-    else if (way_free) state.dwell = -1;
-    return {now.towards(0.0), true};
-  }
-  if (left <= kStopWithin && now.speed < kStopSpeed) {
+  const double push = e.acceleration, cruise = std::max<double>(e.speed, kCreep);
+  const int fast = driving.compare(now.speed, cruise, e);
+  if (state.dwell < 0) return driving.set(fast < 0 ? push : 0.0);
+  const int moves = driving.compare(now.speed, 0, e);
+  if (moves == 0 && left <= 0.5 * kStopWithin && state.dwell == 0)
     state.dwell =
         1 + static_cast<std::int32_t>(e.kind == EquipmentKind::station ? e.seconds * world::kTicksPerSecond : 0);
-    return {now.towards(0.0), true};
+  if (state.dwell > 0) return driving.hold();
+  const double excess = now.speed * std::abs(now.speed) - 2.0 * push * std::max(left, 0.0),
+               on_curve = 1e-9 + 2.0 * push * std::abs(now.speed) * now.step;  // m^2/s^2
+  if (excess > on_curve || fast > 0) driving.set(-3.0 * push);
+  else if (moves > 0 && excess >= -on_curve) driving.set(-push);
+  else driving.set(fast < 0 ? push : 0.0);
+}
+
+// What a piece does to a train now, in the order in which it is done: those that set the acceleration follow those that
+// add to it, and see the sum, so that no two take turns.
+enum class Role { add, keep, lift, dispatch, stop, none };
+Role role_of(const Contact& contact, double speed, bool way_free, const ControlState& state, const Driving& driving) {
+  const world::Equipment& e = contact.span->equipment;
+  if (e.kind == EquipmentKind::lift) return Role::lift;
+  if (stops(*contact.span)) {
+    if (contact.front && (e.kind == EquipmentKind::station || !way_free || state.dwell > 0)) return Role::stop;
+    if (state.dwell < 0) return Role::dispatch;
   }
-  // Follows v^2 = 2 a d down to the stopping point; the brake is three times as strong as needed. Never passes that
-  // point.
-  const double allowed = std::sqrt(2.0 * push * std::max(left - 0.5 * kStopWithin, 0.0));
-  const double target = std::min(std::max<double>(e.speed, kCreep), allowed);
-  const double last_step = std::max(left, 0.0) / now.dt;
-  return {steer(now, std::min(target, last_step), push, 3.0 * push), false};
+  const bool works = e.kind == EquipmentKind::launch ? driving.compare(speed, e.speed, e) <= 0
+                                                     : brakes(*contact.span) && state.braking && !too_slow(e, speed);
+  return !works ? Role::none : keeps(e, speed, driving) ? Role::keep : Role::add;
 }
 
 }  // namespace
@@ -112,57 +152,80 @@ std::vector<EquipmentSpan> equipment_spans(const world::Document& document, cons
   return spans;
 }
 
-Drive drive_of(std::span<const EquipmentSpan> spans, const Rails& rails, const TrainPlace& train, double speed,
-               double free, bool way_free, double dt, ControlState& state) {
-  Drive drive;
-  bool on_stop = false, on_brake = false;
-  const double front = car_place(rails, train, 0);
+Contacts contacts_of(std::span<const EquipmentSpan> spans, const Rails& rails, const TrainPlace& train, bool back) {
+  constexpr double kNever = std::numeric_limits<double>::infinity();
+  const double border = back ? -kBorder : kBorder;
+  Contacts contacts{{}, kNever, kNever, back};
   for (const EquipmentSpan& span : spans) {
-    if (far_from(span, rails, train, front)) continue;
-    const double share = share_on(span, rails, train);
-    const EquipmentKind kind = span.equipment.kind;
-    const bool stops = kind == EquipmentKind::station || kind == EquipmentKind::block;
-    // A stopping point may be exactly the span's end: a first car that stands there belongs to it.
-    const bool front_on =
-        inside(span, front) || (stops && state.dwell > 0 && std::abs(front - span.to) < 2 * kStopWithin);
-    if (share == 0 && !front_on) continue;
-    const Moment now{speed, free + drive.acceleration,
-                     dt};  // includes the effect of other spans: a train on two lifts is pulled once
-    if (stops) {
-      on_stop = true;
-      if (front_on && (kind == EquipmentKind::station || !way_free || state.dwell > 0)) {
-        const Drive stop = stop_and_go(span, now, stopping_point(span, train) - front, way_free, state);
-        drive.acceleration += stop.acceleration, drive.held |= stop.held;
-      } else if (state.dwell < 0) {
-        drive.acceleration +=
-            std::max(steer(now, std::max<double>(span.equipment.speed, kCreep), span.equipment.acceleration, 0.0), 0.0);
-      } else if (kind == EquipmentKind::block) {
-        on_brake = true;
-        drive.acceleration += brake(span.equipment, now, share, state);
+    int on = 0;
+    bool front = false;
+    for (int car = 0; car < train.cars; ++car) {
+      const double at = within_lap(train.front + border - car * train.spacing, rails.length, rails.closed);
+      on += inside(span, at);
+      front = front || (car == 0 && inside(span, at));
+      for (const double end : {span.from, span.to}) {
+        double ahead = end - at;
+        if (ahead <= 0 && rails.closed) ahead += rails.length;
+        if (ahead > 0) contacts.ahead = std::min(contacts.ahead, ahead + border);
+        double behind = at - end;
+        if (behind < 0 && rails.closed) behind += rails.length;
+        if (behind >= 0) contacts.behind = std::min(contacts.behind, behind - border);
       }
-      continue;
     }
-    switch (kind) {
-      case EquipmentKind::lift: drive.acceleration += lift(span.equipment, now); break;
-      case EquipmentKind::launch: drive.acceleration += launch(span.equipment, now, share); break;
-      case EquipmentKind::brake:
-        on_brake = true;
-        drive.acceleration += brake(span.equipment, now, share, state);
-        break;
-      case EquipmentKind::station:
-      case EquipmentKind::block: break;
-    }
+    if (on > 0) contacts.on.push_back({&span, static_cast<double>(on) / train.cars, front});
   }
-  if (!on_stop) state.dwell = 0;
-  if (!on_brake) state.braking = false;
-  return drive;
+  return contacts;
+}
+
+const Contacts& TrainContacts::update(std::span<const EquipmentSpan> spans, const Rails& rails, const TrainPlace& train,
+                                      double at, bool back) {
+  const bool past = at > ahead() - 0.5 * kBorder || at < behind() + 0.5 * kBorder;
+  if (past || back != contacts_.back) contacts_ = contacts_of(spans, rails, train, back), at_ = at;
+  return contacts_;
+}
+
+Drive drive_of(const Contacts& contacts, const TrainPlace& train, const TrainMoment& now, bool way_free,
+               ControlState& state) {
+  Driving driving(now);
+  const auto any = [&](auto is) { return std::any_of(contacts.on.begin(), contacts.on.end(), is); };
+  if (!any([](const Contact& c) { return stops(*c.span); })) state.dwell = 0;
+  const bool on = any([&](const Contact& c) { return brakes(*c.span) && too_fast(c.span->equipment, now.speed); });
+  const bool keeps = any([&](const Contact& c) { return brakes(*c.span) && !too_slow(c.span->equipment, now.speed); });
+  state.braking = on || (state.braking && keeps);
+  for (const Contact& contact : contacts.on) {
+    const bool rests = contact.front && driving.compare(now.speed, 0, contact.span->equipment) == 0;
+    if (contact.span->equipment.kind == EquipmentKind::block && rests && way_free && state.dwell == 0) state.dwell = -1;
+  }
+  for (const Role role : {Role::add, Role::keep, Role::lift, Role::dispatch, Role::stop})
+    for (const Contact& contact : contacts.on) {
+      const world::Equipment& e = contact.span->equipment;
+      if (role_of(contact, now.speed, way_free, state, driving) != role) continue;
+      if (role == Role::lift) lift(e, now.speed, driving);
+      else if (role == Role::dispatch) push(e, std::max<double>(e.speed, kCreep), now.speed, driving);
+      else if (role == Role::stop)
+        stop_and_go(*contact.span, stopping_point(*contact.span, train) - 0.5 * kStopWithin - now.front, now, driving,
+                    state);
+      else act(e, contact.share, now.speed, driving);
+    }
+  return driving.drive();
+}
+
+void count_down(bool way_free, ControlState& state) {
+  if (state.dwell > 1) --state.dwell;
+  else if (state.dwell == 1 && way_free) state.dwell = -1;
+}
+
+std::string deadlock_text(const world::Document& document, const Derived& derived) {
+  const std::size_t trains = document.entities.pool<world::Cart>().size();
+  if (trains < 2 || !derived.closed) return {};
+  const std::vector<EquipmentSpan> spans = equipment_spans(document, derived);
+  const auto sections = static_cast<std::size_t>(std::count_if(spans.begin(), spans.end(), stops));
+  if (sections == 0 || sections > trains) return {};
+  return fmt::format("{} trains need {} block sections, the track has {}", trains, trains + 1, sections);
 }
 
 bool section_free(std::span<const EquipmentSpan> spans, const Rails& rails, const TrainPlace& train,
                   std::span<const TrainPlace> others) {
-  const auto stops = [](const EquipmentSpan& span) {
-    return span.equipment.kind == EquipmentKind::station || span.equipment.kind == EquipmentKind::block;
-  };
   const double front = car_place(rails, train, 0);
   const auto here = std::find_if(spans.begin(), spans.end(), [&](const EquipmentSpan& span) {
     return stops(span) && front >= span.from && front <= span.to + 2 * kStopWithin;

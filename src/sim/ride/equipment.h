@@ -1,8 +1,11 @@
-// The effect of stations, lifts, launches, brakes and blocks on trains: one acceleration per tick. The ride and the
-// ghost use the same rules.
+// The effect of stations, lifts, launches, brakes and blocks on trains. It changes at instants within a tick: where a
+// car comes to an end of equipment or the train reaches a speed. The ride and the ghost use the same rules, and find
+// the instants by time_of() (train.h).
 #pragma once
 
+#include <functional>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "sim/shape/derived.h"
@@ -36,25 +39,76 @@ struct ControlState {
   friend bool operator==(const ControlState&, const ControlState&) = default;
 };
 
-struct Drive {
-  double acceleration = 0;  // m/s^2 during the tick
-  bool held = false;        // does not move in this tick: held by a station, block or ratchet
-};
-
 struct Rails {
   double length = 0;  // m
   bool closed = false;
 };
 
-// Returns the drive of the next tick of `dt` seconds. `free` is the acceleration by gravity and losses at its start;
-// `way_free` says whether the section after the train's station or block is free. Updates `state`.
-Drive drive_of(std::span<const EquipmentSpan> spans, const Rails& rails, const TrainPlace& train, double speed,
-               double free, bool way_free, double dt, ControlState& state);
+// The equipment that a train is on.
+struct Contact {
+  const EquipmentSpan* span;
+  double share;  // of the cars that are on it
+  bool front;    // the first car is
+};
+// That of all spans, and how far the train can move until it changes: -behind..ahead m. A car on a border counts as
+// past it, in the direction of the motion.
+struct Contacts {
+  std::vector<Contact> on;
+  double behind = 0, ahead = 0;
+  bool back = false;  // the train moves backwards
+};
+Contacts contacts_of(std::span<const EquipmentSpan> spans, const Rails& rails, const TrainPlace& train, bool back);
+
+// The contacts of a moving train, updated when they change. `at` is how far it has moved from any point, m.
+class TrainContacts {
+ public:
+  const Contacts& update(std::span<const EquipmentSpan> spans, const Rails& rails, const TrainPlace& train, double at,
+                         bool back);
+  // Return where they change next, as `at`.
+  double ahead() const { return at_ + contacts_.ahead; }
+  double behind() const { return at_ - contacts_.behind; }
+
+ private:
+  Contacts contacts_;
+  double at_ = 0;
+};
+
+// What equipment does to a train until it switches.
+struct Drive {
+  double acceleration = 0;  // m/s^2, added to gravity and losses; with `net` the train's own, whatever these are
+  bool net = false;
+  bool held = false;  // does not move: held by a station, block or ratchet
+  friend bool operator==(const Drive&, const Drive&) = default;
+};
+
+struct TrainMoment {
+  double front = 0;                     // m from the track's start, of the first car, within the lap
+  double speed = 0;                     // m/s
+  const std::function<double()>& free;  // m/s^2 by gravity and losses
+  double step = 0;  // s: of a train that is driven by whole steps, which reaches speeds within one step only
+};
+
+// A train's switches in one tick that are timed; from then on its drive holds to the tick's end. Only brakes whose
+// hysteresis is next to nothing get there.
+inline constexpr int kMostSwitches = 16;
+inline constexpr double kSwitchWithin = 1e-12;  // s
+
+// Returns the drive from this moment on; it holds until it would return another one or another state. `way_free` says
+// whether the section after the train's station or block is free. Updates `state`.
+Drive drive_of(const Contacts& contacts, const TrainPlace& train, const TrainMoment& now, bool way_free,
+               ControlState& state);
+
+// Counts a tick of a train that waits, at the tick's start, and dispatches it.
+void count_down(bool way_free, ControlState& state);
 
 // True if no other train is between the end of the station or block that `train` is on and the end of the next one;
 // also true if it is on none.
 bool section_free(std::span<const EquipmentSpan> spans, const Rails& rails, const TrainPlace& train,
                   std::span<const TrainPlace> others);
+
+// Returns a warning if a closed track has no more block sections, one for each station and block, than trains, so that
+// all will wait for ever; empty if it has more, or no blocks, or one train.
+std::string deadlock_text(const world::Document& document, const Derived& derived);
 
 // True if two trains overlap: the bodies of any two of their cars.
 bool collide(const Rails& rails, const TrainPlace& a, const TrainPlace& b);

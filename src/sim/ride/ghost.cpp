@@ -3,9 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "sim/ride/ghost_tables.h"
+#include "sim/ride/ghost_train.h"
 #include "sim/ride/tight_way.h"
-#include "sim/ride/train.h"
 
 namespace coaster::sim {
 namespace {
@@ -38,18 +37,12 @@ class Simulation {
   Simulation(const RailTables& tables, std::span<const EquipmentSpan> equipment, const world::Document& document,
              const GhostStart& start)
       : tables_(tables),
-        equipment_(equipment),
         document_(document),
-        resistance_(resistance_of(document, start.mass)),
         start_(start),
         segments_(segments_of(tables)),
-        landscape_(tables, segments_, start.cars, start.spacing),
-        rails_{tables.length(), tables.closed()},
-        control_(start.control),
-        moving_{start.front, start.speed, 0},
-        losses_(!(resistance_ == world::Resistance{})) {
+        train_(tables, segments_, equipment, resistance_of(document, start.mass), start),
+        rails_{tables.length(), tables.closed()} {
     for (int car = 0; car < start.cars; ++car) cars_.push_back({.back = car * start.spacing});
-    settle();
   }
 
   // Runs the simulation and reuses the memory of `ghost`.
@@ -57,26 +50,30 @@ class Simulation {
     std::vector<GhostSample> samples = std::move(ghost.samples);
     std::vector<Force> forces = std::move(ghost.forces);
     std::vector<Passage> passages = std::move(ghost.passages);
-    samples.clear(), forces.clear(), passages.clear();
+    std::vector<GhostSwitch> switches = std::move(ghost.switches);
+    samples.clear(), switches.clear(), forces.clear(), passages.clear();
     ghost = Ghost{start_,
                   rails_.length,
                   rails_.closed,
                   document_.heartline,
                   std::move(samples),
+                  std::move(switches),
                   std::move(forces),
                   std::move(passages)};
     const auto most = static_cast<std::size_t>(std::max(0.0, limits.seconds) * world::kTicksPerSecond);
     const std::size_t usual = std::min<std::size_t>(most + 1, 20'000);
     ghost.samples.reserve(usual), ghost.forces.reserve(usual / kForceEvery * static_cast<std::size_t>(start_.cars));
-    add_sample(ghost, acceleration(0));
+    add_sample(ghost);
     while (ghost.samples.size() <= most && ghost.end == world::FailureKind::none) {
-      const double before = moving_.x - start_.front;
-      double drive = 0;
-      const bool held = control(drive);
-      if (!held) advance(drive, ghost);
-      add_sample(ghost, held ? 0.0 : acceleration(drive));
-      if (ghost.end == world::FailureKind::none) ghost.end = failure(held, ghost);
-      const double after = moving_.x - start_.front;
+      const double before = train_.state().x - start_.front;
+      if (!train_.advance()) ghost.end = world::FailureKind::off_end;
+      for (GhostSwitch at : train_.switches()) {
+        at.sample = ghost.samples.size(), at.travelled -= start_.front;
+        ghost.switches.push_back(at);
+      }
+      add_sample(ghost);
+      if (ghost.end == world::FailureKind::none) ghost.end = failure(ghost);
+      const double after = train_.state().x - start_.front;
       if (rails_.closed && !ghost.lap && after >= rails_.length) {
         const double part = after > before ? (rails_.length - before) / (after - before) : 1.0;
         ghost.lap = true;
@@ -84,77 +81,37 @@ class Simulation {
         if (limits.stop_after_lap) break;
       }
     }
+    if (const std::size_t rest = (ghost.samples.size() - 1) % kForceEvery; rest > 0) add_forces(ghost, rest);
     return ghost;
   }
 
  private:
-  double gravity(double at) { return -world::kGravity * landscape_.slope(at - round_); }
-  // Updates the gravity after each move, which is used several times, and the start of the train's lap.
-  void settle() {
-    if (rails_.closed && !(moving_.x >= round_ && moving_.x < round_ + rails_.length))
-      round_ = rails_.length * std::floor(moving_.x / rails_.length);
-    gravity_here_ = gravity(moving_.x);
-  }
-  double direction(double drive) const {
-    return direction_of(moving_.speed, resistance_, [&] { return gravity_here_ + drive; });
-  }
-  double acceleration(double drive) const {
-    return gravity_here_ + (drive - direction(drive) * loss(resistance_, moving_.speed));
-  }
-
-  bool control(double& drive) {
-    if (equipment_.empty()) return false;
-    const double free = acceleration(0);
-    const Drive now = drive_of(equipment_, rails_, {moving_.x, start_.cars, start_.spacing, start_.length},
-                               moving_.speed, free, true, world::kTick, control_);
-    drive = now.acceleration;
-    if (now.held) {
-      moving_.work -= 0.5 * moving_.speed * moving_.speed;
-      moving_.speed = 0;
-    }
-    return now.held;
-  }
-
-  void advance(double drive, Ghost& ghost) {
-    const double sign = direction(drive), dt = world::kTick;
-    if (moving_.speed == 0 && sign == 0 && resistance_.rolling > 0) return;  // at rest, held by friction
-    const auto rates = [&](const TrainState& m, double pull) {
-      const double others = drive - sign * loss(resistance_, m.speed);
-      return TrainRates{m.speed, pull + others, others * m.speed};
-    };
-    TrainState next = runge_kutta(moving_, rates(moving_, gravity_here_), dt,
-                                  [&](const TrainState& m) { return rates(m, gravity(m.x)); });
-    if (losses_ && sign != 0 && next.speed * sign < 0) {  // friction stops it and does not reverse it
-      const double part = moving_.speed / (moving_.speed - next.speed);
-      next = {moving_.x + part * (next.x - moving_.x), 0.0, moving_.work + part * (next.work - moving_.work)};
-    }
-    moving_ = next;
-    if (!rails_.closed && !(next.x >= 0 && next.x <= rails_.length)) {
-      moving_.x = std::clamp(next.x, 0.0, rails_.length);
-      ghost.end = world::FailureKind::off_end;
-    }
-    settle();
-  }
-
-  world::FailureKind failure(bool held, const Ghost& ghost) {
+  world::FailureKind failure(const Ghost& ghost) {
+    const double speed = train_.state().speed;
     const double travelled = ghost.samples.back().travelled;
     furthest_ = std::max(furthest_, travelled);
-    if (rolls_back(document_, moving_.speed, travelled, furthest_)) return world::FailureKind::rollback;
-    still_ = std::abs(moving_.speed) < kStillSpeed && !held ? still_ + 1 : 0;
+    if (rolls_back(document_, speed, travelled, furthest_)) return world::FailureKind::rollback;
+    still_ = std::abs(speed) < kStillSpeed && !train_.held() ? still_ + 1 : 0;
     return still_ >= kStillTicks ? world::FailureKind::stall : world::FailureKind::none;
   }
 
-  void add_sample(Ghost& ghost, double along) {
-    const double speed = moving_.speed;
-    ghost.samples.push_back({moving_.x - start_.front, speed, along, moving_.work});
-    if ((ghost.samples.size() - 1) % kForceEvery != 0) return;
+  void add_sample(Ghost& ghost) {
+    const TrainState& now = train_.state();
+    ghost.samples.push_back({now.x - start_.front, now.speed, train_.acceleration(), now.work});
+    if ((ghost.samples.size() - 1) % kForceEvery == 0) add_forces(ghost, kForceEvery);
+  }
+
+  // Adds an entry of the forces, of the last sample, `ticks` after the entry before.
+  void add_forces(Ghost& ghost, std::size_t ticks) {
+    const double along = ghost.samples.back().acceleration, speed = ghost.samples.back().speed;
+    between_ = ticks;
     const Float4 a = four(static_cast<float>(along / world::kGravity)),
                  v2 = four(static_cast<float>(speed * speed / world::kGravity));
     const std::size_t first = ghost.forces.size();
     ghost.forces.resize(first + cars_.size());
     for (std::size_t i = 0; i < cars_.size(); ++i) {
       CarPlace& car = cars_[i];
-      double at = moving_.x - round_ - car.back;
+      double at = train_.in_lap() - car.back;
       if (rails_.closed && at < 0) at += rails_.length;
       double s = at - car.from;
       const std::size_t before = car.segment;
@@ -174,9 +131,9 @@ class Simulation {
   void add_passages(int car, std::size_t from, std::size_t to, double at, Ghost& ghost) const {
     const std::size_t first = from;
     bool tight = !segments_[from]->cells.empty();
-    const GhostSample &now = ghost.samples.back(), &then = ghost.samples[ghost.samples.size() - 1 - kForceEvery];
-    const double moved = now.travelled - then.travelled, time = kForceEvery * world::kTick;
-    const std::size_t count = segments_.size(), entry = (ghost.samples.size() - 1) / kForceEvery;
+    const GhostSample &now = ghost.samples.back(), &then = ghost.samples[ghost.samples.size() - 1 - between_];
+    const double moved = now.travelled - then.travelled, time = static_cast<double>(between_) * world::kTick;
+    const std::size_t count = segments_.size(), entry = ghost.forces.size() / cars_.size() - 1;
     const auto speed = [&](double share) { return std::lerp(then.speed, now.speed, share); };
     const auto acceleration = [&](double share) { return std::lerp(then.acceleration, now.acceleration, share); };
     const Force* const felt = &ghost.forces[entry * cars_.size() + static_cast<std::size_t>(car)];
@@ -204,7 +161,7 @@ class Simulation {
           passage(segments_[from]->felt, segments_[next]->felt, back, speed(share), acceleration(share)));
       Passage& passed = ghost.passages.back();
       passed.knot = knot, passed.car = car, passed.entry = entry;
-      passed.time = (static_cast<double>(entry) - 1 + share) * time;
+      passed.time = (static_cast<double>(entry) - 1) * kForceEvery * world::kTick + share * time;
       ride_to(share, from);
       from = next, tight = tight || !segments_[from]->cells.empty();
       if (from != to) continue;
@@ -222,10 +179,10 @@ class Simulation {
 
   // Adds the passage inside segments on the same way, if there are cells on it that the entries do not resolve.
   void add_tight(int car, std::size_t from, std::size_t to, double at, Ghost& ghost) const {
-    const GhostSample &now = ghost.samples.back(), &then = ghost.samples[ghost.samples.size() - 1 - kForceEvery];
+    const GhostSample &now = ghost.samples.back(), &then = ghost.samples[ghost.samples.size() - 1 - between_];
     const double moved = now.travelled - then.travelled;
-    const std::size_t count = segments_.size(), entry = (ghost.samples.size() - 1) / kForceEvery;
-    TightWay way{then, now, kForceEvery * world::kTick};
+    const std::size_t count = segments_.size(), entry = ghost.forces.size() / cars_.size() - 1;
+    TightWay way{then, now, static_cast<double>(between_) * world::kTick};
     const bool joint = from != to;
     for (double done = 0; moved != 0;) {
       const std::size_t next = (from + (moved < 0 ? count - 1 : 1)) % count;
@@ -249,19 +206,14 @@ class Simulation {
   double length_of(std::size_t segment) const { return tables_.start(segment + 1) - tables_.start(segment); }
 
   const RailTables& tables_;
-  std::span<const EquipmentSpan> equipment_;
   const world::Document& document_;
-  world::Resistance resistance_;
   GhostStart start_;
   std::vector<const SegmentTable*> segments_;
-  Landscape landscape_;
+  GhostTrain train_;
   Rails rails_;
-  ControlState control_;
-  TrainState moving_;                    // x: m from the track's start, unwrapped
-  double round_ = 0, gravity_here_ = 0;  // m, m/s^2
   double furthest_ = 0;
   int still_ = 0;
-  bool losses_;
+  std::size_t between_ = kForceEvery;  // ticks, of the last two entries of the forces
   struct CarPlace {
     double back;                          // m behind the first car
     std::size_t segment = 0;              // its last segment

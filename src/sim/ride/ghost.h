@@ -33,11 +33,19 @@ struct GhostSample {
   double work = 0;          // J/kg by losses and equipment
 };
 
+// An instant within a tick at which equipment switches.
+struct GhostSwitch {
+  std::size_t sample = 0;                                  // the one at the tick's end
+  double travelled = 0, speed = 0;                         // as above
+  double acceleration_before = 0, acceleration_after = 0;  // m/s^2 along the rails
+};
+
 // Felt acceleration in g on the seat's axes, for riders on the heartline.
 struct Force {
   float forward = 0, left = 0, up = 1;
 };
-inline constexpr int kForceEvery = 2;  // ticks between two entries of Ghost::forces: 60 a second
+// Ticks between two entries of Ghost::forces: 60 a second. The last one may be nearer to the one before.
+inline constexpr int kForceEvery = 2;
 
 // A car's passage of a joint: the sudden changes caused by the jumps of curvature and roll there, on the seat's axes.
 // Both follow from the ends of the tables next to the joint: for riders on h(s), the velocity steps by s' (h'(s+) -
@@ -70,7 +78,8 @@ struct Ghost {
   bool closed = false;
   double heartline = 0;                               // m, of the riders above the rails
   std::vector<GhostSample> samples;                   // one per tick of 1/120 s, the first at the start
-  std::vector<Force> forces;                          // entry k of car c at [k * cars + c], at tick k * kForceEvery
+  std::vector<GhostSwitch> switches;                  // in order
+  std::vector<Force> forces;                          // entry k of car c at [k * cars + c], at sample_of(k)
   std::vector<Passage> passages;                      // of all cars over all joints, in order
   world::FailureKind end = world::FailureKind::none;  // none: a whole lap, or the time limit was reached
   bool lap = false;                                   // completed a lap
@@ -78,6 +87,8 @@ struct Ghost {
   double lap_time = 0;                                // s, duration of the lap, if `lap`
 
   double seconds() const { return samples.empty() ? 0.0 : static_cast<double>(samples.size() - 1) * world::kTick; }
+  // Returns the sample of an entry of the forces.
+  std::size_t sample_of(std::size_t entry) const { return std::min(entry * kForceEvery, samples.size() - 1); }
   // Returns how far the train gets from its start, m.
   double furthest() const {
     double most = 0;

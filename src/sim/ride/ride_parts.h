@@ -26,6 +26,28 @@ void halt(world::CartMotion& cart);
 // Writes position, length and distance to the motion.
 void settle_on(const Derived& derived, TrackPlace front, world::CartMotion& cart);
 
+// What equipment needs to know of a train during a tick.
+struct Control {
+  TrainContacts contacts;
+  ControlState state;
+  bool way_free = true;
+  Drive drive;  // the last one
+};
+
+struct TickContext {
+  const RideInput& input;
+  const Integrator& row;
+  world::Resistance resistance;  // of the current train
+  TrainPlace train;              // its cars
+  Control& control;
+};
+
+// Updates the drive of a train in its present state. Returns the equipment that it is on.
+const Contacts& update_drive(const TickContext& tick, const TrainContext& context, const world::CartMotion& cart);
+// Advances a train by `dt` in parts that end at joints, where equipment switches and where losses stop it. Returns
+// false at an open end.
+bool advance_stepped(const TickContext& tick, double dt, std::vector<TrackPlace>& places, world::CartMotion& cart);
+
 // Advances all trains by whole ticks while the ride is running, by a stepped row or by vertices.
 void step_trains(const RideInput& input, const Integrator& row, int ticks, world::Motion& motion);
 

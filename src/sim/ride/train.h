@@ -2,6 +2,7 @@
 // cars of equal mass.
 #pragma once
 
+#include <algorithm>
 #include <span>
 #include <vector>
 
@@ -52,6 +53,23 @@ TrainState runge_kutta(const TrainState& state, const TrainRates& k1, double dt,
                 mean(k1.acceleration, k2.acceleration, k3.acceleration, k4.acceleration),
                 mean(k1.power, k2.power, k3.power, k4.power)},
                dt);
+}
+
+// Returns the time in (0, dt] at which `value` (of the state after that time, advance(time)) first reaches zero from
+// below: alternating bisection and secants, on the far side, to `within` s.
+template <class Advance, class Value>
+double time_of(const TrainState& state, double dt, const Advance& advance, const Value& value, double within = 1e-15) {
+  double low = 0, high = dt, f_low = value(state), f_high = value(advance(dt));
+  for (int i = 0; i < 80 && high - low > within; ++i) {
+    double t = 0.5 * (low + high);
+    if (i % 3 != 2 && f_high > f_low)
+      t = std::clamp(high - f_high * (high - low) / (f_high - f_low), low + 1e-3 * (high - low),
+                     high - 1e-3 * (high - low));
+    const double f = value(advance(t));
+    (f >= 0 ? high : low) = t;
+    (f >= 0 ? f_high : f_low) = f;
+  }
+  return high;
 }
 
 struct TrainContext {

@@ -77,7 +77,7 @@ void find_spans(const Ghost& ghost, const Envelope& envelope, int car, ForceAxis
     over[i] = {values[i] - allowed, allowed};
     ++edges[runs[i].first], --edges[runs[i].last + 1];
   }
-  const auto distance = [&](std::size_t entry) { return ghost.distance(entry * kForceEvery, car); };
+  const auto distance = [&](std::size_t entry) { return ghost.distance(ghost.sample_of(entry), car); };
   int depth = 0;
   std::size_t begin = 0;
   for (std::size_t i = 0; i <= values.size(); ++i) {

@@ -18,7 +18,7 @@ void take(Extreme& extreme, double value, bool first, bool larger, std::size_t s
 void take_force(const Ghost& ghost, int car, ForceAxis axis, double cutoff, double sign, Extreme& extreme) {
   const std::vector<float> values = pressed(ghost, car, axis, cutoff);
   for (std::size_t i = 0; i < values.size(); ++i)
-    take(extreme, sign * values[i], car == 0 && i == 0, sign > 0, i * kForceEvery, car, ghost);
+    take(extreme, sign * values[i], car == 0 && i == 0, sign > 0, ghost.sample_of(i), car, ghost);
 }
 
 void take_forces(const Ghost& ghost, double cutoff, Ratings& r) {
@@ -44,9 +44,9 @@ void take_wheels(const Ghost& ghost, double cutoff, Ratings& r) {
     for (std::size_t i = 0; i < up.size(); ++i) {
       const Wheels all = wheel_loads(Felt{up[i], side[i], forward[i]}, body).of(WheelSet::car);
       const bool first = car == 0 && i == 0;
-      take(r.road_most, all.road, first, true, i * kForceEvery, car, ghost);
-      take(r.up_stop_most, all.up_stop, first, true, i * kForceEvery, car, ghost);
-      take(r.side_load_most, all.side, first, true, i * kForceEvery, car, ghost);
+      take(r.road_most, all.road, first, true, ghost.sample_of(i), car, ghost);
+      take(r.up_stop_most, all.up_stop, first, true, ghost.sample_of(i), car, ghost);
+      take(r.side_load_most, all.side, first, true, ghost.sample_of(i), car, ghost);
     }
   }
 }
@@ -55,7 +55,7 @@ void take_jolts(const Ghost& ghost, double cutoff, Ratings& r) {
   const std::vector<Jolt> found = passage_jolts(ghost, cutoff);
   for (std::size_t i = 0; i < found.size(); ++i) {
     const Passage& passage = ghost.passages[i];
-    take(r.jolt_most, found[i].total, false, true, passage.entry * kForceEvery, passage.car, ghost);
+    take(r.jolt_most, found[i].total, false, true, ghost.sample_of(passage.entry), passage.car, ghost);
   }
 }
 

@@ -53,8 +53,8 @@ struct RideMarks {
 // 0.2 and then above it again. Takes about 1 ms for a lap of a minute with one car.
 Ratings rate(const Ghost& ghost, const RailTables& tables, double cutoff, const RideMarks& marks = {});
 
-// Return a readable report, and the ride by time as CSV (one line per kForceEvery ticks, units in the heading, named by
-// the car whose forces it has).
+// Return a readable report, and the ride by time as CSV (one line per kForceEvery ticks and one at the end,
+// units in the heading, named by the car whose forces it has).
 // `riders`: all cars, first to last.
 std::string report_text(const Ghost& ghost, const Ratings& ratings, std::span<const Rider> riders,
                         std::span<const RedSpan> red, const std::string& track_name);

@@ -86,7 +86,7 @@ std::string report_csv(const Ghost& ghost, std::span<const Rider> riders) {
   out += '\n';
   const auto cars = static_cast<std::size_t>(ghost.start.cars);
   for (std::size_t k = 0; k * cars < ghost.forces.size(); ++k) {
-    const std::size_t sample = k * kForceEvery;
+    const std::size_t sample = ghost.sample_of(k);
     add(out, "{:.6f},{:.4f},{:.4f},{:.4f},{:.4f}", static_cast<double>(sample) * world::kTick, ghost.distance(sample),
         ghost.samples[sample].speed, riders[0].samples[k].height, ghost.samples[sample].acceleration);
     for (std::size_t car = 0; car < cars; ++car) {

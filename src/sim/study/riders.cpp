@@ -32,8 +32,8 @@ void fill_roll_and_height(const Ghost& ghost, int car, const RailTables& tables,
                           std::vector<RiderSample>& samples) {
   std::size_t hint = 0;
   for (std::size_t k = 0; k < samples.size(); ++k) {
-    const GhostSample& moving = ghost.samples[k * kForceEvery];
-    const double distance = ghost.distance(k * kForceEvery, car), s = tables.locate(distance, hint);
+    const GhostSample& moving = ghost.samples[ghost.sample_of(k)];
+    const double distance = ghost.distance(ghost.sample_of(k), car), s = tables.locate(distance, hint);
     samples[k].height = static_cast<float>(rail_at(tables.segment(hint), s).height);
     if (!ghost.closed && !(distance >= 0 && distance <= ghost.track_length)) continue;  // on the straight continuation
     const SegmentShape& shape = derived.shape_at(hint);
@@ -58,7 +58,7 @@ double Rider::value(std::size_t k, RideValue value) const {
     case RideValue::jerk_forward: return samples[k].jerk.forward;
     case RideValue::roll_rate: return samples[k].roll_rate;
     case RideValue::roll_acceleration: return samples[k].roll_acceleration;
-    case RideValue::speed: return ghost->samples[k * kForceEvery].speed;
+    case RideValue::speed: return ghost->samples[ghost->sample_of(k)].speed;
     case RideValue::height: return samples[k].height;
   }
   return 0;

@@ -67,7 +67,7 @@ struct Rider {
   std::size_t entries() const { return ghost->forces.size() / static_cast<std::size_t>(ghost->start.cars); }
   // Returns the car's distance along the track at entry k, m: on a closed track without subtracting laps.
   double place(std::size_t k) const {
-    return ghost->start.front + ghost->samples[k * kForceEvery].travelled - car * ghost->start.spacing;
+    return ghost->start.front + ghost->samples[ghost->sample_of(k)].travelled - car * ghost->start.spacing;
   }
   double value(std::size_t k, RideValue value) const;
 };

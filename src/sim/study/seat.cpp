@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "sim/ride/passing.h"
+
 namespace coaster::sim {
 namespace {
 
@@ -61,7 +63,9 @@ class Passages {
   std::vector<std::size_t> entries_;
 };
 
-double time_of(std::size_t entry) { return static_cast<double>(entry * kForceEvery) * world::kTick; }
+double time_of(const Ghost& ghost, std::size_t entry) {
+  return static_cast<double>(ghost.sample_of(entry)) * world::kTick;
+}
 
 // Fills the curves at `count` points; of(rider, point, value) returns nothing for a car that does not count there.
 template <class Of>
@@ -102,7 +106,7 @@ SeatCurves curves_by_place(std::span<const Rider> riders) {
   const std::size_t count = grid.places().size();
   SeatCurves curves;
   curves.place = grid.places();
-  for (const std::size_t entry : grid.entries()) curves.time.push_back(time_of(entry));
+  for (const std::size_t entry : grid.entries()) curves.time.push_back(time_of(*riders.front().ghost, entry));
   std::vector<std::optional<Passages::Between>> at(riders.size() * count);
   for (std::size_t i = 0; i < riders.size(); ++i)
     for (std::size_t k = 0; k < count; ++k) at[i * count + k] = passages[i].find(curves.place[k]);
@@ -120,7 +124,7 @@ SeatCurves curves_by_time(std::span<const Rider> riders) {
   const Rider& middle = riders[riders.size() / 2];
   SeatCurves curves;
   for (std::size_t k = 0; k < middle.entries(); ++k)
-    curves.place.push_back(middle.place(k)), curves.time.push_back(time_of(k));
+    curves.place.push_back(middle.place(k)), curves.time.push_back(time_of(*middle.ghost, k));
   fill(
       riders.size(), middle.entries(),
       [&](std::size_t i, std::size_t k, RideValue value) { return std::optional(riders[i].value(k, value)); }, curves);
@@ -128,6 +132,10 @@ SeatCurves curves_by_time(std::span<const Rider> riders) {
 }
 
 std::optional<double> value_at(const Rider& rider, double distance, RideValue value) {
+  if (value == RideValue::speed) {
+    const auto passing = Passings(*rider.ghost).at(distance, rider.car * rider.ghost->start.spacing);
+    return passing ? std::optional(passing->speed) : std::nullopt;
+  }
   const Passages passages(rider);
   const auto at = passages.find(distance);
   return at ? std::optional(passages.value(*at, value)) : std::nullopt;
@@ -138,7 +146,7 @@ Extreme most_of(std::span<const Rider> riders, RideValue value) {
   for (const Rider& rider : riders)
     for (std::size_t k = 0; k < rider.entries(); ++k)
       if (const double here = rider.value(k, value); std::abs(here) > std::abs(most.value))
-        most = {here, time_of(k), rider.ghost->distance(k * kForceEvery, rider.car), rider.car};
+        most = {here, time_of(*rider.ghost, k), rider.ghost->distance(rider.ghost->sample_of(k), rider.car), rider.car};
   return most;
 }
 

@@ -28,8 +28,8 @@ SeatCurves curves_by_place(std::span<const Rider> riders);
 // Returns the curves by time: all cars at the same moment. `time` ascends.
 SeatCurves curves_by_time(std::span<const Rider> riders);
 
-// Returns the car's value when it first reaches a distance along the track (m), linear between entries; nothing if it
-// does not reach it.
+// Returns the car's value when it first reaches a distance along the track (m), linear between entries but for the
+// speed (Passings); nothing if it does not reach it.
 std::optional<double> value_at(const Rider& rider, double distance, RideValue value);
 
 // Returns the value with the largest magnitude of all these cars, with its sign.

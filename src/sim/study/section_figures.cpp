@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/check.h"
+#include "sim/ride/passing.h"
 
 namespace coaster::sim {
 namespace {
@@ -65,10 +66,17 @@ class AlongRide {
   double lap_;
 };
 
+// Returns the largest speed of the riders' cars where they pass a position, m/s.
+std::optional<double> speed_of(std::span<const Rider> riders, const Passings& passings, double distance) {
+  std::optional<double> most;
+  for (const Rider& rider : riders)
+    if (const auto passing = passings.at(distance, rider.car * rider.ghost->start.spacing))
+      most = std::max(most.value_or(passing->speed), passing->speed);
+  return most;
+}
+
 void add_ride(const AlongRide& ride, double from, double to, SectionFigures& of) {
   const auto in = ride.find(from), out = ride.find(to);
-  if (in) of.speed_in = ride.value(ride.most(RideValue::speed), *in);
-  if (out) of.speed_out = ride.value(ride.most(RideValue::speed), *out);
   const auto consider = [&](double up_least, double up_most, double side_least, double side_most) {
     of.g_least = std::min(of.g_least.value_or(up_least), up_least);
     of.g_most = std::max(of.g_most.value_or(up_most), up_most);
@@ -103,8 +111,11 @@ const SectionFigures& SectionTable::of(const world::SectionRun& run) const {
 }
 
 std::vector<SectionFigures> section_figures(const world::Document& document, const Derived& derived,
-                                            const SeatCurves* curves) {
+                                            std::span<const Rider> riders) {
   std::vector<SectionFigures> all;
+  std::optional<SeatCurves> curves;
+  std::optional<Passings> passings;
+  if (!riders.empty()) curves = curves_by_place(riders), passings.emplace(*riders.front().ghost);
   const std::vector<world::Entity>& knots = document.track.knots;
   const auto height = [&](std::size_t i) { return double{world::knot(document, knots[i % knots.size()]).position.y}; };
   for (const world::SectionRun& run : world::sections_of(document)) {
@@ -114,7 +125,10 @@ std::vector<SectionFigures> section_figures(const world::Document& document, con
     of.top = std::max(of.start, of.end);
     for (std::size_t i = run.first; i < run.end(); ++i)
       of.top = std::max(of.top, top_of(derived.shape_at(i).key.cubic));
-    if (curves) add_ride(AlongRide(*curves, derived.closed ? derived.length : 0), from, to, of);
+    if (curves) {
+      of.speed_in = speed_of(riders, *passings, from), of.speed_out = speed_of(riders, *passings, to);
+      add_ride(AlongRide(*curves, derived.closed ? derived.length : 0), from, to, of);
+    }
     all.push_back(of);
   }
   return all;

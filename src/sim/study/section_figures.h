@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "sim/study/seat.h"
@@ -25,9 +26,8 @@ struct SectionTable {
   const SectionFigures& of(const world::SectionRun& run) const;
 };
 
-// Returns the figures of all sections. `curves`: by position, of the seat; null without a ride. Linear in segments and
-// points of the curves.
+// Returns the figures of all sections. `riders`: of the seat; none without a ride. Linear in segments and entries.
 std::vector<SectionFigures> section_figures(const world::Document& document, const Derived& derived,
-                                            const SeatCurves* curves);
+                                            std::span<const Rider> riders);
 
 }  // namespace coaster::sim

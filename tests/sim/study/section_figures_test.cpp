@@ -25,8 +25,7 @@ struct Ridden {
     derive(document, {}, {}, derived);
     ghost = memo.ride(document, derived, cart);
     riders.update(*ghost, memo.tables(document, derived), derived, 5, {0, 0});
-    const SeatCurves curves = curves_by_place(riders.all());
-    rows = section_figures(document, derived, &curves);
+    rows = section_figures(document, derived, riders.all());
   }
   double height(double distance) const {
     const TrackPlace at = place_at(derived, distance);
@@ -40,7 +39,7 @@ TEST(section_figures, lengths_and_heights_are_those_of_a_straight_slope) {
   world::make_section(d, 0, 1, {});
   world::make_section(d, 1, 2, {});
   const Derived derived = test::derived_of(d);
-  const std::vector<SectionFigures> rows = section_figures(d, derived, nullptr);
+  const std::vector<SectionFigures> rows = section_figures(d, derived, {});
   ASSERT_EQ(rows.size(), 3u);
   const double whole = glm::distance(glm::dvec3(3, 20, -5), glm::dvec3(63, 4, 7));
   const double quarters[] = {0, 1, 3, 4};
@@ -62,8 +61,8 @@ TEST(section_figures, speeds_at_both_ends_follow_from_the_heights) {
   const double start = ride.height(ride.ghost->start.front);
   const auto speed = [&](double height) { return std::sqrt(36 + 2 * kG * (start - height)); };
   EXPECT_FALSE(ride.rows[0].speed_in) << "the train starts behind it";
-  EXPECT_NEAR(ride.rows[0].speed_out.value(), speed(20), 2e-3);
-  EXPECT_NEAR(ride.rows[1].speed_in.value(), speed(20), 2e-3);
+  EXPECT_NEAR(ride.rows[0].speed_out.value(), speed(20), 1e-6);
+  EXPECT_NEAR(ride.rows[1].speed_in.value(), speed(20), 1e-6);
   const double slope = 40 / std::hypot(40, 20);
   for (const SectionFigures& row : ride.rows) {
     EXPECT_NEAR(row.g_most.value(), slope, 2e-3) << "the rails push across the slope alone";
@@ -83,12 +82,12 @@ TEST(section_figures, a_closed_track_has_all_figures_of_the_lap) {
   const double start = ride.height(ride.ghost->start.front);
   for (const SectionFigures& row : ride.rows) {
     const double in = ride.derived.starts[row.run.first], out = ride.derived.starts[row.run.end()];
-    EXPECT_NEAR(row.speed_in.value(), std::sqrt(225 + 2 * kG * (start - ride.height(in))), 5e-3);
-    EXPECT_NEAR(row.speed_out.value(), std::sqrt(225 + 2 * kG * (start - ride.height(out))), 5e-3);
+    EXPECT_NEAR(row.speed_in.value(), std::sqrt(225 + 2 * kG * (start - ride.height(in))), 1e-6);
+    EXPECT_NEAR(row.speed_out.value(), std::sqrt(225 + 2 * kG * (start - ride.height(out))), 1e-6);
     // By brute force over the ride's own samples.
     double most = -1e9, least = 1e9, side = 0;
     for (std::size_t k = 0; k < ride.ghost->forces.size(); ++k) {
-      const double at = ride.ghost->distance(k * kForceEvery);
+      const double at = ride.ghost->distance(ride.ghost->sample_of(k));
       if (at < in || at > out) continue;
       const Force& f = ride.ghost->forces[k];
       most = std::max(most, double{f.up}), least = std::min(least, double{f.up});

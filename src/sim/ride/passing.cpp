@@ -1,0 +1,57 @@
+#include "sim/ride/passing.h"
+
+#include <cmath>
+
+namespace coaster::sim {
+namespace {
+
+// Between two moments with speeds v0 and v1, and accelerations a0 and a1, `way` m apart: the cubic of v^2 at `gone` m.
+Passing between(double v0, double a0, double v1, double a1, double way, double gone) {
+  if (way == 0) return {v1, a1};
+  const double u = gone / way, rest = 1 - u, step = v1 * v1 - v0 * v0, from = 2 * a0 * way, to = 2 * a1 * way;
+  const double square = v0 * v0 + u * u * (3 - 2 * u) * step + u * rest * rest * from - u * u * rest * to;
+  const double slope = 6 * u * rest * step + rest * (1 - 3 * u) * from + u * (3 * u - 2) * to;
+  return {std::copysign(std::sqrt(std::max(square, 0.0)), v0 + v1), 0.5 * slope / way};
+}
+
+}  // namespace
+
+Passings::Passings(const Ghost& ride) : ride_(ride) {
+  double most = 0, least = 0;
+  for (const GhostSample& sample : ride.samples)
+    most = std::max(most, sample.travelled), least = std::min(least, sample.travelled);
+  backwards_ = -least > most;
+  furthest_.reserve(ride.samples.size());
+  for (const GhostSample& sample : ride.samples) {
+    const double far = backwards_ ? -sample.travelled : sample.travelled;
+    furthest_.push_back(furthest_.empty() ? far : std::max(far, furthest_.back()));
+  }
+}
+
+std::optional<Passing> Passings::at(double distance, double back) const {
+  const double sign = backwards_ ? -1 : 1;
+  double way = sign * (distance + back - ride_.start.front);
+  if (ride_.closed && way < 0) way += ride_.track_length;
+  if (ride_.closed && way > ride_.track_length) way -= ride_.track_length;
+  const auto found = std::lower_bound(furthest_.begin(), furthest_.end(), way);
+  if (way < 0 || found == furthest_.end()) return std::nullopt;
+  const auto i = static_cast<std::size_t>(found - furthest_.begin());
+  const GhostSample& to = ride_.samples[i];
+  if (i == 0) return Passing{to.speed, to.acceleration};
+  const GhostSample& from = ride_.samples[i - 1];
+  GhostSwitch before{i - 1, from.travelled, from.speed, from.acceleration, from.acceleration},
+      after{i, to.travelled, to.speed, to.acceleration, to.acceleration};
+  auto next = std::lower_bound(ride_.switches.begin(), ride_.switches.end(), i,
+                               [](const GhostSwitch& s, std::size_t sample) { return s.sample < sample; });
+  for (; next != ride_.switches.end() && next->sample == i; ++next) {
+    if (sign * next->travelled >= way) {
+      after = *next;
+      break;
+    }
+    before = *next;
+  }
+  return between(before.speed, before.acceleration_after, after.speed, after.acceleration_before,
+                 after.travelled - before.travelled, sign * way - before.travelled);
+}
+
+}  // namespace coaster::sim
