@@ -192,6 +192,34 @@ TEST(overlay_lab, a_flip_has_a_cross_at_its_place) {
   EXPECT_EQ(crosses, 2);
 }
 
+// The arrows on both sides of a flip stand on the curve within a fortieth of the segment and point along its normals.
+TEST(overlay_lab, a_flip_shows_the_normal_just_before_and_just_behind_it) {
+  const Scene scene;
+  const curve::Cubic& c = scene.shape(2).key.cubic;
+  for (const double at : {0.4, 0.0, 1.0})
+    for (const float scale : {1.0f, 2.0f}) {
+      const sim::FrenetBreak flip{sim::FrenetBreak::Kind::flip, scene.derived.order[2], at, at, 3.1};
+      Overlay overlay;
+      add_breaks(scene.derived, std::span(&flip, 1), scene.view, scale, overlay);
+      int before = 0, behind = 0;
+      for (const Line& line : overlay.lines) {
+        if (line.rgba == kBreakColour) continue;
+        for (int k = -25; k <= 25; ++k) {
+          const double t = at + k / 1000.0;
+          if (t < 0 || t > 1) continue;
+          const auto frame = curve::frenet(c, t);
+          if (!frame || glm::distance(glm::dvec3(line.from), curve::point(c, t)) > 0.005) continue;
+          if (glm::length(glm::cross(glm::normalize(along(line)), frame->normal)) > 0.01) continue;
+          (k < 0 ? before : behind) += k != 0 || at == 0.0 || at == 1.0;
+          break;
+        }
+      }
+      EXPECT_GT(before + behind, 1) << at;
+      EXPECT_TRUE(at == 0 || before > 0) << at;
+      EXPECT_TRUE(at == 1 || behind > 0) << at;
+    }
+}
+
 TEST(overlay_lab, a_red_span_runs_over_the_rails_from_end_to_end) {
   const Scene scene;
   const double end = scene.derived.length;
