@@ -3,7 +3,10 @@
 #pragma once
 
 #include <gtest/gtest.h>
+#include <imgui.h>
+#include <imgui_internal.h>
 
+#include <array>
 #include <cmath>
 #include <map>
 #include <memory>
@@ -27,6 +30,28 @@ inline void build_track(edit::Session& session, base::Files& files) {
   for (const glm::vec3 place : places) EXPECT_TRUE(edit::apply(session, files, edit::AppendKnot{place}).ok());
   EXPECT_TRUE(edit::apply(session, files, edit::AddCart{{{world::Kind::segment, 1}}, 0.25}).ok());
   EXPECT_TRUE(edit::apply(session, files, edit::Select{}).ok());
+}
+
+// Reads the text that a list draws, by the places of its glyphs in the fonts' texture: lines and words are joined by
+// single spaces.
+inline std::string drawn_text(const ImDrawList& list) {
+  std::map<std::array<float, 4>, unsigned> glyphs;
+  for (const ImFont* const font : ImGui::GetIO().Fonts->Fonts)
+    for (const ImFontGlyph& g : font->Glyphs)
+      if (g.Visible) glyphs.try_emplace({g.U0, g.V0, g.U1, g.V1}, g.Codepoint);
+  std::string text;
+  ImVec2 end(0, 0);
+  for (int i = 0; i + 3 < list.VtxBuffer.Size; ++i) {
+    const ImDrawVert &a = list.VtxBuffer[i], &b = list.VtxBuffer[i + 2];
+    const auto found = glyphs.find({a.uv.x, a.uv.y, b.uv.x, b.uv.y});
+    if (found == glyphs.end()) continue;
+    const float size = ImGui::GetIO().Fonts->Fonts[0]->FontSize;
+    if (!text.empty() && (a.pos.x > end.x + 0.17f * size || a.pos.x < end.x - size)) text += ' ';
+    text += found->second < 128 ? static_cast<char>(found->second) : '?';
+    end = b.pos;
+    i += 3;
+  }
+  return text;
 }
 
 class Stage : public testing::Test {
@@ -122,6 +147,16 @@ class Stage : public testing::Test {
     key(platform::Key::a, {.ctrl = true});
     frame({platform::TextInput{text}});
     if (enter) key(platform::Key::enter);
+  }
+
+  // Rests the mouse on a widget and returns the words of its tooltip.
+  std::string words_over(const std::string& path) {
+    if (!reach(path)) return "not found: " + path;
+    hover(middle(*find(path)));
+    frames(40);
+    for (const ImGuiWindow* const window : ImGui::GetCurrentContext()->Windows)
+      if ((window->Flags & ImGuiWindowFlags_Tooltip) != 0 && window->Active) return drawn_text(*window->DrawList);
+    return {};
   }
 
   // Returns where a knot is on the screen, in the view of the last frame.
