@@ -32,24 +32,36 @@ inline void build_track(edit::Session& session, base::Files& files) {
   EXPECT_TRUE(edit::apply(session, files, edit::Select{}).ok());
 }
 
-// Reads the text that a list draws, by the places of its glyphs in the fonts' texture: lines and words are joined by
-// single spaces.
-inline std::string drawn_text(const ImDrawList& list) {
+struct DrawnGlyph {
+  unsigned codepoint;
+  ImVec2 low, high;  // px
+  int vertex;        // the first of its four
+};
+// Returns the characters that a list draws, found by their places in the fonts' texture.
+inline std::vector<DrawnGlyph> drawn_glyphs(const ImDrawList& list) {
   std::map<std::array<float, 4>, unsigned> glyphs;
   for (const ImFont* const font : ImGui::GetIO().Fonts->Fonts)
     for (const ImFontGlyph& g : font->Glyphs)
       if (g.Visible) glyphs.try_emplace({g.U0, g.V0, g.U1, g.V1}, g.Codepoint);
-  std::string text;
-  ImVec2 end(0, 0);
+  std::vector<DrawnGlyph> found;
   for (int i = 0; i + 3 < list.VtxBuffer.Size; ++i) {
     const ImDrawVert &a = list.VtxBuffer[i], &b = list.VtxBuffer[i + 2];
-    const auto found = glyphs.find({a.uv.x, a.uv.y, b.uv.x, b.uv.y});
-    if (found == glyphs.end()) continue;
-    const float size = ImGui::GetIO().Fonts->Fonts[0]->FontSize;
-    if (!text.empty() && (a.pos.x > end.x + 0.17f * size || a.pos.x < end.x - size)) text += ' ';
-    text += found->second < 128 ? static_cast<char>(found->second) : '?';
-    end = b.pos;
+    const auto glyph = glyphs.find({a.uv.x, a.uv.y, b.uv.x, b.uv.y});
+    if (glyph == glyphs.end()) continue;
+    found.push_back({glyph->second, a.pos, b.pos, i});
     i += 3;
+  }
+  return found;
+}
+// Returns their text: words and lines are joined by single spaces.
+inline std::string drawn_text(const ImDrawList& list) {
+  std::string text;
+  ImVec2 end(0, 0);
+  const float size = ImGui::GetIO().Fonts->Fonts[0]->FontSize;
+  for (const DrawnGlyph& glyph : drawn_glyphs(list)) {
+    if (!text.empty() && (glyph.low.x > end.x + 0.17f * size || glyph.low.x < end.x - size)) text += ' ';
+    text += glyph.codepoint < 128 ? static_cast<char>(glyph.codepoint) : '?';
+    end = glyph.high;
   }
   return text;
 }

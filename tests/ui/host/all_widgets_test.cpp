@@ -23,6 +23,7 @@
 #include "edit/commands/set_setting.h"
 #include "ui/stage.h"
 #include "world/aids.h"
+#include "world/camera_feel.h"
 #include "world/lab_view.h"
 #include "world/look.h"
 #include "world/panels.h"
@@ -79,11 +80,23 @@ class AllWidgetsTest : public Stage {
     }
     set<&world::Panels::show_laboratory>(false);
     set<&world::Panels::workspace>(Workspace::all);
+    const query::LessonCard card{"Click Close, below the track's other commands.", "Shape/Close", 3, 9};
+    lesson_ = &card;
+    frames(12);
+    show("lesson");
+    lesson_ = nullptr;
     user_.emplace();
     host_->show_start();
     show("start screen");
     key(platform::Key::escape);
     frames(2);
+  }
+  // The windows of the last frame that show.
+  static std::vector<const ImGuiWindow*> windows() {
+    std::vector<const ImGuiWindow*> found;
+    for (const ImGuiWindow* const window : ImGui::GetCurrentContext()->Windows)
+      if (window->Active && !window->Hidden) found.push_back(window);
+    return found;
   }
 };
 
@@ -108,6 +121,46 @@ TEST_F(AllWidgetsTest, kinds_and_states_are_those_that_scripts_know) {
   for (const char* const kind :
        {"button", "radio", "checkbox", "slider", "number", "text", "combo", "header", "menu", "label", "plot"})
     EXPECT_TRUE(seen.contains(kind)) << kind;
+}
+
+// Every switch shows what a click made of it, and a second click takes it back.
+TEST_F(AllWidgetsTest, every_checkbox_toggles_and_every_radio_is_chosen_alone) {
+  std::set<std::string> tried;
+  int boxes = 0, radios = 0;
+  visit([&](const std::string& where) {
+    if (where == "start screen" || where == "lesson") return;
+    const std::vector<Widget> all = host_->widgets();
+    for (const Widget& w : all) {
+      const bool box = w.kind == "checkbox", radio = w.kind == "radio" && !w.path.starts_with("Menu/");
+      if ((!box && !radio) || !w.visible || w.covered || !w.enabled || !tried.insert(w.path).second) continue;
+      const auto value = [&] { return find(w.path) != nullptr ? find(w.path)->value : "gone"; };
+      const std::string before = value();
+      if (find(w.path) == nullptr || !find(w.path)->visible || find(w.path)->x != w.x || find(w.path)->y != w.y)
+        continue;          // an earlier click has moved it
+      std::string chosen;  // the radio that is on in the same rows
+      for (const Widget& other : all)
+        if (radio && other.kind == "radio" && other.value == "on" &&
+            other.path.substr(0, other.path.find('/')) == w.path.substr(0, w.path.find('/')))
+          chosen = other.path;
+      click_at(middle(w));
+      frames(2);
+      if (box) {
+        EXPECT_EQ(value(), before == "on" ? "off" : "on") << w.path << ", " << where;
+        if (find(w.path) == nullptr) continue;
+        click_at(middle(*find(w.path)));
+        frames(2);
+        EXPECT_EQ(value(), before) << w.path << ", " << where;
+        ++boxes;
+      } else {
+        EXPECT_EQ(value(), "on") << w.path << ", " << where;
+        if (const Widget* const former = find(chosen); former != nullptr && former->visible) click_at(middle(*former));
+        frames(2);
+        ++radios;
+      }
+    }
+  });
+  EXPECT_GT(boxes, 10);
+  EXPECT_GT(radios, 5);
 }
 
 // On a screen with twice as many pixels, everything is twice as large and at twice the distance, within the rounding of
@@ -140,6 +193,112 @@ TEST_F(AllWidgetsTest, at_twice_the_scale_everything_is_twice_as_large) {
       EXPECT_NEAR(b.height, 2 * a.height, 6 + 0.06f * a.height) << path << ", " << where;
     }
   EXPECT_GT(compared, 1000);
+}
+
+// The same for all that is drawn, by its colour: marks, icons, plots, frames and text.
+TEST_F(AllWidgetsTest, at_twice_the_scale_all_ink_is_twice_as_far_away) {
+  struct Box {
+    ImVec2 low{1e9f, 1e9f}, high{-1e9f, -1e9f};
+  };
+  using Ink = std::map<std::pair<std::string, ImU32>, Box>;
+  const auto inks = [&] {
+    std::map<std::string, Ink> found;
+    visit([&](const std::string& where) {
+      Ink& ink = found[where];
+      for (const ImGuiWindow* const window : windows())
+        for (const ImDrawVert& v : window->DrawList->VtxBuffer) {
+          if ((v.col >> IM_COL32_A_SHIFT) == 0) continue;
+          Box& box = ink[{window->Name, v.col}];
+          box.low = {std::min(box.low.x, v.pos.x), std::min(box.low.y, v.pos.y)};
+          box.high = {std::max(box.high.x, v.pos.x), std::max(box.high.y, v.pos.y)};
+        }
+    });
+    return found;
+  };
+  resize(1280, 800);
+  const auto small = inks();
+  restart();
+  set<&world::Look::ui_scale>(2.0f);
+  resize(2560, 1600);
+  const auto large = inks();
+  int compared = 0;
+  for (const auto& [where, ink] : small)
+    for (const auto& [key, a] : ink) {
+      const auto other = large.at(where).find(key);
+      if (other == large.at(where).end()) continue;
+      const Box& b = other->second;
+      ++compared;
+      const auto expect_twice = [&](float one, float two, const char* edge) {
+        EXPECT_NEAR(two, 2 * one, 14 + 0.03f * std::abs(one))
+            << edge << " of " << std::hex << key.second << std::dec << " in " << key.first << ", " << where;
+      };
+      expect_twice(a.low.x, b.low.x, "left");
+      expect_twice(a.high.x, b.high.x, "right");
+      expect_twice(a.low.y, b.low.y, "top");
+      expect_twice(a.high.y, b.high.y, "foot");
+    }
+  EXPECT_GT(compared, 300);
+}
+
+// No character is drawn over another one of its window, and none is cut at the left or right.
+TEST_F(AllWidgetsTest, text_keeps_apart_and_within_its_window) {
+  int characters = 0;
+  visit([&](const std::string& where) {
+    for (const ImGuiWindow* const window : windows()) {
+      std::vector<std::pair<DrawnGlyph, ImVec4>> shown;
+      const std::vector<DrawnGlyph> all = drawn_glyphs(*window->DrawList);
+      for (const ImDrawCmd& command : window->DrawList->CmdBuffer) {
+        std::vector<char> drawn(static_cast<std::size_t>(window->DrawList->VtxBuffer.Size), 0);
+        for (unsigned i = 0; i < command.ElemCount; ++i)
+          drawn[window->DrawList->IdxBuffer[static_cast<int>(command.IdxOffset + i)]] = 1;
+        for (const DrawnGlyph& glyph : all) {
+          if (drawn[static_cast<std::size_t>(glyph.vertex)] == 0) continue;
+          const ImVec4& clip = command.ClipRect;
+          if (glyph.high.y < clip.y || glyph.low.y > clip.w) continue;  // scrolled out of sight
+          shown.emplace_back(glyph, clip);
+        }
+      }
+      std::string words;
+      for (const auto& [glyph, clip] : shown) words += glyph.codepoint < 128 ? static_cast<char>(glyph.codepoint) : '?';
+      for (std::size_t i = 0; i < shown.size(); ++i) {
+        const auto& [g, clip] = shown[i];
+        ++characters;
+        EXPECT_TRUE(g.low.x > clip.x - 1.5f && g.high.x < clip.z + 1.5f)
+            << "cut at " << g.low.x << ": " << words.substr(i > 20 ? i - 20 : 0, 40) << " in " << window->Name << ", "
+            << where;
+        for (std::size_t k = 0; k < i; ++k) {
+          const DrawnGlyph& h = shown[k].first;
+          const float wide = std::min(g.high.x, h.high.x) - std::max(g.low.x, h.low.x),
+                      high = std::min(g.high.y, h.high.y) - std::max(g.low.y, h.low.y);
+          EXPECT_FALSE(wide > 1.5f && high > 1.5f)
+              << "at " << g.low.x << ", " << g.low.y << ": " << words.substr(i > 9 ? i - 9 : 0, 20) << " over "
+              << words.substr(k > 9 ? k - 9 : 0, 20) << " in " << window->Name << ", " << where;
+        }
+      }
+    }
+  });
+  EXPECT_GT(characters, 10'000);
+}
+
+// With reduced motion nothing moves by the clock alone.
+TEST_F(AllWidgetsTest, with_reduced_motion_a_still_picture_stays_still) {
+  set<&world::CameraFeel::reduced_motion>(true);
+  const auto ink = [] {
+    std::vector<float> all;
+    const ImDrawData& data = *ImGui::GetDrawData();
+    for (int i = 0; i < data.CmdListsCount; ++i)
+      for (const ImDrawVert& v : data.CmdLists[i]->VtxBuffer)
+        all.insert(all.end(), {v.pos.x, v.pos.y, static_cast<float>(v.col)});
+    return all;
+  };
+  visit([&](const std::string& where) {
+    frames(30);
+    const std::vector<float> before = ink();
+    for (int i = 0; i < 3; ++i) {
+      frames(7);
+      EXPECT_TRUE(ink() == before) << where;
+    }
+  });
 }
 
 // Labels and fields of a panel begin at one left edge, or to the right of another widget in their row; those that take
