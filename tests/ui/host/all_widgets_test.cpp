@@ -10,6 +10,7 @@
 #include <functional>
 #include <map>
 #include <set>
+#include <sstream>
 #include <string>
 #include <utility>
 #include <vector>
@@ -258,9 +259,10 @@ TEST_F(AllWidgetsTest, at_twice_the_scale_all_ink_is_twice_as_far_away) {
       if (other == large.at(where).end()) continue;
       const Box& b = other->second;
       ++compared;
-      const auto expect_twice = [&](float one, float two, const char* edge) {
-        EXPECT_NEAR(two, 2 * one, 14 + 0.03f * std::abs(one))
-            << edge << " of " << std::hex << key.second << std::dec << " in " << key.first << ", " << where;
+      std::ostringstream place;
+      place << std::hex << key.second << " in " << key.first << ", " << where;
+      const auto expect_twice = [words = place.str()](float one, float two, const char* edge) {
+        EXPECT_NEAR(two, 2 * one, 14 + 0.03f * std::abs(one)) << edge << " of " << words;
       };
       expect_twice(a.low.x, b.low.x, "left");
       expect_twice(a.high.x, b.high.x, "right");
