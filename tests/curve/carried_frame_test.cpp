@@ -102,6 +102,13 @@ TEST(cusps, are_where_the_speed_vanishes_and_the_frame_makes_a_half_turn_about_u
       EXPECT_EQ(part.forward, unit_tangent(c, to));
     }
   }
+  // B' = (t - 1/2) (a + (t - 1/2) b) with b against a: a quarter after the cusp the curve runs against its way out.
+  const Cubic hook{{0, 5, 0}, {-12, 5, 6}, {-4, 5, 0}, {-8, 5, 6}};
+  ASSERT_EQ(cusps(hook).count, 1);
+  for (const double from : {0.55, 0.7, 0.8, 0.9}) {
+    const dvec3 tangent = unit_tangent(hook, from), up = perpendicular(tangent, {0.3, 1, -0.2});
+    EXPECT_LT(glm::length(carried(hook, {tangent, up}, from, 1).up - FrameOracle(hook).carried(up, from, 1)), 1e-6);
+  }
   // A cusp elsewhere: B' = (t - u) (a + (t - u) b), with numbers that floats hold.
   for (const int eighth : {1, 2, 3, 5, 7}) {
     const float u = eighth / 8.0f;
