@@ -2,6 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+#include <span>
+
 #include "curve/bernstein.h"
 #include "sim/study/rounding.h"
 #include "sim/tracks.h"
@@ -279,6 +283,22 @@ TEST(overlay_lab, no_layer_outgrows_its_limit_on_a_long_track) {
     EXPECT_GT(comb.lines.size(), 0u);
     EXPECT_LE(comb.lines.size(), 2u * kMaxTeeth);
     EXPECT_LE(rounding.lines.size(), 2u * kMaxRoundingVertices);
+  }
+}
+
+// A segment of n steps has n + 1 vertices; as many segments are shown as have no more than the limit together.
+TEST(overlay_lab, rounding_is_shown_of_as_many_segments_as_the_limit_of_vertices_allows) {
+  Scene scene(test::ring_document(1500, 900));
+  for (const int steps : {6, 7, 64}) {
+    scene.settings.evaluation->steps = steps;
+    scene.settings.lab->magnification = 1;
+    scene.look();
+    Overlay rounding;
+    add_rounding(scene.document, scene.derived, scene.settings, scene.view, rounding);
+    ASSERT_FALSE(rounding.lines.empty());
+    const int most = std::min(1500, kMaxRoundingVertices / (steps + 1));
+    const glm::dvec3 end(scene.shape(static_cast<std::size_t>(most) - 1).key.cubic.p3);
+    EXPECT_LT(glm::distance(glm::dvec3(rounding.lines.back().to), end), 1.0) << "segments are 3.8 m long, " << steps;
   }
 }
 
