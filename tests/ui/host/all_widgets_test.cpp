@@ -312,6 +312,35 @@ TEST_F(AllWidgetsTest, text_keeps_apart_and_within_its_window) {
   EXPECT_GT(characters, 10'000);
 }
 
+// Nothing is drawn where it cannot be seen, but for what scrolls, plots, and lists that are cut.
+TEST_F(AllWidgetsTest, what_is_drawn_can_be_seen) {
+  visit([&](const std::string& where) {
+    for (const ImGuiWindow* const window : windows()) {
+      bool scrolls = false;
+      for (const ImGuiWindow* w = window; w != nullptr; w = w->ParentWindow)
+        scrolls = scrolls || w->ScrollMax.x > 0 || w->ScrollMax.y > 0;
+      if (scrolls) continue;
+      const ImDrawList& list = *window->DrawList;
+      for (const ImDrawCmd& command : list.CmdBuffer)
+        for (unsigned i = 0; i + 2 < command.ElemCount; i += 3) {
+          ImVec2 low(1e9f, 1e9f), high(-1e9f, -1e9f);
+          unsigned alpha = 0;
+          for (unsigned k = 0; k < 3; ++k) {
+            const ImDrawVert& v = list.VtxBuffer[list.IdxBuffer[static_cast<int>(command.IdxOffset + i + k)]];
+            low = {std::min(low.x, v.pos.x), std::min(low.y, v.pos.y)};
+            high = {std::max(high.x, v.pos.x), std::max(high.y, v.pos.y)};
+            alpha = std::max(alpha, v.col >> IM_COL32_A_SHIFT);
+          }
+          if (alpha == 0) continue;
+          const ImVec4& clip = command.ClipRect;
+          EXPECT_TRUE(high.x > clip.x - 2 && low.x < clip.z + 2 && high.y > clip.y - 2 && low.y < clip.w + 2)
+              << low.x << ", " << low.y << " to " << high.x << ", " << high.y << " in " << window->Name << ", "
+              << where;
+        }
+    }
+  });
+}
+
 // With reduced motion nothing moves by the clock alone.
 TEST_F(AllWidgetsTest, with_reduced_motion_a_still_picture_stays_still) {
   set<&world::CameraFeel::reduced_motion>(true);
