@@ -23,6 +23,7 @@
 #include "edit/commands/commands_session.h"
 #include "edit/commands/set_setting.h"
 #include "ui/stage.h"
+#include "ui/widgets/theme.h"
 #include "world/aids.h"
 #include "world/camera_feel.h"
 #include "world/lab_view.h"
@@ -333,12 +334,34 @@ TEST_F(AllWidgetsTest, what_is_drawn_can_be_seen) {
           }
           if (alpha == 0) continue;
           const ImVec4& clip = command.ClipRect;
-          EXPECT_TRUE(high.x > clip.x - 2 && low.x < clip.z + 2 && high.y > clip.y - 2 && low.y < clip.w + 2)
+          EXPECT_TRUE(high.x > clip.x - 1 && low.x < clip.z + 1 && high.y > clip.y - 1 && low.y < clip.w)
               << low.x << ", " << low.y << " to " << high.x << ", " << high.y << " in " << window->Name << ", "
               << where;
         }
     }
   });
+}
+
+// The chosen tab alone has a line in the colour of the accent, along its foot.
+TEST_F(AllWidgetsTest, the_tab_of_the_workspace_is_underlined) {
+  for (const Workspace one : {Workspace::build, Workspace::ride, Workspace::laboratory}) {
+    set<&world::Panels::workspace>(one);
+    frames(3);
+    for (const Widget& w : host_->widgets()) {
+      if (!w.path.starts_with("Menu/Workspace/")) continue;
+      int at_foot = 0, elsewhere = 0;
+      for (const ImGuiWindow* const window : windows())
+        for (const ImDrawVert& v : window->DrawList->VtxBuffer) {
+          if (v.col != packed(palette().accent) || v.pos.x < w.x || v.pos.x > w.x + w.width ||
+              v.pos.y > w.y + w.height + 9)
+            continue;
+          const float over = w.y + w.height - v.pos.y;
+          (over >= 0 && over < 4 ? at_foot : elsewhere) += 1;
+        }
+      EXPECT_EQ(at_foot >= 4, w.value == "on") << w.path;
+      EXPECT_TRUE(w.value != "on" || elsewhere == 0) << w.path;
+    }
+  }
 }
 
 // With reduced motion nothing moves by the clock alone.
