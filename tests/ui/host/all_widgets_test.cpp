@@ -342,6 +342,37 @@ TEST_F(AllWidgetsTest, what_is_drawn_can_be_seen) {
   });
 }
 
+// What a button, a switch or a line of a list is called, or its value, is written on it.
+TEST_F(AllWidgetsTest, names_are_written_where_the_widgets_are) {
+  int named = 0;
+  visit([&](const std::string& where) {
+    std::vector<DrawnGlyph> all;
+    for (const ImGuiWindow* const window : windows())
+      for (const DrawnGlyph& glyph : drawn_glyphs(*window->DrawList)) all.push_back(glyph);
+    for (const Widget& w : host_->widgets()) {
+      if (!w.visible || w.covered || (w.kind != "button" && w.kind != "radio" && w.kind != "checkbox")) continue;
+      // Samples are named once their pictures are there, and keys are not always set.
+      if (w.path.starts_with("Start/Samples/") || w.path.starts_with("Settings/Keys/")) continue;
+      std::string words;
+      for (const DrawnGlyph& g : all) {
+        const float x = (g.low.x + g.high.x) / 2, y = (g.low.y + g.high.y) / 2;
+        if (x > w.x && x < w.x + w.width && y > w.y && y < w.y + w.height)
+          words += g.codepoint < 128 ? static_cast<char>(g.codepoint) : '?';
+      }
+      std::string name = w.path.substr(w.path.rfind('/') + 1);
+      std::erase(name, ' ');
+      std::string value = w.value;
+      std::erase(value, ' ');
+      if (words.empty() && w.kind == "button" && w.width < 60) continue;  // an icon
+      ++named;
+      EXPECT_TRUE(words.find(name.substr(0, 5)) != std::string::npos ||
+                  (!value.empty() && words.find(value.substr(0, 5)) != std::string::npos))
+          << w.path << " has the words " << words << ", " << where;
+    }
+  });
+  EXPECT_GT(named, 500);
+}
+
 // The chosen tab alone has a line in the colour of the accent, along its foot.
 TEST_F(AllWidgetsTest, the_tab_of_the_workspace_is_underlined) {
   for (const Workspace one : {Workspace::build, Workspace::ride, Workspace::laboratory}) {
