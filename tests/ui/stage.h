@@ -39,10 +39,15 @@ struct DrawnGlyph {
 };
 // Returns the characters that a list draws, found by their places in the fonts' texture.
 inline std::vector<DrawnGlyph> drawn_glyphs(const ImDrawList& list) {
-  std::map<std::array<float, 4>, unsigned> glyphs;
-  for (const ImFont* const font : ImGui::GetIO().Fonts->Fonts)
-    for (const ImFontGlyph& g : font->Glyphs)
-      if (g.Visible) glyphs.try_emplace({g.U0, g.V0, g.U1, g.V1}, g.Codepoint);
+  static std::map<std::array<float, 4>, unsigned> glyphs;
+  static std::pair<const void*, float> of(nullptr, 0);  // the fonts that they are of
+  const ImFont& first = *ImGui::GetIO().Fonts->Fonts[0];
+  if (const std::pair now(static_cast<const void*>(first.Glyphs.Data), first.FontSize); of != now) {
+    of = now, glyphs.clear();
+    for (const ImFont* const font : ImGui::GetIO().Fonts->Fonts)
+      for (const ImFontGlyph& g : font->Glyphs)
+        if (g.Visible) glyphs.try_emplace({g.U0, g.V0, g.U1, g.V1}, g.Codepoint);
+  }
   std::vector<DrawnGlyph> found;
   for (int i = 0; i + 3 < list.VtxBuffer.Size; ++i) {
     const ImDrawVert &a = list.VtxBuffer[i], &b = list.VtxBuffer[i + 2];
