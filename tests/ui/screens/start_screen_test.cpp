@@ -130,7 +130,9 @@ TEST_F(StartScreenTest, cards_are_in_rows_of_four_within_the_page) {
         EXPECT_EQ(cards[i].width, wide);
         EXPECT_EQ(cards[i].y, cards[i - i % 4].y) << cards[i].path;
         EXPECT_NEAR(cards[i].height, wide * 9 / 16 + 1.4f * 14, 8) << "a picture and a line";
-        if (i >= 4) EXPECT_GT(cards[i].y, cards[i - 4].y + cards[i - 4].height) << cards[i].path;
+        if (i >= 4) {
+          EXPECT_GT(cards[i].y, cards[i - 4].y + cards[i - 4].height) << cards[i].path;
+        }
       }
     }
     EXPECT_LT(least + 4 * wide + 3 * gap, static_cast<float>(width));
