@@ -1,5 +1,9 @@
 // The tutorial in a window: players who leave it at once, or build something else.
 #include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <string>
 
 #include "app/frame.h"
 #include "app/keeper.h"
@@ -135,6 +139,29 @@ TEST_F(TutorialTest, hasty_clicks_do_not_disturb_a_lesson) {
   EXPECT_TRUE(program.session.settings.aids->show_element);
   EXPECT_EQ(program.session.settings.camera.yaw_deg, turned);
   EXPECT_TRUE(program.session.history.undo.empty()) << "no click went through the card";
+}
+
+// Data of another place may lack the tutorial, or have one that this program cannot read.
+TEST_F(TutorialTest, a_tutorial_that_is_missing_or_broken_is_told_and_changes_nothing) {
+  const char* const before = std::getenv("COASTER_DATA");
+  const std::string kept = before != nullptr ? before : "";
+  ::setenv("COASTER_DATA", folder_.c_str(), 1);
+  Program& program = *program_;
+  const world::Settings settings = program.session.settings;
+  const auto expect_refused = [&](const std::string& words) {
+    program.tutorial.wanted = true;
+    teach(program);
+    EXPECT_FALSE(program.tutorial.run);
+    EXPECT_FALSE(program.tutorial.card);
+    EXPECT_NE(last_notice(program).find(words), std::string::npos) << last_notice(program);
+    EXPECT_TRUE(program.session.settings == settings);
+  };
+  expect_refused("first_coaster.coaster");
+  std::filesystem::create_directories(folder_ / "tutorials");
+  std::ofstream(folder_ / "tutorials" / "first_coaster.coaster") << "coaster-script 1\nno_such_word 3\n";
+  expect_refused("no_such_word");
+  if (before != nullptr) ::setenv("COASTER_DATA", kept.c_str(), 1);
+  else ::unsetenv("COASTER_DATA");
 }
 
 }  // namespace tutorial_test

@@ -94,6 +94,20 @@ TEST(cusps, are_where_the_speed_vanishes_and_the_frame_makes_a_half_turn_about_u
     EXPECT_LT(glm::length(at.up - after.up), 1e-4);
     for (const double middle : {0.25, 0.5, 15.0 / 32, 0.8})
       EXPECT_LT(glm::length(carried(c, carried(c, start, 0, middle), middle, 1).up - carried(c, start, 0, 1).up), 1e-9);
+    // A part of the curve on either side has no cusp.
+    for (const auto& [from, to] : {std::pair{0.0, 0.4}, {0.1, 0.45}, {0.55, 0.9}, {0.6, 1.0}}) {
+      const dvec3 tangent = unit_tangent(c, from), up = perpendicular(tangent, {0.3, 1, -0.2});
+      const Frame part = carried(c, {tangent, up}, from, to);
+      EXPECT_LT(glm::length(part.up - FrameOracle(c).carried(up, from, to)), 1e-6) << from;
+      EXPECT_EQ(part.forward, unit_tangent(c, to));
+    }
+  }
+  // B' = (t - 1/2) (a + (t - 1/2) b) with b against a: a quarter after the cusp the curve runs against its way out.
+  const Cubic hook{{0, 5, 0}, {-12, 5, 6}, {-4, 5, 0}, {-8, 5, 6}};
+  ASSERT_EQ(cusps(hook).count, 1);
+  for (const double from : {0.55, 0.7, 0.8, 0.9}) {
+    const dvec3 tangent = unit_tangent(hook, from), up = perpendicular(tangent, {0.3, 1, -0.2});
+    EXPECT_LT(glm::length(carried(hook, {tangent, up}, from, 1).up - FrameOracle(hook).carried(up, from, 1)), 1e-6);
   }
   // A cusp elsewhere: B' = (t - u) (a + (t - u) b), with numbers that floats hold.
   for (const int eighth : {1, 2, 3, 5, 7}) {

@@ -111,6 +111,29 @@ TEST(g2, gives_both_sides_one_curvature_vector_and_keeps_the_handles_on_a_line) 
   }
 }
 
+// Of joints so crooked that handles would reverse, few are left unsolved.
+TEST(g2, solves_nearly_all_of_very_crooked_joints) {
+  Chance chance{std::mt19937_64(5)};
+  int solved = 0;
+  constexpr int kTries = 4000;
+  for (int i = 0; i < kTries; ++i) {
+    G2Problem p = crooked(chance, i % 2 == 1);
+    for (G2Side* const side : {&p.before, &p.after}) {
+      side->anchor += chance.vector(8), side->length = chance.number(0.75, 6), side->length_fixed = false;
+      side->direction = glm::normalize(side->direction + chance.vector(1.2));
+    }
+    const dvec3 t = glm::normalize(dvec3(0.9, 0.3, -0.2) + chance.vector(1.6));
+    p.in_handle = p.position - chance.number(0.75, 6) * t, p.out_handle = p.position + chance.number(0.75, 6) * t;
+    if (p.equal_lengths) p.out_handle = 2.0 * p.position - p.in_handle;
+    const G2Solution s = solve_g2(p);
+    if (s.outcome != G2Outcome::solved) continue;
+    ++solved;
+    ASSERT_GT(glm::dot(s.out_handle - s.position, s.position - s.in_handle), 0) << i;
+    ASSERT_GT(std::min(s.before_length, s.after_length), 0) << i;
+  }
+  EXPECT_GT(solved, kTries * 95 / 100) << solved;
+}
+
 TEST(g2, moves_no_more_than_a_search_over_all_g2_joints_finds) {
   Chance chance{std::mt19937_64(97)};
   for (int i = 0; i < 60; ++i) {

@@ -86,6 +86,30 @@ TEST(image, a_comparison_of_every_level_names_the_first_and_the_largest_differen
   EXPECT_EQ(compare(picture, golden).pixels, 0);
 }
 
+// Rec. 709's luma of the equal pixels, at half the contrast over mid-grey; red where they differ.
+TEST(image, the_picture_of_a_comparison_is_pale_grey_by_luma_and_red_where_pixels_differ) {
+  Image picture = noise(23, 17);
+  for (int c = 0; c < 3; ++c)
+    for (int k = 0; k < 3; ++k) channel(picture, c, 0, k) = c == k ? 255 : 0;  // pure red, green and blue
+  Image golden = picture;
+  shift(golden, 11, 5, 40);
+  const Image shown = compare(picture, golden).picture;
+  ASSERT_EQ(shown.rgba.size(), picture.rgba.size());
+  for (int y = 0; y < 17; ++y)
+    for (int x = 0; x < 23; ++x) {
+      const auto at = [&](int c) { return static_cast<int>(shown.rgba[std::size_t(4 * (y * 23 + x) + c)]); };
+      const auto was = [&](int c) { return double(channel(picture, x, y, c)); };
+      EXPECT_EQ(at(3), 255);
+      if (x == 11 && y == 5) {
+        EXPECT_EQ(at(0), 255);
+        EXPECT_EQ(at(1) + at(2), 0);
+        continue;
+      }
+      EXPECT_NEAR(at(0), 128 + (0.2126 * was(0) + 0.7152 * was(1) + 0.0722 * was(2)) / 2, 1.5) << x << ' ' << y;
+      EXPECT_TRUE(at(0) == at(1) && at(1) == at(2));
+    }
+}
+
 TEST(image, one_in_two_thousand_may_differ_and_no_more) {
   const Image golden = noise(200, 100);  // 0.05 % are 10 pixels
   Image picture = golden;

@@ -2,7 +2,11 @@
 // pictures.
 #include "gfx/instances.h"
 
+#include <cmath>
+#include <map>
 #include <random>
+
+#include <glm/gtx/component_wise.hpp>
 
 #include "gfx/instances.h"
 #include "gfx/studio.h"
@@ -44,6 +48,42 @@ TEST_F(Pictures, below_the_ground_there_is_earth_all_around) {
     EXPECT_EQ(count(image, other), 0) << forward.y;
     EXPECT_GE(middle.x, middle.z) << "earth is not blue";
   }
+}
+
+// By the ray of each pixel: those that go up show sky, the others ground, in a corner of any number of sides too.
+TEST_F(Pictures, the_horizon_is_where_rays_are_level_however_the_eye_is_turned) {
+  width_ = 96, height_ = 64, show_polyline_ = false, shadows_ = false;
+  const Track track(test::straight_document({0, 1, 900}, {9, 1, 900}));  // behind the eye
+  int corners = 0;
+  std::map<std::pair<int, int>, glm::ivec3> skies;  // by direction, from the first pictures
+  for (const double pitch : {0.45, 0.3, -0.45, -0.2, 0.0})
+    for (const double roll : {0.0, 0.6, -0.8, 2.4}) {
+      const glm::dvec3 forward(0, std::sin(pitch), -std::cos(pitch)), level(0, std::cos(pitch), std::sin(pitch));
+      const glm::dvec3 up = std::cos(roll) * level + std::sin(roll) * glm::dvec3(1, 0, 0);
+      eye_ = view::Eye{.position = {3, 6, 40}, .forward = forward, .up = up};
+      const Image image = picture(track);
+      const glm::dvec3 right = glm::cross(forward, up);
+      const double tall = std::tan(45.0 / 2 * M_PI / 180), wide = tall * width_ / height_;
+      int sky = 0, wrong = 0, off = 0;
+      for (int y = 0; y < height_; ++y)
+        for (int x = 0; x < width_; ++x) {
+          const double across = (2 * (x + 0.5) / width_ - 1) * wide, high = (1 - 2 * (y + 0.5) / height_) * tall;
+          const glm::dvec3 ray = glm::normalize(forward + across * right + high * up);
+          const double rise = ray.y;
+          if (std::abs(rise) < 0.05) continue;  // haze
+          const glm::ivec3 c = colour_at(image, x, y);
+          sky += rise > 0;
+          wrong += (c.z > c.y) != (rise > 0);
+          if (rise < 0) continue;
+          const auto known =
+              skies.try_emplace({static_cast<int>(100 * (2 + ray.x)), static_cast<int>(100 * rise)}, c).first->second;
+          off += glm::compMax(glm::abs(c - known));
+        }
+      EXPECT_EQ(wrong, 0) << pitch << ' ' << roll;
+      EXPECT_LT(off, 8 * sky + 1) << "clouds of the same direction, " << pitch << ' ' << roll;
+      corners += sky > 0 && sky < width_ * height_ / 6;
+    }
+  EXPECT_GT(corners, 2);
 }
 
 TEST_F(Pictures, values_colour_the_track_and_are_written_where_they_change) {

@@ -97,14 +97,16 @@ inline const std::filesystem::path& test_folder() {
 }
 
 // Parses and runs the lines below the header.
-inline base::Status run_lines(FakeHost& fake, const std::string& lines, bool update = false) {
+inline base::Status run_lines(Host host, const std::string& lines, bool update = false) {
   base::Files files;
   const ParsedScript parsed = parse_script("coaster-script 1\n" + lines, "test.coaster", test_folder(), files);
   if (!parsed.errors.empty()) return {base::Code::usage, parsed.errors.front()};
-  Host host = fake.host();
   const auto out = base::Root().open(test_folder() / "out");
   if (!out) return out.status();
   return run_script(parsed.script, host, {*out, update, {}});
+}
+inline base::Status run_lines(FakeHost& fake, const std::string& lines, bool update = false) {
+  return run_lines(fake.host(), lines, update);
 }
 
 }  // namespace coaster::script

@@ -216,6 +216,20 @@ TEST(runner, env_changes_only_what_it_names) {
   EXPECT_EQ(fake.environment.seed, 9u);
 }
 
+// A line that only sets the folder keeps the picture and the scale of the folder's settings; any other word sets all.
+TEST(runner, env_home_alone_leaves_the_environment_as_it_is) {
+  for (const char* const word : {"", " size 800x450", " msaa 2", " seed 9", " scale 1.5", " density 2"}) {
+    FakeHost fake;
+    int changes = 0, homes = 0;
+    Host host = fake.host();
+    host.set_environment = [&](const Environment& e) { return ++changes, fake.environment = e, base::Status{}; };
+    host.set_home = [&](const std::filesystem::path&) { return ++homes, base::Status{}; };
+    ASSERT_TRUE(run_lines(host, std::string("env home \"$OUT/here\"") + word + "\n").ok()) << word;
+    EXPECT_EQ(homes, 1) << word;
+    EXPECT_EQ(changes, *word != '\0' ? 2 : 1) << word << " after the one at the start";
+  }
+}
+
 TEST(runner, aim_drag_presses_moves_at_least_four_times_and_releases) {
   FakeHost fake;
   ASSERT_TRUE(run_lines(fake, std::string(kTrack) + "aim.drag +shift @k2 by 1 2 0\n").ok());

@@ -4,7 +4,10 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <numeric>
 #include <tuple>
+#include <utility>
+#include <vector>
 
 #include "sim/solids/mesh.h"
 
@@ -50,6 +53,34 @@ inline int open_edges(const sim::Mesh& mesh, const std::vector<std::uint32_t>& i
   return open;
 }
 inline int open_edges(const sim::Mesh& mesh) { return open_edges(mesh, mesh.indices); }
+
+// Connected solids of a mesh whose faces look inwards: by the sign of the volume of each.
+inline int inside_out(const sim::Mesh& mesh, const std::vector<std::uint32_t>& indices) {
+  using Point = std::array<float, 4>;  // with the part: solids of two parts may touch
+  std::map<Point, std::size_t> places;
+  std::vector<std::size_t> place(mesh.vertices.size()), parent;
+  for (std::size_t i = 0; i < place.size(); ++i) {
+    const sim::MeshVertex& v = mesh.vertices[i];
+    place[i] = places.try_emplace({v.position.x, v.position.y, v.position.z, v.part}, places.size()).first->second;
+  }
+  parent.resize(places.size());
+  std::iota(parent.begin(), parent.end(), std::size_t{0});
+  const auto root = [&](std::size_t i) {
+    while (parent[i] != i) i = parent[i] = parent[parent[i]];
+    return i;
+  };
+  for (std::size_t i = 0; i < indices.size(); i += 3)
+    for (std::size_t k = 1; k < 3; ++k) parent[root(place[indices[i + k]])] = root(place[indices[i]]);
+  std::map<std::size_t, std::pair<glm::dvec3, double>> volumes;  // with a point of each, for precision
+  for (std::size_t i = 0; i < indices.size(); i += 3) {
+    const auto at = [&](std::size_t k) { return glm::dvec3(mesh.vertices.at(indices[i + k]).position); };
+    auto& [origin, sum] = volumes.try_emplace(root(place[indices[i]]), at(0), 0.0).first->second;
+    sum += glm::dot(at(0) - origin, glm::cross(at(1) - origin, at(2) - origin)) / 6;
+  }
+  int wrong = 0;
+  for (const auto& [solid, volume] : volumes) wrong += volume.second < -1e-7;
+  return wrong;
+}
 
 // Corners whose normal points to the side from which their triangle is clockwise, or whose length is not 1.
 inline int wrong_normals(const sim::Mesh& mesh, const std::vector<std::uint32_t>& indices) {

@@ -3,7 +3,10 @@
 #pragma once
 
 #include <gtest/gtest.h>
+#include <imgui.h>
+#include <imgui_internal.h>
 
+#include <array>
 #include <cmath>
 #include <map>
 #include <memory>
@@ -27,6 +30,45 @@ inline void build_track(edit::Session& session, base::Files& files) {
   for (const glm::vec3 place : places) EXPECT_TRUE(edit::apply(session, files, edit::AppendKnot{place}).ok());
   EXPECT_TRUE(edit::apply(session, files, edit::AddCart{{{world::Kind::segment, 1}}, 0.25}).ok());
   EXPECT_TRUE(edit::apply(session, files, edit::Select{}).ok());
+}
+
+struct DrawnGlyph {
+  unsigned codepoint;
+  ImVec2 low, high;  // px
+  int vertex;        // the first of its four
+};
+// Returns the characters that a list draws, found by their places in the fonts' texture.
+inline std::vector<DrawnGlyph> drawn_glyphs(const ImDrawList& list) {
+  static std::map<std::array<float, 4>, unsigned> glyphs;
+  static std::pair<const void*, float> of(nullptr, 0);  // the fonts that they are of
+  const ImFont& first = *ImGui::GetIO().Fonts->Fonts[0];
+  if (const std::pair now(static_cast<const void*>(first.Glyphs.Data), first.FontSize); of != now) {
+    of = now, glyphs.clear();
+    for (const ImFont* const font : ImGui::GetIO().Fonts->Fonts)
+      for (const ImFontGlyph& g : font->Glyphs)
+        if (g.Visible) glyphs.try_emplace({g.U0, g.V0, g.U1, g.V1}, g.Codepoint);
+  }
+  std::vector<DrawnGlyph> found;
+  for (int i = 0; i + 3 < list.VtxBuffer.Size; ++i) {
+    const ImDrawVert &a = list.VtxBuffer[i], &b = list.VtxBuffer[i + 2];
+    const auto glyph = glyphs.find({a.uv.x, a.uv.y, b.uv.x, b.uv.y});
+    if (glyph == glyphs.end()) continue;
+    found.push_back({glyph->second, a.pos, b.pos, i});
+    i += 3;
+  }
+  return found;
+}
+// Returns their text: words and lines are joined by single spaces.
+inline std::string drawn_text(const ImDrawList& list) {
+  std::string text;
+  ImVec2 end(0, 0);
+  const float size = ImGui::GetIO().Fonts->Fonts[0]->FontSize;
+  for (const DrawnGlyph& glyph : drawn_glyphs(list)) {
+    if (!text.empty() && (glyph.low.x > end.x + 0.17f * size || glyph.low.x < end.x - size)) text += ' ';
+    text += glyph.codepoint < 128 ? static_cast<char>(glyph.codepoint) : '?';
+    end = glyph.high;
+  }
+  return text;
 }
 
 class Stage : public testing::Test {
@@ -122,6 +164,16 @@ class Stage : public testing::Test {
     key(platform::Key::a, {.ctrl = true});
     frame({platform::TextInput{text}});
     if (enter) key(platform::Key::enter);
+  }
+
+  // Rests the mouse on a widget and returns the words of its tooltip.
+  std::string words_over(const std::string& path) {
+    if (!reach(path)) return "not found: " + path;
+    hover(middle(*find(path)));
+    frames(40);
+    for (const ImGuiWindow* const window : ImGui::GetCurrentContext()->Windows)
+      if ((window->Flags & ImGuiWindowFlags_Tooltip) != 0 && window->Active) return drawn_text(*window->DrawList);
+    return {};
   }
 
   // Returns where a knot is on the screen, in the view of the last frame.

@@ -2,6 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+#include <span>
+
 #include "curve/bernstein.h"
 #include "sim/study/rounding.h"
 #include "sim/tracks.h"
@@ -192,6 +196,34 @@ TEST(overlay_lab, a_flip_has_a_cross_at_its_place) {
   EXPECT_EQ(crosses, 2);
 }
 
+// The arrows on both sides of a flip stand on the curve within a fortieth of the segment and point along its normals.
+TEST(overlay_lab, a_flip_shows_the_normal_just_before_and_just_behind_it) {
+  const Scene scene;
+  const curve::Cubic& c = scene.shape(2).key.cubic;
+  for (const double at : {0.4, 0.0, 1.0})
+    for (const float scale : {1.0f, 2.0f}) {
+      const sim::FrenetBreak flip{sim::FrenetBreak::Kind::flip, scene.derived.order[2], at, at, 3.1};
+      Overlay overlay;
+      add_breaks(scene.derived, std::span(&flip, 1), scene.view, scale, overlay);
+      int before = 0, behind = 0;
+      for (const Line& line : overlay.lines) {
+        if (line.rgba == kBreakColour) continue;
+        for (int k = -25; k <= 25; ++k) {
+          const double t = at + k / 1000.0;
+          if (t < 0 || t > 1) continue;
+          const auto frame = curve::frenet(c, t);
+          if (!frame || glm::distance(glm::dvec3(line.from), curve::point(c, t)) > 0.005) continue;
+          if (glm::length(glm::cross(glm::normalize(along(line)), frame->normal)) > 0.01) continue;
+          (k < 0 ? before : behind) += k != 0 || at == 0.0 || at == 1.0;
+          break;
+        }
+      }
+      EXPECT_GT(before + behind, 1) << at;
+      EXPECT_TRUE(at == 0 || before > 0) << at;
+      EXPECT_TRUE(at == 1 || behind > 0) << at;
+    }
+}
+
 TEST(overlay_lab, a_red_span_runs_over_the_rails_from_end_to_end) {
   const Scene scene;
   const double end = scene.derived.length;
@@ -251,6 +283,22 @@ TEST(overlay_lab, no_layer_outgrows_its_limit_on_a_long_track) {
     EXPECT_GT(comb.lines.size(), 0u);
     EXPECT_LE(comb.lines.size(), 2u * kMaxTeeth);
     EXPECT_LE(rounding.lines.size(), 2u * kMaxRoundingVertices);
+  }
+}
+
+// A segment of n steps has n + 1 vertices; as many segments are shown as have no more than the limit together.
+TEST(overlay_lab, rounding_is_shown_of_as_many_segments_as_the_limit_of_vertices_allows) {
+  Scene scene(test::ring_document(1500, 900));
+  for (const int steps : {6, 7, 64}) {
+    scene.settings.evaluation->steps = steps;
+    scene.settings.lab->magnification = 1;
+    scene.look();
+    Overlay rounding;
+    add_rounding(scene.document, scene.derived, scene.settings, scene.view, rounding);
+    ASSERT_FALSE(rounding.lines.empty());
+    const int most = std::min(1500, kMaxRoundingVertices / (steps + 1));
+    const glm::dvec3 end(scene.shape(static_cast<std::size_t>(most) - 1).key.cubic.p3);
+    EXPECT_LT(glm::distance(glm::dvec3(rounding.lines.back().to), end), 1.0) << "segments are 3.8 m long, " << steps;
   }
 }
 

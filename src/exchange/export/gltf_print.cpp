@@ -40,15 +40,15 @@ struct BinaryBuilder {
   }
 };
 
+// Of points and triangles: three numbers each, so that no group of digits has to be filled.
 std::string base64(std::string_view bytes) {
   constexpr std::string_view kDigits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
   std::string text;
-  text.reserve((bytes.size() + 2) / 3 * 4);
-  for (std::size_t i = 0; i < bytes.size(); i += 3) {
-    std::uint32_t group = 0;
-    for (std::size_t k = 0; k < 3; ++k)
-      group = group << 8 | (i + k < bytes.size() ? static_cast<unsigned char>(bytes[i + k]) : 0u);
-    for (std::size_t k = 0; k < 4; ++k) text += i + k <= bytes.size() ? kDigits[group >> (18 - 6 * k) & 63] : '=';
+  text.reserve(bytes.size() / 3 * 4);
+  std::uint32_t group = 0;
+  for (std::size_t i = 0; i < bytes.size(); ++i) {
+    group = group << 8 | static_cast<unsigned char>(bytes[i]);
+    for (std::size_t k = 0; k < 4 && i % 3 == 2; ++k) text += kDigits[group >> (18 - 6 * k) & 63];
   }
   return text;
 }

@@ -129,7 +129,7 @@ void build_tabs(Ui& ui) {
               label);
     note(ui, "Workspace/" + label, "radio", with_keys(ui.keys, row.help, action), true, on ? "on" : "off", low, high);
     ImGui::SameLine(0, 0);
-    if (pressed && !on) choose_workspace(ui, workspace);
+    if (pressed) choose_workspace(ui, workspace);
   }
   ImGui::SetCursorPosY(y);
 }

@@ -43,7 +43,7 @@ void kind_box(Ui& ui, const Chosen& chosen) {
   const int now = planned ? static_cast<int>(section.element.kind) : static_cast<int>(kinds.size()) - 1;
   const auto to =
       combo(ui, "Kind", kinds, now, "Plan the section as another element. The track that follows moves along.");
-  if (to && *to != now && *to < static_cast<int>(world::elements().size())) {
+  if (to) {
     ask_change(ui, chosen.name(), "kind");
     ui.emit(edit::ChangeSection{{chosen.name()}, false, world::usual_element(static_cast<world::ElementKind>(*to))});
   }

@@ -15,6 +15,7 @@
 #include "edit/commands/set_setting.h"
 #include "edit/random_commands.h"
 #include "edit/session_fixture.h"
+#include "exchange/own/link.h"
 #include "world/evaluation.h"
 
 namespace coaster::edit {
@@ -124,6 +125,19 @@ TEST_F(Applying, an_imported_track_has_no_path) {
   EXPECT_TRUE(session.file.path.empty());
   EXPECT_EQ(session.document.name, "ring");
   EXPECT_TRUE(dirty(session));
+}
+
+// A link holds everything, but it is no file: the next save needs a name.
+TEST_F(Applying, a_track_of_a_link_has_no_path_and_the_view_of_the_link) {
+  ASSERT_TRUE(apply(Save{file("a.json")}));
+  exchange::SharedView view;
+  const std::string link = "https://example.org/" + exchange::print_link(session.document, view);
+  const std::size_t knots = session.document.track.knots.size();
+  good("new");
+  ASSERT_TRUE(apply(Load{link}));
+  EXPECT_EQ(session.document.track.knots.size(), knots);
+  EXPECT_TRUE(session.file.path.empty());
+  EXPECT_FALSE(dirty(session));
 }
 
 TEST_F(Applying, files_that_fail_leave_everything_as_it_was) {

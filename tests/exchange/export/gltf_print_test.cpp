@@ -38,6 +38,16 @@ TEST(Gltf, keeps_the_rules_of_the_format_and_has_the_same_triangles_as_the_obj) 
       ASSERT_EQ(normals[indices[k]], obj.vn.at(obj.faces.at(names[i])[k]));
     }
   }
+  // The ranges of the specification.
+  ASSERT_EQ(gltf.file["materials"].size(), 7u) << "and one of the centre line";
+  for (const Json& material : gltf.file["materials"]) {
+    const Json& pbr = material["pbrMetallicRoughness"];
+    ASSERT_EQ(pbr["baseColorFactor"].size(), 4u);
+    for (const Json& part : pbr["baseColorFactor"]) EXPECT_TRUE(part.get<double>() >= 0 && part.get<double>() <= 1);
+    EXPECT_EQ(pbr["baseColorFactor"].at(3).get<double>(), 1) << "opaque";
+    for (const char* const name : {"metallicFactor", "roughnessFactor"})
+      EXPECT_TRUE(pbr[name].get<double>() >= 0 && pbr[name].get<double>() <= 1);
+  }
   const Json& strip = gltf.file["meshes"].at(1)["primitives"].at(0);
   EXPECT_EQ(strip["mode"].get<int>(), 3);
   const auto line = gltf.positions(strip);

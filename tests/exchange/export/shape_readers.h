@@ -64,12 +64,16 @@ inline std::string unbase64(const std::string& text) {
   bytes.reserve(text.size());
   std::uint32_t group = 0;
   int bits = 0;
-  for (const char c : text.substr(0, text.find('='))) {
+  const std::size_t end = std::min(text.find('='), text.size());
+  EXPECT_EQ(text.size() % 4, 0u) << "groups of four";
+  EXPECT_LT(text.size() - end, 3u) << "the fewest '=' that fill the last group";
+  for (const char c : text.substr(0, end)) {
     const int digit = values[static_cast<unsigned char>(c)];
     if (digit < 0) ADD_FAILURE() << "no digit of base64: " << c;
     group = group << 6 | static_cast<std::uint32_t>(digit), bits += 6;
     if (bits >= 8) bits -= 8, bytes += static_cast<char>(group >> bits & 0xff);
   }
+  EXPECT_EQ(group & ((1u << bits) - 1), 0u) << "no bits are left over";
   return bytes;
 }
 

@@ -236,6 +236,34 @@ TEST(nl2elem, rolls_that_the_track_meets_anyway_add_no_knot_and_whole_turns_are_
   EXPECT_LT(spun->import->frame_error, 0.05);
 }
 
+// Of the rolls within 3 cm of the seam, on either side, the nearest counts, whichever comes first in the file.
+TEST(nl2elem, the_nearest_roll_counts_at_the_seam_of_a_closed_track) {
+  std::vector<Vertex> ring;
+  for (int i = 0; i <= 12; ++i) {
+    const double a = i * M_PI / 6;
+    ring.push_back({{40 * std::cos(a), 9, 40 * std::sin(a)}});
+  }
+  // In line at the seam, so that there is no corner.
+  ring[1].p = {ring[0].p.x, 9, 20}, ring[11].p = {ring[0].p.x, 9, -20};
+  const double length = test::rule_frames(ring, 3000).back().s;
+  const auto lean = [](double degrees) {  // towards the middle
+    return dvec3(-std::sin(degrees * M_PI / 180), std::cos(degrees * M_PI / 180), 0);
+  };
+  for (const auto& [before, behind] : {std::pair{0.02, 0.01}, {0.01, 0.02}, {0.005, 0.028}, {0.028, 0.005}}) {
+    const double wanted = before < behind ? 35 : 10;
+    for (const bool swapped : {false, true}) {
+      std::vector<std::pair<double, dvec3>> rolls{{1 - before / length, lean(35)}, {behind / length, lean(10)}};
+      if (swapped) std::swap(rolls[0], rolls[1]);
+      const auto loaded = parse_nl2elem(encode(ring, rolls), "x");
+      ASSERT_TRUE(loaded) << loaded.status().message;
+      const world::Document& d = loaded->document;
+      ASSERT_TRUE(d.track.closed);
+      const glm::vec3 up = world::knot(d, d.track.knots.front()).up;
+      EXPECT_NEAR(std::atan2(-up.x, up.y) * 180 / M_PI, wanted, 0.05) << before << ' ' << behind;
+    }
+  }
+}
+
 TEST(nl2elem, rolls_that_contradict_each_other_are_told_of) {
   const std::vector<Vertex> straight{{{1.3, 7, 2}}, {{41.3, 7, 2}}};
   const auto upright = parse_nl2elem(encode(straight, {{0.5, {0, 1, 0}}, {0.5, {0, 1, 0}}}), "x");

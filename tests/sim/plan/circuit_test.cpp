@@ -129,6 +129,115 @@ TEST(circuit_way, its_curve_meets_both_ends_and_keeps_tangent_curvature_and_roll
   EXPECT_EQ(curves, 12);
 }
 
+// The curve between the leads by its definition: place by integration, derivatives by differences.
+struct Middle {
+  const CircuitWay& way;
+  std::vector<dvec3> places;
+  double step;
+  explicit Middle(const CircuitWay& of, int count) : way(of), step(of.turns.length() / count) {
+    dvec2 at = way.in.pose.place;
+    constexpr int kFine = 8;
+    for (int i = 0; i <= count; ++i) {
+      places.push_back({at.x, way.heights.at(i * step).height, at.y});
+      for (int k = 0; k < kFine; ++k) {
+        const double heading = way.turns.at(i * step + (k + 0.5) * step / kFine).angle;
+        at += step / kFine * dvec2(std::cos(heading), std::sin(heading));
+      }
+    }
+  }
+};
+
+// Felt is what carries the rider: gravity's opposite and the acceleration across the track, by three places of it.
+TEST(circuit_way, what_is_estimated_is_felt_and_the_rough_line_is_the_rails) {
+  int ways = 0, lifted = 0, pressed = 0;
+  for (const bool coasts : {true, false})
+    for (const double rise : {-9.0, 4.0, 11.0})
+      for (const double aside : {0.0, 47.0}) {
+        CircuitTask task;
+        task.from.position = {60, 20, 0}, task.home.position = {0, 20 + rise, aside};
+        task.speed = 21, task.coasts = coasts, task.rails = 0.7;
+        const CircuitCandidates candidates = circuit_candidates(task);
+        for (std::size_t i = 0; i < candidates.list.size(); i += 1 + candidates.list.size() / 3) {
+          const CircuitWay way = candidates.rough(candidates.list[i]);
+          constexpr int kSteps = 2'000;
+          const std::optional<FeltRange> felt = estimate(task, way, kSteps);
+          if (!felt) continue;
+          ++ways;
+          const Middle middle(way, kSteps);
+          double most = 1, least = 1;
+          const auto square = [&](dvec3 place) {
+            return 441 - (coasts ? 2 * 9.81 * (place.y - task.from.position.y) : 0);
+          };
+          for (std::size_t k = 1; k < kSteps; ++k) {
+            const dvec3 in = middle.places[k] - middle.places[k - 1], out = middle.places[k + 1] - middle.places[k];
+            const dvec3 tangent = glm::normalize(in + out),
+                        bend = 2.0 * (glm::normalize(out) - glm::normalize(in)) / (glm::length(in) + glm::length(out));
+            const dvec3 force = square(middle.places[k]) / 9.81 * bend + dvec3(0, 1, 0);
+            const dvec3 above = glm::normalize(dvec3(0, 1, 0) - tangent.y * tangent);
+            most = std::max(most, glm::length(force - glm::dot(force, tangent) * tangent));
+            least = std::min(least, glm::dot(force, above));
+          }
+          EXPECT_NEAR(felt->most, most, 0.03);
+          EXPECT_NEAR(felt->least, least, 0.03);
+          lifted += least<0.8, pressed += most> 1.5;
+          const double each = 2.3;
+          const std::vector<WayPlace> line = rough_line(task, way, each);
+          const Middle at(way, static_cast<int>(line.size()) - 1);
+          EXPECT_TRUE(line.size() == 301 ? at.step > each : at.step <= each && at.step > 0.8 * each) << at.step;
+          EXPECT_EQ(line.front().s, way.in.length);
+          for (std::size_t k = 0; k < line.size(); ++k) {
+            EXPECT_LT(glm::distance(line[k].rails - 0.7 * line[k].up, at.places[k]), 0.05);
+            EXPECT_NEAR(glm::length(line[k].up), 1, 1e-9);
+            if (k > 0) {
+              EXPECT_NEAR(line[k].s - line[k - 1].s, glm::distance(at.places[k], at.places[k - 1]), 0.1);
+            }
+          }
+        }
+      }
+  EXPECT_GT(ways, 15);
+  EXPECT_GT(lifted, 5);
+  EXPECT_GT(pressed, 5);
+}
+
+// By the riders' own places over time instead of by the length of track.
+TEST(circuit_way, riders_feel_their_acceleration_by_time) {
+  int ways = 0;
+  for (const bool coasts : {true, false})
+    for (const double rise : {-8.0, 6.0}) {
+      CircuitTask task;
+      task.from.position = {60, 20, 0}, task.home.position = {0, 20 + rise, 31};
+      task.speed = 19, task.coasts = coasts, task.riders = 1.1;
+      const CircuitCandidates candidates = circuit_candidates(task);
+      for (std::size_t i = 0; i < candidates.list.size(); i += 1 + candidates.list.size() / 3) {
+        const std::optional<CircuitWay> way = candidates.exact(candidates.list[i]);
+        if (!way) continue;
+        ++ways;
+        const ElementCurve curve = way_curve(task, *way);
+        const FeltRange felt = felt_on(task, curve);
+        const auto speed = [&](std::size_t k) {
+          const double down = task.from.position.y - curve.points[k].position.y;
+          return std::sqrt(361 + (coasts ? 2 * 9.81 * down : 0));
+        };
+        const auto riders = [&](std::size_t k) { return curve.points[k].position + 1.1 * curve.points[k].up; };
+        FeltRange expected;
+        for (std::size_t k = 1; k + 1 < curve.points.size(); ++k) {
+          const auto& p = curve.points;
+          const double before = (p[k].s - p[k - 1].s) / (0.5 * (speed(k - 1) + speed(k))),
+                       after = (p[k + 1].s - p[k].s) / (0.5 * (speed(k) + speed(k + 1)));
+          const dvec3 change = (riders(k + 1) - riders(k)) / after - (riders(k) - riders(k - 1)) / before;
+          const dvec3 force = 2.0 * change / ((before + after) * 9.81) + dvec3(0, 1, 0);
+          const double up = glm::dot(force, p[k].up);
+          expected.most = std::max(expected.most, up), expected.least = std::min(expected.least, up);
+          expected.side = std::max(expected.side, std::abs(glm::dot(force, glm::cross(p[k].up, p[k].tangent))));
+        }
+        EXPECT_NEAR(felt.most, expected.most, 0.005);
+        EXPECT_NEAR(felt.least, expected.least, 0.005);
+        EXPECT_NEAR(felt.side, expected.side, 0.005);
+      }
+    }
+  EXPECT_GT(ways, 5);
+}
+
 // The rate at which `up` turns about the tangent between two points, by the least rotation from one to the other.
 double roll_rate(const ElementPoint& a, const ElementPoint& b) {
   const dvec3 carried = curve::least_rotation(a.tangent, b.tangent, a.up, a.up);

@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
 #include <limits>
 
 #include "base/portable_math.h"
@@ -68,6 +71,31 @@ TEST(force_elements, a_hill_floats_as_long_as_asked_is_level_in_the_middle_of_th
       EXPECT_NEAR(angle_of(oracle), 0, 0.01) << speed;
       EXPECT_NEAR(angle_of(led(task)), 0, 0.01) << speed;
     }
+}
+
+// Where the track rises already, less of the pull makes the middle level: how much less is told, if it is.
+TEST(force_elements, a_hill_tells_of_a_weaker_pull_and_of_no_other) {
+  int told = 0, silent = 0;
+  for (const double rise : {-6.0, 0.0, 8.0, 14.0, 20.0, 26.0}) {
+    const ForceElement found = force_element(of(ElementKind::force_hill), at(30, rise), 0);
+    if (!found.refusal.empty()) continue;
+    const auto& keys = found.program.keys(ForceChannel::vertical);
+    ASSERT_GT(keys.size(), 4u);
+    const double first = keys[1].value;  // after the ramp from 1 g
+    const double pull = world::value_of(of(ElementKind::force_hill), "pull");
+    if (first > 0.98 * pull && first < 0.999 * pull) continue;  // told or not
+    ASSERT_EQ(found.lines.empty(), first >= 0.98 * pull) << rise << ": " << first;
+    if (found.lines.empty()) {
+      ++silent;
+      continue;
+    }
+    ++told;
+    char words[80];
+    std::snprintf(words, sizeof words, "Reduced pull from %.1f g to %.1f g at the start", pull, first);
+    EXPECT_EQ(found.lines[0].find(words), 0u) << found.lines[0];
+  }
+  EXPECT_GT(told, 1);
+  EXPECT_GT(silent, 0);
 }
 
 TEST(force_elements, from_a_level_start_a_hill_returns_to_its_height) {

@@ -81,6 +81,26 @@ TEST(force_quantity, keys_of_either_quantity_stay_in_place_on_the_other_axis) {
   }
 }
 
+// On a level straight the train keeps its speed, so that places are times of the speed, also those of keys beyond the
+// end of the path.
+TEST(force_quantity, keys_beyond_the_end_move_at_the_last_speed) {
+  for (const ForceOver over : {ForceOver::distance, ForceOver::time}) {
+    ForceTask task;
+    task.end.position = {3, 40, -7}, task.end.forward = {0.6, 0, 0.8};
+    world::ForceProgram program;
+    program.over = over, program.speed = 8, program.length = over == ForceOver::time ? 3 : 24;
+    const double unit = over == ForceOver::time ? 8 : 1.0 / 8;
+    for (const double share : {0.0, 0.5, 1.0, 1.5})
+      program.keys(ForceChannel::vertical).push_back({share * program.length, 1});
+    const ForcePlan plan = planned(task, program);
+    ASSERT_EQ(plan.refusal, "");
+    const world::ForceProgram other = over_other_axis(plan);
+    EXPECT_NEAR(other.length, program.length * unit, 1e-6);
+    for (std::size_t k = 0; k < 4; ++k)
+      EXPECT_NEAR(other.channels[0].at(k).at, program.channels[0][k].at * unit, 1e-6) << k;
+  }
+}
+
 TEST(force_quantity, the_track_has_the_curvature_and_the_angle_of_the_keys) {
   test::RandomCurvature random(14);
   const ForcePlan plan = plan_force(random.next(90));

@@ -64,6 +64,33 @@ TEST(force_turns, a_turn_has_its_angle_ends_level_and_upright_and_holds_its_g) {
     }
 }
 
+// The vertical keys are 1 + s (1 / cos b - 1) of the bank b, with s so that it is the turn's g at the full bank. Their
+// slopes are its derivative, where the bank turns as the roll channel says.
+TEST(force_turns, the_keys_of_a_roll_out_follow_the_bank_and_so_do_their_slopes) {
+  for (const bool right : {false, true}) {
+    const ForceTask task = made(ElementKind::force_turn, right, 27, 0, "angle", 90);
+    const auto &vertical = task.program.keys(ForceChannel::vertical), &roll = task.program.keys(ForceChannel::roll);
+    const double g = vertical[vertical.size() / 2].value, bank = std::acos(1 / g);
+    ASSERT_NEAR(g, 2.5, 1e-6);
+    // The angle that is left to the end, by the trapezoidal rule.
+    const auto left_at = [&](double from) {
+      constexpr int kSteps = 2000;
+      double sum = 0;
+      for (int i = 0; i < kSteps; ++i)
+        sum += static_cast<double>(
+            test::ForceOracle::of_keys(roll, 0, from + (i + 0.5L) * (task.program.length - from) / kSteps));
+      return std::abs(sum) * (task.program.length - from) / kSteps;
+    };
+    const double full = left_at(roll[3].at);
+    for (std::size_t i = vertical.size() - 5; i < vertical.size(); ++i) {
+      const double at = vertical[i].at, share = left_at(at) / full, angle = share * bank,
+                   rate = std::abs(static_cast<double>(test::ForceOracle::of_keys(roll, 0, at))) / full * bank;
+      EXPECT_NEAR(vertical[i].value, 1 + (g - 1) / (1 / std::cos(bank) - 1) * (1 / std::cos(angle) - 1), 0.01) << i;
+      EXPECT_NEAR(vertical[i].slope, -std::sin(angle) / (std::cos(angle) * std::cos(angle)) * rate, 0.02) << i;
+    }
+  }
+}
+
 TEST(force_turns, a_heartline_roll_keeps_the_riders_on_a_straight_line) {
   for (const double riders : {0.0, 1.1})
     for (const bool right : {false, true}) {

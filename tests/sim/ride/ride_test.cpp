@@ -44,6 +44,13 @@ world::Document with_cart(world::Document d, std::size_t segment, double fractio
   return d;
 }
 
+TEST(ride, its_reference_is_the_energy_and_the_kinetic_energy_of_the_start) {
+  Ride ride(with_cart(test::ring_document(12, 20.3), 4, 0.37), 14.3);
+  EXPECT_NEAR(ride.cart().peak_kinetic, 0.5 * 14.3 * 14.3, 1e-5);
+  EXPECT_NEAR(ride.cart().reference_energy, ride.energy_by_hand(ride.cart()), 1e-4);
+  EXPECT_EQ(ride.cart().work, 0);
+}
+
 TEST(ride, ten_laps_of_a_closed_track_keep_the_energy) {
   Ride ride(with_cart(test::ring_document(12, 20.3), 4, 0.37), 14.3);
   const double before = ride.energy_by_hand(ride.cart());

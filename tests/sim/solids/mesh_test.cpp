@@ -31,6 +31,7 @@ std::vector<Ring> straight_rings(double length) {
 void expect_solid(const Mesh& mesh, Part part, double expected, double tolerance) {
   EXPECT_TRUE(test::finite(mesh));
   EXPECT_EQ(open_edges(mesh), 0);
+  EXPECT_EQ(test::inside_out(mesh, mesh.indices), 0);
   EXPECT_EQ(wrong_normals(mesh), 0);
   EXPECT_NEAR(volume(mesh, part), expected, tolerance);
 }

@@ -3,7 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 #include <tuple>
+#include <utility>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -14,6 +17,7 @@ namespace coaster::sim {
 namespace track_mesh_test {
 
 using test::finite;
+using test::inside_out;
 using test::open_edges;
 using test::volume;
 using test::wrong_normals;
@@ -33,10 +37,34 @@ TEST(track_mesh, tubes_enclose_the_volume_of_prisms) {
   EXPECT_NEAR(volume(mesh, Part::rail), 2 * octagon * kRailRadius * kRailRadius * length, 1e-4 * length);
   const double dodecagon = 6 * std::sin(M_PI / 6);
   EXPECT_NEAR(volume(mesh, Part::spine), dodecagon * kSpineRadius * kSpineRadius * length, 1e-4 * length);
-  EXPECT_GT(volume(mesh, Part::tie), 0);
+  EXPECT_EQ(inside_out(mesh, mesh.indices), 0);
+  EXPECT_EQ(inside_out(mesh, mesh.coarse), 0);
   EXPECT_EQ(wrong_normals(mesh), 0);
   EXPECT_EQ(open_edges(mesh), 0);
   EXPECT_EQ(open_edges(mesh, mesh.coarse), 0);
+}
+
+// Each arm goes from its rail to the spine's upper side and widens from 12 to 30 cm: a trapezium times its thickness.
+TEST(track_mesh, every_tie_has_two_arms_from_rail_to_spine_that_mirror_each_other) {
+  const Derived derived = test::derived_of(test::straight_document({1.7f, 14.3f, 2.1f}, {25.7f, 14.3f, 20.1f}));
+  const Mesh mesh = swept(derived.shape(derived.order[0]));
+  std::map<std::pair<float, bool>, std::vector<glm::dvec2>> arms;  // (left, up) of the corners by place and side
+  for (const MeshVertex& v : mesh.vertices) {
+    if (v.part != static_cast<float>(Part::tie)) continue;
+    const glm::dvec3 p = glm::dvec3(v.position) - glm::dvec3(1.7, 14.3, 2.1);
+    arms[{v.along, 0.6 * p.x - 0.8 * p.z > 0}].push_back({0.6 * p.x - 0.8 * p.z, p.y});
+  }
+  ASSERT_GT(arms.size(), 1u);
+  const double reach = std::hypot(0.5 * kGauge - 0.06, kSpineDrop - 0.04), sum = (0.12 + 0.30) / 2 * reach;
+  EXPECT_NEAR(volume(mesh, Part::tie), static_cast<double>(arms.size()) * sum * 2 * kHalfTie, 1e-5);
+  for (const auto& [place, corners] : arms) {
+    const auto other = arms.find({place.first, !place.second});
+    ASSERT_NE(other, arms.end());
+    for (const glm::dvec2 corner : corners)
+      EXPECT_TRUE(std::any_of(other->second.begin(), other->second.end(),
+                              [&](glm::dvec2 c) { return glm::distance(c, glm::dvec2(-corner.x, corner.y)) < 1e-5; }))
+          << corner.x << ' ' << corner.y;
+  }
 }
 
 TEST(track_mesh, normals_of_bent_track_point_outwards) {
@@ -264,6 +292,8 @@ TEST(fittings, are_closed_solids_that_face_outwards) {
       EXPECT_TRUE(finite(mesh));
       EXPECT_EQ(open_edges(mesh), 0) << static_cast<int>(kind);
       EXPECT_EQ(open_edges(mesh, mesh.coarse), 0);
+      EXPECT_EQ(inside_out(mesh, mesh.indices), 0) << static_cast<int>(kind);
+      EXPECT_EQ(inside_out(mesh, mesh.coarse), 0) << static_cast<int>(kind);
       EXPECT_EQ(wrong_normals(mesh), 0);
       EXPECT_LT(mesh.coarse.size(), mesh.indices.size());
     }

@@ -1,6 +1,8 @@
 #include "sim/solids/train_mesh.h"
 
+#include <cmath>
 #include <set>
+#include <utility>
 
 #include <gtest/gtest.h>
 
@@ -32,6 +34,7 @@ TEST(train_mesh, cars_are_closed_and_face_outwards) {
     EXPECT_TRUE(test::finite(mesh));
     EXPECT_EQ(test::wrong_normals(mesh), 0);
     EXPECT_EQ(test::open_edges(mesh), 0);
+    EXPECT_EQ(test::inside_out(mesh, mesh.indices), 0);
   }
   for (const bool leading : {true, false})
     for (const Part part : {Part::wheel, Part::seat, Part::skin}) EXPECT_GT(volume(car_mesh(leading), part), 0);

@@ -2,7 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <random>
+#include <utility>
+#include <vector>
 
 namespace coaster::sim {
 namespace envelope_test {
@@ -83,7 +87,9 @@ TEST(envelope, finds_the_same_red_moments_as_brute_force) {
     const Envelope& envelope = default_envelope();
     const std::vector<float> values = pressed(ghost, 0, ForceAxis::down, envelope.cutoff);
     std::vector<bool> expected(values.size(), false), found(values.size(), false);
-    for (const float level : values) {
+    std::vector<double> excess(values.size(), 0.0), allowed(values.size(), 0.0);
+    for (std::size_t own = 0; own < values.size(); ++own) {
+      const float level = values[own];
       for (std::size_t i = 0; i < values.size();) {
         if (values[i] < level) {
           ++i;
@@ -95,14 +101,25 @@ TEST(envelope, finds_the_same_red_moments_as_brute_force) {
         if (seconds >= envelope.shortest && level > limit(envelope.curves[0], seconds))
           std::fill(expected.begin() + static_cast<std::ptrdiff_t>(i),
                     expected.begin() + static_cast<std::ptrdiff_t>(j) + 1, true);
+        if (i <= own && own <= j && seconds >= envelope.shortest)
+          allowed[own] = limit(envelope.curves[0], seconds), excess[own] = std::max(0.0, level - allowed[own]);
         i = j + 1;
       }
     }
-    for (const RedSpan& span : red_spans(ghost, envelope))
-      if (span.axis == ForceAxis::down)
-        for (auto k = static_cast<std::size_t>(span.from * 60 + 0.5); k <= static_cast<std::size_t>(span.to * 60 + 0.5);
-             ++k)
-          found[k] = true;
+    for (const RedSpan& span : red_spans(ghost, envelope)) {
+      if (span.axis != ForceAxis::down) continue;
+      const auto place = [](double seconds) { return static_cast<std::size_t>(seconds * 60 + 0.5); };
+      std::size_t worst = place(span.from);
+      for (std::size_t k = place(span.from); k <= place(span.to); ++k) {
+        found[k] = true;
+        if (excess[k] > excess[worst]) worst = k;
+      }
+      EXPECT_EQ(place(span.at), worst) << trial;
+      EXPECT_EQ(span.worst, static_cast<double>(values[worst])) << trial;
+      EXPECT_EQ(span.allowed, allowed[worst]) << trial;
+      EXPECT_NEAR(span.from_distance, 10 * span.from, 1e-6);
+      EXPECT_NEAR(span.to_distance, 10 * span.to, 1e-6);
+    }
     EXPECT_EQ(found, expected) << trial;
   }
 }

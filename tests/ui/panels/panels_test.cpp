@@ -187,6 +187,23 @@ TEST_F(PanelsTest, a_new_hint_of_a_challenge_comes_into_sight) {
   }
 }
 
+TEST_F(PanelsTest, the_hint_button_tells_how_many_are_left) {
+  const std::string path = COASTER_SOURCE_DIR "/challenges/01_first_hill.json";
+  ASSERT_TRUE(edit::apply(session_, files_, edit::StartChallenge{path}));
+  ASSERT_TRUE(edit::apply(session_, files_, edit::Set<&world::Panels::workspace>{world::Workspace::build}));
+  resize(1280, 720);
+  const auto all_hints = static_cast<int>(session_.game.challenge->file.hints.size());
+  ASSERT_GT(all_hints, 1);
+  for (int left = all_hints; left >= 0; --left) {
+    EXPECT_EQ(find("Challenge/Hint")->enabled, left > 0) << left;
+    const std::string words = words_over("Challenge/Hint");
+    EXPECT_NE(words.find(left > 0 ? std::to_string(left) + " left." : "No more hints."), std::string::npos) << words;
+    hover({640, 300});
+    if (left > 0) click("Challenge/Hint");
+    frames(4);
+  }
+}
+
 TEST_F(PanelsTest, insert_point_needs_a_segment_and_splits_it_at_the_picked_place) {
   frames(2);
   EXPECT_FALSE(find("Track/Insert point")->enabled);

@@ -3,7 +3,12 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
+#include <string>
+#include <utility>
+#include <vector>
 
 namespace coaster::ui {
 namespace plot_ticks_test {
@@ -141,6 +146,33 @@ TEST(plot_ticks, significant_digits_are_as_many_as_asked) {
   EXPECT_EQ(significant(0.0123456, 3), "0.0123");
   EXPECT_EQ(significant(999999.4, 3), "999999");
   EXPECT_EQ(significant(1.5e-7, 3, false), "1.5e-7");
+}
+
+TEST(plot_ticks, negative_numbers_read_as_their_opposites_with_a_minus) {
+  for (const double value : {123.456, 0.0123456, 999999.4, 1e6, 1.5e-7, 1e-4, 0.99e-4, 1.0, 2e9})
+    for (const int digits : {1, 3, 6})
+      for (const bool pretty : {true, false})
+        EXPECT_EQ(significant(-value, digits, pretty), "-" + significant(value, digits, pretty)) << value;
+  EXPECT_EQ(significant(-kInfinity, 3), "-\u221E");
+  for (const auto& [low, high] : {std::pair{0.0, 1.0}, {97.3, 212.9}, {0.0, 4.1e-7}, {1e6, 9e6}, {0.5, 7.5}}) {
+    std::vector<std::string> mirrored = texts(linear(-high, -low), 5);
+    std::reverse(mirrored.begin(), mirrored.end());
+    for (std::string& text : mirrored)
+      if (text != "0") text = text.substr(text[0] == '-' ? 1 : 0);
+    EXPECT_EQ(mirrored, texts(linear(low, high), 5));
+  }
+}
+
+TEST(plot_ticks, limits_between_the_ways_to_write_a_number) {
+  EXPECT_EQ(significant(1e-4, 3, false), "0.000100");
+  EXPECT_EQ(significant(0.99e-4, 3, false), "9.9e-5");
+  EXPECT_EQ(significant(1e6, 3, false), "1e6");
+  EXPECT_EQ(significant(999'999, 3, false), "999999");
+  EXPECT_EQ(texts(logarithmic(0.01, 1000), 6), (std::vector<std::string>{"0.01", "0.1", "1", "10", "100", "1000"}));
+  EXPECT_EQ(texts(logarithmic(0.001, 1e4), 8),
+            (std::vector<std::string>{"1e-3", "0.01", "0.1", "1", "10", "100", "1000", "1e4"}));
+  EXPECT_EQ(texts(linear(0, 8e5), 4).back(), "500000");
+  EXPECT_EQ(texts(linear(0, 2e6), 4).back(), "2e6");
 }
 
 }  // namespace plot_ticks_test

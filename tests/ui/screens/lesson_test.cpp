@@ -62,5 +62,22 @@ TEST_F(LessonTest, a_lesson_opens_the_panel_of_its_widget_and_scrolls_to_it) {
   EXPECT_EQ(find("Shape/Close"), nullptr) << "the user may close it again";
 }
 
+// The buttons end where the text does, so that they stay in place from lesson to lesson.
+TEST_F(LessonTest, its_buttons_are_at_the_right_of_the_card) {
+  for (const auto& [width, height] : {std::pair{1280, 720}, {1920, 1080}}) {
+    resize(width, height);
+    const query::LessonCard card{"Click Close.", "Shape/Close", 1, 2};
+    lesson_ = &card;
+    frames(14);
+    const view::Viewport scene = host_->view().viewport;
+    const float right = std::floor(scene.x + 0.5f * scene.width) + std::min(430.0f, scene.width - 16) / 2 - 16;
+    const Widget &show = *find("Lesson/Show me"), &leave = *find("Lesson/Leave");
+    EXPECT_NEAR(leave.x + leave.width, right, 2) << width;
+    EXPECT_GT(leave.x, show.x + show.width);
+    EXPECT_EQ(leave.y, show.y);
+    EXPECT_GT(find("Lesson/Text")->y, show.y + show.height);
+  }
+}
+
 }  // namespace lesson_test
 }  // namespace coaster::ui

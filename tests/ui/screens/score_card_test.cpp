@@ -51,6 +51,26 @@ TEST_F(ScoreCardTest, the_card_shows_the_ghosts_numbers_and_closes_by_key) {
   EXPECT_FALSE(session_.game.show_result);
 }
 
+// The numbers are of a whole ride, also where the ride itself was not one.
+TEST_F(ScoreCardTest, details_say_so_when_track_or_train_changed_during_the_ride) {
+  resize(1280, 720);
+  end_a_ride();
+  click("Score/Details");
+  for (const bool whole : {true, false}) {
+    session_.game.result->whole = whole;
+    frames(2);
+    ASSERT_NE(find("Score/Nausea"), nullptr);
+    ASSERT_EQ(find("Score/Note") == nullptr, whole);
+  }
+  EXPECT_NE(find("Score/Note")->value.find("changed during the ride"), std::string::npos);
+  const sim::Ratings& r = session_.game.result->ratings;
+  EXPECT_EQ(find("Score/Highest drop")->value, fixed(r.highest_drop, 1) + " m");
+  EXPECT_EQ(find("Score/Lateral g")->value, fixed(r.side_most.value, 2) + " g");
+  EXPECT_EQ(find("Score/Inversions")->value, std::to_string(r.inversions));
+  EXPECT_EQ(find("Score/Intensity")->value, fixed(r.intensity, 1));
+  EXPECT_EQ(find("Score/Nausea")->value, fixed(r.nausea, 1));
+}
+
 TEST_F(ScoreCardTest, the_card_stays_within_the_viewport_and_gives_way_where_there_is_none) {
   end_a_ride();
   for (const glm::ivec2 size : {glm::ivec2{1280, 720}, {1920, 1080}, {900, 500}}) {

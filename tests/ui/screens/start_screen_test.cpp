@@ -1,11 +1,19 @@
 // The cards of the start screen.
 #include "ui/screens/start_screen.h"
 
+#include <imgui.h>
+#include <imgui_internal.h>
+
+#include <algorithm>
 #include <fstream>
+#include <string>
+#include <string_view>
+#include <vector>
 
 #include "base/scratch_folder.h"
 #include "edit/commands/commands_session.h"
 #include "ui/stage.h"
+#include "ui/widgets/theme.h"
 
 namespace coaster::ui {
 namespace start_screen_test {
@@ -90,6 +98,67 @@ TEST_F(StartScreenTest, a_search_of_actions_returns_to_the_track) {
   frames(2);
   EXPECT_NE(find("Palette/Text"), nullptr);
   EXPECT_EQ(find("Start/New track"), nullptr);
+}
+
+// Four in a row, of one size and one distance, the rows of all groups below one another.
+TEST_F(StartScreenTest, cards_are_in_rows_of_four_within_the_page) {
+  const test::ScratchFolder scratch;
+  user_.emplace();
+  for (const char* const name : {"one", "two", "three", "four", "five", "six"}) {
+    const std::string path = (scratch.path() / (std::string(name) + ".json")).string();
+    std::ofstream(path) << "{}";
+    user_->settings.recent.push_back(path);
+  }
+  for (const auto& [width, height] : {std::pair{1280, 720}, {1920, 1080}}) {
+    resize(width, height);
+    host_->show_start();
+    frames(3);
+    float least = 1e9f, wide = 0, gap = 0;
+    for (const char* const group : {"Start/Recent/", "Start/Samples/", "Start/Challenges/"}) {
+      std::vector<Widget> cards;
+      for (const Widget& w : host_->widgets())
+        if (w.path.starts_with(group)) cards.push_back(w);
+      ASSERT_GE(cards.size(), 4u) << group;
+      if (std::string(group) == "Start/Recent/") {
+        EXPECT_EQ(cards.size(), 4u) << "the newest alone";
+        least = cards[0].x, wide = cards[0].width, gap = cards[1].x - cards[0].x - wide;
+        EXPECT_GT(gap, 4);
+        EXPECT_LT(gap, 0.2f * wide);
+      }
+      for (std::size_t i = 0; i < cards.size(); ++i) {
+        EXPECT_NEAR(cards[i].x, least + static_cast<float>(i % 4) * (wide + gap), 0.6f) << cards[i].path;
+        EXPECT_EQ(cards[i].width, wide);
+        EXPECT_EQ(cards[i].y, cards[i - i % 4].y) << cards[i].path;
+        EXPECT_NEAR(cards[i].height, wide * 9 / 16 + 1.4f * 14, 8) << "a picture and a line";
+        if (i >= 4) {
+          EXPECT_GT(cards[i].y, cards[i - 4].y + cards[i - 4].height) << cards[i].path;
+        }
+      }
+    }
+    EXPECT_LT(least + 4 * wide + 3 * gap, static_cast<float>(width));
+    const Widget& choice = *find("Start/Continue");
+    EXPECT_LT(choice.x + choice.width, least);
+  }
+}
+
+// Between the words under the title and the first choice is more room than between two choices.
+TEST_F(StartScreenTest, the_title_stands_apart_where_it_has_room) {
+  const auto title_room = [&](int height) {  // the headings of the pictures begin at the top
+    resize(1280, height);
+    host_->show_start();
+    frames(3);
+    return find("Start/Continue")->y - find("Start/Samples")->y;
+  };
+  EXPECT_GT(title_room(720), 64 + 36 + 17);
+  const Widget &first = *find("Start/Continue"), &second = *find("Start/New track");
+  float words = 0;
+  for (const ImGuiWindow* const window : ImGui::GetCurrentContext()->Windows)
+    if (std::string_view(window->Name).find("##choices") != std::string_view::npos)
+      for (const ImDrawVert& v : window->DrawList->VtxBuffer)
+        if (((v.col ^ packed(palette().dim)) & 0xffffffu) == 0 && v.pos.y < first.y) words = std::max(words, v.pos.y);
+  ASSERT_GT(words, 0);
+  EXPECT_GT(first.y - words, 1.5f * (second.y - first.y - first.height));
+  EXPECT_LT(title_room(340), 10) << "there is no room for it";
 }
 
 }  // namespace start_screen_test

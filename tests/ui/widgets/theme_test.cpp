@@ -38,6 +38,16 @@ INSTANTIATE_TEST_SUITE_P(all, themes,
                          testing::Values(world::Theme::dark, world::Theme::light, world::Theme::high_contrast),
                          [](const auto& of) { return std::string(base::name_of(of.param)); });
 
+TEST(themes, what_is_disabled_is_about_half_as_strong) {
+  ImGuiContext* const context = ImGui::CreateContext();
+  for (const world::Theme theme : {world::Theme::dark, world::Theme::light, world::Theme::high_contrast}) {
+    apply_theme(palette_of(theme), 1);
+    EXPECT_GT(ImGui::GetStyle().DisabledAlpha, 0.35f);
+    EXPECT_LT(ImGui::GetStyle().DisabledAlpha, 0.65f);
+  }
+  ImGui::DestroyContext(context);
+}
+
 TEST(ink, colours_of_data_can_be_told_from_the_ground_of_light_plots_and_stay_as_they_are_on_dark_ones) {
   ImGuiContext* const context = ImGui::CreateContext();
   for (const world::Theme theme : {world::Theme::dark, world::Theme::light, world::Theme::high_contrast}) {

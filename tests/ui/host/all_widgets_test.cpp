@@ -1,0 +1,462 @@
+// Rules for the widgets of all panels, pages and screens together.
+#include <gtest/gtest.h>
+
+#include <imgui.h>
+#include <imgui_internal.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <functional>
+#include <map>
+#include <set>
+#include <sstream>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "base/scratch_folder.h"
+#include "edit/commands/commands_challenge.h"
+#include "edit/commands/commands_document.h"
+#include "edit/commands/commands_elements.h"
+#include "edit/commands/commands_force.h"
+#include "edit/commands/commands_session.h"
+#include "edit/commands/set_setting.h"
+#include "ui/stage.h"
+#include "ui/widgets/theme.h"
+#include "world/aids.h"
+#include "world/camera_feel.h"
+#include "world/lab_view.h"
+#include "world/look.h"
+#include "world/panels.h"
+
+namespace coaster::ui {
+namespace all_widgets_test {
+
+using world::Workspace;
+
+class AllWidgetsTest : public Stage {
+ protected:
+  void SetUp() override {
+    Stage::SetUp();
+    good(edit::SetStartSpeed{18});
+    good(edit::AddForce{});
+    good(edit::PlaceElement{world::usual_element(world::ElementKind::straight)});
+    good(edit::StartChallenge{(std::filesystem::path(COASTER_SOURCE_DIR) / "challenges/01_first_hill.json").string()});
+  }
+  void good(const edit::Command& command) {
+    const base::Status status = edit::apply(session_, files_, command);
+    EXPECT_TRUE(status.ok()) << status.message;
+  }
+  template <auto Member>
+  void set(world::ValueOf<Member> to) {
+    good(edit::Set<Member>{to});
+  }
+
+  // Shows every panel, page and screen, one after the other.
+  void visit(const std::function<void(const std::string& where)>& look) {
+    const auto show = [&](const std::string& where) {
+      frames(3);
+      look(where);
+    };
+    for (const Workspace one : {Workspace::build, Workspace::ride, Workspace::laboratory, Workspace::all}) {
+      set<&world::Panels::workspace>(one);
+      const std::string where(base::name_of(one));
+      good(edit::Select{});
+      show(where);
+      for (const auto& [kind, number] :
+           {std::pair{world::Kind::knot, 2u}, {world::Kind::segment, 1u}, {world::Kind::section, 1u}}) {
+        if (!entity(kind, number).valid()) continue;
+        select(kind, number);
+        show(where + " with a selection");
+      }
+      set<&world::Aids::show_element>(true);
+      show(where + " with an element");
+      set<&world::Aids::show_element>(false);
+    }
+    set<&world::Panels::workspace>(Workspace::laboratory);
+    set<&world::Panels::show_laboratory>(true);
+    for (std::size_t page = 0; page < std::size(world::kLabPages); ++page) {
+      set<&world::LabView::page>(static_cast<world::LabPage>(page));
+      show("page " + std::string(world::kLabPages[page].label));
+    }
+    set<&world::Panels::show_laboratory>(false);
+    set<&world::Panels::workspace>(Workspace::all);
+    const query::LessonCard card{"Click Close, below the track's other commands.", "Shape/Close", 3, 9};
+    lesson_ = &card;
+    frames(12);
+    show("lesson");
+    lesson_ = nullptr;
+    user_.emplace();
+    host_->show_start();
+    show("start screen");
+    key(platform::Key::escape);
+    frames(2);
+    using platform::Key;
+    struct Dialog {
+      const char* name;
+      Key key;
+      platform::Modifiers with;
+    };
+    for (const Dialog& dialog : {Dialog{"Open", Key::o, {.ctrl = true}},
+                                 {"Save as", Key::s, {.shift = true, .ctrl = true}},
+                                 {"Challenges", Key::h, {.ctrl = true}},
+                                 {"Settings", Key::comma, {.ctrl = true}},
+                                 {"Palette", Key::p, {.ctrl = true}}}) {
+      session_.file.saved_hash = edit::find(session_, edit::Want::document_hash).document_hash;
+      const std::size_t before = host_->widgets().size();
+      key(dialog.key, dialog.with);
+      show(dialog.name);
+      EXPECT_GT(host_->widgets().size(), before) << dialog.name;
+      key(Key::escape);
+      frames(3);
+    }
+    std::vector<std::string> menus;
+    for (const Widget& w : host_->widgets())
+      if (w.kind == "menu" && w.path.starts_with("Menu/") && w.path.find('/', 5) == std::string::npos)
+        menus.push_back(w.path);
+    EXPECT_GT(menus.size(), 3u);
+    for (const std::string& menu : menus) {
+      click(menu);
+      show(menu);
+      key(Key::escape);
+      frames(3);
+    }
+  }
+  // The windows of the last frame that show.
+  static std::vector<const ImGuiWindow*> windows() {
+    std::vector<const ImGuiWindow*> found;
+    for (const ImGuiWindow* const window : ImGui::GetCurrentContext()->Windows)
+      if (window->Active && !window->Hidden) found.push_back(window);
+    return found;
+  }
+};
+
+TEST_F(AllWidgetsTest, kinds_and_states_are_those_that_scripts_know) {
+  const std::set<std::string> kinds{"button", "radio", "checkbox", "slider", "number", "text", "cell", "combo",
+                                    "header", "menu",  "item",     "label",  "plot",   "knob", "edge"};
+  std::set<std::string> seen;
+  visit([&](const std::string& where) {
+    for (const Widget& w : host_->widgets()) {
+      EXPECT_TRUE(kinds.contains(w.kind)) << w.path << " is a \"" << w.kind << "\", " << where;
+      seen.insert(w.kind);
+      if (w.kind == "radio" || w.kind == "checkbox") {
+        EXPECT_TRUE(w.value == "on" || w.value == "off") << w.path << ": " << w.value;
+      }
+      if (w.kind == "header") {
+        EXPECT_TRUE(w.value == "open" || w.value == "closed") << w.path << ": " << w.value;
+      }
+      EXPECT_GT(w.width, 0) << w.path << ", " << where;
+      EXPECT_GT(w.height, 0) << w.path << ", " << where;
+    }
+  });
+  for (const char* const kind :
+       {"button", "radio", "checkbox", "slider", "number", "text", "combo", "header", "menu", "label", "plot"})
+    EXPECT_TRUE(seen.contains(kind)) << kind;
+}
+
+// Every switch shows what a click made of it, and a second click takes it back.
+TEST_F(AllWidgetsTest, every_checkbox_toggles_and_every_radio_is_chosen_alone) {
+  std::set<std::string> tried;
+  int boxes = 0, radios = 0;
+  visit([&](const std::string& where) {
+    if (where == "start screen" || where == "lesson") return;
+    const std::vector<Widget> all = host_->widgets();
+    for (const Widget& w : all) {
+      const bool box = w.kind == "checkbox", radio = w.kind == "radio" && !w.path.starts_with("Menu/");
+      if ((!box && !radio) || !w.visible || w.covered || !w.enabled || !tried.insert(w.path).second) continue;
+      const auto value = [&] { return find(w.path) != nullptr ? find(w.path)->value : "gone"; };
+      const std::string before = value();
+      if (find(w.path) == nullptr || !find(w.path)->visible || find(w.path)->x != w.x || find(w.path)->y != w.y)
+        continue;          // an earlier click has moved it
+      std::string chosen;  // the radio that is on in the same rows
+      for (const Widget& other : all)
+        if (radio && other.kind == "radio" && other.value == "on" &&
+            other.path.substr(0, other.path.find('/')) == w.path.substr(0, w.path.find('/')))
+          chosen = other.path;
+      click_at(middle(w));
+      frames(2);
+      if (box) {
+        EXPECT_EQ(value(), before == "on" ? "off" : "on") << w.path << ", " << where;
+        if (find(w.path) == nullptr) continue;
+        click_at(middle(*find(w.path)));
+        frames(2);
+        EXPECT_EQ(value(), before) << w.path << ", " << where;
+        ++boxes;
+      } else {
+        EXPECT_EQ(value(), "on") << w.path << ", " << where;
+        if (const Widget* const former = find(chosen); former != nullptr && former->visible) click_at(middle(*former));
+        frames(2);
+        ++radios;
+      }
+    }
+  });
+  EXPECT_GT(boxes, 10);
+  EXPECT_GT(radios, 5);
+}
+
+// On a screen with twice as many pixels, everything is twice as large and at twice the distance, within the rounding of
+// text.
+TEST_F(AllWidgetsTest, at_twice_the_scale_everything_is_twice_as_large) {
+  using Places = std::map<std::string, std::map<std::string, Widget>>;
+  const auto places = [&] {
+    Places found;
+    visit([&](const std::string& where) {
+      for (const Widget& w : host_->widgets()) found[where].try_emplace(w.path, w);
+    });
+    return found;
+  };
+  resize(1280, 800);
+  const Places small = places();
+  restart();
+  set<&world::Look::ui_scale>(2.0f);
+  resize(2560, 1600);
+  const Places large = places();
+  int compared = 0;
+  for (const auto& [where, widgets] : small)
+    for (const auto& [path, a] : widgets) {
+      const auto other = large.at(where).find(path);
+      if (!a.visible || other == large.at(where).end()) continue;
+      const Widget& b = other->second;
+      ++compared;
+      EXPECT_NEAR(b.x, 2 * a.x, 12 + 0.02f * a.x) << path << ", " << where;
+      EXPECT_NEAR(b.y, 2 * a.y, 12 + 0.03f * a.y) << path << ", " << where;
+      EXPECT_NEAR(b.width, 2 * a.width, 8 + 0.06f * a.width) << path << ", " << where;
+      EXPECT_NEAR(b.height, 2 * a.height, 6 + 0.06f * a.height) << path << ", " << where;
+    }
+  EXPECT_GT(compared, 1000);
+}
+
+// The same for all that is drawn, by its colour: marks, icons, plots, frames and text.
+TEST_F(AllWidgetsTest, at_twice_the_scale_all_ink_is_twice_as_far_away) {
+  struct Box {
+    ImVec2 low{1e9f, 1e9f}, high{-1e9f, -1e9f};
+  };
+  using Ink = std::map<std::pair<std::string, ImU32>, Box>;
+  const auto inks = [&] {
+    std::map<std::string, Ink> found;
+    visit([&](const std::string& where) {
+      Ink& ink = found[where];
+      for (const ImGuiWindow* const window : windows())
+        for (const ImDrawVert& v : window->DrawList->VtxBuffer) {
+          if ((v.col >> IM_COL32_A_SHIFT) == 0) continue;
+          Box& box = ink[{window->Name, v.col}];
+          box.low = {std::min(box.low.x, v.pos.x), std::min(box.low.y, v.pos.y)};
+          box.high = {std::max(box.high.x, v.pos.x), std::max(box.high.y, v.pos.y)};
+        }
+    });
+    return found;
+  };
+  resize(1280, 800);
+  const auto small = inks();
+  restart();
+  set<&world::Look::ui_scale>(2.0f);
+  resize(2560, 1600);
+  const auto large = inks();
+  int compared = 0;
+  for (const auto& [where, ink] : small)
+    for (const auto& [key, a] : ink) {
+      const auto other = large.at(where).find(key);
+      if (other == large.at(where).end()) continue;
+      const Box& b = other->second;
+      ++compared;
+      std::ostringstream place;
+      place << std::hex << key.second << " in " << key.first << ", " << where;
+      const auto expect_twice = [words = place.str()](float one, float two, const char* edge) {
+        EXPECT_NEAR(two, 2 * one, 14 + 0.03f * std::abs(one)) << edge << " of " << words;
+      };
+      expect_twice(a.low.x, b.low.x, "left");
+      expect_twice(a.high.x, b.high.x, "right");
+      expect_twice(a.low.y, b.low.y, "top");
+      expect_twice(a.high.y, b.high.y, "foot");
+    }
+  EXPECT_GT(compared, 300);
+}
+
+// No character is drawn over another one of its window, and none is cut at the left or right.
+TEST_F(AllWidgetsTest, text_keeps_apart_and_within_its_window) {
+  int characters = 0;
+  visit([&](const std::string& where) {
+    for (const ImGuiWindow* const window : windows()) {
+      std::vector<std::pair<DrawnGlyph, ImVec4>> shown;
+      const std::vector<DrawnGlyph> all = drawn_glyphs(*window->DrawList);
+      for (const ImDrawCmd& command : window->DrawList->CmdBuffer) {
+        std::vector<char> drawn(static_cast<std::size_t>(window->DrawList->VtxBuffer.Size), 0);
+        for (unsigned i = 0; i < command.ElemCount; ++i)
+          drawn[window->DrawList->IdxBuffer[static_cast<int>(command.IdxOffset + i)]] = 1;
+        for (const DrawnGlyph& glyph : all) {
+          if (drawn[static_cast<std::size_t>(glyph.vertex)] == 0) continue;
+          const ImVec4& clip = command.ClipRect;
+          if (glyph.high.y < clip.y || glyph.low.y > clip.w) continue;  // scrolled out of sight
+          shown.emplace_back(glyph, clip);
+        }
+      }
+      std::stable_sort(shown.begin(), shown.end(),
+                       [](const auto& x, const auto& y) { return x.first.low.y < y.first.low.y; });
+      for (std::size_t i = 0; i < shown.size(); ++i) {
+        const auto& [g, clip] = shown[i];
+        ++characters;
+        EXPECT_TRUE(g.low.x > clip.x - 1.5f && g.high.x < clip.z + 1.5f)
+            << static_cast<char>(g.codepoint) << " is cut at " << g.low.x << ", " << g.low.y << " in " << window->Name
+            << ", " << where;
+        for (std::size_t k = i + 1; k < shown.size() && shown[k].first.low.y < g.high.y - 1.5f; ++k) {
+          const DrawnGlyph& h = shown[k].first;
+          const float wide = std::min(g.high.x, h.high.x) - std::max(g.low.x, h.low.x),
+                      high = std::min(g.high.y, h.high.y) - h.low.y;
+          EXPECT_FALSE(wide > 1.5f && high > 1.5f)
+              << static_cast<char>(g.codepoint) << " over " << static_cast<char>(h.codepoint) << " at " << g.low.x
+              << ", " << g.low.y << " in " << window->Name << ", " << where;
+        }
+      }
+    }
+  });
+  EXPECT_GT(characters, 10'000);
+}
+
+// Nothing is drawn where it cannot be seen, but for what scrolls, plots, and lists that are cut.
+TEST_F(AllWidgetsTest, what_is_drawn_can_be_seen) {
+  visit([&](const std::string& where) {
+    for (const ImGuiWindow* const window : windows()) {
+      bool scrolls = false;
+      for (const ImGuiWindow* w = window; w != nullptr; w = w->ParentWindow)
+        scrolls = scrolls || w->ScrollMax.x > 0 || w->ScrollMax.y > 0;
+      if (scrolls) continue;
+      const ImDrawList& list = *window->DrawList;
+      for (const ImDrawCmd& command : list.CmdBuffer)
+        for (unsigned i = 0; i + 2 < command.ElemCount; i += 3) {
+          ImVec2 low(1e9f, 1e9f), high(-1e9f, -1e9f);
+          unsigned alpha = 0;
+          for (unsigned k = 0; k < 3; ++k) {
+            const ImDrawVert& v = list.VtxBuffer[list.IdxBuffer[static_cast<int>(command.IdxOffset + i + k)]];
+            low = {std::min(low.x, v.pos.x), std::min(low.y, v.pos.y)};
+            high = {std::max(high.x, v.pos.x), std::max(high.y, v.pos.y)};
+            alpha = std::max(alpha, v.col >> IM_COL32_A_SHIFT);
+          }
+          if (alpha == 0) continue;
+          const ImVec4& clip = command.ClipRect;
+          EXPECT_TRUE(high.x > clip.x - 1 && low.x < clip.z + 1 && high.y > clip.y - 1 && low.y < clip.w)
+              << low.x << ", " << low.y << " to " << high.x << ", " << high.y << " in " << window->Name << ", "
+              << where;
+        }
+    }
+  });
+}
+
+// What a button, a switch or a line of a list is called, or its value, is written on it.
+TEST_F(AllWidgetsTest, names_are_written_where_the_widgets_are) {
+  int named = 0;
+  visit([&](const std::string& where) {
+    std::vector<DrawnGlyph> all;
+    for (const ImGuiWindow* const window : windows())
+      for (const DrawnGlyph& glyph : drawn_glyphs(*window->DrawList)) all.push_back(glyph);
+    for (const Widget& w : host_->widgets()) {
+      if (!w.visible || w.covered || (w.kind != "button" && w.kind != "radio" && w.kind != "checkbox")) continue;
+      // Samples are named once their pictures are there, and keys are not always set.
+      if (w.path.starts_with("Start/Samples/") || w.path.starts_with("Settings/Keys/")) continue;
+      std::string words;
+      for (const DrawnGlyph& g : all) {
+        const float x = (g.low.x + g.high.x) / 2, y = (g.low.y + g.high.y) / 2;
+        if (x > w.x && x < w.x + w.width && y > w.y && y < w.y + w.height)
+          words += g.codepoint < 128 ? static_cast<char>(g.codepoint) : '?';
+      }
+      std::string name = w.path.substr(w.path.rfind('/') + 1);
+      std::erase(name, ' ');
+      std::string value = w.value;
+      std::erase(value, ' ');
+      if (words.empty() && w.kind == "button" && w.width < 60) continue;  // an icon
+      ++named;
+      EXPECT_TRUE(words.find(name.substr(0, 5)) != std::string::npos ||
+                  (!value.empty() && words.find(value.substr(0, 5)) != std::string::npos))
+          << w.path << " has the words " << words << ", " << where;
+    }
+  });
+  EXPECT_GT(named, 500);
+}
+
+// The chosen tab alone has a line in the colour of the accent, along its foot.
+TEST_F(AllWidgetsTest, the_tab_of_the_workspace_is_underlined) {
+  for (const Workspace one : {Workspace::build, Workspace::ride, Workspace::laboratory}) {
+    set<&world::Panels::workspace>(one);
+    frames(3);
+    for (const Widget& w : host_->widgets()) {
+      if (!w.path.starts_with("Menu/Workspace/")) continue;
+      int at_foot = 0, elsewhere = 0;
+      for (const ImGuiWindow* const window : windows())
+        for (const ImDrawVert& v : window->DrawList->VtxBuffer) {
+          if (v.col != packed(palette().accent) || v.pos.x < w.x || v.pos.x > w.x + w.width ||
+              v.pos.y > w.y + w.height + 9)
+            continue;
+          const float over = w.y + w.height - v.pos.y;
+          (over >= 0 && over < 4 ? at_foot : elsewhere) += 1;
+        }
+      EXPECT_EQ(at_foot >= 4, w.value == "on") << w.path;
+      EXPECT_TRUE(w.value != "on" || elsewhere == 0) << w.path;
+    }
+  }
+}
+
+// With reduced motion nothing moves by the clock alone.
+TEST_F(AllWidgetsTest, with_reduced_motion_a_still_picture_stays_still) {
+  set<&world::CameraFeel::reduced_motion>(true);
+  const auto ink = [] {
+    std::vector<float> all;
+    const ImDrawData& data = *ImGui::GetDrawData();
+    for (int i = 0; i < data.CmdListsCount; ++i)
+      for (const ImDrawVert& v : data.CmdLists[i]->VtxBuffer)
+        all.insert(all.end(), {v.pos.x, v.pos.y, static_cast<float>(v.col)});
+    return all;
+  };
+  visit([&](const std::string& where) {
+    frames(14);  // a dialog darkens what is behind it
+    const std::vector<float> before = ink();
+    frames(11);
+    EXPECT_TRUE(ink() == before) << where;
+  });
+}
+
+// Labels and fields of a panel begin at one left edge, or to the right of another widget in their row; those that take
+// the rest of a row end at one right edge.
+TEST_F(AllWidgetsTest, rows_of_a_panel_are_aligned) {
+  visit([&](const std::string& where) {
+    std::map<std::string, std::vector<Widget>> panels;
+    for (const Widget& w : host_->widgets())
+      if (w.visible && (w.kind == "number" || w.kind == "slider" || w.kind == "combo"))
+        panels[w.path.substr(0, w.path.find('/'))].push_back(w);
+    for (const auto& [panel, widgets] : panels) {
+      if (panel == "Laboratory" || panel == "Ride" || panel == "Status" || panel == "Menu" || panel == "Sections")
+        continue;
+      float right = 0;
+      for (const Widget& w : widgets) right = std::max(right, w.x + w.width);
+      for (const Widget& w : widgets) {
+        const bool row_goes_on = std::any_of(widgets.begin(), widgets.end(), [&](const Widget& other) {
+          return std::abs(other.y - w.y) < 2 && other.x > w.x + w.width - 1;
+        });
+        EXPECT_TRUE(row_goes_on || std::abs(w.x + w.width - right) < 1.5f)
+            << w.path << " ends at " << w.x + w.width << ", others at " << right << ", " << where;
+      }
+    }
+  });
+}
+
+// Pages with settings beside their pictures begin where the strip's other pages do.
+TEST_F(AllWidgetsTest, pages_of_the_laboratory_begin_at_one_edge) {
+  set<&world::Panels::workspace>(Workspace::laboratory);
+  set<&world::Panels::show_laboratory>(true);
+  select(world::Kind::segment, 1);
+  std::map<std::string, float> edges;
+  for (std::size_t page = 0; page < std::size(world::kLabPages); ++page) {
+    if (static_cast<world::LabPage>(page) == world::LabPage::errata) continue;  // a table
+    set<&world::LabView::page>(static_cast<world::LabPage>(page));
+    frames(3);
+    float bar = 0, left = 1e9f;
+    for (const Widget& w : host_->widgets())
+      if (w.path == "Laboratory") bar = w.y + w.height;
+    for (const Widget& w : host_->widgets())
+      if (w.path.starts_with("Laboratory/") && w.y > bar && w.kind != "edge") left = std::min(left, w.x);
+    edges[std::string(world::kLabPages[page].label)] = left;
+  }
+  for (const auto& [page, left] : edges) EXPECT_NEAR(left, edges.begin()->second, 1.01) << page;
+}
+
+}  // namespace all_widgets_test
+}  // namespace coaster::ui
