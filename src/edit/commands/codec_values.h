@@ -83,7 +83,7 @@ inline std::string usage_of(const KnotsOrSections&) { return "@knot,...|@knot..@
 inline std::string usage_of(const Phrase&) { return "WORDS"; }
 inline std::string usage_of(const CameraChange&) { return "[target X Y Z] [yaw A] [pitch B] [distance D]"; }
 inline std::string usage_of(const exchange::Import&) {
-  return "[up x|y|z] [scale METRES] [smooth METRES] [bank level|auto] [origin]";
+  return "[up x|y|z] [scale NUMBER] [smooth NUMBER] [bank level|auto] [origin]";
 }
 inline std::string usage_of(glm::vec3) { return "X Y Z"; }
 inline std::string usage_of(bool) { return "on|off"; }
