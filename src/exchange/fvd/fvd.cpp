@@ -25,7 +25,7 @@ constexpr double kKeyTolerance = 0.01, kRollTolerance = 1;  // g, deg/s
 constexpr double kFaster = 0.5;                             // m/s
 
 // The sections placed so far and their kinds.
-struct Import {
+struct FvdImport {
   const FvdTrack& track;
   LoadedTrack loaded;
   double speed = 0;  // m/s at the open end
@@ -88,7 +88,7 @@ world::ForceProgram program_of(const FvdSection& section, const FvdPath& path) {
 }
 
 // Adds a force section, or returns why there is none.
-std::string add_forced(Import& import, const FvdSection& section, const FvdPath& path) {
+std::string add_forced(FvdImport& import, const FvdSection& section, const FvdPath& path) {
   world::Document& document = import.loaded.document;
   world::ForceProgram program = program_of(section, path);
   program.speed = import.speed;
@@ -99,7 +99,7 @@ std::string add_forced(Import& import, const FvdSection& section, const FvdPath&
   return sim::stop_text(plan);
 }
 
-std::string add_shaped(Import& import, const FvdSection& section, FvdPath& path) {
+std::string add_shaped(FvdImport& import, const FvdSection& section, FvdPath& path) {
   world::Document& document = import.loaded.document;
   sim::merge_short_pieces(path.curve);
   const std::size_t before = document.track.segments.size();
@@ -115,7 +115,7 @@ std::string add_shaped(Import& import, const FvdSection& section, FvdPath& path)
   return path.stopped;
 }
 
-std::string add(Import& import, FvdSection section) {
+std::string add(FvdImport& import, FvdSection section) {
   const std::optional<sim::TrackEnd> end = sim::open_end(import.loaded.document);
   FvdPath path = fvd_path(import.track, section, {end->position, end->forward, end->up, import.speed});
   if (path.curve.points.size() < 2) return path.stopped;
@@ -138,7 +138,7 @@ std::string add(Import& import, FvdSection section) {
 base::Result<LoadedTrack> parse_fvd(std::string_view bytes, std::string_view name) {
   const base::Result<FvdTrack> track = read_fvd(bytes, name);
   if (!track) return track.status();
-  Import import{*track, {}, std::abs(track->speed)};
+  FvdImport import{*track, {}, std::abs(track->speed)};
   world::Document& document = import.loaded.document;
   const std::string title(base::utf8_start(track->name, world::kMaxNameBytes));
   document.name = title.empty() ? name_of_file(name) : title;

@@ -19,9 +19,9 @@ struct Rounded {
 };
 
 // The four cubic B-splines that are not 0 at x in [0, 1] of a part, and their derivatives by x.
-struct Basis {
+struct BSplines {
   std::array<double, 4> value, rate;
-  explicit Basis(double x) {
+  explicit BSplines(double x) {
     const double y = 1 - x;
     value = {y * y * y / 6, (x * x * (3 * x - 6) + 4) / 6, (y * y * (3 * y - 6) + 4) / 6, x * x * x / 6};
     rate = {-y * y / 2, x * (3 * x - 4) / 2, y * (4 - 3 * y) / 2, x * x / 2};
@@ -76,7 +76,7 @@ std::vector<Rounded> smoothest(std::span<const Rounded> rows, double step, doubl
     for (std::size_t i = 0; i < rows.size(); ++i) {
       const Rounded& row = rows[i];
       const std::size_t k = std::min(static_cast<std::size_t>(row.s / h), parts - 1);
-      const Basis basis(row.s / h - static_cast<double>(k));
+      const BSplines basis(row.s / h - static_cast<double>(k));
       if (round > 0) {
         found[i] = {row.s, dvec3(0), dvec3(0)};
         for (std::size_t m = 0; m < 4; ++m)
