@@ -61,6 +61,8 @@ class Driving {
   Drive drive_;
 };
 
+double dispatch_speed(const world::Equipment& e) { return std::max<double>(e.speed, kCreep); }
+
 // Pushes a train until it has the speed `to`, and keeps it from falling below.
 void push(const world::Equipment& e, double to, double speed, Driving& driving) {
   const int fast = driving.compare(speed, to, e);
@@ -104,7 +106,7 @@ double stopping_point(const EquipmentSpan& span, const TrainPlace& train) {
 void stop_and_go(const EquipmentSpan& span, double left, const TrainMoment& now, Driving& driving,
                  ControlState& state) {
   const world::Equipment& e = span.equipment;
-  const double push = e.acceleration, cruise = std::max<double>(e.speed, kCreep);
+  const double push = e.acceleration, cruise = dispatch_speed(e);
   const int fast = driving.compare(now.speed, cruise, e);
   if (state.dwell < 0) return driving.set(fast < 0 ? push : 0.0);
   const int moves = driving.compare(now.speed, 0, e);
@@ -119,15 +121,15 @@ void stop_and_go(const EquipmentSpan& span, double left, const TrainMoment& now,
   else driving.set(fast < 0 ? push : 0.0);
 }
 
-// What a piece does to a train now, in the order in which it is done: those that set the acceleration follow those that
-// add to it, and see the sum, so that no two take turns.
-enum class Role { add, keep, lift, dispatch, stop, none };
+// What a piece does to a train now, in the order in which it is done: those that keep a speed follow those that add to
+// the acceleration, and see the sum, so that no two take turns. The tyres that dispatch a train push beside a launch.
+enum class Role { dispatch, add, keep, lift, hold, stop, none };
 Role role_of(const Contact& contact, double speed, bool way_free, const ControlState& state, const Driving& driving) {
   const world::Equipment& e = contact.span->equipment;
   if (e.kind == EquipmentKind::lift) return Role::lift;
   if (stops(*contact.span)) {
     if (contact.front && (e.kind == EquipmentKind::station || !way_free || state.dwell > 0)) return Role::stop;
-    if (state.dwell < 0) return Role::dispatch;
+    if (state.dwell < 0) return driving.compare(speed, dispatch_speed(e), e) < 0 ? Role::dispatch : Role::hold;
   }
   const bool works = e.kind == EquipmentKind::launch ? driving.compare(speed, e.speed, e) <= 0
                                                      : brakes(*contact.span) && state.braking && !too_slow(e, speed);
@@ -196,12 +198,12 @@ Drive drive_of(const Contacts& contacts, const TrainPlace& train, const TrainMom
     const bool rests = contact.front && driving.compare(now.speed, 0, contact.span->equipment) == 0;
     if (contact.span->equipment.kind == EquipmentKind::block && rests && way_free && state.dwell == 0) state.dwell = -1;
   }
-  for (const Role role : {Role::add, Role::keep, Role::lift, Role::dispatch, Role::stop})
+  for (const Role role : {Role::dispatch, Role::add, Role::keep, Role::lift, Role::hold, Role::stop})
     for (const Contact& contact : contacts.on) {
       const world::Equipment& e = contact.span->equipment;
       if (role_of(contact, now.speed, way_free, state, driving) != role) continue;
       if (role == Role::lift) lift(e, now.speed, driving);
-      else if (role == Role::dispatch) push(e, std::max<double>(e.speed, kCreep), now.speed, driving);
+      else if (role == Role::dispatch || role == Role::hold) push(e, dispatch_speed(e), now.speed, driving);
       else if (role == Role::stop)
         stop_and_go(*contact.span, stopping_point(*contact.span, train) - 0.5 * kStopWithin - now.front, now, driving,
                     state);

@@ -124,6 +124,25 @@ TEST(equipment_instant, a_brake_that_comes_on_again_is_that_of_tiny_steps) {
   EXPECT_GT(switches, 10);
 }
 
+// Uphill it stops, and the slope, stronger than the brake, pulls it back.
+TEST(equipment_instant, a_brake_that_is_too_weak_slows_a_train_that_rolls_back) {
+  constexpr double kPull = 0.3 * world::kGravity, kBrake = 1, kStart = 8;
+  world::Document d = ramp(0.3, 60, {EquipmentKind::brake, 0, kBrake, 0, 0}, kStart);
+  d.rollback_fails = false;
+  const double enters = kStart * kStart - 2 * kPull * 10, way = enters / (2 * (kPull + kBrake)),
+               leaves = std::sqrt(2 * (kPull - kBrake) * way);
+  Ride ride(d);
+  double top = 0;
+  while (ride.runs() && (top < 10 || ride.train().track_distance > 10)) {
+    ride.step(1);
+    top = std::max(top, ride.train().track_distance);
+  }
+  const world::CartMotion& cart = ride.train();
+  EXPECT_NEAR(top, 10 + way, 2e-4);
+  EXPECT_LT(cart.speed, 0);
+  EXPECT_NEAR(speed_at(10, cart.track_distance, cart.speed, -kPull), leaves, 1e-5);
+}
+
 // Compares tick by tick, where the first car has just passed an end of equipment.
 void expect_as_ghost(world::Document document, int cars, double speed_within, double within, const std::string& what) {
   document.entities.get<world::Cart>(world::first_cart(document)).cars = cars;
