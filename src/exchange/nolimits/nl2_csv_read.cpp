@@ -66,8 +66,8 @@ bool read_vector(Nl2CsvReader& r, const Cells& cells, std::size_t first, double 
   return true;
 }
 
-// Reads a frame that is right-handed, unit and perpendicular but for kSquare and the rounding of its own decimals, and
-// makes it exactly so; Front keeps its direction.
+// Reads a frame. It must be right-handed, unit and perpendicular within kSquare, or within what its decimals can round.
+// Makes it exactly so; Front keeps its direction.
 bool read_frame(Nl2CsvReader& r, const Cells& cells, sim::FitRow& row) {
   dvec3 front, left, up;
   Decimals own;
