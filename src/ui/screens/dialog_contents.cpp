@@ -86,8 +86,8 @@ void Dialogs::build_overwrite(Ui& ui, const platform::Events& events) {
   ui.panel = "Overwrite";
   title("Overwrite?");
   paragraph(ui, "Question",
-            fmt::format("{} already exists, changed on {}. Its content will be lost.", chosen_.string(),
-                        base::local_time(base::change_time(chosen_))),
+            fmt::format("{} already exists, changed on {}. Its content will be lost.", lost_file().string(),
+                        base::local_time(base::change_time(lost_file()))),
             palette().text);
   const bool yes = button(ui, "Overwrite", "Replace the file.");
   ImGui::SameLine();

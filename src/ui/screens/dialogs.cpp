@@ -131,7 +131,7 @@ void Dialogs::write(Ui& ui, const std::filesystem::path& path, bool overwrite) {
   dialog_ = Dialog::none;
 }
 
-// `asked`: the user has already confirmed overwriting.
+// `asked`: the user has already confirmed overwriting. An export may write a second file beside a new one.
 void Dialogs::take_file(Ui& ui, std::filesystem::path path, bool asked) {
   std::error_code error;
   if (browser_.mode() == FileBrowser::Mode::open && sections_) {
@@ -145,8 +145,13 @@ void Dialogs::take_file(Ui& ui, std::filesystem::path path, bool asked) {
   const bool own = !sections_ && edit::is_own_file(ui.session(), path);
   chosen_ = std::move(path);
   if (own && edit::changed_outside(ui.session())) dialog_ = Dialog::changed;
-  else if (!asked && !own && std::filesystem::exists(chosen_, error)) dialog_ = Dialog::overwrite;
+  else if (!asked && !own && std::filesystem::exists(lost_file(), error)) dialog_ = Dialog::overwrite;
   else write(ui, chosen_, false);
+}
+
+std::filesystem::path Dialogs::lost_file() const {
+  std::error_code error;
+  return sections_ || std::filesystem::exists(chosen_, error) ? chosen_ : exchange::materials_of(chosen_);
 }
 
 void Dialogs::take_system(Ui& ui) {
@@ -155,7 +160,8 @@ void Dialogs::take_system(Ui& ui) {
   const std::string answer = *ui.state.kept->system.answer;
   if (answer.empty() || dialog_ != Dialog::browse) return;
   const bool known = exchange::format_of(answer) != nullptr, save = browser_.mode() == FileBrowser::Mode::save;
-  take_file(ui, save && !known ? answer + ".json" : answer, known);
+  std::error_code error;
+  take_file(ui, save && !known ? answer + ".json" : answer, known && std::filesystem::exists(answer, error));
 }
 
 std::pair<float, float> Dialogs::wanted_size() const {

@@ -36,6 +36,7 @@ class Dialogs {
   void write(Ui& ui, const std::filesystem::path& path, bool overwrite);
   void browse(Ui& ui, FileBrowser::Mode mode, bool sections = false);
   void take_file(Ui& ui, std::filesystem::path path, bool asked);
+  std::filesystem::path lost_file() const;  // what saving to chosen_ may overwrite
   void take_system(Ui& ui);
   void build_shown(Ui& ui, const platform::Events& events, bool text_had_keyboard);
   void build_unsaved(Ui& ui, const platform::Events& events);

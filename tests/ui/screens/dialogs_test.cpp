@@ -248,6 +248,22 @@ TEST_F(DialogsTest, a_file_that_another_program_changed_is_asked_about) {
   EXPECT_EQ(all<edit::Save>().size(), 2u) << "nobody changed it since";
 }
 
+TEST_F(DialogsTest, materials_beside_a_new_export_are_not_lost_unasked) {
+  const std::string materials = (folder / "track.mtl").string();
+  ASSERT_TRUE(files_.write_atomic(materials, "theirs"));
+  key(Key::s, {.shift = true, .ctrl = true});
+  frames(2);
+  type("Save as/Name", (folder / "track.obj").string());
+  frames(2);
+  ASSERT_NE(find("Overwrite/Question"), nullptr);
+  EXPECT_NE(find("Overwrite/Question")->value.find("track.mtl already exists"), std::string::npos)
+      << find("Overwrite/Question")->value;
+  EXPECT_EQ(*files_.read(materials), "theirs");
+  click("Overwrite/Overwrite");
+  frames(2);
+  ASSERT_EQ(all<edit::Save>().size(), 1u);
+}
+
 TEST_F(DialogsTest, the_settings_say_what_to_keep) {
   user_.emplace();
   frames(2);
