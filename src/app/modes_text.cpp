@@ -39,14 +39,6 @@ base::Status validate_challenge(const std::string& path) {
   return {};
 }
 
-std::string deadlock_text(const world::Document& document) {
-  world::Settings settings;
-  settings.evaluation->steps = 1;  // polylines are not needed
-  sim::Derived derived;
-  if (document.entities.pool<world::Cart>().size() > 1) sim::derive(document, settings, {}, derived);
-  return sim::deadlock_text(document, derived);
-}
-
 base::Status validate_file(const std::string& path) {
   base::Files files;
   if (std::filesystem::path(path).extension() == ".json")
@@ -59,10 +51,10 @@ base::Status validate_file(const std::string& path) {
     return status;
   }
   for (const std::string& warning : track->warnings) base::print_error(warning);
-  if (const std::string tight = sim::tight_text(sim::tight_bends_of(sim::shapes_of(track->document))); !tight.empty())
-    base::print_error(fmt::format("{}: warning: {}", path, tight));
-  if (const std::string blocks = deadlock_text(track->document); !blocks.empty())
-    base::print_error(fmt::format("{}: warning: {}", path, blocks));
+  const sim::Derived shapes = sim::shapes_of(track->document);
+  for (const std::string& text :
+       {sim::tight_text(sim::tight_bends_of(shapes)), sim::deadlock_text(track->document, shapes)})
+    if (!text.empty()) base::print_error(fmt::format("{}: warning: {}", path, text));
   return {};
 }
 

@@ -1,5 +1,6 @@
 #include "sim/ride/passing.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace coaster::sim {
@@ -16,11 +17,14 @@ Passing between(double v0, double a0, double v1, double a1, double way, double g
 
 }  // namespace
 
-Passings::Passings(const Ghost& ride) : ride_(ride) {
+bool runs_backwards(const Ghost& ride) {
   double most = 0, least = 0;
   for (const GhostSample& sample : ride.samples)
     most = std::max(most, sample.travelled), least = std::min(least, sample.travelled);
-  backwards_ = -least > most;
+  return -least > most;
+}
+
+Passings::Passings(const Ghost& ride) : ride_(ride), backwards_(runs_backwards(ride)) {
   furthest_.reserve(ride.samples.size());
   for (const GhostSample& sample : ride.samples) {
     const double far = backwards_ ? -sample.travelled : sample.travelled;

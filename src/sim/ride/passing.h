@@ -12,6 +12,9 @@ struct Passing {
   double speed = 0, along = 0;  // m/s, negative backwards; m/s^2 along the track
 };
 
+// Returns true if a ride goes farther backwards than forwards.
+bool runs_backwards(const Ghost& ride);
+
 // Looks up many positions of one ride. Valid as long as the ghost.
 class Passings {
  public:
@@ -23,7 +26,7 @@ class Passings {
 
  private:
   const Ghost& ride_;
-  bool backwards_ = false;        // it goes farther backwards than forwards
+  bool backwards_;
   std::vector<double> furthest_;  // by sample: how far it has been until then, in that direction
 };
 

@@ -9,14 +9,6 @@
 namespace coaster::sim {
 namespace {
 
-// Returns true if a ride goes farther backwards than forwards.
-bool runs_backwards(const Ghost& ghost) {
-  double most = 0, least = 0;
-  for (const GhostSample& sample : ghost.samples)
-    most = std::max(most, sample.travelled), least = std::min(least, sample.travelled);
-  return -least > most;
-}
-
 // The entries at which a car is farther along than ever before, by position.
 class Passages {
  public:

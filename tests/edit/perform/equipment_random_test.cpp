@@ -5,7 +5,7 @@
 
 #include "edit/random_tracks.h"
 #include "sim/ride/equipment.h"
-#include "sim/ride/ride.h"
+#include "sim/ride/live_ride.h"
 
 namespace coaster::edit {
 namespace equipment_random_test {
@@ -29,18 +29,13 @@ class EquippedTracks : public test::RandomTracks {
   void compare_with_ghost(int cars, const std::string& what) {
     world::Document document = session.document;
     document.entities.get<world::Cart>(world::first_cart(document)).cars = cars;
-    sim::Derived derived;
-    sim::derive(document, {}, {}, derived);
-    world::Motion motion;
-    sim::GhostMemo memo;
-    sim::reset(document, derived, motion);
-    motion.state = world::RideState::running;
-    const sim::Ghost ghost = *memo.ride(document, derived, world::first_cart(document));
-    const auto spans = sim::equipment_spans(document, derived);
-    const world::CartMotion& train = motion.carts.items().front();
-    for (std::size_t tick = 1; tick < ghost.samples.size() && motion.state == world::RideState::running; ++tick) {
+    test::LiveRide ride(std::move(document));
+    const sim::Ghost ghost = ride.ghost();
+    const auto spans = sim::equipment_spans(ride.document, ride.derived);
+    const world::CartMotion& train = ride.train();
+    for (std::size_t tick = 1; tick < ghost.samples.size() && ride.runs(); ++tick) {
       const double before = train.track_distance;
-      sim::step(document, derived, {}, 1, memo, motion);
+      ride.step(1);
       for (const sim::EquipmentSpan& span : spans) {
         if (!(before < span.to && train.track_distance >= span.to)) continue;
         const double speed = std::abs(train.speed - ghost.samples[tick].speed),

@@ -6,7 +6,7 @@
 #include "exchange/formats.h"
 #include "sim/ride/equipment.h"
 #include "sim/ride/passing.h"
-#include "sim/ride/ride.h"
+#include "sim/ride/live_ride.h"
 #include "sim/tracks.h"
 
 namespace coaster::sim {
@@ -14,22 +14,7 @@ namespace equipment_instant_test {
 
 using world::EquipmentKind;
 
-struct Ride {
-  world::Document document;
-  Derived derived;
-  world::Motion motion;
-  GhostMemo memo;
-
-  explicit Ride(world::Document d) : document(std::move(d)) {
-    derive(document, {}, {}, derived);
-    reset(document, derived, motion);
-    motion.state = world::RideState::running;
-  }
-  void step(int ticks) { sim::step(document, derived, {}, ticks, memo, motion); }
-  bool runs() const { return motion.state == world::RideState::running; }
-  world::CartMotion& train(std::size_t i = 0) { return motion.carts.items().at(i); }
-  const Ghost& ghost() { return *memo.ride(document, derived, world::first_cart(document)); }
-};
+using Ride = test::LiveRide;
 
 // A straight that rises by `rise` m a metre along it: 10 m, `length` m with equipment, 200 m.
 world::Document ramp(double rise, double length, const world::Equipment& e, double speed) {

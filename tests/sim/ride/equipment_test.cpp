@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "sim/ride/ride.h"
+#include "sim/ride/live_ride.h"
 #include "sim/tracks.h"
 
 namespace coaster::sim {
@@ -12,23 +12,7 @@ namespace equipment_test {
 
 constexpr double kG = world::kGravity;
 
-struct Ride {
-  world::Document document;
-  Derived derived;
-  world::Motion motion;
-  GhostMemo memo;
-
-  explicit Ride(world::Document d) : document(std::move(d)) {
-    derive(document, {}, {}, derived);
-    reset(document, derived, motion);
-    motion.state = world::RideState::running;
-  }
-  void step(int ticks, const char* row = "rk4") {
-    sim::step(document, derived, base::value_named<world::IntegratorId>(row).value(), ticks, memo, motion);
-  }
-  world::CartMotion& train(std::size_t i = 0) { return motion.carts.items().at(i); }
-  double drift(std::size_t i = 0) { return energy_drift(document, derived, motion.carts.entities().at(i), train(i)); }
-};
+using Ride = test::LiveRide;
 
 // 12 level segments of 10 m in a row, or up a slope of `rise` m in all.
 world::Document runway(double rise, std::vector<std::pair<std::size_t, world::Equipment>> equipment, int cars = 1,
