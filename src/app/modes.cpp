@@ -16,6 +16,7 @@
 #include "edit/commands/commands_ride.h"
 #include "edit/commands/commands_session.h"
 #include "edit/commands/set_setting.h"
+#include "exchange/formats.h"
 #include "platform/loop.h"
 #include "platform/signals.h"
 #include "script/runner.h"
@@ -204,7 +205,10 @@ int run_window(const Options& options) {
   if (p.session.settings.panels->workspace == world::Workspace::all)
     (void)apply(p, edit::Set<&world::Panels::workspace>{world::Workspace::build});
   p.keeper->unasked = options.file.empty();
-  if (const base::Status opened = open_track(p, track_of(options)); !opened) return finish(opened);
+  const std::filesystem::path track = track_of(options);
+  const bool asks = exchange::question_of(p.files, track).has_value();
+  if (const base::Status opened = open_track(p, asks ? "" : track); !opened) return finish(opened);
+  if (asks) p.ui->open(track.string());
   p.keeper->unasked = false;
   if (const base::Status limits = open_envelope(p.session, p.files, options); !limits) return finish(limits);
   if (const base::Status chosen = choose_camera(p, options.camera); !chosen) return finish(chosen);

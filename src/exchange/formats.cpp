@@ -86,6 +86,11 @@ std::string unfit_ending(const std::filesystem::path& path, const Format* format
                      known_endings(direction));
 }
 
+void add_note(LoadedTrack& loaded, std::string_view sentence) {
+  if (!loaded.note.empty()) loaded.note += ' ';
+  loaded.note += sentence;
+}
+
 // Prepares a track without trains and speeds for riding.
 void equip(LoadedTrack& loaded) {
   world::Document& document = loaded.document;
@@ -94,8 +99,7 @@ void equip(LoadedTrack& loaded) {
   if (loaded.knows_speed) return;
   if (const auto speed = sim::completing_speed(document)) {
     document.start_speed = *speed;
-    if (!loaded.note.empty()) loaded.note += ' ';
-    loaded.note += fmt::format("The train completes the ride with a start speed of {} m/s.", base::to_text(*speed));
+    add_note(loaded, fmt::format("The train completes the ride with a start speed of {} m/s.", base::to_text(*speed)));
   } else {
     loaded.warnings.push_back(
         fmt::format("No start speed up to {} m/s completes the ride.", base::to_text(world::kMaxSpeed)));
@@ -109,7 +113,7 @@ void bank(LoadedTrack& loaded) {
   const sim::Ghost* const ghost = memo.ride(loaded.document, derived, world::first_cart(loaded.document));
   if (!ghost) return;
   const int turned = sim::bank_knots(loaded.document, derived, *ghost);
-  loaded.note += fmt::format(" Banked {} {}.", turned, turned == 1 ? "knot" : "knots");
+  add_note(loaded, fmt::format("Banked {} {}.", turned, turned == 1 ? "knot" : "knots"));
   sim::set_automatic_spins(loaded.document);
 }
 
@@ -238,6 +242,8 @@ base::Result<LoadedTrack> load_track(base::Files& files, const std::filesystem::
   if (loaded) loaded->content = base::content_hash(*bytes);
   if (loaded && !format->whole) warn_of_unit(*loaded, name, *format, is_list(*format, *bytes)), equip(*loaded);
   if (loaded && import.bank == ImportBank::automatic) bank(*loaded);
+  if (loaded && loaded->reshaped)
+    add_note(*loaded, "Earlier versions gave this file another curve. Tracks saved from it keep that curve.");
   return loaded;
 }
 

@@ -146,6 +146,7 @@ base::Result<LoadedTrack> parse_fvd(std::string_view bytes, std::string_view nam
   document.start_speed = std::min(import.speed, world::kMaxSpeed);
   document.resistance = {static_cast<float>(track->friction), static_cast<float>(track->resistance)};
   import.loaded.knows_speed = true;
+  import.loaded.reshaped = track->heart != 0;
   world::append_knot(document, first_knot(*track));
   const auto warn = [&](const std::string& text) {
     import.loaded.warnings.push_back(fmt::format("{}: warning: {}", name, text));

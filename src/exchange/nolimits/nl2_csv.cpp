@@ -132,6 +132,7 @@ base::Result<LoadedTrack> parse_nl2_csv(std::string_view text, std::string_view 
     return base::Status{base::Code::refused, std::string(name) + ": the import was cancelled"};
   LoadedTrack loaded;
   loaded.note = moved;
+  loaded.reshaped = rounded;
   loaded.document = std::move(fitted.document);
   loaded.document.name = name_of_file(name);
   world::add_cart(loaded.document, loaded.document.track.segments[0], 0);

@@ -231,6 +231,7 @@ base::Result<LoadedTrack> parse_nl2elem(std::string_view text, std::string_view 
     } else {
       loaded.document = std::move(track.document);
       loaded.import = track.report;
+      loaded.reshaped = file.rolls.size() > 1;
       if (!file.weights.empty()) loaded.note = "The weights of vertices were read from " + file.weights + ".";
       loaded.document.name = name_of_file(r.name);
       for (const auto& [vertex, warning] : track.warnings)

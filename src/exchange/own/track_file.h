@@ -47,6 +47,7 @@ struct LoadedTrack {
   std::vector<std::string> warnings;   // one line each: unknown members, which are kept; rows that were left out
   std::string note;                    // a line for the user: the start speed of an import
   bool knows_speed = false;            // the file gives the start speed
+  bool reshaped = false;               // earlier versions gave another curve; load_track() notes it
   std::optional<ImportReport> import;  // for formats that a track is fitted to
   std::uint64_t content = 0;           // hash of the file's bytes; set by load_track()
   int version = kTrackVersion;         // of the project's own format
