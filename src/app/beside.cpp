@@ -2,11 +2,19 @@
 
 #include <chrono>
 
+#include "base/crash_guard.h"
+
 namespace coaster::app {
 
 // Where the system refuses a thread, take() does the work. std::async then needs it again: it may not be moved.
 Beside::Beside(Work work, const std::string&)
-    : result_(std::async(std::launch::async | std::launch::deferred, work, &progress)) {}
+    : result_(std::async(
+          std::launch::async | std::launch::deferred,
+          [work](base::Progress* told) {
+            const base::HandlerStack stack;
+            return work(told);
+          },
+          &progress)) {}
 Beside::~Beside() { progress.cancelled = true; }  // the future waits for the thread
 bool Beside::is_quick() { return true; }
 bool Beside::done() { return result_.wait_for(std::chrono::seconds(0)) != std::future_status::timeout; }

@@ -153,13 +153,18 @@ int take_ticks(FrameClock& time, const platform::Events& events) {
 void run_frame(Program& program, const platform::Events& events, int ticks) {
   FrameTimes times{program.surface->clock()};
   const platform::Size size = program.surface->size();
+  const auto reach = [&](base::CrashPlace place) { crash_if_planned(program.planned_crash, place); };
+  reach(base::CrashPlace::input);
   read_input(program, events, size);
   finish_job(program);
+  reach(base::CrashPlace::panels);
   std::optional<ui::Output> output;
   if (size.width > 0 && size.height > 0) output = build_panels(program, take_input(program, events), size);
   if (output) apply_output(program, *output);
   follow_movie(program, output ? output->movie : ui::MovieWish::none);
+  reach(base::CrashPlace::ticks);
   advance(program, ticks);
+  reach(base::CrashPlace::findings);
   if (output) {
     edit::advance_measurement(program.session);
     // Uses the trains' present positions: an eye from the frame's start would lag by this frame's ticks.
@@ -170,8 +175,10 @@ void run_frame(Program& program, const platform::Events& events, int ticks) {
     const Look look{program.session.settings, program.picture.view, output->hovered, false, unseen};
     const edit::Findings& found = find_seen(program, look);
     times.found = program.surface->clock();
+    reach(base::CrashPlace::drawing);
     draw(program, *output, look, found, size, times);
   }
+  reach(base::CrashPlace::keeping);
   keep(program);
 }
 

@@ -26,7 +26,6 @@ std::filesystem::path below(const std::filesystem::path& folder, const char* nam
 }
 std::filesystem::path settings_file(const Keeper& keeper) { return below(keeper.folders.config, "settings.json"); }
 std::filesystem::path progress_file(const Keeper& keeper) { return below(keeper.folders.state, "progress.json"); }
-std::filesystem::path recovery_folder(const Keeper& keeper) { return below(keeper.folders.state, "recovery"); }
 
 constexpr std::size_t kMaxKeptBytes = 1u << 20;  // limit of each of the user's files
 
@@ -159,10 +158,11 @@ bool needs_autosave(Program& program, const Keeper& keeper) {
 
 void watch_document(Program& program, Keeper& keeper) {
   if (!edit::dirty(program.session)) {
-    keeper.autosave.remove();
+    forget_unsaved(keeper);
     keeper.unsaved_since = -1;
     return;
   }
+  follow_crash_copy(program);
   if (keeper.unsaved_since < 0) {
     if (needs_autosave(program, keeper)) keeper.unsaved_since = program.time.seconds;
     return;
@@ -218,6 +218,17 @@ void take_output(Program& program, Keeper& keeper, const ui::Output& output) {
 
 }  // namespace
 
+std::filesystem::path recovery_folder(const Keeper& keeper) { return below(keeper.folders.state, "recovery"); }
+
+std::string original_of(const edit::Session& session) {
+  return session.file.path.empty() ? std::string() : base::canonical_path(session.file.path).string();
+}
+
+void forget_unsaved(Keeper& keeper) {
+  forget_crash_copy(keeper.crash_copy);
+  keeper.autosave.remove();
+}
+
 void start_keeping(Program& program, const base::UserFolders& folders, const base::Root& root, bool default_layout) {
   auto made = std::make_unique<Keeper>();
   Keeper& keeper = *made;
@@ -257,17 +268,17 @@ void stop_keeping(Program& program, bool clean) {
   follow_session(program, keeper.state.settings);
   write_settings(program, keeper);
   watch_progress(program, keeper);
-  if (clean) keeper.autosave.remove();
+  if (clean) forget_unsaved(keeper);
+  forget_crash_copy(keeper.crash_copy);
   program.keeper.reset();
 }
 
 base::Status autosave_now(Program& program) {
   if (!program.keeper || !needs_autosave(program, *program.keeper)) return {};
   Keeper& keeper = *program.keeper;
-  const std::filesystem::path& path = program.session.file.path;
-  const std::string original = path.empty() ? std::string() : base::canonical_path(path).string();
-  const base::Status wrote = keeper.autosave.write(keeper.files, recovery_folder(keeper), program.session.document,
-                                                   original, static_cast<std::int64_t>(std::time(nullptr)));
+  const base::Status wrote =
+      keeper.autosave.write(keeper.files, recovery_folder(keeper), program.session.document,
+                            original_of(program.session), static_cast<std::int64_t>(std::time(nullptr)));
   if (wrote) {
     keeper.autosaved = edit::find(program.session, edit::Want::document_hash).document_hash;
     keeper.autosave_failed = false;

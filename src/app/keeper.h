@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "app/crash_copy.h"
 #include "app/system_dialog.h"
 #include "base/file_lock.h"
 #include "base/folders.h"
@@ -29,6 +30,7 @@ struct Keeper {
   base::FileLock next_lock;        // on the target file of a save in progress
   bool unasked = false;            // the user did not name the document that is being opened
   exchange::Autosave autosave;
+  CrashCopy crash_copy;
   std::uint64_t autosaved = 0;                            // hash of the document in the autosave
   double unsaved_since = -1;                              // s; -1: no changes since the file or the autosave
   bool autosave_failed = false, settings_failed = false;  // already reported
@@ -37,6 +39,12 @@ struct Keeper {
   bool may_write_progress = true, progress_failed = false;
   SystemDialogProcess dialog;
 };
+
+std::filesystem::path recovery_folder(const Keeper& keeper);  // of autosaves; empty: there is none
+std::string original_of(const edit::Session& session);        // the document's own file, absolute; empty: none
+
+// Removes autosave and copy: there is nothing unsaved any more.
+void forget_unsaved(Keeper& keeper);
 
 // Reads the settings, applies them to session and panels, and looks for autosaves left by other runs. Reports errors in
 // the settings in one notice; a file that is not a settings file is renamed to settings.json.bad. Writes below `root`,

@@ -61,7 +61,7 @@ void after_command(Program& program, const edit::Command& command, const base::S
   base::FileLock next = std::move(keeper.next_lock);
   if (!applied) return;
   if (!edit::dirty(program.session))
-    keeper.autosave.remove();  // at once, so that a crash before the next frame does not offer it
+    forget_unsaved(keeper);  // at once, so that a crash before the next frame does not offer it
   std::vector<std::string>& recent = keeper.state.settings.recent;
   if (const auto* const save = command.as<edit::Save>(); save != nullptr && holds_everything(save->path)) {
     if (next.held() || !keeper.lock.covers(save->path)) keeper.lock = std::move(next);

@@ -17,9 +17,10 @@ namespace {
 
 constexpr double kBarAfter = 0.15;  // s: shorter jobs show no bar
 
-Beside::Work reading(const edit::Load& command) {
-  return [command](base::Progress* progress) -> base::Result<Found> {
+Beside::Work reading(const edit::Load& command, const std::optional<base::PlannedCrash>& crash) {
+  return [command, crash](base::Progress* progress) -> base::Result<Found> {
     base::Files files;
+    crash_if_planned(crash, base::CrashPlace::job);
     base::Result<exchange::LoadedTrack> read = exchange::load_track(files, command.path, progress, command.import);
     return read ? base::Result<Found>(std::move(*read)) : read.status();
   };
@@ -70,7 +71,7 @@ bool begin_work(const Program& program, const edit::Command& command, LongJob& j
     job.panel = "Import", job.title = "Fitting a track to the imported points";
     const bool pasted = exchange::is_pasted(load->path);
     job.cancelled = "Cancelled the import of " + (pasted ? "pasted points" : load->path);
-    job.work = std::make_unique<Beside>(reading(*load), pasted ? "" : load->path);
+    job.work = std::make_unique<Beside>(reading(*load, program.planned_crash), pasted ? "" : load->path);
     return true;
   }
   if (const auto* const seek = command.as<edit::Seek>()) {

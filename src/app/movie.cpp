@@ -11,6 +11,7 @@
 
 #include <fmt/ranges.h>
 
+#include "base/crash_guard.h"
 #include "base/parallel.h"
 #include "base/text.h"
 #include "gfx/image.h"
@@ -121,6 +122,7 @@ base::Status Movie::add(gfx::Image picture) {
   collect(most_writers_ - 1);
   if (!failed_) return failed_;
   const auto write = [root = order_.root, path = order_.folder / picture_name(frames_++), image = std::move(picture)] {
+    const base::HandlerStack stack;
     base::Files files(root);  // pictures bypass the program's file handling: injected faults are meant for documents
     return files.write_atomic(path, gfx::encode_png(image));
   };

@@ -14,6 +14,7 @@
 #include "app/track_pictures.h"
 #include "base/files.h"
 #include "base/memory_guard.h"
+#include "base/planned_crash.h"
 #include "edit/session/session.h"
 #include "gfx/renderer.h"
 #include "platform/surface.h"
@@ -79,15 +80,16 @@ struct Program {
   query::FrameStats stats;
   int rebuilds = 0;  // segments evaluated since the last drawn frame
 
-  std::unique_ptr<script::Recorder> recorder;  // null: not recording
-  base::Status recorded;                       // why a recording ended early
-  std::unique_ptr<Keeper> keeper;              // null: keeps no user data
-  std::unique_ptr<Filming> filming;            // a movie in progress; null: none
-  Sounds sounds;                               // only in a window
-  TrackPictures pictures;                      // for the start screen
-  std::unique_ptr<LongJob> job;                // an import, a search or a way home in progress; null: none
-  int job_delay = 0;                           // frames by which a script delays the next one
-  platform::Events held_input;                 // held back while a job plans a way home (long_job.h)
+  std::unique_ptr<script::Recorder> recorder;       // null: not recording
+  base::Status recorded;                            // why a recording ended early
+  std::unique_ptr<Keeper> keeper;                   // null: keeps no user data
+  std::unique_ptr<Filming> filming;                 // a movie in progress; null: none
+  Sounds sounds;                                    // only in a window
+  TrackPictures pictures;                           // for the start screen
+  std::unique_ptr<LongJob> job;                     // an import, a search or a way home in progress; null: none
+  std::optional<base::PlannedCrash> planned_crash;  // by a script
+  int job_delay = 0;                                // frames by which a script delays the next one
+  platform::Events held_input;                      // held back while a job plans a way home (long_job.h)
   Tutorial tutorial;
   // Disables saving at the end of memory once the program is destroyed.
   struct MemoryWatch {

@@ -151,6 +151,7 @@ script::Host make_script_host(Program& program) {
   host.frame = [p](const platform::Events& events, int ticks) { return frame(*p, events, ticks); };
   host.advance = [p](int ticks) { film(*p, ticks, [p](int some) { advance(*p, some); }); };
   host.slow_job = [p](int frames) { p->job_delay = frames; };
+  host.plan_crash = [p](const base::PlannedCrash& plan) { p->planned_crash = plan; };
   host.start_movie = [p](const std::filesystem::path& folder, int fps, bool gif) {
     return start_movie(*p, {folder, fps, gif, p->files.root()});
   };

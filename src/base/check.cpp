@@ -1,7 +1,7 @@
 #include "base/check.h"
 
+#include <array>
 #include <cstdio>
-#include <cstdlib>
 
 #include "base/crash_guard.h"
 
@@ -9,8 +9,9 @@ namespace coaster::base {
 
 void check_failed(const char* condition, const char* why, const char* file, int line) {
   end_if_out_of_memory();
-  std::fprintf(stderr, "%s:%d: check failed: %s (%s)\n", file, line, condition, why);
-  std::abort();
+  static std::array<char, 512> reason;
+  std::snprintf(reason.data(), reason.size(), "%s:%d: check failed: %s (%s)", file, line, condition, why);
+  crash_because(reason.data());
 }
 
 }  // namespace coaster::base

@@ -1,9 +1,15 @@
-// Handles crashes of libraries that do not check their allocations: OpenGL drivers and their compilers. Explains
-// crashes of drivers at their start.
+// Handles crashes: writes the copy of unsaved work that is ready, says what failed, explains crashes of drivers at
+// their start, and takes those of libraries that do not check their allocations for the end of memory.
 #pragma once
 
+#include <csignal>
 #include <cstddef>
+#include <memory>
 #include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/files.h"
 
 namespace coaster::base {
 
@@ -15,13 +21,45 @@ inline constexpr std::size_t kLeastStack = 256u << 10;  // bytes, of the program
 // crashes.
 std::string stack_problem();
 
-// Installs handlers: a crash (SIGSEGV, SIGBUS, SIGABRT, SIGFPE, SIGILL) prints "Out of memory." and ends the program
-// with kMemoryExitCode if less than kLeastSpace is left. Other crashes go to the previous handlers.
+// Installs handlers: a crash (SIGSEGV, SIGBUS, SIGABRT, SIGFPE, SIGILL, an unhandled exception) writes the files of
+// keep_for_crash(), prints one line and goes to the previous handlers. If less than kLeastSpace is left, the line is
+// "Out of memory." and the program ends with kMemoryExitCode. A signal that another process sent is treated alike.
 void guard_crashes();
+
+// Gives a thread its own stack for the handlers while the object lives: they work when the thread's stack overflows.
+// guard_crashes() does it for the calling thread.
+class HandlerStack {
+ public:
+  HandlerStack();
+  ~HandlerStack();
+  HandlerStack(const HandlerStack&) = delete;
+  HandlerStack& operator=(const HandlerStack&) = delete;
+
+ private:
+  std::unique_ptr<char[]> stack_;
+  stack_t before_{};
+};
+
+// A file that a crash completes. It has its name only then; without a crash it leaves nothing.
+struct CrashFile {
+  NewFile file;
+  std::string text;
+};
+
+// From now on a crash writes these files in their order, up to the first that fails; none: nothing. Does not return
+// while a crash is handled. Any thread may call it, one at a time.
+void keep_for_crash(std::vector<CrashFile> files);
+
+// Crashes with a reason in place of the signal's name: "scene.cpp:12: check failed: ...".
+[[noreturn]] void crash_because(const char* reason);
 
 // From now on, another crash prints `line` and ends the program with `exit_code`; with an empty line it goes to the
 // previous handlers again.
 void explain_crashes(const std::string& line, int exit_code);
+
+// Ends the program as crashes do, with `line` ("Out of memory.") and without destructors. Calls only what a signal
+// handler may call.
+[[noreturn]] void end_at_once(std::string_view line, int exit_code);
 
 // Ends the program in the same way if less than kLeastSpace is left. Call it before reporting a failure that lack of
 // memory would explain.

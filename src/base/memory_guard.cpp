@@ -27,21 +27,17 @@ Guard& guard() {
   return one;
 }
 
-[[noreturn]] void leave(std::string_view line) {
-  (void)!::write(STDERR_FILENO, line.data(), line.size());
-  std::_Exit(kMemoryExitCode);
-}
-
 void end_of_memory() {
   Guard& g = guard();
   std::thread::id nobody;
   const std::thread::id here = std::this_thread::get_id();
   if (!g.ending.compare_exchange_strong(nobody, here)) {
-    if (nobody == here) leave("Out of memory.\n");  // again, while it saves
-    for (;;) ::pause();                             // another thread is ending the program
+    if (nobody == here) end_at_once("Out of memory.", kMemoryExitCode);  // again, while it saves
+    for (;;) ::pause();                                                  // another thread is ending the program
   }
   std::free(std::exchange(g.reserve, nullptr));
-  const std::string said = g.save && here == g.owner ? g.save() : std::string();
+  if (here != g.owner) end_at_once("Out of memory.", kMemoryExitCode);
+  const std::string said = g.save ? g.save() : std::string();
   (void)finish_printing();
   print_error(said.empty() ? "Out of memory." : "Out of memory. " + said);
   std::_Exit(kMemoryExitCode);

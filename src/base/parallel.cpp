@@ -6,6 +6,8 @@
 #include <thread>
 #include <vector>
 
+#include "base/crash_guard.h"
+
 namespace coaster::base {
 
 bool has_threads() { return true; }
@@ -24,7 +26,11 @@ void in_parts(std::size_t count, std::size_t grain, unsigned workers,
   const std::size_t parts = (count + grain - 1) / grain;
   std::vector<std::jthread> others;  // joined at the end of the scope
   try {
-    while (others.size() + 1 < std::min<std::size_t>(workers, parts)) others.emplace_back(take_parts);
+    while (others.size() + 1 < std::min<std::size_t>(workers, parts))
+      others.emplace_back([&] {
+        const HandlerStack stack;
+        take_parts();
+      });
   } catch (const std::system_error&) {
   }
   take_parts();

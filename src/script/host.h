@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "base/files.h"
+#include "base/planned_crash.h"
 #include "edit/commands/command.h"
 #include "platform/events.h"
 #include "query/lesson.h"
@@ -74,10 +75,11 @@ struct Host {
   std::function<base::Status(const std::filesystem::path&)>
       set_home;  // uses that folder for settings and autosaves, as after a start; may be empty
   std::function<base::Status(const std::filesystem::path& folder, int fps, bool gif)>
-      start_movie;                           // starts recording all ticks; may be empty
-  std::function<void(int frames)> slow_job;  // delays the next import or search by hand; may be empty
-  std::function<base::Status()> stop_movie;  // waits for the movie's file; may be empty
-  std::function<bool()> interrupted;         // true when the system has asked the program to end; may be empty
+      start_movie;                                            // starts recording all ticks; may be empty
+  std::function<void(int frames)> slow_job;                   // delays the next import or search by hand; may be empty
+  std::function<void(const base::PlannedCrash&)> plan_crash;  // may be empty
+  std::function<base::Status()> stop_movie;                   // waits for the movie's file; may be empty
+  std::function<bool()> interrupted;  // true when the system has asked the program to end; may be empty
   // Lessons. teach() shows a card, or hides it if null. answer() returns the card's button that was pressed since the
   // last call. Empty: there is no player, and the script runs the lesson's body.
   std::function<void(const query::LessonCard*)> teach;

@@ -95,27 +95,41 @@ bool parse_wait(Words& words, Action& action) {
   return words.end();
 }
 
+// Reads one word of an enumeration.
+template <class E>
+std::optional<E> named_word(Words& words, const char* expected) {
+  std::vector<std::string> names;
+  for (const base::NameRow& row : rows_of(E{})) names.emplace_back(row.name);
+  const auto name = words.one_of(expected, names);
+  return name ? std::optional(static_cast<E>(*name)) : std::nullopt;
+}
+
 bool parse_needs(Words& words, Action& action) {
-  static const std::vector<std::string> kNames = [] {
-    std::vector<std::string> names;
-    for (const base::NameRow& row : rows_of(curve::EvaluatedBy{})) names.emplace_back(row.name);
-    return names;
-  }();
-  const auto name = words.one_of("what evaluates, such as geometry_shader", kNames);
-  if (name) action = Needs{static_cast<curve::EvaluatedBy>(*name)};
-  return name && words.end();
+  const auto stage = named_word<curve::EvaluatedBy>(words, "what evaluates, such as geometry_shader");
+  if (stage) action = Needs{*stage};
+  return stage && words.end();
+}
+
+bool parse_crash(Words& words, Action& action) {
+  const auto place = named_word<base::CrashPlace>(words, "where to crash, such as drawing");
+  if (!place) return false;
+  const auto way = words.at_end() ? base::CrashWay::access : named_word<base::CrashWay>(words, "how to crash");
+  if (!way) return false;
+  action = PlanCrash{{*place, *way}};
+  return words.end();
 }
 
 bool parse_fault(Words& words, Action& action) {
   static const std::vector<std::string> kOperations = [] {
     std::vector<std::string> names;
     for (const std::string_view name : base::kIoOperationNames) names.push_back(fmt::format("io.{}", name));
-    names.emplace_back("import");
+    names.insert(names.end(), {"import", "crash"});
     return names;
   }();
-  const auto operation = words.one_of("an operation such as io.fsync, or import", kOperations);
+  const auto operation = words.one_of("an operation such as io.fsync, import or crash", kOperations);
   if (!operation) return false;
-  if (static_cast<std::size_t>(*operation) + 1 == kOperations.size()) {
+  if (kOperations[static_cast<std::size_t>(*operation)] == "crash") return parse_crash(words, action);
+  if (kOperations[static_cast<std::size_t>(*operation)] == "import") {
     if (!words.accept("slow")) return words.fail(next_column(words), "expected \"slow\"");
     const auto frames = words.whole("a number of frames", 1, 10'000);
     if (!frames) return false;

@@ -219,6 +219,12 @@ Failure Runner::perform(const Fault& fault) {
   return {};
 }
 
+Failure Runner::perform(const PlanCrash& crash) {
+  if (!frames_.host().plan_crash) return wrong("this run cannot crash on purpose");
+  frames_.host().plan_crash(crash.plan);
+  return {};
+}
+
 Failure Runner::perform(const SlowImport& slow) {
   if (!frames_.host().slow_job) return wrong("this run cannot import");
   frames_.host().slow_job(slow.frames);

@@ -91,6 +91,7 @@ class Runner {
   Failure perform(const FitCamera& fit);
   Failure perform(const Needs& needs);
   Failure perform(const Fault& fault);
+  Failure perform(const PlanCrash& crash);
   Failure perform(const SlowImport& slow);
 
   Failure perform(const Expect& expect);

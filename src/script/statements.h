@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "base/files.h"
+#include "base/planned_crash.h"
 #include "base/text.h"
 #include "curve/evaluators.h"
 #include "edit/commands/command.h"
@@ -162,6 +163,11 @@ struct Fault {
   int nth = 1;
 };
 
+// Crashes the program the next time that it comes to a place.
+struct PlanCrash {
+  base::PlannedCrash plan;
+};
+
 // Ends the script as skipped if the driver cannot evaluate in that stage.
 struct Needs {
   curve::EvaluatedBy stage = curve::EvaluatedBy::processor;
@@ -174,7 +180,7 @@ struct SlowImport {
 
 using Action = std::variant<RunCommand, SetEnvironment, Frames, Ticks, Repeat, Gesture, Lesson, Include, Expect, Wait,
                             ExpectFile, ExpectError, UiAction, Input, AimAction, FitCamera, Snap, Shot, Sheet, Dump,
-                            Log, StartMovie, StopMovie, Needs, Fault, SlowImport>;
+                            Log, StartMovie, StopMovie, Needs, Fault, PlanCrash, SlowImport>;
 
 struct Statement {
   int source = 0;  // index into Script::sources

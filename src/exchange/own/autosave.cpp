@@ -36,6 +36,11 @@ std::string stem_of(const std::filesystem::path& info) {
   return name.substr(0, name.size() - kInfoEnding.size());
 }
 
+std::string print_info(const std::filesystem::path& track, const world::Document& document, const std::string& original,
+                       std::int64_t time) {
+  return print_autosave_info({track, original, document.name, time, ::getpid(), base::hex16(world::hash(document))});
+}
+
 }  // namespace
 
 base::Result<AutosaveInfo> parse_autosave_info(std::string_view text, std::string_view name) {
@@ -68,23 +73,27 @@ std::string print_autosave_info(const AutosaveInfo& info) {
                     {"hash", info.hash}});
 }
 
-base::Status Autosave::write(base::Files& files, const std::filesystem::path& folder, const world::Document& document,
-                             const std::string& original, std::int64_t time) {
+base::Status Autosave::reserve(base::Files& files, const std::filesystem::path& folder) {
+  if (!info_.empty() && info_.parent_path() == folder) return {};
   if (folder.empty()) return {base::Code::io, "no folder for autosaves: HOME is not set"};
   if (const base::Status made = files.root().make_folders(folder, 0700); !made) return made;
-  if (info_.empty() || info_.parent_path() != folder) {
-    remove();
-    files_ = files;
-    info_ = free_info(folder);
-    lock_ = base::try_lock(info_, files.root()).lock;
-  }
+  remove();
+  files_ = files;
+  info_ = free_info(folder);
+  lock_ = base::try_lock(info_, files.root()).lock;
+  return {};
+}
+
+base::Status Autosave::write(base::Files& files, const std::filesystem::path& folder, const world::Document& document,
+                             const std::string& original, std::int64_t time) {
+  if (const base::Status reserved = reserve(files, folder); !reserved) return reserved;
   std::filesystem::path track = folder / (fmt::format("{}.{}{}", stem_of(info_), ++serial_, kTrackEnding));
   if (const base::Status wrote = files.write_atomic(track, print_track(document)); !wrote) {
     remove_file(files, track);  // may already exist if the folder's fsync failed
     return wrote;
   }
-  const AutosaveInfo info{track, original, document.name, time, ::getpid(), base::hex16(world::hash(document))};
-  if (const base::Status told = files.write_atomic(info_, print_autosave_info(info)); !told) {
+  const std::string info = print_info(track, document, original, time);
+  if (const base::Status told = files.write_atomic(info_, info); !told) {
     // Only reading the small file shows which of the two it names.
     base::Files plain;
     const auto now = plain.read(info_);
@@ -107,12 +116,24 @@ void Autosave::remove() {
   track_.clear();
 }
 
+std::vector<base::CrashFile> crash_files(base::Files& files, const std::filesystem::path& info,
+                                         const world::Document& document, const std::string& original,
+                                         std::int64_t time) {
+  const std::filesystem::path track = info.parent_path() / fmt::format("{}.crash{}", stem_of(info), kTrackEnding);
+  base::Result<base::NewFile> first = files.create(track), second = files.create(info);
+  std::vector<base::CrashFile> made;
+  if (!first || !second) return made;
+  made.push_back({std::move(*first), print_track(document)});
+  made.push_back({std::move(*second), print_info(track, document, original, time)});
+  return made;
+}
+
 std::vector<FoundAutosave> find_autosaves(base::Files& files, const std::filesystem::path& folder) {
   std::vector<FoundAutosave> found;
   (void)files.remove_leftovers_in(folder);
   const auto entries = base::list_folder(folder, true);
   if (!entries) return found;
-  std::vector<std::string> spared;  // stems of running programs, and of unreadable files
+  std::vector<std::string> spared;  // stems of running programs and of unreadable files, and tracks that are named
   for (const base::FolderEntry& entry : *entries) {
     if (entry.folder || !entry.name.ends_with(kInfoEnding) || entry.name.starts_with('.')) continue;
     const std::filesystem::path file = folder / entry.name;
@@ -124,6 +145,7 @@ std::vector<FoundAutosave> find_autosaves(base::Files& files, const std::filesys
         text ? parse_autosave_info(*text, entry.name) : base::Result<AutosaveInfo>(text.status());
     if (!info) continue;
     if (attempt.outcome == base::LockAttempt::Outcome::impossible && base::process_runs(info->pid)) continue;
+    spared.back() = info->track.string();
     info->track = folder / info->track;
     const std::int64_t file_time = info->original.empty() ? 0 : base::change_time(info->original);
     found.push_back({std::move(*info), file, std::move(attempt.lock), file_time});
@@ -131,7 +153,8 @@ std::vector<FoundAutosave> find_autosaves(base::Files& files, const std::filesys
   for (const base::FolderEntry& entry : *entries) {
     if (entry.folder || !entry.name.ends_with(kTrackEnding) || entry.name.starts_with('.')) continue;
     const std::string stem = entry.name.substr(0, entry.name.find('.'));
-    if (std::find(spared.begin(), spared.end(), stem) != spared.end()) continue;
+    const auto is_spared = [&](const std::string& name) { return name == stem || name == entry.name; };
+    if (std::ranges::any_of(spared, is_spared)) continue;
     const auto pid = base::parse_int(stem.substr(0, stem.find('-')));
     if (pid && base::process_runs(*pid)) continue;
     remove_file(files, folder / entry.name);

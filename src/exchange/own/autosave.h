@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "base/crash_guard.h"
 #include "base/file_lock.h"
 #include "base/files.h"
 #include "world/document.h"
@@ -33,6 +34,9 @@ std::string print_autosave_info(const AutosaveInfo& info);
 // The autosave of this program.
 class Autosave {
  public:
+  // Takes its name in the folder, which is created if needed; nothing is written. Code::io with the reason.
+  base::Status reserve(base::Files& files, const std::filesystem::path& folder);
+  const std::filesystem::path& info() const { return info_; }  // the info file; empty: no name is taken
   // Writes the track under a new name, then the info file that names it, then removes the previous track: at any time
   // the info file names a complete track. On an error the previous state stays. Code::io with the reason. Creates the
   // folder if needed.
@@ -48,6 +52,12 @@ class Autosave {
   base::FileLock lock_;
   int serial_ = 0;
 };
+
+// Returns the files with which a crash leaves an autosave of this name, the info file last; none if they cannot be
+// created. The track has a name of its own, so an earlier autosave stays complete until the info file is replaced.
+std::vector<base::CrashFile> crash_files(base::Files& files, const std::filesystem::path& info,
+                                         const world::Document& document, const std::string& original,
+                                         std::int64_t time);
 
 // An autosave of another program. While this object lives, no other program finds it.
 struct FoundAutosave {

@@ -35,11 +35,17 @@ class autosave : public testing::Test {
   }
   // A process that autosaves the given number of times and ends as by a crash.
   void crash(const std::string& name, const std::string& original, int times, std::int64_t time) {
+    crash_after([&](Autosave& own) {
+      for (int i = 0; i < times; ++i) (void)own.write(files, folder, document_named(name), original, time);
+    });
+  }
+  template <class Work>
+  void crash_after(Work work) {
     const pid_t child = ::fork();
     if (child < 0) std::abort();  // kill(-1) would end every process
     if (child == 0) {
       Autosave own;
-      for (int i = 0; i < times; ++i) (void)own.write(files, folder, document_named(name), original, time);
+      work(own);
       ::kill(::getpid(), SIGKILL);
     }
     ::waitpid(child, nullptr, 0);
@@ -120,6 +126,32 @@ TEST_F(autosave, each_failing_operation_leaves_the_one_before_readable) {
       EXPECT_TRUE(name == "third" || name == "fourth") << name;
       EXPECT_EQ(found.front().info.name, name) << "what it is said to be is what it is";
     }
+}
+
+TEST_F(autosave, what_a_crash_completes_replaces_the_one_before_and_is_removed_whole) {
+  for (const bool earlier : {false, true}) {
+    crash_after([&](Autosave& own) {
+      (void)(earlier ? own.write(files, folder, document_named("before"), "", 1000) : own.reserve(files, folder));
+      // As the handler of a crash does.
+      for (base::CrashFile& file : crash_files(files, own.info(), document_named("at the crash"), "", 2000))
+        (void)(file.file.write(file.text) && file.file.put_in_place());
+    });
+    auto found = find_autosaves(files, folder);
+    ASSERT_EQ(found.size(), 1u);
+    EXPECT_EQ(name_in(found[0]), "at the crash");
+    EXPECT_EQ(found[0].info.time, 2000);
+    discard(files, found[0]);
+    found.clear();
+    EXPECT_EQ(entries(), 0u) << "the track before is removed, too";
+  }
+}
+
+TEST_F(autosave, files_for_a_crash_that_does_not_come_leave_nothing) {
+  Autosave own;
+  ASSERT_TRUE(own.write(files, folder, document_named("before"), "", 1000));
+  (void)crash_files(files, own.info(), document_named("later"), "", 2000);
+  EXPECT_EQ(entries(), 3u) << "track, info file and its lock";
+  EXPECT_TRUE(crash_files(files, folder / "no" / "4-1.info.json", document_named("later"), "", 2000).empty());
 }
 
 TEST_F(autosave, what_belongs_to_none_is_removed_and_what_cannot_be_read_stays) {
