@@ -34,6 +34,16 @@ void follow_crash_copy(Program& program) {
   if (at_once || copy.printing.wait_for(std::chrono::seconds(0)) == std::future_status::deferred) copy.printing.get();
 }
 
+std::string original_of(const edit::Session& session) {
+  return session.file.path.empty() ? std::string() : base::canonical_path(session.file.path).string();
+}
+
+void forget_unsaved(Keeper& keeper) {
+  forget_crash_copy(keeper.crash_copy);
+  keeper.autosave.remove();
+  keeper.unsaved_since = -1;
+}
+
 void forget_crash_copy(CrashCopy& copy) {
   if (!copy.edits) return;
   if (copy.printing.valid()) copy.printing.get();

@@ -157,11 +157,7 @@ bool needs_autosave(Program& program, const Keeper& keeper) {
 }
 
 void watch_document(Program& program, Keeper& keeper) {
-  if (!edit::dirty(program.session)) {
-    forget_unsaved(keeper);
-    keeper.unsaved_since = -1;
-    return;
-  }
+  if (!edit::dirty(program.session)) return forget_unsaved(keeper);
   follow_crash_copy(program);
   if (keeper.unsaved_since < 0) {
     if (needs_autosave(program, keeper)) keeper.unsaved_since = program.time.seconds;
@@ -219,15 +215,6 @@ void take_output(Program& program, Keeper& keeper, const ui::Output& output) {
 }  // namespace
 
 std::filesystem::path recovery_folder(const Keeper& keeper) { return below(keeper.folders.state, "recovery"); }
-
-std::string original_of(const edit::Session& session) {
-  return session.file.path.empty() ? std::string() : base::canonical_path(session.file.path).string();
-}
-
-void forget_unsaved(Keeper& keeper) {
-  forget_crash_copy(keeper.crash_copy);
-  keeper.autosave.remove();
-}
 
 void start_keeping(Program& program, const base::UserFolders& folders, const base::Root& root, bool default_layout) {
   auto made = std::make_unique<Keeper>();

@@ -43,7 +43,7 @@ struct Keeper {
 std::filesystem::path recovery_folder(const Keeper& keeper);  // of autosaves; empty: there is none
 std::string original_of(const edit::Session& session);        // the document's own file, absolute; empty: none
 
-// Removes autosave and copy: there is nothing unsaved any more.
+// Removes autosave and copy (crash_copy.cpp): there is nothing unsaved any more.
 void forget_unsaved(Keeper& keeper);
 
 // Reads the settings, applies them to session and panels, and looks for autosaves left by other runs. Reports errors in

@@ -1,5 +1,5 @@
-# Crashes on purpose at every place of a frame, in a job, and in every way: one line says what failed, and the next start
-# offers the work as it was when the last command had ended.
+# Crashes on purpose at every place of a frame, in a job, and in every way: one line says what failed, and the next
+# start offers the work as it was when the last command had ended.
 . "$(dirname "$0")/lib.sh"
 user=(--config "$OUT/home" --out "$OUT" --size 480x270)
 mkdir -p "$OUT/home"
@@ -95,7 +95,10 @@ $1
 shot \"ready.png\"
 frames 1000000"
   rm -f "$OUT/ready.png"
-  (ulimit -c 0; exec "$COASTER" --headless --script "$OUT/launched.coaster" "${user[@]}" >"$OUT/stdout" 2>"$OUT/stderr") &
+  (
+    ulimit -c 0
+    exec "$COASTER" --headless --script "$OUT/launched.coaster" "${user[@]}" >"$OUT/stdout" 2>"$OUT/stderr"
+  ) &
   pid=$!
   for _ in $(seq 600); do
     [ -e "$OUT/ready.png" ] && return
