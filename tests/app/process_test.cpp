@@ -123,7 +123,7 @@ TEST_F(ProcessTest, a_signal_is_told_and_what_cannot_be_started_is_refused_by_na
   EXPECT_EQ(refused.message, missing + ": cannot be started: No such file or directory");
   EXPECT_FALSE(process.running());
   EXPECT_EQ(process.start({}).code, base::Code::io);
-  ASSERT_TRUE(process.start({program(folder_, "sleeps", "sleep 60\n").string()}));
+  ASSERT_TRUE(process.start({program(folder_, "sleeps", "exec sleep 60\n").string()}));
   process.end();
   EXPECT_FALSE(process.running());
   EXPECT_EQ(process.poll(), std::nullopt);
