@@ -202,6 +202,19 @@ TEST(equipment, blocks_keep_trains_apart) {
   EXPECT_EQ(laps, 2);
 }
 
+// From its only station round to itself a circuit is one section: free for a train alone.
+TEST(equipment, the_section_of_a_single_station_is_the_whole_circuit) {
+  const world::Equipment station{world::EquipmentKind::station, 5, 2, 0, 1};
+  const EquipmentSpan span{.from = 20, .to = 40, .equipment = station};
+  const TrainPlace here{40, 1, 4, 3};
+  for (const double place : {1.0, 19.0, 41.0, 150.0, 199.0}) {
+    const TrainPlace other{place, 1, 4, 3};
+    EXPECT_FALSE(section_free({&span, 1}, {200, true}, here, {&other, 1})) << place;
+    EXPECT_EQ(section_free({&span, 1}, {200, false}, here, {&other, 1}), place < 40) << "open, " << place;
+  }
+  EXPECT_TRUE(section_free({&span, 1}, {200, true}, here, {}));
+}
+
 TEST(equipment, trains_that_meet_end_the_ride) {
   world::Document d = runway(0, {}, 2);
   world::add_cart(d, d.track.segments[8], 0.5);

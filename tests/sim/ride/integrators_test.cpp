@@ -1,10 +1,13 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
-#include "sim/ride/ride.h"
+#include "base/portable_math.h"
+#include "sim/ride/live_ride.h"
 #include "sim/tracks.h"
+#include "world/evaluation.h"
 
 namespace coaster::sim {
 namespace integrators_test {
@@ -37,6 +40,38 @@ TEST(integrators, the_slope_is_the_derivative_of_the_height) {
                   rail_point(shape, s).slope, 1e-5);
     }
   }
+}
+
+// On a level ring without losses a train keeps its speed, to both sides over the closing joint: by chords of length
+// 2 r sin(a/2) in place of arcs r a it gets further. Where a shader evaluates, there are no polylines.
+TEST(integrators, by_vertices_a_level_ring_is_ridden_chord_by_chord) {
+  constexpr int kCount = 12, kSteps = 4, kTicks = 60'000;
+  constexpr double kRadius = 60, kAngle = 2 * base::kPi / (kCount * kSteps);
+  for (const bool by_shader : {false, true})
+    for (const double speed : {11.0, -11.0}) {
+      test::LiveRide ride(test::ring_document(kCount, kRadius, 0));
+      world::add_cart(ride.document, ride.document.track.segments[2], 0.5);
+      ride.document.start_speed = speed;
+      world::Settings settings;
+      settings.evaluation->steps = kSteps;
+      if (by_shader) {
+        const auto rows = rows_of(curve::EvaluatorId{});
+        const auto shader = std::ranges::find_if(
+            rows, [](const auto& row) { return row.evaluated_by == curve::EvaluatedBy::vertex_shader; });
+        ASSERT_NE(shader, rows.end());
+        settings.evaluation->evaluator = curve::EvaluatorId{static_cast<int>(shader - rows.begin())};
+      }
+      derive(ride.document, settings, {}, ride.derived);
+      reset(ride.document, ride.derived, ride.motion);
+      ride.motion.state = world::RideState::running;
+      ride.step(kTicks, "vertices");
+      const double by_arcs = 11 * kTicks * world::kTick * 0.5 * kAngle / std::sin(0.5 * kAngle);
+      const double travelled = std::copysign(1.0, speed) * ride.train().travelled;
+      EXPECT_LE(travelled, by_arcs + 0.1) << by_shader << " " << speed;
+      EXPECT_GE(travelled, by_arcs - kRadius * kAngle) << by_shader << " " << speed;
+      EXPECT_NEAR(ride.train().laps, ride.train().travelled / (2 * base::kPi * kRadius), 1);
+      EXPECT_NEAR(ride.train().speed, speed, 1e-6);
+    }
 }
 
 // A single car at arc length s of a segment, without losses.

@@ -246,6 +246,21 @@ TEST(TightWay, DependsLittleOnWhereTheSamplesFall) {
     }
 }
 
+// Without losses on the level the sharpest place is passed at its distance over the speed.
+TEST(TightWay, IsPassedWhenTheTrainIsThere) {
+  for (const double speed : {3.0, 10.0, 28.0})
+    for (const double start : {2.0, 8.0, 15.0}) {
+      const world::Document document = document_of({.radius = 0.1}, speed);
+      const Ridden found = ride(document, start, 1);
+      const auto inside = std::ranges::find_if(found.ghost.passages, [](const Passage& p) {
+        return p.inside() && (p.impulse.left != 0 || p.impulse.up != 0);
+      });
+      ASSERT_NE(inside, found.ghost.passages.end());
+      const double way = 0.5 * world::exact_length(document) - start;  // the bend is in the middle of the track
+      EXPECT_NEAR(inside->time, way / speed, 0.2 / speed) << speed << " from " << start;
+    }
+}
+
 TEST(TightWay, EndsWhereTheTableIsFineEnough) {
   const double radius = 1.01 * kTightRadius;
   for (const double speed : {2.0, 10.0, 30.0}) {
