@@ -1,5 +1,6 @@
 #include "sim/plan/banking.h"
 
+#include <algorithm>
 #include <optional>
 
 #include "curve/continuity.h"
@@ -24,25 +25,33 @@ dvec3 mean_bend(const Derived& derived, std::size_t i) {
   return sides > 0 ? sum / static_cast<double>(sides) : sum;
 }
 
+// Returns how far the train has been by each sample, m.
+std::vector<double> furthest_of(const Ghost& ghost) {
+  std::vector<double> furthest;
+  for (const GhostSample& sample : ghost.samples)
+    furthest.push_back(furthest.empty() ? sample.travelled : std::max(furthest.back(), sample.travelled));
+  return furthest;
+}
+
 // Returns the first sample at which the middle car is past `distance` (m from the track's start).
-std::optional<std::size_t> passing(const Ghost& ghost, double distance) {
+std::optional<std::size_t> passing(const Ghost& ghost, const std::vector<double>& furthest, double distance) {
   const double middle = ghost.start.front - 0.5 * (ghost.start.cars - 1) * ghost.start.spacing;
   const double ahead = within_lap(distance - middle, ghost.track_length, ghost.closed);
-  if (ahead < 0) return std::nullopt;
-  for (std::size_t k = 0; k < ghost.samples.size(); ++k)
-    if (ghost.samples[k].travelled >= ahead) return k;
-  return std::nullopt;
+  const auto first = std::lower_bound(furthest.begin(), furthest.end(), ahead);
+  if (ahead < 0 || first == furthest.end()) return std::nullopt;
+  return static_cast<std::size_t>(first - furthest.begin());
 }
 
 }  // namespace
 
 std::vector<glm::vec3> banked_ups(const world::Document& document, const Derived& derived, const Ghost& ghost) {
+  const std::vector<double> furthest = furthest_of(ghost);
   std::vector<glm::vec3> ups;
   for (std::size_t i = 0; i < document.track.knots.size(); ++i) {
     const world::Knot& knot = world::knot(document, document.track.knots[i]);
     ups.push_back(knot.up);
     if (i >= derived.starts.size()) continue;
-    const auto sample = passing(ghost, derived.starts[i]);
+    const auto sample = passing(ghost, furthest, derived.starts[i]);
     if (!sample) continue;
     const double speed = ghost.samples[*sample].speed;
     const dvec3 tangent(knot.tangent), felt = speed * speed * mean_bend(derived, i) + dvec3(0, world::kGravity, 0);
