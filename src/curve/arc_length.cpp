@@ -214,8 +214,7 @@ double ArcLengthMap::parameter(double s) const {
     const double error = s0 + partial(interval, t) - s;
     if (std::abs(error) <= tolerance) break;
     (error > 0 ? high : low) = t;
-    const double slope = c_.speed(t);
-    const double next = slope > 0 ? t - error / slope : -1.0;
+    const double next = t - error / c_.speed(t);
     const double previous = t;
     t = next > low && next < high ? next : 0.5 * (low + high);
     if (std::abs(t - previous) <= 1e-16) break;

@@ -53,6 +53,12 @@ Frame carried_smoothly(const CoefficientsD& c, Frame frame, double t, double end
 
 }  // namespace
 
+std::optional<double> reversal(const CoefficientsD& curve, double t, double stopped) {
+  if (!(t > 0 && t < 1) || !(curve.speed(t) <= stopped)) return std::nullopt;
+  const double half = std::min({4 * stopped / glm::length(curve.second_derivative(t)), t, 1 - t});
+  return dot(curve.derivative(t - half), curve.derivative(t + half)) < 0 ? std::optional(half) : std::nullopt;
+}
+
 Cusps cusps(const Cubic& cubic) {
   const CoefficientsD c = coefficients_d(cubic);
   const dvec3 d0 = c.derivative(0.0), d2 = 3.0 * (dvec3(cubic.p3) - dvec3(cubic.p2)),
@@ -60,9 +66,7 @@ Cusps cusps(const Cubic& cubic) {
   const double least = 1e-9 / 3.0 * std::max({glm::length(d0), glm::length(d1), glm::length(d2)});
   Cusps found;
   each_root(product(std::array{d0, d1, d2}, std::array{d1 - d0, d2 - d1}), [&](double t) {
-    if (!(t > kBeside && t < 1.0 - kBeside) || found.count == 2) return;
-    if (glm::length(c.derivative(t)) <= least && glm::length(c.second_derivative(t)) > least)
-      found.t[found.count++] = t;
+    if (t > kBeside && t < 1.0 - kBeside && found.count < 2 && reversal(c, t, least)) found.t[found.count++] = t;
   });
   return found;
 }

@@ -1,6 +1,8 @@
 // Rotation-minimising frames along a cubic to a bound of their angle: double reflection in as many steps as it takes.
 #pragma once
 
+#include <optional>
+
 #include "curve/cubic.h"
 #include "curve/frames.h"
 
@@ -10,8 +12,11 @@ namespace coaster::curve {
 // the speed |B'| is nowhere below 1e-4 of its largest. Slower curves are as near as rounding allows.
 inline constexpr double kFrameBound = 1e-5 * 3.14159265358979323846 / 180;
 
-// Places in (0,1) where B' vanishes and the direction of travel reverses: cusps, and turning points of a curve that
-// runs back on its own line. B' counts as 0 as for unit_tangent(), below 1e-9 of the longest leg. Ascending, within
+// Returns how far on either side of t (of t) the direction of travel has turned round, if it does so where |B'| is at
+// most `stopped`, at an extreme of |B'| in (0,1): at a cusp, or where a curve runs back on its own line.
+std::optional<double> reversal(const CoefficientsD& curve, double t, double stopped);
+
+// The reversals in (0,1) where B' counts as 0 as for unit_tangent(), below 1e-9 of the longest leg. Ascending, within
 // 1e-15. About 0.3 us.
 struct Cusps {
   int count = 0;

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "curve/frames.h"
+#include "curve/carried_frame.h"
 #include "curve/polynomial_roots.h"
 
 namespace coaster::curve {
@@ -49,16 +49,6 @@ bool is_gentle(const CoefficientsD& k, const BinormalCurve& bend, double limit, 
          is_gentle(k, bend, limit, half, b, halvings - 1);
 }
 
-// Sets the place to a reversal if it is one.
-void find_reversal(const CoefficientsD& k, double rounding, TightPlace& place) {
-  if (!(place.t > 0 && place.t < 1) || !(k.speed(place.t) <= rounding)) return;
-  const double second = glm::length(k.second_derivative(place.t)), room = std::min(place.t, 1 - place.t);
-  const double half = second > 0 ? std::min(4 * rounding / second, room) : room;
-  if (!(dot(k.derivative(place.t - half), k.derivative(place.t + half)) < 0)) return;
-  // Outside of `half` the rounding's curvature k has an integral of k^2 below 1e-3 /m.
-  place = {place.t, 0, true, std::min(std::max(half, rounding * std::sqrt(500 / second)), room), 0};
-}
-
 }  // namespace
 
 double radius_at(const Cubic& cubic, double t) {
@@ -87,9 +77,12 @@ std::vector<TightPlace> tight_places(const Cubic& cubic, double limit) {
   const double rounding = 20 * 0x1p-24 * double{largest};
   std::vector<TightPlace> all, found;
   const auto add = [&](double t) {
-    all.push_back({t, radius_at(cubic, t)});
-    if (!(k.speed(t) > 0)) all.back().radius = kInfinite;
-    find_reversal(k, rounding, all.back());
+    all.push_back({t, k.speed(t) > 0 ? radius_at(cubic, t) : kInfinite});
+    if (const auto half = reversal(k, t, rounding)) {
+      // Outside of it the rounding's curvature k has an integral of k^2 below 1e-3 /m.
+      const double rough = rounding * std::sqrt(500 / glm::length(k.second_derivative(t)));
+      all.back() = {t, 0, true, std::min({std::max(*half, rough), t, 1 - t}), 0};
+    }
   };
   add(0), add(1);
   each_root_of(d_slope, slowing, add);

@@ -65,12 +65,17 @@ std::optional<double> place_of(const edit::Finder& find, std::string_view query)
   return std::nullopt;
 }
 
-// The weakest joint: its position is that of its knot.
-std::optional<double> place_of_joint(const edit::Finder& find, std::string_view query) {
-  if (query != "parametric_min" && query != "geometric_min") return std::nullopt;
-  const auto weakest = find_query(query == "parametric_min" ? "weakest_parametric" : "weakest_geometric")
-                           ->evaluate(context_of(find), {});
-  return weakest ? place_of_knot(find.session(), to_text(*weakest)) : std::nullopt;
+// Returns the knot that a rule is about: that of the weakest joint, or the one it names; empty without one.
+std::string knot_of(const edit::Finder& find, const Rule& rule) {
+  const Query& query = *rule.query;
+  if (const bool parametric = query.name == "parametric_min"; parametric || query.name == "geometric_min") {
+    const auto weakest =
+        find_query(parametric ? "weakest_parametric" : "weakest_geometric")->evaluate(context_of(find), {});
+    return weakest ? to_text(*weakest) : "";
+  }
+  if (query.argument.size() != 1 || query.argument[0].kind != world::Kind::knot) return {};
+  const std::string& argument = rule.condition.argument;
+  return argument.starts_with('@') ? argument.substr(1) : argument;
 }
 
 std::string shown(const Query& query, const Value& value) {
@@ -208,11 +213,11 @@ Finding look_at(const edit::Finder& find, const Rule& rule) {
     finding.found += finding.found == "1" ? " overload" : " overloads";
   if (const double* const number = std::get_if<double>(&*value)) finding.value = *number;
   finding.place = place_of(find, rule.query->name);
-  if (!finding.place) finding.place = place_of_joint(find, rule.query->name);
-  if (!finding.place && rule.query->argument.size() == 1 && rule.query->argument[0].kind == world::Kind::knot)
-    finding.place =
-        place_of_knot(find.session(), rule.condition.argument.starts_with('@') ? rule.condition.argument.substr(1)
-                                                                               : rule.condition.argument);
+  const std::string knot = knot_of(find, rule);
+  if (!finding.place) finding.place = place_of_knot(find.session(), knot);
+  if (rule.query->name.starts_with("geometric"))
+    if (const auto step = find_query("ride.g_step")->evaluate(context_of(find), "@" + knot); step && !is_none(*step))
+      finding.found += fmt::format(" (g-step {:.3f} g)", std::get<double>(*step));
   return finding;
 }
 

@@ -215,6 +215,31 @@ TEST_F(ChallengeTest, a_failing_goal_is_told_with_its_value_place_and_unit) {
   EXPECT_EQ(session.game.challenge->last.reason, wanted);
 }
 
+TEST_F(ChallengeTest, a_weak_joint_is_told_with_its_place_and_the_step_that_riders_feel_there) {
+  for (const char* expect : {"geometric_min >= G2", "geometric @k5 >= G2", "geometric k5 >= G2"}) {
+    ASSERT_TRUE(begin(fmt::format(R"("judged": "build", "goals": [{{"expect": "{}", "text": "Smooth"}}])", expect)));
+    good("lengths @k5 in 5 out 3");
+    const std::vector<world::Entity>& segments = session.document.track.segments;
+    std::vector<double> jumps;  // of curvature, at each knot
+    std::size_t weakest = 0;    // the first one that is more than rounding
+    for (std::size_t i = 0; i < segments.size(); ++i) {
+      const glm::dvec3 before = curve::curvature_vector(
+                           world::cubic_of(session.document, segments[(i + segments.size() - 1) % segments.size()]), 1),
+                       after = curve::curvature_vector(world::cubic_of(session.document, segments[i]), 0);
+      jumps.push_back(glm::length(after - before));
+      if (weakest == 0 && jumps.back() > 0.002 * glm::length(before)) weakest = i;
+    }
+    const std::size_t knot = std::string_view(expect).starts_with("geometric_min") ? weakest : 4;
+    double fastest = 0;
+    for (const sim::Passage& passage : edit::find(session, edit::Want::ride).ride->passages)
+      if (passage.knot == knot) fastest = std::max(fastest, std::abs(passage.speed));
+    ASSERT_GT(jumps[knot], 1e-4);
+    EXPECT_EQ(session.game.challenge->last.reason,
+              fmt::format("Smooth: you have G1 (g-step {:.3f} g) at {:.1f} m; you need at least G2",
+                          fastest * fastest * jumps[knot] / 9.81, session.derived.starts[knot]));
+  }
+}
+
 TEST_F(ChallengeTest, overloads_are_told_with_the_sign_of_the_plots) {
   const auto told = [](sim::ForceAxis axis) {
     return fmt::format("{} {:.2f}", base::row_of(axis).label, sim::signed_g(axis, 1.5));

@@ -50,8 +50,9 @@ class Simulation {
     std::vector<GhostSample> samples = std::move(ghost.samples);
     std::vector<Force> forces = std::move(ghost.forces);
     std::vector<Passage> passages = std::move(ghost.passages);
+    std::vector<BendPassage> bends = std::move(ghost.bends);
     std::vector<GhostSwitch> switches = std::move(ghost.switches);
-    samples.clear(), switches.clear(), forces.clear(), passages.clear();
+    samples.clear(), switches.clear(), forces.clear(), passages.clear(), bends.clear();
     ghost = Ghost{start_,
                   rails_.length,
                   rails_.closed,
@@ -59,7 +60,8 @@ class Simulation {
                   std::move(samples),
                   std::move(switches),
                   std::move(forces),
-                  std::move(passages)};
+                  std::move(passages),
+                  std::move(bends)};
     const auto most = static_cast<std::size_t>(std::max(0.0, limits.seconds) * world::kTicksPerSecond);
     const std::size_t usual = std::min<std::size_t>(most + 1, 20'000);
     ghost.samples.reserve(usual), ghost.forces.reserve(usual / kForceEvery * static_cast<std::size_t>(start_.cars));
@@ -198,8 +200,8 @@ class Simulation {
     if (!way.is_needed(seat_vector(*(felt - cars_.size())), seat_vector(felt[0]), joint)) return;
     for (auto it = ghost.passages.rbegin(); it != ghost.passages.rend() && it->car == car && it->entry == entry; ++it)
       it->missed = {0, 0, 0};  // the integrals are whole
-    ghost.passages.push_back(way.passage());
-    Passage& passed = ghost.passages.back();
+    ghost.bends.push_back(way.passage());
+    Passage& passed = ghost.bends.back().peak;
     passed.car = car, passed.entry = entry;
     passed.time += (static_cast<double>(entry) - 1) * kForceEvery * world::kTick;
   }

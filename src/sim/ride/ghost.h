@@ -51,8 +51,7 @@ inline constexpr int kForceEvery = 2;
 // Both follow from the ends of the tables next to the joint: for riders on h(s), the velocity steps by s' (h'(s+) -
 // h'(s-)), felt g by (s'' (h'(s+) - h'(s-)) + s'^2 (h''(s+) - h''(s-))) / g.
 struct Passage {
-  static constexpr std::size_t kInside = ~std::size_t{0};
-  std::size_t knot = 0;  // index in the track; kInside: see below
+  std::size_t knot = 0;  // index in the track
   int car = 0;
   std::size_t entry = 0;   // the first of the forces after it, per car
   double time = 0;         // s since the start
@@ -63,12 +62,15 @@ struct Passage {
   // g s: the integral of felt g from the entry before to that after it, without impulses, less the mean of both entries
   // over that time: what happens between them. Of several passages between the same entries the last has it.
   Force missed{0, 0, 0};
-  // With kInside, a car's way through a tight bend or a reversal (FeltCell) from the entry before to `entry`: instead
-  // of the two entries, it feels the integrals of felt g over the time between them (g s), each moment counted for the
-  // two by how near it is. The impulse, 0 unless the sharpest place is passed, is what the bend adds within
-  // kSharpSeconds to a straight line between felt g at both ends of that time; it is part of the integrals.
+};
+
+// A car's way through a tight bend or a reversal (FeltCell) from the entry before to that of `peak`: instead of the two
+// entries, it feels the integrals of felt g over the time between them (g s), each moment counted for the two by how
+// near it is. The impulse, 0 unless the sharpest place is passed, is what the bend adds within kSharpSeconds to a
+// straight line between felt g at both ends of that time; it is part of the integrals.
+struct BendPassage {
+  Passage peak;  // of the sharpest place; no knot
   Force for_before{0, 0, 0}, for_entry{0, 0, 0};
-  bool inside() const { return knot == kInside; }
 };
 inline constexpr double kSharpSeconds = 0.05;
 
@@ -81,6 +83,7 @@ struct Ghost {
   std::vector<GhostSwitch> switches;                  // in order
   std::vector<Force> forces;                          // entry k of car c at [k * cars + c], at sample_of(k)
   std::vector<Passage> passages;                      // of all cars over all joints, in order
+  std::vector<BendPassage> bends;                     // of all cars, in order
   world::FailureKind end = world::FailureKind::none;  // none: a whole lap, or the time limit was reached
   bool lap = false;                                   // completed a lap
   std::uint64_t serial = 0;                           // number of the simulation, from 1: a new ride has a new number

@@ -96,13 +96,10 @@ bool TightWay::is_needed(const dvec3& before, const dvec3& after, bool joint) co
          (joint || glm::length(missed_before) + glm::length(missed_after) > kNoise || glm::length(impulse_) > kNoise);
 }
 
-Passage TightWay::passage() const {
-  Passage passed;
-  passed.knot = Passage::kInside;
-  passed.time = seconds_ * peak_share_, passed.speed = at(peak_share_).speed;
-  passed.impulse = force_from(impulse_);
-  passed.for_before = force_from(before_), passed.for_entry = force_from(after_);
-  return passed;
+BendPassage TightWay::passage() const {
+  return {{.time = seconds_ * peak_share_, .speed = at(peak_share_).speed, .impulse = force_from(impulse_)},
+          force_from(before_),
+          force_from(after_)};
 }
 
 }  // namespace coaster::sim

@@ -17,7 +17,7 @@ class TightWay {
   // than noise; over a joint always.
   bool is_needed(const glm::dvec3& before, const glm::dvec3& after, bool joint) const;
   // Returns the passage without car and entry; its time counts from the entry before.
-  Passage passage() const;
+  BendPassage passage() const;
 
  private:
   struct Moment {

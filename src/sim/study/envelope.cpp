@@ -144,16 +144,15 @@ std::vector<float> low_passed_finely(const Ghost& ghost, int car, float Force::*
     fine[i] += static_cast<float>((1 - share) * value), fine[i + 1] += static_cast<float>(share * value);
   };
   std::vector<bool> whole(entries.size(), false);  // the passage has all of what happens before the entry
-  for (const Passage& passage : ghost.passages) {
-    if (passage.car != car) continue;
-    if (!passage.inside()) {
+  for (const Passage& passage : ghost.passages)
+    if (passage.car == car)
       add(passage.time * kForceRate, kRate * (double{passage.impulse.*axis} + double{passage.missed.*axis}));
-      continue;
-    }
-    whole[passage.entry] = true;
+  for (const BendPassage& bend : ghost.bends) {
+    if (bend.peak.car != car) continue;
+    whole[bend.peak.entry] = true;
     // A mass at its centre, or one at either end where it changes sign.
-    const double before = passage.for_before.*axis, after = passage.for_entry.*axis,
-                 end = static_cast<double>(passage.entry);
+    const double before = bend.for_before.*axis, after = bend.for_entry.*axis,
+                 end = static_cast<double>(bend.peak.entry);
     if (before * after > 0) {
       add(end - before / (before + after), kRate * (before + after));
     } else {
@@ -186,9 +185,8 @@ std::vector<float> low_passed_g(const Ghost& ghost, int car, float Force::*axis,
   values.reserve(ghost.forces.size() / cars);
   for (std::size_t i = static_cast<std::size_t>(car); i < ghost.forces.size(); i += cars)
     values.push_back(ghost.forces[i].*axis);
-  if (values.size() > 1 && std::ranges::any_of(ghost.passages, [&](const Passage& passage) {
-        return passage.car == car && passage.inside();
-      }))
+  if (values.size() > 1 &&
+      std::ranges::any_of(ghost.bends, [&](const BendPassage& bend) { return bend.peak.car == car; }))
     return low_passed_finely(ghost, car, axis, cutoff, values);
   for (const Passage& passage : ghost.passages) {
     if (passage.car != car) continue;

@@ -136,16 +136,11 @@ std::vector<Jolt> passage_jolts(const Ghost& ghost, double cutoff) {
   std::vector<Jolt> found;
   std::vector<std::size_t> places;  // of each passage among its car's
   for (const Passage& passage : ghost.passages) {
-    if (passage.inside()) {
-      places.push_back(0), found.push_back(jolt_of(passage, cutoff));
-      continue;
-    }
     std::vector<const Passage*>& passed = cars[static_cast<std::size_t>(passage.car)];
     places.push_back(passed.size()), passed.push_back(&passage), found.push_back(jolt_of(passage, cutoff));
   }
   for (std::size_t n = 0; n < found.size(); ++n) {
     const Passage& passage = ghost.passages[n];
-    if (passage.inside()) continue;
     const std::span<const Passage* const> passed = cars[static_cast<std::size_t>(passage.car)];
     const Beside near = beside(passed, places[n], cutoff);
     for (std::size_t first = near.first; first <= places[n]; ++first)
@@ -162,7 +157,6 @@ std::vector<Jolt> jolts(const Ghost& ghost, double cutoff) {
   const std::vector<Jolt> passages = passage_jolts(ghost, cutoff);
   for (std::size_t i = 0; i < passages.size(); ++i) {
     const std::size_t knot = ghost.passages[i].knot;
-    if (ghost.passages[i].inside()) continue;
     if (knot >= found.size()) found.resize(knot + 1);
     take(passages[i], found[knot]);
   }

@@ -27,10 +27,9 @@ struct Jolt {
 // low-pass of 1 Hz to a unit step. Within 0.1 % of the continuous filter.
 Jolt jolt_of(const Passage& passage, double cutoff);
 
-// Returns the jolts of the ghost's passages, in their order; inside a segment that of its sharpest place. Where a joint
-// that the car passes at most 1 / (2 cutoff) before or after steps the other way, as where a roll begins within half a
-// metre, consecutive joints count together if that is less: their steps and impulses, and how felt g changes between
-// them.
+// Returns the jolts of the ghost's passages of joints, in their order. Where a joint that the car passes at most
+// 1 / (2 cutoff) before or after steps the other way, as where a roll begins within half a metre, consecutive joints
+// count together if that is less: their steps and impulses, and how felt g changes between them.
 std::vector<Jolt> passage_jolts(const Ghost& ghost, double cutoff);
 
 // Returns the jolts of the knots, by index in the track, up to the last knot that the ride passes. 0 at knots that it

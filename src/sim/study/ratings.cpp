@@ -52,11 +52,12 @@ void take_wheels(const Ghost& ghost, double cutoff, Ratings& r) {
 }
 
 void take_jolts(const Ghost& ghost, double cutoff, Ratings& r) {
+  const auto add = [&](const Passage& passage, const Jolt& jolt) {
+    take(r.jolt_most, jolt.total, false, true, ghost.sample_of(passage.entry), passage.car, ghost);
+  };
   const std::vector<Jolt> found = passage_jolts(ghost, cutoff);
-  for (std::size_t i = 0; i < found.size(); ++i) {
-    const Passage& passage = ghost.passages[i];
-    take(r.jolt_most, found[i].total, false, true, ghost.sample_of(passage.entry), passage.car, ghost);
-  }
+  for (std::size_t i = 0; i < found.size(); ++i) add(ghost.passages[i], found[i]);
+  for (const BendPassage& bend : ghost.bends) add(bend.peak, jolt_of(bend.peak, cutoff));
 }
 
 // Updates the heights under the first car: extremes, and descents from a top to the next bottom.

@@ -266,7 +266,7 @@ TEST(TightWay, EndsWhereTheTableIsFineEnough) {
   for (const double speed : {2.0, 10.0, 30.0}) {
     const Bend bend{.radius = radius};
     const Ridden found = ride(document_of(bend, speed), 8, 1);
-    EXPECT_TRUE(std::ranges::none_of(found.ghost.passages, &Passage::inside));
+    EXPECT_TRUE(found.ghost.bends.empty());
     const Most right = fine_ride(bend, 8, speed);
     expect_near(found.ratings.side_most.value, std::max(right.most.y, -right.least.y), speed, "side");
   }
