@@ -40,19 +40,20 @@ def environment(display, **more):
 
 
 class Window:
-    """The program in a window of 1280x720, with fresh settings in the emptied `folder`, recording what is done."""
+    """The program in a window, with fresh settings in the emptied `folder`, recording what is done."""
 
-    def __init__(self, coaster, folder, *options, files=None):
+    def __init__(self, coaster, folder, *options, files=None, size="1280x720"):
         """`files`: names and texts of files in the folder."""
         shutil.rmtree(folder, ignore_errors=True)
         folder.mkdir(parents=True)
         for name, text in (files or {}).items():
             (folder / name).write_text(text)
         self.recording, self.log = folder / "recording.coaster", folder / "log.txt"
-        self.server, display = start_display()
+        self.screen = folder / "Xvfb_screen0"  # what the screen shows, in memory
+        self.server, display = start_display("-fbdir", str(folder), size=size)
         self.environment = environment(display)
         self.environment.pop("GALLIVM_PERF", None)  # large pictures, and many: shaders are better compiled well
-        command = [coaster, *options, "--record", self.recording, "--size", "1280x720", "--config", folder / "config"]
+        command = [coaster, *options, "--record", self.recording, "--size", size, "--config", folder / "config"]
         self.program = subprocess.Popen(command, env=self.environment, stdout=self.log.open("w"),
                                         stderr=subprocess.STDOUT)
 

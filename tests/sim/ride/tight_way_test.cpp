@@ -252,12 +252,11 @@ TEST(TightWay, IsPassedWhenTheTrainIsThere) {
     for (const double start : {2.0, 8.0, 15.0}) {
       const world::Document document = document_of({.radius = 0.1}, speed);
       const Ridden found = ride(document, start, 1);
-      const auto inside = std::ranges::find_if(found.ghost.passages, [](const Passage& p) {
-        return p.inside() && (p.impulse.left != 0 || p.impulse.up != 0);
-      });
-      ASSERT_NE(inside, found.ghost.passages.end());
+      const auto bend = std::ranges::find_if(
+          found.ghost.bends, [](const BendPassage& b) { return b.peak.impulse.left != 0 || b.peak.impulse.up != 0; });
+      ASSERT_NE(bend, found.ghost.bends.end());
       const double way = 0.5 * world::exact_length(document) - start;  // the bend is in the middle of the track
-      EXPECT_NEAR(inside->time, way / speed, 0.2 / speed) << speed << " from " << start;
+      EXPECT_NEAR(bend->peak.time, way / speed, 0.2 / speed) << speed << " from " << start;
     }
 }
 
