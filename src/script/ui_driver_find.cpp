@@ -25,8 +25,8 @@ bool is_inner_menu(const WidgetState& w) {
 
 const WidgetState* UiDriver::now(std::string_view path) {
   widgets_ = frames_.host().widgets();
-  const auto found = find_widget(widgets_, path);
-  return found ? &widgets_[*found] : nullptr;
+  const std::vector<std::size_t> found = find_widgets(widgets_, path);
+  return found.size() == 1 ? &widgets_[found[0]] : nullptr;
 }
 
 Failure UiDriver::refusal(const WidgetState& widget) const {
@@ -48,6 +48,7 @@ Failure UiDriver::open_one(WidgetState widget) {
 
 // Opens headers, combos and menus on the path; then the closed headers of its panel, and the menus inside its menu.
 Failure UiDriver::open_way_to(std::string_view path) {
+  if (path.size() > kMostPathBytes) return {};
   const auto missing = [&] { return find_widgets(frames_.host().widgets(), path).empty(); };
   for (std::size_t slash = path.find('/'); slash != std::string_view::npos && missing();
        slash = path.find('/', slash + 1)) {
@@ -122,7 +123,7 @@ Failure UiDriver::find(std::string_view path, WidgetState& widget) {
   if (Failure opened = open_way_to(path); !opened) return opened;
   widgets_ = frames_.host().widgets();
   const auto found = find_widget(widgets_, path);
-  if (!found && find_widgets(widgets_, path).empty()) {
+  if (!found && path.size() <= kMostPathBytes && find_widgets(widgets_, path).empty()) {
     const base::Status missing = missing_.ok() ? found.status() : missing_;  // the search changes missing_
     return refuse_missing(path, missing);
   }

@@ -24,9 +24,9 @@ std::vector<std::string> parts_of(std::string_view path) {
   }
 }
 
-// True if the parts of `wanted` occur in `path` in order, the last one last.
-bool has_parts(std::string_view path, std::string_view wanted) {
-  const auto have = parts_of(path), want = parts_of(wanted);
+// True if the wanted parts occur in `path` in order, the last one last.
+bool has_parts(std::string_view path, const std::vector<std::string>& want) {
+  const auto have = parts_of(path);
   if (have.back() != want.back()) return false;
   std::size_t next = 0;
   for (const std::string& part : have)
@@ -60,16 +60,20 @@ std::string nearest_path(std::span<const WidgetState> widgets, std::string_view 
 }  // namespace
 
 std::vector<std::size_t> find_widgets(std::span<const WidgetState> widgets, std::string_view path) {
+  if (path.size() > kMostPathBytes) return {};
   auto found = all(widgets, [&](std::string_view p) { return p == path; });
   if (found.empty()) found = all(widgets, [&](std::string_view p) { return ends_in(p, path); });
   const std::string low = base::lower(path);
   if (found.empty()) found = all(widgets, [&](std::string_view p) { return base::lower(p) == low; });
   if (found.empty()) found = all(widgets, [&](std::string_view p) { return ends_in(base::lower(p), low); });
-  if (found.empty()) found = all(widgets, [&](std::string_view p) { return has_parts(p, path); });
+  if (found.empty()) found = all(widgets, [want = parts_of(path)](std::string_view p) { return has_parts(p, want); });
   return found;
 }
 
 base::Result<std::size_t> find_widget(std::span<const WidgetState> widgets, std::string_view path) {
+  if (path.size() > kMostPathBytes)
+    return base::Status{base::Code::usage, fmt::format("expected a widget's path of at most {} bytes, found {}",
+                                                       kMostPathBytes, path.size())};
   const std::vector<std::size_t> found = find_widgets(widgets, path);
   if (found.size() == 1) return found[0];
   if (found.empty())

@@ -10,6 +10,8 @@
 
 namespace coaster::script {
 
+inline constexpr std::size_t kMostPathBytes = 1000;  // of a widget's path; longer ones match nothing
+
 // Returns the widgets that match a path, by the first of these rules that finds any: the whole path; its end after a
 // slash ("Insert point" for "Track/Insert point"); both ignoring case; its parts in order with others in between
 // ("Inspector/x" for "Inspector/Position/x"). Widgets that can be operated take precedence over plain labels.

@@ -37,6 +37,15 @@ TEST(widgets, a_path_is_found_whole_by_its_end_in_any_case_or_by_its_parts) {
   EXPECT_FALSE(find_widget(all, "oint").ok());
 }
 
+TEST(widgets, a_path_over_the_limit_matches_nothing) {
+  const auto named = [](std::size_t bytes) {
+    return std::vector<WidgetState>{{"Panel/" + std::string(bytes - 6, 'a')}};
+  };
+  EXPECT_TRUE(find_widget(named(kMostPathBytes), named(kMostPathBytes)[0].path));
+  const auto longer = find_widget(named(kMostPathBytes + 1), named(kMostPathBytes + 1)[0].path);
+  EXPECT_EQ(longer.status().message, "expected a widget's path of at most 1000 bytes, found 1001");
+}
+
 TEST(widgets, a_path_of_former_labels_finds_the_same_widget) {
   std::vector<WidgetState> all{widget("Forces/Suggest a fix"), widget("Forces/What is it")};
   all[0].alias = "Forces/What helps?";

@@ -13,7 +13,7 @@ namespace {
 using glm::dvec3;
 
 constexpr double kStep = 2;               // m, of chords and samples
-constexpr double kLeastCell = 8;          // m, of cells in plan; as wide as longer chords
+constexpr double kLeastCell = 8;          // m, of cells; as wide as longer chords
 constexpr double kMostChordsInAll = 2e5;  // longer tracks have longer chords
 constexpr double kSpineDrop = 0.3;        // m below the rails
 
@@ -25,30 +25,36 @@ struct Thing {
   bool support;
 };
 
-// Things by the cells in plan that they touch.
+// Things by the cells that they touch: chords in space, since track may be as high as it is long; bars, which are as
+// high as the track that they hold, in plan.
 class Cells {
  public:
   explicit Cells(double width) : width_(width) {}
   void add(const Thing& thing) {
     const dvec3 low = glm::min(thing.from, thing.to) - thing.reach, high = glm::max(thing.from, thing.to) + thing.reach;
+    const int bottom = thing.support ? kAllHeights : cell(low.y), top = thing.support ? kAllHeights : cell(high.y);
     for (int x = cell(low.x); x <= cell(high.x); ++x)
-      for (int z = cell(low.z); z <= cell(high.z); ++z) entries_.emplace_back(x, z, things_.size());
+      for (int z = cell(low.z); z <= cell(high.z); ++z)
+        for (int y = bottom; y <= top; ++y) entries_.emplace_back(x, z, y, things_.size());
     things_.push_back(thing);
   }
   void sort() { std::sort(entries_.begin(), entries_.end()); }
   template <class Visit>
   void visit(dvec3 place, const Visit& visit) const {
     const int x = cell(place.x), z = cell(place.z);
-    for (auto i = std::lower_bound(entries_.begin(), entries_.end(), std::tuple(x, z, std::size_t{0}));
-         i != entries_.end() && std::get<0>(*i) == x && std::get<1>(*i) == z; ++i)
-      visit(things_[std::get<2>(*i)]);
+    for (const int y : {kAllHeights, cell(place.y)})
+      for (auto i = std::lower_bound(entries_.begin(), entries_.end(), Entry(x, z, y, 0));
+           i != entries_.end() && std::tie(std::get<0>(*i), std::get<1>(*i), std::get<2>(*i)) == std::tie(x, z, y); ++i)
+        visit(things_[std::get<3>(*i)]);
   }
 
  private:
+  using Entry = std::tuple<int, int, int, std::size_t>;  // x, z, y, index of the thing
+  static constexpr int kAllHeights = std::numeric_limits<int>::min();
   int cell(double v) const { return static_cast<int>(std::floor(v / width_)); }
   double width_;  // m
   std::vector<Thing> things_;
-  std::vector<std::tuple<int, int, std::size_t>> entries_;
+  std::vector<Entry> entries_;
 };
 
 Cells cells_of(const Derived& derived, const Supports* supports, double step) {

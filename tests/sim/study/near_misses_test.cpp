@@ -29,6 +29,16 @@ NearMisses misses(const world::Document& document, double speed, bool with_suppo
   return near_misses(*memo.ride(d, derived, cart), derived, with_supports ? &supports : nullptr);
 }
 
+// A straight up that other track passes beside, at any height: track may be as high as it is long.
+TEST(near_misses, are_found_at_any_height) {
+  for (const float height : {-3000.0f, 0.0f, 7.9f, 8.1f, 25'000.0f})
+    for (const float over : {3.5f, 4.5f, 5.1f, 8.0f}) {
+      world::Document d = crossing(over);
+      for (const world::Entity e : d.track.knots) d.entities.get<world::Knot>(e).position.y += height;
+      EXPECT_EQ(misses(d, 19, false).track, over < 5 ? 1 : 0) << height << " " << over;
+    }
+}
+
 // Below the other track a head passes its middle at over - kHead - 0.3 m; above it the other rails are farther.
 TEST(near_misses, passing_under_track_is_one_within_reach_of_the_head) {
   for (const float over : {3.5f, 4.5f}) EXPECT_EQ(misses(crossing(over), 19, false).track, 1) << over;
