@@ -12,7 +12,8 @@
 
 namespace coaster::platform {
 
-// Keys by their meaning on a US layout. X(enumerator, code, name): GLFW's codes, which are ASCII for printable keys.
+// Keys by what is printed on them (platform/keyboard.h), named as on a US layout. X(enumerator, code, name): GLFW's
+// codes, which are ASCII for printable keys.
 // clang-format off
 #define COASTER_KEYS(X) \
   X(space, 32, "Space") X(apostrophe, 39, "'") X(comma, 44, ",") X(minus, 45, "-") X(period, 46, ".") \
@@ -64,6 +65,8 @@ struct KeyPress {
   bool down = true;
   bool repeat = false;
   Modifiers modifiers;
+  Key place =
+      Key::unknown;  // on a US layout, also without a name; unknown for presses without a keyboard, as by scripts
 };
 struct TextInput {
   std::string utf8;

@@ -12,6 +12,7 @@
 
 #include "platform/driver_threads.h"
 #include "platform/gl_versions.h"
+#include "platform/glfw_keys.h"
 #include "platform/lost_display.h"
 #include "platform/surface.h"
 
@@ -20,11 +21,6 @@ namespace {
 
 Modifiers modifiers_of(int mods) {
   return {(mods & GLFW_MOD_SHIFT) != 0, (mods & GLFW_MOD_CONTROL) != 0, (mods & GLFW_MOD_ALT) != 0};
-}
-
-Key key_of(int code) {
-  const Key key{code};
-  return name_of(key).empty() ? Key::unknown : key;
 }
 
 std::string utf8_of(unsigned codepoint) {
@@ -55,7 +51,7 @@ class WindowSurface final : public Surface {
       of(w).tell_mouse();
       of(w).pending_.push_back(Wheel{static_cast<float>(dx), static_cast<float>(dy)});
     });
-    glfwSetKeyCallback(window, [](GLFWwindow* w, int code, int, int action, int mods) {
+    glfwSetKeyCallback(window, [](GLFWwindow* w, int code, int scancode, int action, int mods) {
       // X11 omits a modifier's own bit from its press and includes it in its release, so these are corrected by hand;
       // the event of an unknown key only reports modifiers.
       Modifiers held = modifiers_of(mods);
@@ -63,7 +59,10 @@ class WindowSurface final : public Surface {
       if (code == GLFW_KEY_LEFT_SHIFT || code == GLFW_KEY_RIGHT_SHIFT) held.shift = down;
       if (code == GLFW_KEY_LEFT_CONTROL || code == GLFW_KEY_RIGHT_CONTROL) held.ctrl = down;
       if (code == GLFW_KEY_LEFT_ALT || code == GLFW_KEY_RIGHT_ALT) held.alt = down;
-      of(w).pending_.push_back(KeyPress{key_of(code), down, action == GLFW_REPEAT, held});
+      // What was pressed is released, whatever the layout is then.
+      Key& key = of(w).pressed_[static_cast<std::size_t>(code + 1)];
+      if (action == GLFW_PRESS) key = key_of(w, code, scancode, mods);
+      of(w).pending_.push_back(KeyPress{key, down, action == GLFW_REPEAT, held, Key{code}});
     });
     glfwSetCharCallback(
         window, [](GLFWwindow* w, unsigned codepoint) { of(w).pending_.push_back(TextInput{utf8_of(codepoint)}); });
@@ -224,6 +223,7 @@ class WindowSurface final : public Surface {
   std::optional<MouseMove> mouse_;  // where it moved last
   GamepadAxes pad_axes_;
   std::array<bool, kPadButtonNames.size()> pad_down_{};
+  std::array<Key, GLFW_KEY_LAST + 2> pressed_{};  // what each key was when it was pressed, by GLFW's code + 1
   std::string title_;
   std::optional<Placement> windowed_;  // before it filled the screen
   PFNGLBINDFRAMEBUFFERPROC bind_framebuffer_ = nullptr;

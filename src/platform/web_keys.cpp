@@ -4,6 +4,8 @@
 #include <cstring>
 #include <string_view>
 
+#include "platform/keyboard.h"
+
 namespace coaster::platform {
 namespace {
 
@@ -24,19 +26,47 @@ constexpr NamedKey kNamedKeys[] = {
     {"NumpadEnter", Key::keypad_enter}};
 // clang-format on
 
-}  // namespace
-
-Key key_of(const EmscriptenKeyboardEvent& event) {
+// Returns the key's place on a US layout.
+Key place_of(const EmscriptenKeyboardEvent& event) {
   for (const NamedKey& named : kNamedKeys)
     if (std::strcmp(named.code, event.code) == 0) return named.key;
-  const std::string_view code = event.code, typed = event.key;
-  if (typed.size() == 1 && ((typed[0] | 32) >= 'a' && (typed[0] | 32) <= 'z')) return Key{typed[0] & ~32};
-  if (code.starts_with("Digit")) return Key{code[5]};
+  const std::string_view code = event.code;
+  if (code.size() == 4 && code.starts_with("Key")) return Key{code[3]};
+  if (code.size() == 6 && code.starts_with("Digit")) return Key{code[5]};
   if (code.size() >= 2 && code[0] == 'F') {
     const int number = std::atoi(event.code + 1);
     if (number >= 1 && number <= 12) return Key{static_cast<int>(Key::f1) + number - 1};
   }
-  return Key::unknown;
+  return Key{code.starts_with("Numpad") ? 320 : -1};  // one without a name, of the keypad or elsewhere
+}
+
+// Returns the character of the event, "" for keys with names of several letters.
+std::string_view character_of(const EmscriptenKeyboardEvent& event) {
+  const std::string_view typed = event.key;
+  return typed.size() == 1 || (!typed.empty() && (typed[0] & 0x80) != 0) ? typed : "";
+}
+
+// True if Option makes another character than a letter or digit: @ on macOS.
+bool is_option_text(std::string_view print, Modifiers held) {
+  const auto is = [&](char first, char last) { return (print[0] | 32) >= first && (print[0] | 32) <= last; };
+  return held.alt && !held.ctrl && !print.empty() && !is('a', 'z') && !is('0', '9');
+}
+
+}  // namespace
+
+KeyPress WebKeyboard::read(const EmscriptenKeyboardEvent& event, bool down, Modifiers held) {
+  if (std::strcmp(event.key, "AltGraph") == 0) alt_graph_ = down;
+  const Key place = place_of(event);
+  const std::string_view print = character_of(event);
+  const bool text = (alt_graph_ && down) || is_option_text(print, held);
+  if (place >= Key::a && place <= Key::z && !print.empty() && !text) other_script_ = is_other_script(print);
+  return {text ? Key::unknown : key_at(place, print, other_script_), down, event.repeat != 0, held, place};
+}
+
+std::string WebKeyboard::text(const EmscriptenKeyboardEvent& event, Modifiers held) const {
+  const std::string_view print = character_of(event);
+  const bool shortcut = held.ctrl || (held.alt && !is_option_text(print, held));
+  return std::string(shortcut && !alt_graph_ ? "" : print);
 }
 
 }  // namespace coaster::platform

@@ -190,13 +190,13 @@ class WebSurface final : public Surface {
   EM_BOOL key(int type, const EmscriptenKeyboardEvent& event) {
     const bool down = type == EMSCRIPTEN_EVENT_KEYDOWN;
     const Modifiers held = modifiers_of(event);
-    if (key_of(event) == Key::v && held == Modifiers{false, true, false}) return EM_FALSE;  // paste() follows
-    pending_.push_back(KeyPress{key_of(event), down, event.repeat != 0, held});
+    const KeyPress press = keyboard_.read(event, down, held);
+    if (press.key == Key::v && held == Modifiers{false, true, false}) return EM_FALSE;  // paste() follows
+    pending_.push_back(press);
     // macOS reports no release of a key that is pressed with Command.
-    if (down && event.metaKey) pending_.push_back(KeyPress{key_of(event), false, false, held});
-    const std::string_view typed = event.key;
-    const bool is_character = typed.size() == 1 || (!typed.empty() && (typed[0] & 0x80) != 0);
-    if (down && is_character && !held.ctrl && !held.alt) pending_.push_back(TextInput{std::string(typed)});
+    if (down && event.metaKey) pending_.push_back(KeyPress{press.key, false, false, held, press.place});
+    if (std::string typed = keyboard_.text(event, held); down && !typed.empty())
+      pending_.push_back(TextInput{std::move(typed)});
     // The browser's: reload, and Ctrl+Shift+I, its tools.
     const std::string_view code = event.code;
     return code != "F5" && !(code == "KeyI" && held.ctrl && (held.shift || held.alt));
@@ -220,6 +220,7 @@ class WebSurface final : public Surface {
       return static_cast<WebSurface*>(w)->wheel(*e);
     };
     const auto on_focus = [](int type, const EmscriptenFocusEvent*, void* w) -> EM_BOOL {
+      static_cast<WebSurface*>(w)->keyboard_.release();
       static_cast<WebSurface*>(w)->pending_.push_back(Focus{type == EMSCRIPTEN_EVENT_FOCUS});
       return EM_FALSE;
     };
@@ -233,6 +234,7 @@ class WebSurface final : public Surface {
     emscripten_set_blur_callback(EMSCRIPTEN_EVENT_TARGET_WINDOW, this, EM_FALSE, on_focus);
   }
   EMSCRIPTEN_WEBGL_CONTEXT_HANDLE context_;
+  WebKeyboard keyboard_;
   bool window_;
   Size size_;
   std::function<void()> lost_;

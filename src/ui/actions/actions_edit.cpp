@@ -169,7 +169,7 @@ constexpr Action kEditActions[] = {
     {"Place element", "Edit", key(Key::enter), 0,
      "Place the previewed element at the open end of the track, or the previewed way home. Without a preview: type in "
      "the selected row of the table of sections.",
-     place_element, kPlaceable},
+     place_element, kPlaceable, nullptr, key(Key::keypad_enter)},
     {"Complete circuit", "Edit", shift(Key::c), 0, "Show ways from the open end of the track to its first knot.",
      complete_circuit, kCompletable},
     {"Next element", "Edit", key(Key::n), kRepeats, "Choose the next element of the palette and show its preview.",

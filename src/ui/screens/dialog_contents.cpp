@@ -26,8 +26,9 @@ void title(std::string_view words) {
 bool pressed(const platform::Events& events, Key a, Key b) {
   return std::any_of(events.begin(), events.end(), [&](const platform::Event& event) {
     const auto* press = std::get_if<platform::KeyPress>(&event);
-    return press != nullptr && press->down && !press->repeat && press->key != Key::unknown &&
-           (press->key == a || press->key == b);
+    if (press == nullptr || !press->down || press->repeat || press->key == Key::unknown) return false;
+    const Key key = press->key == Key::keypad_enter ? Key::enter : press->key;
+    return key == a || key == b;
   });
 }
 
@@ -47,7 +48,7 @@ void Dialogs::build_unsaved(Ui& ui, const platform::Events& events) {
                 "{} {} lost unless you save.", name.empty() ? "This track" : fmt::format("\u201C{}\u201D", name),
                 ui.session().file.path.empty() ? "is not saved yet. It will be" : "has unsaved changes. They will be"),
             palette().text);
-  const bool enter = pressed(events, Key::enter, Key::keypad_enter);
+  const bool enter = pressed(events, Key::enter);
   const bool save_now = button(ui, "Save", "Save, then continue. Key Enter.") || enter;
   ImGui::SameLine();
   const bool drop = button(ui, "Discard", "Continue without saving. Key D.") || pressed(events, Key::d);
@@ -103,8 +104,7 @@ void Dialogs::build_changed(Ui& ui, const platform::Events& events) {
             fmt::format("Another program changed {} on {}, after you opened it. Overwriting loses its changes.",
                         chosen_.string(), base::local_time(base::change_time(chosen_))),
             palette().text);
-  const bool other =
-      button(ui, "Save as", "Save under another name. Key Enter.") || pressed(events, Key::enter, Key::keypad_enter);
+  const bool other = button(ui, "Save as", "Save under another name. Key Enter.") || pressed(events, Key::enter);
   ImGui::SameLine();
   const bool yes = button(ui, "Overwrite", "Replace the file.");
   ImGui::SameLine();
@@ -120,8 +120,8 @@ void Dialogs::build_new_folder(Ui& ui, const platform::Events& events, bool text
   if (auto typed = text(ui, "Name", folder_name_, "The folder's name.")) folder_name_ = std::move(*typed);
   const bool named = !folder_name_.empty() && folder_name_ != "." && folder_name_ != ".." &&
                      folder_name_.find('/') == std::string::npos;
-  const bool make = button(ui, "Create###Make", "Create the folder. Key Enter.", named) ||
-                    (named && pressed(events, Key::enter, Key::keypad_enter));
+  const bool make =
+      button(ui, "Create###Make", "Create the folder. Key Enter.", named) || (named && pressed(events, Key::enter));
   ImGui::SameLine();
   if (button(ui, "Cancel", "Back. Key Escape.") || (!text_had_keyboard && pressed(events, Key::escape)))
     dialog_ = Dialog::browse;
@@ -208,7 +208,7 @@ void Dialogs::build_import(Ui& ui, const platform::Events& events, bool text_had
   const auto moves =
       checkbox(ui, "Move to the origin", to.origin, "Move the middle of the track to the origin. Key O.");
   to.origin = moves.value_or(hit(Key::o) ? !to.origin : to.origin);
-  const bool go = button(ui, "Import", "Open the track. Key Enter.") || hit(Key::enter, Key::keypad_enter);
+  const bool go = button(ui, "Import", "Open the track. Key Enter.") || hit(Key::enter);
   ImGui::SameLine();
   const bool cancel = button(ui, "Cancel", "Keep the open track. Key Escape.") || hit(Key::escape);
   if (cancel) return abandon();

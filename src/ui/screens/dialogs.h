@@ -64,7 +64,7 @@ class Dialogs {
   std::string folder_name_;
 };
 
-// True if one of the keys was pressed; repeats do not count.
+// True if one of the keys was pressed; repeats do not count. Keypad Enter counts as Enter.
 bool pressed(const platform::Events& events, platform::Key a, platform::Key b = platform::Key::unknown);
 // True if Ctrl+V was pressed; it opens a copied link even while a dialog has the keyboard.
 bool pasted(const platform::Events& events);

@@ -24,6 +24,9 @@ constexpr std::array<Row, 6> kRows{{{Key::w, {0, 0, 1}},
                                     {Key::e, {0, 1, 0}},
                                     {Key::q, {0, -1, 0}}}};
 
+// By place: the keys form a cross for the left hand in every layout.
+Key place_of(const platform::KeyPress& press) { return press.place == Key::unknown ? press.key : press.place; }
+
 constexpr float kSpeed = 12, kFaster = 4;  // m/s
 constexpr double kLongestFrame = 0.25;     // s
 
@@ -31,7 +34,7 @@ constexpr double kLongestFrame = 0.25;     // s
 
 bool is_fly_key(const platform::KeyPress& press) {
   if (press.modifiers.ctrl || press.modifiers.alt) return false;
-  return std::any_of(kRows.begin(), kRows.end(), [&](const Row& row) { return row.key == press.key; });
+  return std::any_of(kRows.begin(), kRows.end(), [&](const Row& row) { return row.key == place_of(press); });
 }
 
 void FlyKeys::fly(Ui& ui, const platform::Events& events, bool text_has_keyboard) {
@@ -46,7 +49,7 @@ void FlyKeys::fly(Ui& ui, const platform::Events& events, bool text_has_keyboard
     if (!press) continue;
     fast_ = press->modifiers.shift;
     for (std::size_t i = 0; i < kRows.size(); ++i) {
-      if (kRows[i].key != press->key) continue;
+      if (kRows[i].key != place_of(*press)) continue;
       held_[i] = press->down && (press->repeat ? held_[i] : !text_has_keyboard && is_fly_key(*press));
       acts[i] = acts[i] || held_[i];
     }

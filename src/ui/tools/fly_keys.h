@@ -1,4 +1,5 @@
-// Keys of the free camera: W A S D to move, E and Q for up and down, Shift for four times the speed.
+// Keys of the free camera, by their place on a US layout: W A S D to move, E and Q for up and down, Shift for four
+// times the speed.
 #pragma once
 
 #include <array>

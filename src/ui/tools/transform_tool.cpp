@@ -37,6 +37,12 @@ char digit_of(Key key) {
   return 0;
 }
 
+// Returns the character that a text adds to a number, 0 for none: `of_key` for digits of other scripts.
+char number_part(const std::string& text, char of_key) {
+  if (text.size() == 1) return std::string_view("0123456789.,-").find(text[0]) == std::string_view::npos ? 0 : text[0];
+  return of_key >= '0' ? of_key : 0;
+}
+
 // Ctrl inverts snapping: on becomes off, off becomes the grid.
 world::SnapTo snap_now(const world::Settings& settings) {
   if (!ImGui::GetIO().KeyCtrl) return settings.snapping.to;
@@ -87,8 +93,11 @@ bool TransformTool::any_typed() const { return typed(0) || typed(1) || typed(2);
 void TransformTool::take_keys(const platform::Events& events) {
   for (const platform::Event& event : events) {
     const auto* const press = std::get_if<platform::KeyPress>(&event);
+    const auto* const input = std::get_if<platform::TextInput>(&event);
+    if (active_ && input != nullptr && of_keyboard_) type(number_part(input->utf8, digit_of(*of_keyboard_)));
+    if (press != nullptr && press->down)
+      of_keyboard_ = press->place == Key::unknown ? std::nullopt : std::optional(press->key);
     if (!active_ || press == nullptr || !press->down || press->modifiers.ctrl || press->modifiers.alt) continue;
-    std::string& text = text_[field_];
     if (press->key >= Key::x && press->key <= Key::z) {
       const Constraint next{press->modifiers.shift ? CKind::plane : CKind::axis,
                             static_cast<int>(press->key) - static_cast<int>(Key::x)};
@@ -106,12 +115,18 @@ void TransformTool::take_keys(const platform::Events& events) {
     } else if (press->key == Key::tab) {
       field_ = (field_ + 1) % fields();
     } else if (press->key == Key::backspace) {
-      if (!text.empty()) text.pop_back();
-    } else if (const char c = digit_of(press->key); c != 0 && text.size() < kMostTyped) {
-      if (c == '-') text = text.starts_with('-') ? text.substr(1) : "-" + text;
-      else if (c != '.' || text.find('.') == std::string::npos) text += c;
+      if (std::string& text = text_[field_]; !text.empty()) text.pop_back();
+    } else if (!of_keyboard_) {
+      type(digit_of(press->key));
     }
   }
+}
+
+void TransformTool::type(char c) {
+  std::string& text = text_[field_];
+  if (c == 0 || text.size() >= kMostTyped) return;
+  if (c == '-') text = text.starts_with('-') ? text.substr(1) : "-" + text;
+  else if (c != '.' || text.find('.') == std::string::npos) text += c;
 }
 
 glm::vec3 TransformTool::movement(const Ui& ui, const view::View& view) {

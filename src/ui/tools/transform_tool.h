@@ -36,6 +36,7 @@ class TransformTool {
   std::string mistyped() const;  // the error in the typed numbers; empty if there is none
   bool any_typed() const;
   std::size_t fields() const;
+  void type(char c);
   edit::Command command(const Ui& ui, const view::View& view);
   glm::vec3 movement(const Ui& ui, const view::View& view);
 
@@ -50,7 +51,8 @@ class TransformTool {
   base::ShownUnit length_;                // unit of typed distances
   std::array<std::string, 3> text_;       // the typed numbers
   std::size_t field_ = 0;
-  std::string sent_, shown_;  // the last command, and its text for the status
+  std::optional<platform::Key> of_keyboard_;  // the last key, if its text follows
+  std::string sent_, shown_;                  // the last command, and its text for the status
 };
 
 }  // namespace coaster::ui

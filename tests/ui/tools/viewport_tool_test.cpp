@@ -87,6 +87,40 @@ TEST_F(ViewportToolTest, keys_choose_orthographic_views_and_orbiting_leaves_them
   EXPECT_NEAR(session_.settings.camera.pitch_deg, world::kMaxPitch - 30 * 0.3f, 1e-3f);
 }
 
+// Keys of a French keyboard: minus on the key of 6, digits with Shift, and a keypad whose 2 has no name.
+TEST_F(ViewportToolTest, numbers_of_a_move_are_the_text_of_keys) {
+  using platform::Key, platform::KeyPress, platform::TextInput;
+  select(world::Kind::knot, 2);
+  const float height = knot(2).position.y;
+  hover(empty_ground());
+  frame({KeyPress{Key::g, true, false, {}, Key::g}, TextInput{"g"}});
+  frame({KeyPress{Key::y, true, false, {}, Key::y}, TextInput{"y"}});
+  frame({KeyPress{Key::d6, true, false, {}, Key::d6}, TextInput{"-"}});
+  frame({KeyPress{Key::d1, true, false, {.shift = true}, Key::d1}, TextInput{"1"}});
+  frame({KeyPress{Key::unknown, true, false, {}, Key{322}}, TextInput{"2"}});
+  frame({KeyPress{Key::d3, true, false, {}, Key::d3}, TextInput{"\u06F3"}});  // Persian
+  key(Key::keypad_enter);
+  frame();
+  EXPECT_NEAR(knot(2).position.y, height - 123, 1e-4f);
+}
+
+TEST_F(ViewportToolTest, flying_keys_go_by_place) {
+  using platform::Key, platform::KeyPress;
+  key(Key::d4);
+  frame();
+  const auto fly = [&](Key printed, Key place) {
+    const glm::vec3 before = session_.settings.fly.eye;
+    frame({KeyPress{printed, true, false, {}, place}});
+    frame({KeyPress{printed, false, false, {}, place}});
+    frame();
+    return session_.settings.fly.eye - before;
+  };
+  const glm::vec3 ahead = fly(Key::z, Key::w);  // AZERTY
+  EXPECT_GT(glm::length(ahead), 0.01f);
+  EXPECT_GT(glm::dot(glm::normalize(ahead), glm::normalize(fly(Key::w, Key::unknown))), 0.999f) << "a script's W";
+  EXPECT_EQ(fly(Key::w, Key::z), glm::vec3(0));
+}
+
 TEST_F(ViewportToolTest, in_an_orthographic_view_the_wheel_keeps_the_point_under_the_cursor) {
   key(platform::Key::keypad_1);
   frames(2);
