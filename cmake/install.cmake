@@ -55,7 +55,7 @@ set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_SECTION games)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)  # linked libraries
 set(CPACK_DEBIAN_PACKAGE_DEPENDS libgl1)  # and loaded ones: OpenGL, by GLFW,
-set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "libosmesa6 | libegl1, libgl1-mesa-dri")  # OSMesa or EGL for --headless
+set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "libosmesa6 | libegl1, libgl1-mesa-dri, libfontconfig1")  # --headless, letters
 set(CPACK_DEBIAN_PACKAGE_SUGGESTS "ffmpeg, zenity")                 # movie files, the desktop's file dialog
 set(CPACK_PROJECT_CONFIG_FILE ${CMAKE_SOURCE_DIR}/cmake/package.cmake)
 set(CPACK_PRE_BUILD_SCRIPTS ${CMAKE_SOURCE_DIR}/cmake/package_files.cmake)

@@ -15,7 +15,7 @@ Key key_at(Key place, std::string_view print, bool other_script) {
   if (print == "\u0131") return Key::i;  // the Turkish key of I
   if (print.size() == 1) {
     const char c = print.front();
-    if ((c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z')) return Key{c & ~32};
+    if (c >= 'a' && c <= 'z') return Key{c & ~32};
     if (!(other_script && at_letter) && !name_of(Key{c}).empty()) return Key{c};
   }
   return (at_letter ? other_script : !print.empty()) ? named(place) : Key::unknown;

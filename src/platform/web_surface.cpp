@@ -198,8 +198,7 @@ class WebSurface final : public Surface {
     if (std::string typed = keyboard_.text(event, held); down && !typed.empty())
       pending_.push_back(TextInput{std::move(typed)});
     // The browser's: reload, and Ctrl+Shift+I, its tools.
-    const std::string_view code = event.code;
-    return code != "F5" && !(code == "KeyI" && held.ctrl && (held.shift || held.alt));
+    return press.place != Key::f5 && !(press.place == Key::i && held.ctrl && (held.shift || held.alt));
   }
   void listen() {
     const auto on_mouse = [](int type, const EmscriptenMouseEvent* e, void* w) {

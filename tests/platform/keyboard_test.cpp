@@ -74,6 +74,7 @@ TEST(keyboard, keys_without_print_have_their_place) {
   EXPECT_EQ(key_at(Key{161}, "<", false), Key::unknown) << "beside the left Shift";
   EXPECT_EQ(key_at(Key{161}, "\\", false), Key::backslash);
   EXPECT_EQ(key_at(Key{-1}, "", false), Key::unknown);
+  EXPECT_EQ(key_at(Key::w, "é", false), Key::unknown) << "bépo, whose W is elsewhere";
   EXPECT_EQ(key_at(Key::y, "Z", false), Key::z) << "with Shift or Caps Lock";
 }
 

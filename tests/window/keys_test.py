@@ -1,5 +1,5 @@
-"""Keys of a real keyboard in seven layouts, one after the other while the program runs: letters go by what is printed on
-the key, digits by the row of digits, flying keys by place, and AltGr makes text.
+"""Keys of a real keyboard in seven layouts, one after the other while the program runs: letters go by what is printed
+on the key, digits by the row of digits, and AltGr makes text.
 
 Usage: keys_test.py COASTER FOLDER. Exit status 77 (skipped) when Xvfb, xdotool or setxkbmap is missing.
 """

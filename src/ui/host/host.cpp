@@ -29,6 +29,7 @@
 #include "ui/tools/fly_keys.h"
 #include "ui/tools/follow_camera.h"
 #include "ui/widgets/imgui_compat.h"
+#include "ui/widgets/letters.h"
 #include "ui/widgets/theme.h"
 #include "world/look.h"
 #include "world/panels.h"
@@ -53,7 +54,7 @@ view::View make_view(const State& state, const view::Viewport& scene) {
 
 struct Host::Parts {
   const gfx::Gl& gl;
-  float loaded_scale = 0;  // of the fonts
+  Letters letters;
   ImGuiContext* context = nullptr;
   std::optional<ImGuiRenderer> renderer;
   EventOrder order;
@@ -101,12 +102,10 @@ struct Host::Parts {
 };
 
 void Host::Parts::restyle(world::Theme wanted, float scale) {
-  if (scale == loaded_scale && wanted == theme) return;
+  const bool loaded = letters.load(scale);
+  if (!loaded && wanted == theme) return;
   theme = wanted;
   apply_theme(palette_of(theme), scale);
-  if (scale == loaded_scale) return;
-  loaded_scale = scale;
-  load_fonts(scale);
 }
 
 void Host::Parts::follow_session(const State& state) {

@@ -51,7 +51,7 @@ Steps laboratory_steps(const KeyMap& keys) {
   return {
       {k("Next evaluator"), fmt::format("next evaluator; {} more steps, {} fewer", k("More steps"), k("Fewer steps"))},
       {"Click", "select a segment: the pages show it"},
-      {fmt::format("{} {}", k("Probe back"), k("Probe on")), "move the probe along the curve"},
+      {k("Probe on"), fmt::format("move the probe along the curve; {} back", k("Probe back"))},
       {k("Next track colours"), "colour the track by curvature, error and more"},
       {k("Build workspace"), "the workspace Build"}};
 }

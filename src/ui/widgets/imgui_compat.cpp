@@ -159,7 +159,18 @@ void begin_fonts(ImFontAtlas& atlas) {
   atlas.SetFontLoader(&loader);
 }
 // Glyphs are loaded when they are first drawn, in the current size: with another atlas the former size would remain.
-void finish_fonts(ImFontAtlas& atlas) { ImGui::GetStyle().FontSizeBase = pixels_of(*atlas.Fonts[0]); }
+bool finish_fonts(ImFontAtlas& atlas, const std::set<ImWchar>&) {
+  ImGui::GetStyle().FontSizeBase = pixels_of(*atlas.Fonts[0]);
+  return true;
+}
+
+void take_missing(std::set<ImWchar>& blocks) {
+  constexpr ImU16 kNotFound = 0xfffe;  // Dear ImGui's mark of a character it has looked for
+  for (const ImFont* const font : ImGui::GetIO().Fonts->Fonts)
+    if (const ImFontBaked* const baked = font->LastBaked)
+      for (int c = 0x80; c < baked->IndexLookup.Size; ++c)
+        if (baked->IndexLookup[c] == kNotFound) blocks.insert(static_cast<ImWchar>(c / kBlock * kBlock));
+}
 
 void upload_textures(const Upload& upload) {
   for (ImTextureData* const texture : ImGui::GetPlatformIO().Textures) {
@@ -195,6 +206,28 @@ void make_figures_tabular(ImFont& font) {
   }
 }
 
+constexpr float kMissing = 2;  // outside of the texture
+
+// Gives letters without a glyph a dot that tells their block by its place in the texture.
+void mark_missing(ImFont& font, const std::set<ImWchar>& tried) {
+  const int size = 0x10000, before = font.IndexLookup.Size;
+  font.GrowIndex(size);
+  for (int c = before; c < size; ++c) font.IndexAdvanceX[c] = font.FallbackAdvanceX;
+  for (int block = 0x80; block < size; block += kBlock) {
+    if (tried.contains(static_cast<ImWchar>(block))) continue;
+    ImFontGlyph dot{};
+    dot.Visible = 1;
+    dot.X1 = dot.Y1 = 1;
+    dot.AdvanceX = font.FallbackAdvanceX;
+    dot.U0 = dot.U1 = static_cast<float>(block);
+    dot.V0 = dot.V1 = kMissing;
+    font.Glyphs.push_back(dot);
+    for (int c = block; c < block + kBlock; ++c)
+      if (ImWchar& glyph = font.IndexLookup[c]; glyph == ImWchar(-1)) glyph = ImWchar(font.Glyphs.Size - 1);
+  }
+  font.FallbackGlyph = &font.Glyphs[font.IndexLookup[font.FallbackChar]];  // they have moved
+}
+
 }  // namespace
 
 void set_up_context() {
@@ -204,13 +237,27 @@ void set_up_context() {
 }
 
 float pixels_of(const ImFont& font) { return font.FontSize; }
-bool has_glyph(ImFont& font, ImWchar character) { return font.FindGlyphNoFallback(character) != nullptr; }
+bool has_glyph(ImFont& font, ImWchar character) {
+  const ImFontGlyph* const glyph = font.FindGlyphNoFallback(character);
+  return glyph != nullptr && glyph->V0 != kMissing;
+}
 
 void begin_fonts(ImFontAtlas& atlas) { atlas.Clear(); }
-void finish_fonts(ImFontAtlas& atlas) {
-  atlas.Build();
-  for (ImFont* const font : atlas.Fonts) make_figures_tabular(*font);
+bool finish_fonts(ImFontAtlas& atlas, const std::set<ImWchar>& tried) {
+  if (!atlas.Build()) return false;
+  for (ImFont* const font : atlas.Fonts) {
+    make_figures_tabular(*font);
+    mark_missing(*font, tried);
+  }
   atlas.SetTexID((ImTextureID)kOwnTexture);  // a pointer
+  return true;
+}
+
+void take_missing(std::set<ImWchar>& blocks) {
+  if (const ImDrawData* const data = ImGui::GetDrawData())
+    for (const ImDrawList* const list : lists_of(*data))
+      for (const ImDrawVert& corner : list->VtxBuffer)
+        if (corner.uv.y == kMissing) blocks.insert(static_cast<ImWchar>(corner.uv.x));
 }
 
 void upload_textures(const Upload& upload) {

@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <set>
 #include <span>
 
 namespace coaster::ui {
@@ -49,9 +50,13 @@ float pixels_of(const ImFont& font);
 bool has_glyph(ImFont& font, ImWchar character);
 
 // Empties the atlas; then add fonts, then finish. All digits get the width of the widest, so that changing numbers do
-// not move.
+// not move. Letters that the fonts lack show as a box if their block is one of `tried`, else one frame later.
+// finish_fonts() returns false if Dear ImGui cannot read one of the fonts.
+inline constexpr ImWchar kBox = 0x25A1, kBlock = 4;  // a block: that many letters
 void begin_fonts(ImFontAtlas& atlas);
-void finish_fonts(ImFontAtlas& atlas);
+bool finish_fonts(ImFontAtlas& atlas, const std::set<ImWchar>& tried);
+// Adds the blocks of the letters that the last frame could not draw, each by its first letter.
+void take_missing(std::set<ImWchar>& blocks);
 
 // Calls `upload` for each texture of the current context that is new, changed or no longer used since the last call.
 // Draw commands identify these textures by `id`, from kOwnTexture on, and others by their OpenGL names, which are

@@ -42,7 +42,7 @@ TEST_F(HintsTest, the_first_steps_are_those_of_the_workspace) {
       {"G R S", {Workspace::build}},
       {"1 2 3", {Workspace::ride}},
       {"Space", {Workspace::build, Workspace::ride}},
-      {"[ ]", {Workspace::laboratory}},
+      {"M", {Workspace::laboratory}},
       {"E", {Workspace::laboratory}},
       {"F8", {Workspace::ride, Workspace::laboratory}},
       {"Ctrl+P", {Workspace::build, Workspace::ride, Workspace::laboratory}}};

@@ -4,6 +4,7 @@
 #include <map>
 
 #include "ui/widgets/imgui_compat.h"
+#include "ui/widgets/letters.h"
 #include "ui/widgets/theme.h"
 
 namespace coaster::ui {
@@ -21,6 +22,15 @@ struct FontsTest : testing::Test {
   static float width_of(const char* text) {
     ImFont& font = *ImGui::GetIO().Fonts->Fonts[0];
     return font.CalcTextSizeA(pixels_of(font), 1e9f, 0, text).x;
+  }
+
+  // Loads letters as two frames that show a text do; returns whether they were new.
+  static bool show(Letters& letters, const char* text) {
+    ImGui::NewFrame();
+    ImGui::GetForegroundDrawList()->AddText({5, 5}, 0xffffffffu, text);
+    ImGui::Render();
+    upload_textures([](std::uintptr_t, int, int, const void*) {});
+    return letters.load(1);
   }
 
   ImGuiContext* context = ImGui::CreateContext();
@@ -70,6 +80,35 @@ TEST_F(FontsTest, formulas_have_their_signs) {
   for (const ImWchar c : {ImWchar(0xB0), ImWchar(0xB2), ImWchar(0xB3), ImWchar(0xD7), ImWchar(0x2026), ImWchar(0x25CF)})
     EXPECT_TRUE(has_glyph(font, c)) << c;
   EXPECT_FALSE(has_glyph(font, ImWchar(0x4E00))) << "Inter has no Chinese";
+}
+
+TEST_F(FontsTest, letters_of_other_alphabets_are_loaded_when_a_text_shows_them) {
+  if (inter_font().empty()) GTEST_SKIP() << "built without Inter";
+  Letters letters;
+  EXPECT_TRUE(letters.load(1));
+  EXPECT_FALSE(letters.load(1));
+  show(letters, "\u0420\u0443\u0441\u0441\u043a\u0438\u0439 \u1f08 \u1ea1");  // Cyrillic, Greek, Vietnamese
+  ImFont& font = *ImGui::GetIO().Fonts->Fonts[0];
+  for (const ImWchar c : {ImWchar(0x0420), ImWchar(0x0439), ImWchar(0x0434), ImWchar(0x1F08), ImWchar(0x1EA1)})
+    EXPECT_TRUE(has_glyph(font, c)) << c;
+  EXPECT_FALSE(show(letters, "\u0420\u0443\u0441\u0441\u043a\u0438\u0439")) << "loaded once";
+  EXPECT_GT(width_of("\u0429"), 1.2f * width_of("\u0413")) << "a wide and a narrow letter: no boxes";
+}
+
+TEST_F(FontsTest, letters_that_no_font_has_are_one_box_each) {
+  if (inter_font().empty()) GTEST_SKIP() << "built without Inter";
+  Letters letters;
+  letters.load(1);
+  const float box = width_of("\u25a1");
+  show(letters, "\uf8f0\uf8f4\uf8ff");  // for private use
+  EXPECT_NEAR(width_of("\uf8f0\uf8f4\uf8ff"), 3 * box, 1e-3f);
+  EXPECT_FALSE(show(letters, "\uf8f0\uf8f4\uf8ff")) << "asked for once";
+  ImGui::NewFrame();
+  const ImDrawList& list = *ImGui::GetForegroundDrawList();
+  ImGui::GetForegroundDrawList()->AddText({5, 5}, 0xffffffffu, "\uf8f0\u25a1");
+  ASSERT_EQ(list.VtxBuffer.Size, 8);
+  EXPECT_EQ(list.VtxBuffer[0].uv.x, list.VtxBuffer[4].uv.x) << "the picture of a box";
+  ImGui::Render();
 }
 
 }  // namespace fonts_test
