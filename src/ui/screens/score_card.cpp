@@ -39,7 +39,7 @@ struct CardRow {
     ImDrawList& list = *ImGui::GetWindowDrawList();
     draw_text(list, low, palette().dim, label);
     draw_text(list, {high.x - text_size(shown).x, low.y}, palette().text, shown);
-    ImGui::Dummy({width, high.y - low.y});
+    ImGui::Dummy(sized({width, high.y - low.y}));
     note(ui, label, "label", tooltip, true, shown, low, high);
   }
   bool button(std::string_view label, std::string_view tooltip) {
@@ -91,7 +91,7 @@ void title(Ui& ui, const edit::RideResult& result) {
     const ImVec2 low = ImGui::GetCursorScreenPos();
     const float size = std::floor(24 * ui.scale);
     draw_medal(*ImGui::GetWindowDrawList(), low, size, std::max(1, medal), medal > 0);
-    ImGui::Dummy({size, size});
+    ImGui::Dummy(sized({size, size}));
     const std::string verdict = medal > 0 ? fmt::format("{} medal", medal_title(medal)) : "Not passed yet";
     note_item(ui, "Verdict", "label", "Verdict of the challenge.", true, verdict);
     ImGui::SameLine();
@@ -152,7 +152,7 @@ view::Viewport draw_score_card(Ui& ui, const view::Viewport& scene) {
   const float width = std::min(std::floor(690 * ui.scale), scene.width - 2 * margin);
   if (width < 240 * ui.scale || scene.height < 240 * ui.scale) return scene;
   const ImVec2 foot(std::floor(scene.x + scene.width * 0.5f), std::floor(scene.y + scene.height - margin));
-  ImGui::SetNextWindowSizeConstraints({width, 0}, {width, scene.height - 2 * margin});
+  ImGui::SetNextWindowSizeConstraints({sized(width), 0}, sized({width, scene.height - 2 * margin}));
   Card card{.id = "##score", .panel = "Score", .at = foot, .pivot = {0.5f, 1}, .width = width, .alpha = 0.9f};
   card.flags &= ~ImGuiWindowFlags_NoScrollbar;
   card.flags |= ImGuiWindowFlags_NoNav;
