@@ -25,7 +25,7 @@ ImFont* add_font(ImFontAtlas& atlas, float pixels, const ImWchar* ranges = kRang
   if (!inter.empty()) {
     ImFontConfig config;
     config.FontDataOwnedByAtlas = false;
-    config.OversampleH = 3;
+    config.OversampleH = pixels < 40 ? 3 : 1;  // large letters need no finer steps, but much memory
     config.OversampleV = 1;
     config.PixelSnapH = false;
     config.RasterizerMultiply = 1.1f;  // light text on dark looks thin otherwise

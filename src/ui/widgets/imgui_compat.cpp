@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace coaster::ui {
 
@@ -206,7 +207,10 @@ void set_up_context() {
 float pixels_of(const ImFont& font) { return font.FontSize; }
 bool has_glyph(ImFont& font, ImWchar character) { return font.FindGlyphNoFallback(character) != nullptr; }
 
-void begin_fonts(ImFontAtlas& atlas) { atlas.Clear(); }
+void begin_fonts(ImFontAtlas& atlas) {
+  atlas.Clear();
+  ImGui::GetIO().BackendRendererUserData = nullptr;  // the atlas that was uploaded
+}
 void finish_fonts(ImFontAtlas& atlas) {
   atlas.Build();
   for (ImFont* const font : atlas.Fonts) make_figures_tabular(*font);
@@ -215,11 +219,12 @@ void finish_fonts(ImFontAtlas& atlas) {
 
 void upload_textures(const Upload& upload) {
   ImFontAtlas& atlas = *ImGui::GetIO().Fonts;
-  if (atlas.TexPixelsRGBA32 != nullptr) return;  // made by the next lines, and discarded with the fonts
+  if (std::exchange(ImGui::GetIO().BackendRendererUserData, &atlas) == &atlas) return;
   unsigned char* pixels = nullptr;
   int width = 0, height = 0;
   atlas.GetTexDataAsRGBA32(&pixels, &width, &height);
   upload(kOwnTexture, width, height, pixels);
+  atlas.ClearTexData();  // the texture alone holds them now
 }
 
 #endif
