@@ -133,7 +133,7 @@ std::vector<FoundAutosave> find_autosaves(base::Files& files, const std::filesys
     const std::string stem = entry.name.substr(0, entry.name.find('.'));
     if (std::find(spared.begin(), spared.end(), stem) != spared.end()) continue;
     const auto pid = base::parse_int(stem.substr(0, stem.find('-')));
-    if (pid && base::process_runs(*pid)) continue;
+    if (!pid || base::process_runs(*pid)) continue;  // without a number it is none of ours
     remove_file(files, folder / entry.name);
   }
   std::sort(found.begin(), found.end(),
