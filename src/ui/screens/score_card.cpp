@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include "base/text.h"
+#include "base/units.h"
 #include "edit/commands/commands_challenge.h"
 #include "edit/commands/commands_ride.h"
 #include "edit/commands/commands_sections.h"
@@ -48,7 +49,9 @@ struct CardRow {
   }
 };
 
-std::string range(double low, double high) { return fmt::format("{} .. {} g", fixed(low, 1), fixed(high, 1)); }
+std::string range(double low, double high) {
+  return fmt::format("{} .. {} g", base::figure_text(low, 1, "g"), base::figure_text(high, 1, "g"));
+}
 
 // The five numbers that players compare.
 void values(Ui& ui, const edit::RideResult& result) {
@@ -69,7 +72,7 @@ void details(Ui& ui, const edit::RideResult& result) {
   const sim::Ratings& r = result.ratings;
   read_out(ui, "Length", r.length, 1, "m", "Length of the track.");
   read_out(ui, "Highest drop", r.highest_drop, 1, "m", fmt::format("Largest of {} descents of 3 m or more.", r.drops));
-  read_out(ui, "Lateral g", fixed(r.side_most.value, 2), "g", "Largest felt g to either side, low-passed.");
+  read_out(ui, "Lateral g", digits(ui, r.side_most.value, 2, "g"), "g", "Largest felt g to either side, low-passed.");
   read_out(ui, "Inversions", std::to_string(r.inversions), "", "Number of times that riders are upside down.");
   constexpr std::string_view kTerms = "From g, drops, airtime, near misses, jolts and overloads.";
   read_out(ui, "Intensity", fixed(r.intensity, 1), "", kTerms);

@@ -86,8 +86,7 @@ void note_if_cut(WidgetFrame& ui, std::string_view label) {
 }
 
 std::string digits(const WidgetFrame& ui, double value, int decimals, std::string_view metric) {
-  const base::ShownUnit unit = base::shown_in(ui.units, metric);
-  return fixed(value * unit.factor, decimals + unit.more_decimals);
+  return base::figure_text(value, decimals, metric, ui.units);
 }
 
 std::string measured(const WidgetFrame& ui, double value, int decimals, std::string_view metric) {
@@ -218,7 +217,10 @@ void paragraph(WidgetFrame& ui, std::string_view label, std::string_view words, 
 
 bool button(WidgetFrame& ui, std::string_view label, std::string_view tooltip, bool enabled, float width) {
   ImGui::BeginDisabled(!enabled);
-  const bool pressed = ImGui::Button(std::string(label).c_str(), {width == 0 ? 0 : sized(width), 0});
+  const bool pressed = ImGui::Button(std::string(label).c_str(), {width > 0   ? sized(width)
+                                                                  : width < 0 ? -1.0f
+                                                                              : 0.0f,
+                                                                  0});
   ImGui::EndDisabled();
   note_item(ui, label, "button", tooltip, enabled);
   note_if_cut(ui, label);
@@ -281,14 +283,9 @@ void read_out(WidgetFrame& ui, std::string_view label, std::string_view value, s
 
 void read_out(WidgetFrame& ui, std::string_view label, double value, int decimals, std::string_view metric,
               std::string_view tooltip, bool warns) {
-  read_out(ui, label, std::isnan(value) ? "--" : digits(ui, value, decimals, metric),
-           base::shown_in(ui.units, metric).name, tooltip, warns);
+  read_out(ui, label, digits(ui, value, decimals, metric), base::shown_in(ui.units, metric).name, tooltip, warns);
 }
 
-std::string fixed(double value, int decimals) {
-  if (std::isnan(value)) return "--";
-  std::string text = fmt::format("{:.{}f}", value, decimals);
-  return text.find_first_not_of("-0.") == std::string::npos && text[0] == '-' ? text.substr(1) : text;
-}
+std::string fixed(double value, int decimals) { return base::figure_text(value, decimals, ""); }
 
 }  // namespace coaster::ui
