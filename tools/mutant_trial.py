@@ -31,12 +31,18 @@ def fail(message):
 
 
 def copy_tree(target_root):
-    """Updates the copy; unchanged files keep their time, so that little is rebuilt."""
+    """Updates the copy; unchanged files keep their time, so that little is rebuilt. Only in a folder that is new or
+    that a former trial marked."""
+    marker = target_root / ".made-by-tools"
+    if target_root.exists() and any(target_root.iterdir()) and not marker.exists():
+        sys.exit(f"{target_root} was not made by tools/mutants, so it stays. Choose another --build folder.")
+    target_root.mkdir(parents=True, exist_ok=True)
+    marker.touch()
     listed = subprocess.run(["git", "ls-files", "-z", "--cached", "--others", "--exclude-standard"], cwd=SOURCE,
                             check=True, capture_output=True, text=True)
     wanted = {name for name in listed.stdout.split("\0") if name and (SOURCE / name).is_file()}
     for old in target_root.rglob("*") if target_root.exists() else ():
-        if old.is_file() and str(old.relative_to(target_root)) not in wanted:
+        if old.is_file() and old != marker and str(old.relative_to(target_root)) not in wanted:
             old.unlink()
     for name in wanted:
         source, target = SOURCE / name, target_root / name

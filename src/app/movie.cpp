@@ -29,18 +29,6 @@ bool is_picture_name(const std::string& name) {
   return number && *number >= 0 && name == Movie::picture_name(static_cast<int>(*number));
 }
 
-base::Status remove_pictures(base::Files& files, const std::filesystem::path& folder) {
-  std::error_code error;
-  std::vector<std::filesystem::path> old;
-  for (std::filesystem::directory_iterator at(folder, error), end; !error && at != end; at.increment(error))
-    if (is_picture_name(at->path().filename().string())) old.push_back(at->path());
-  if (error) return {base::Code::io, fmt::format("{}: {}", folder.string(), error.message())};
-  for (const std::filesystem::path& path : old)
-    if (!files.remove(path))
-      return {base::Code::io, fmt::format("{}: cannot be removed: {}", path.string(), std::strerror(errno))};
-  return {};
-}
-
 // Returns ffmpeg's arguments for one file, written to kGivenFile; words[0] is `program`. Names are relative to the
 // folder, where the process runs, because ffmpeg would read a "%" in the folder's name as a pattern.
 std::vector<std::string> arguments(const std::string& program, const MovieOrder& order, int frames,
@@ -82,7 +70,7 @@ base::Result<std::unique_ptr<Movie>> Movie::start(const MovieOrder& order) {
   MovieOrder below = order;
   below.root = std::move(*root);
   base::Files files(below.root);
-  if (const base::Status removed = remove_pictures(files, order.folder); !removed) return removed;
+  if (const base::Status removed = files.remove_made(order.folder, is_picture_name); !removed) return removed;
   return std::unique_ptr<Movie>(new Movie(below));
 }
 

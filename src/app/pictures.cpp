@@ -15,11 +15,12 @@ namespace coaster::app {
 namespace {
 
 // Pictures bypass the program's file handling: injected faults are meant for documents.
-base::Status write(const base::Root& root, const std::filesystem::path& path, const gfx::Image& image) {
+base::Status write(const base::Root& root, const std::filesystem::path& path, const gfx::Image& image,
+                   base::Replaces replaces = base::Replaces::made) {
   const std::filesystem::path folder = path.parent_path();
   if (const base::Status made = folder.empty() ? base::Status{} : root.make_folders(folder); !made) return made;
   base::Files files(root);
-  return files.write_atomic(path, gfx::encode_png(image));
+  return files.write_atomic(path, gfx::encode_png(image), replaces);
 }
 
 // Writes below the script's folder, which contains "golden/NAME.png".
@@ -27,7 +28,7 @@ base::Status write_golden(const std::string& name, const std::filesystem::path& 
   std::filesystem::path folder = golden.parent_path();
   for ([[maybe_unused]] const std::filesystem::path& part : std::filesystem::path(name)) folder = folder.parent_path();
   const auto root = base::Root().open(folder.empty() ? "." : folder);
-  return root ? write(*root, golden, image) : root.status();
+  return root ? write(*root, golden, image, base::Replaces::any) : root.status();
 }
 
 std::string page(const std::string& file) {

@@ -17,6 +17,7 @@
 #include "base/folders.h"
 #include "base/hash.h"
 #include "base/text.h"
+#include "base/utf8.h"
 #include "edit/commands/commands_force.h"
 #include "edit/commands/commands_operation.h"
 #include "edit/commands/commands_sections.h"

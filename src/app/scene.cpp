@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "base/console.h"
 #include "gfx/instances.h"
 #include "sim/ride/shown_cars.h"
 #include "world/aids.h"
@@ -93,6 +94,10 @@ gfx::DrawStats draw_scene(Program& program, const Look& look, const edit::Findin
   program.stats.supports = scene.supports ? scene.supports->count() : 0;
   program.stats.support_rebuilds = scene.supports ? scene.supports->rebuilds() : 0;
   const gfx::DrawStats drawn = program.renderer->draw(scene, size.width, size.height);
+  if (const std::string notice = program.renderer->take_notice(); !notice.empty()) {
+    edit::notify(program.session, edit::NoticeKind::warning, notice);
+    if (!program.surface->is_window()) base::print_error(notice);
+  }
   if (const base::Status& failed = program.renderer->failure(); !failed)
     leave_without_graphics(program, failed.message);
   return drawn;

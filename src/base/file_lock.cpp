@@ -12,6 +12,7 @@
 #include <fmt/format.h>
 
 #include "base/files.h"
+#include "base/text.h"
 
 namespace coaster::base {
 namespace {
@@ -58,6 +59,7 @@ Descriptor open_lock(const Place& place, std::string& reason) {
       ::openat(place.folder.get(), place.name.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK, 0666));
   if (!file.valid()) return reason = std::strerror(errno), Descriptor();
   if (::fstat(file.get(), &info) != 0 || !is_lock_file(info)) return reason = kForeign, Descriptor();
+  if (info.st_size > 0 && !parse_int(read_owner(file.get()).pid)) return reason = kForeign, Descriptor();
   return file;
 }
 

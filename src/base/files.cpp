@@ -13,7 +13,9 @@
 
 #include <fmt/format.h>
 
+#include "base/check.h"
 #include "base/hash.h"
+#include "base/made_files.h"
 #include "base/text.h"
 
 namespace coaster::base {
@@ -21,6 +23,13 @@ namespace {
 
 Status failure(Code code, const std::filesystem::path& path, std::string_view what, int error) {
   return {code, fmt::format("{}: {}: {}", path.string(), what, std::strerror(error))};
+}
+
+Status not_made(const std::filesystem::path& path) {
+  return {Code::refused,
+          fmt::format("{}: no run of coaster made this file, so it stays. Choose another name or folder, "
+                      "or remove it yourself",
+                      path.string())};
 }
 
 Code code_of_open(int error) {
@@ -88,16 +97,25 @@ int sweep(int folder, const std::string& stem) {
   return removed;
 }
 
-// Opens each folder relative to the previous one, so that a link that replaces a folder is not followed.
-bool remove_from(int folder, const std::string& name) {
-  if (::unlinkat(folder, name.c_str(), 0) == 0 || errno == ENOENT) return true;
-  {
+// True for what runs leave beside the files that they made: the list, temporary files, and locks of files.
+bool is_trace(const std::string& list, const std::string& name) {
+  constexpr std::string_view kLock = ".lock";
+  return name == kMadeList || is_leftover(name) ||
+         (name.starts_with('.') && name.ends_with(kLock) &&
+          is_made(list, std::string_view(name).substr(1, name.size() - 1 - kLock.size())));
+}
+
+using Visit = std::function<bool(int folder, const std::string& list, const std::string& name)>;
+// Calls the visit for each file of an open folder, and with `deep` of those in it, until one returns false; the list
+// comes last. Returns whether all were visited. Opens each folder relative to the previous one, never through a link.
+bool visit_files(int folder, bool deep, const Visit& visit) {
+  const std::string list = made_in(folder);
+  std::vector<std::string> names = names_in(folder);
+  std::stable_partition(names.begin(), names.end(), [](const std::string& name) { return name != kMadeList; });
+  return std::all_of(names.begin(), names.end(), [&](const std::string& name) {
     const Descriptor inner(::openat(folder, name.c_str(), O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC));
-    if (!inner.valid()) return false;
-    for (const std::string& entry : names_in(inner.get()))
-      if (!remove_from(inner.get(), entry)) return false;
-  }
-  return ::unlinkat(folder, name.c_str(), AT_REMOVEDIR) == 0;
+    return !inner.valid() ? visit(folder, list, name) : !deep || visit_files(inner.get(), deep, visit);
+  });
 }
 
 // Returns the place of a path without following its last name.
@@ -176,7 +194,7 @@ Result<std::string> Files::read(const std::filesystem::path& path, std::size_t l
   }
 }
 
-Result<NewFile> Files::create(const std::filesystem::path& path) {
+Result<NewFile> Files::create(const std::filesystem::path& path, Replaces replaces) {
   // The folder is opened before any change, so that after the rename only its fsync can fail.
   Result<Place> place = root_.locate(path);
   if (!place) return place.status();
@@ -187,19 +205,22 @@ Result<NewFile> Files::create(const std::filesystem::path& path) {
   if (exists && S_ISLNK(old.st_mode)) return root_.link_refused(path);  // without a limit it was followed
   if (exists && !S_ISREG(old.st_mode))
     return Status{Code::io, path.string() + ": is not a regular file, so it cannot be written"};
+  if (exists && root_.limited() && replaces == Replaces::made && !is_made(made_in(folder), place->name))
+    return not_made(path);
   if (exists && ::faccessat(folder, name, W_OK, 0) != 0) return failure(Code::io, path, "is read-only", errno);
   (void)sweep(folder, temporary_stem(place->name));
   if (fails(IoOperation::open)) return failure(Code::io, path, "open of the folder", errno);
   std::string temporary;
   Descriptor file = fails(IoOperation::open) ? Descriptor() : open_temporary(*place, temporary);
   if (!file.valid()) return failure(Code::io, path, "open", errno);
+  if (root_.limited()) note_made(folder, place->name);
   NewFile made(std::move(*place), std::move(temporary), std::move(file));
   if (exists && ::fchmod(made.file().get(), old.st_mode & 07777) != 0) return failure(Code::io, path, "chmod", errno);
   return made;
 }
 
-Status Files::write_atomic(const std::filesystem::path& path, std::string_view bytes) {
-  Result<NewFile> made = create(path);
+Status Files::write_atomic(const std::filesystem::path& path, std::string_view bytes, Replaces replaces) {
+  Result<NewFile> made = create(path, replaces);
   if (!made) return made.status();
   Descriptor& file = made->file();
   // From here on every error removes the temporary file and leaves the old one unchanged.
@@ -216,17 +237,34 @@ Status Files::write_atomic(const std::filesystem::path& path, std::string_view b
 
 bool Files::remove(const std::filesystem::path& path) {
   const Result<Place> place = place_itself(root_, path);
+  if (place && root_.limited() && !is_made(made_in(place->folder.get()), place->name)) return errno = EPERM, false;
   return place && ::unlinkat(place->folder.get(), place->name.c_str(), 0) == 0;
 }
 
-bool Files::remove_tree(const std::filesystem::path& path) {
-  const Result<Place> place = place_itself(root_, path);
-  return place && remove_from(place->folder.get(), place->name);
+Status Files::remove_made(const std::filesystem::path& folder, const std::function<bool(const std::string&)>& only) {
+  COASTER_CHECK(root_.limited(), "files that runs made are known only below a limited root");
+  const Result<Place> place = root_.locate(folder / "*");  // opens the folder
+  std::error_code ignored;
+  if (!place)
+    return place.status().code == Code::refused || std::filesystem::exists(folder, ignored) ? place.status() : Status{};
+  std::string foreign;
+  const auto made = [&](int, const std::string& list, const std::string& name) {
+    if ((!only || only(name)) && !is_made(list, name) && !is_trace(list, name)) foreign = name;
+    return foreign.empty();
+  };
+  if (!visit_files(place->folder.get(), !only, made)) return not_made(folder / foreign);
+  const auto remove = [&](int inner, const std::string&, const std::string& name) {
+    return (only && !only(name)) || ::unlinkat(inner, name.c_str(), 0) == 0;
+  };
+  if (!visit_files(place->folder.get(), !only, remove)) return failure(Code::io, folder, "cannot be emptied", errno);
+  return {};
 }
 
 bool Files::rename(const std::filesystem::path& path, const std::string& name) {
   const Result<Place> place = place_itself(root_, path);
-  return place && ::renameat(place->folder.get(), place->name.c_str(), place->folder.get(), name.c_str()) == 0;
+  if (!place || is_there(place->folder.get(), name)) return false;
+  if (root_.limited() && is_made(made_in(place->folder.get()), place->name)) note_made(place->folder.get(), name);
+  return ::renameat(place->folder.get(), place->name.c_str(), place->folder.get(), name.c_str()) == 0;
 }
 
 int Files::remove_leftovers(const std::filesystem::path& target) {

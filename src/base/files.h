@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -46,8 +47,14 @@ class NewFile {
   bool placed_ = false;
 };
 
+// What a file may replace where a run writes only below a folder: files that runs made there, or any.
+enum class Replaces { made, any };
+
+// The file in each folder that lists the files that runs with a limited root made in it.
+inline constexpr std::string_view kMadeList = ".coaster-made";
+
 // Copies share the injected faults and the root. With a limited root nothing is written, created or removed through a
-// link.
+// link, and only files that runs made are replaced or removed: kMadeList names them.
 class Files {
  public:
   // Creates an object without injected faults.
@@ -68,17 +75,18 @@ class Files {
   // mode; read-only and non-regular files are refused. Removes leftovers of killed runs first. On an error the
   // temporary file is removed and the old file is unchanged; but if the last step fails (the second fsync, on the
   // folder), the complete new file is in place and may not survive a power cut. Code::io with "PATH: operation:
-  // reason"; Code::refused outside the limit.
-  Status write_atomic(const std::filesystem::path& path, std::string_view bytes);
+  // reason"; Code::refused outside the limit, and for a file below it that may not be replaced.
+  Status write_atomic(const std::filesystem::path& path, std::string_view bytes, Replaces replaces = Replaces::made);
   // Creates the temporary file of write_atomic, for files that are written in pieces or by another process.
-  Result<NewFile> create(const std::filesystem::path& path);
+  Result<NewFile> create(const std::filesystem::path& path, Replaces replaces = Replaces::made);
 
   // Removes a file, or a link itself. Returns false if there is none or it cannot be removed.
   bool remove(const std::filesystem::path& path);
-  // Removes a folder with its contents, or a file; removes links without following them. Returns false if anything is
-  // left.
-  bool remove_tree(const std::filesystem::path& path);
-  // Renames a file within its folder; renames a link itself. Returns false on failure.
+  // Removes all files in a folder below a limited root, and in its folders, if runs made all of them; otherwise removes
+  // nothing: Code::refused with the first one that no run made. Ok if there is no such folder. `only`: of the files
+  // with these names, and not in its folders.
+  Status remove_made(const std::filesystem::path& folder, const std::function<bool(const std::string&)>& only = {});
+  // Renames a file within its folder to a name that is free; renames a link itself. Returns false on failure.
   bool rename(const std::filesystem::path& path, const std::string& name);
 
   // Removes the temporary files of write_atomic(`target`) whose processes, on this machine, have ended. Returns their

@@ -6,10 +6,12 @@
 
 #include <fmt/format.h>
 
-#include "base/console.h"
+#include "base/utf8.h"
 
 namespace coaster::base {
 namespace {
+
+constexpr std::size_t kMostShown = 200;  // bytes of a word in a message
 
 bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\r'; }
 
@@ -96,8 +98,7 @@ bool tokenise(std::string_view line, std::vector<Token>& tokens, TextError& erro
 }
 
 std::string quoted_start(std::string_view text) {
-  constexpr std::size_t kShownBytes = 40;
-  return base::quoted(text.size() > kShownBytes ? std::string(text.substr(0, kShownBytes)) + "..." : std::string(text));
+  return base::quoted(text.size() > kMostShown ? std::string(utf8_start(text, kMostShown)) + "..." : std::string(text));
 }
 
 std::string quoted_number(std::string_view text) {
@@ -119,6 +120,7 @@ std::optional<std::string> nearest(std::string_view word, std::span<const std::s
   const std::string* best = nullptr;
   std::size_t best_distance = std::max<std::size_t>(1, word.size() / 3) + 1;
   for (const std::string& candidate : candidates) {
+    if (std::max(word.size(), candidate.size()) - std::min(word.size(), candidate.size()) >= best_distance) continue;
     const std::size_t distance = edit_distance(word, candidate);
     if (distance < best_distance && distance < std::max(word.size(), candidate.size())) {
       best = &candidate;
@@ -134,6 +136,17 @@ std::string suggestion(std::string_view word, std::span<const std::string> candi
   return found ? fmt::format("; did you mean \"{}\"?", *found) : "";
 }
 
+std::string cut_words(std::string_view message) {
+  std::string cut;
+  while (!message.empty()) {
+    const std::size_t end = std::min(message.find_first_of(" \n"), message.size() - 1) + 1;
+    const std::string_view word = message.substr(0, end);
+    cut += end > kMostShown + 1 ? std::string(utf8_start(word, kMostShown)) + "... " : std::string(word);
+    message.remove_prefix(end);
+  }
+  return cut;
+}
+
 std::string sentence(std::string error) {
   if (error.empty()) return error;
   if (error[0] >= 'a' && error[0] <= 'z') error[0] = static_cast<char>(error[0] - 'a' + 'A');
@@ -141,7 +154,7 @@ std::string sentence(std::string error) {
 }
 
 std::string at_place(std::string_view file, int line, int column, std::string_view message) {
-  return fmt::format("{}:{}:{}: error: {}", file, line, column, message);
+  return fmt::format("{}:{}:{}: error: {}", file, line, column, cut_words(message));
 }
 
 }  // namespace coaster::base

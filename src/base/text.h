@@ -35,7 +35,7 @@ bool tokenise(std::string_view line, std::vector<Token>& tokens, TextError& erro
 
 // Returns the text in quotes with escapes, so that tokenise reads it back unless it has a NUL.
 std::string quoted(std::string_view text);
-// Returns quoted text for messages, truncated to 40 bytes, followed by "...".
+// Returns quoted text for messages, truncated to 200 bytes, followed by "...".
 std::string quoted_start(std::string_view text);
 // The same of a text that is not a number, for messages; says so if the reason may be a decimal comma.
 std::string quoted_number(std::string_view text);
@@ -59,6 +59,9 @@ std::string suggestion(std::string_view word, std::span<const std::string> candi
 
 // Returns an error as a sentence: "there is no knot @k7" becomes "There is no knot @k7."
 std::string sentence(std::string error);
+
+// Returns a message in which each word of more than 200 bytes is cut to them, followed by "...".
+std::string cut_words(std::string_view message);
 
 // Returns "FILE:LINE:COLUMN: error: MESSAGE".
 std::string at_place(std::string_view file, int line, int column, std::string_view message);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -108,6 +109,30 @@ ShownUnit shown_in(Units units, std::string_view metric) {
   for (const UnitRow& row : kRows)
     if (row.in[0].name == metric) return row.in[static_cast<std::size_t>(units)];
   return {metric};
+}
+
+double figure_limit(std::string_view metric) {
+  constexpr std::pair<std::string_view, double> kLimits[] = {{"g", 1e3}, {"g/s", 1e5}, {"kN", 1e4}};
+  for (const auto& [unit, limit] : kLimits)
+    if (unit == metric) return limit;
+  return std::numeric_limits<double>::infinity();
+}
+
+std::string figure_text(double value, int decimals, std::string_view metric, Units units) {
+  if (std::isnan(value)) return "--";
+  if (const double limit = figure_limit(metric); std::abs(value) >= limit) {
+    std::string text = fmt::format("{:.0f}", std::isinf(limit) ? 1e15 : limit);
+    for (std::size_t i = text.size(); i > 3; i -= 3) text.insert(i - 3, ",");
+    return (value < 0 ? "under -" : "over ") + text;
+  }
+  const ShownUnit unit = shown_in(units, metric);
+  std::string text = fmt::format("{:.{}f}", value * unit.factor, decimals + unit.more_decimals);
+  return text.find_first_not_of("-0.") == std::string::npos && text[0] == '-' ? text.substr(1) : text;
+}
+
+double limited_figure(double value, std::string_view metric) {
+  const double limit = figure_limit(metric);
+  return std::clamp(value, -limit, limit);
 }
 
 double metric_value(double shown, const ShownUnit& unit) {

@@ -27,6 +27,14 @@ struct ShownUnit {
 // ASCII, such as "deg/s^2", get their signs. Other units are unchanged.
 ShownUnit shown_in(Units units, std::string_view metric);
 
+// Returns the limit of a ride's figures in a metric unit: 1,000 g, 100,000 g/s, 10,000 kN; infinity for other units.
+// Where a track bends at once, the arithmetic goes beyond it, to infinity; no train passes there.
+double figure_limit(std::string_view metric);
+// Returns a figure with these decimals, in `units`; "over 1,000", or "under -1,000", at its limit and beyond.
+std::string figure_text(double value, int decimals, std::string_view metric, Units units = Units::m_s);
+// Returns the figure, but at most its limit.
+double limited_figure(double value, std::string_view metric);
+
 // Returns the metric value of a shown one, rounded to 15 digits, so that 33 ft is 10.0584 m.
 double metric_value(double shown, const ShownUnit& unit);
 

@@ -1,9 +1,29 @@
 #include "base/utf8.h"
 
+#include <algorithm>
+#include <cstdint>
+
+#include <fmt/format.h>
+
 namespace coaster::base {
 namespace {
 
 bool is_control(char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; }
+
+// Returns the code point of a well-formed character.
+std::uint32_t code_point(std::string_view character) {
+  const auto byte = [&](std::size_t i) { return static_cast<std::uint32_t>(static_cast<unsigned char>(character[i])); };
+  if (character.size() == 1) return byte(0);
+  std::uint32_t point = byte(0) & (0x7fu >> character.size());
+  for (std::size_t i = 1; i < character.size(); ++i) point = point << 6 | (byte(i) & 0x3f);
+  return point;
+}
+
+bool controls_text(std::uint32_t point) {
+  if (point == '\n' || point == '\t') return false;
+  return point < 0x20 || (point >= 0x7f && point < 0xa0) || point == 0x61c || point == 0x200e || point == 0x200f ||
+         (point >= 0x2028 && point <= 0x202e) || (point >= 0x2066 && point <= 0x2069);
+}
 
 }  // namespace
 
@@ -45,6 +65,27 @@ std::string printable_utf8(std::string_view text) {
     text.remove_prefix(length == 0 ? 1 : length);
   }
   return printable;
+}
+
+std::string visible_text(std::string_view text) {
+  const auto plain = [](char c) { return (c >= ' ' && c < 0x7f) || c == '\n' || c == '\t'; };
+  std::string visible;
+  visible.reserve(text.size());
+  while (!text.empty()) {
+    const auto end = std::find_if_not(text.begin(), text.end(), plain);
+    visible.append(text.begin(), end);
+    text.remove_prefix(static_cast<std::size_t>(end - text.begin()));
+    if (text.empty()) break;
+    const std::size_t length = text.starts_with("\r\n") ? 2 : utf8_length(text);
+    const std::string_view character = text.substr(0, length == 0 ? 1 : length);
+    if (character == "\r\n") visible += character;
+    else if (length == 0) visible += fmt::format("\\x{:02x}", static_cast<unsigned char>(text[0]));
+    else if (const std::uint32_t point = code_point(character); controls_text(point))
+      visible += fmt::format("\\u{:04x}", point);
+    else visible += character;
+    text.remove_prefix(character.size());
+  }
+  return visible;
 }
 
 std::string_view utf8_start(std::string_view text, std::size_t most) {

@@ -34,7 +34,7 @@ bool parse_size(std::string_view text, int& width, int& height) {
 TextError size_error(int column, std::string_view text) {
   const std::size_t x = std::min(text.find_first_of("xX"), text.size());
   const bool numbers = x < text.size() && is_number(text.substr(0, x)) && is_number(text.substr(x + 1));
-  return {column, fmt::format("expected {}, found {}", kSizeWords, quoted(text)), numbers};
+  return {column, fmt::format("expected {}, found {}", kSizeWords, quoted_start(text)), numbers};
 }
 
 bool Words::accept(std::string_view word) {
@@ -107,13 +107,13 @@ std::optional<std::size_t> Words::one_of(std::string_view what, std::span<const 
 bool Words::end() {
   if (failed_) return false;
   if (const Token* const extra = peek())
-    return fail(extra->column, "unexpected " + base::quoted(extra->text) + " after the end of the statement");
+    return fail(extra->column, "unexpected " + base::quoted_start(extra->text) + " after the end of the statement");
   return true;
 }
 
 bool Words::reject(std::string_view what, std::string_view hint) {
   const Token& word = words_[next_ - 1];
-  const std::string message = fmt::format("expected {}, found {}{}", what, base::quoted(word.text), hint);
+  const std::string message = fmt::format("expected {}, found {}{}", what, base::quoted_start(word.text), hint);
   return fail({word.column, message, false, !hint.empty()});
 }
 

@@ -11,6 +11,7 @@
 
 #include "base/hash.h"
 #include "base/text.h"
+#include "base/utf8.h"
 #include "base/words.h"
 #include "exchange/export/track_shapes.h"
 #include "exchange/fvd/fvd.h"
@@ -175,7 +176,7 @@ std::string_view wrapping(std::string_view bytes) {
 }
 
 base::Status print_to(base::Files& files, const std::filesystem::path& path, const Format& format,
-                      const world::Document& document, std::uint64_t* content) {
+                      const world::Document& document, std::uint64_t* content, base::Replaces replaces) {
   if (format.check)
     if (const base::Status fit = format.check(document); !fit)
       return {fit.code, fmt::format("{}: {}", path.string(), fit.message)};
@@ -184,12 +185,13 @@ base::Status print_to(base::Files& files, const std::filesystem::path& path, con
     bytes = fmt::format("mtllib {}\n{}", beside.filename().string(), bytes);
     if (const base::Status written = files.write_atomic(beside, format.materials()); !written) return written;
   }
+  bytes = base::visible_text(bytes);
   if (content) *content = base::content_hash(bytes);
   // Refuses to write a file that would be too large to read.
   if (format.parse && bytes.size() > format.most_bytes)
     return {base::Code::refused, fmt::format("{}: error: {} bytes are over the limit of {}", path.string(),
                                              bytes.size(), format.most_bytes)};
-  return files.write_atomic(path, bytes);
+  return files.write_atomic(path, bytes, replaces);
 }
 
 bool is_list(const Format& format, std::string_view bytes) {
@@ -262,15 +264,15 @@ std::optional<ImportQuestion> question_of(base::Files& files, const std::filesys
 }
 
 base::Status save_track(base::Files& files, const std::filesystem::path& path, const world::Document& document,
-                        std::uint64_t* content) {
+                        std::uint64_t* content, base::Replaces replaces) {
   const Format* const format = format_of(path);
   if (!format || !format->print) return {base::Code::refused, unfit_ending(path, format, Direction::write)};
   if (!format->whole && document.curve == world::TrackCurve::heartline) {
     const base::Result<world::Document> rails = rails_of(document, *format);
     if (!rails) return {rails.status().code, fmt::format("{}: {}", path.string(), rails.status().message)};
-    return print_to(files, path, *format, *rails, content);
+    return print_to(files, path, *format, *rails, content, replaces);
   }
-  return print_to(files, path, *format, document, content);
+  return print_to(files, path, *format, document, content, replaces);
 }
 
 }  // namespace coaster::exchange

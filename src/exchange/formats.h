@@ -60,7 +60,7 @@ std::optional<ImportQuestion> question_of(base::Files& files, const std::filesys
 // Writes a track. Formats that do not hold everything get the rails, even of a heartline track; they are refused where
 // rails fold. `content` gets the hash of the bytes as soon as they are printed.
 base::Status save_track(base::Files& files, const std::filesystem::path& path, const world::Document& document,
-                        std::uint64_t* content = nullptr);
+                        std::uint64_t* content = nullptr, base::Replaces replaces = base::Replaces::made);
 
 // Returns the extensions that can be read or written, for messages: ".json, .obj or .svg".
 enum class Direction { read, write };

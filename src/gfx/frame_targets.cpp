@@ -4,6 +4,8 @@
 #include <cmath>
 #include <new>
 
+#include <fmt/format.h>
+
 namespace coaster::gfx {
 namespace {
 
@@ -32,16 +34,24 @@ void FrameTargets::set_samples(int samples) {
 }
 
 void FrameTargets::fit(int width, int height) {
-  const int have = scene_ ? scene_->samples : 0;
-  if (resolved_ && resolved_->width == width && resolved_->height == height && have == samples_) return;
+  constexpr std::int64_t kSample = 8;  // bytes of colour and depth
+  const auto bytes = [&](int samples) { return kSample * width * height * (samples + 1); };
+  int affordable = samples_;
+  while (affordable > 1 && bytes(affordable) > kMostBytes) affordable /= 2;
+  if (affordable < 2) affordable = 0;
+  if (resolved_ && resolved_->width == width && resolved_->height == height && asked_ == samples_) return;
+  asked_ = samples_;
   scene_.reset();
   resolved_.reset();
   auto plain = make_target(*gl_, width, height, 0);
   if (!plain.ok()) no_memory();
   resolved_ = std::move(*plain);
-  if (samples_ == 0) return;
-  if (auto target = make_target(*gl_, width, height, samples_)) scene_ = std::move(*target);
-  else samples_ = 0;
+  if (affordable < samples_)
+    notice_ = fmt::format("Antialiasing {}: {}x{} pixels with {} samples would take {:.1f} GB.",
+                          affordable == 0 ? "is off" : fmt::format("uses {} samples", affordable), width, height,
+                          samples_, static_cast<double>(bytes(samples_)) * 1e-9);
+  if (affordable == 0) return;
+  if (auto target = make_target(*gl_, width, height, affordable)) scene_ = std::move(*target);
 }
 
 void FrameTargets::begin(const view::Viewport& viewport, glm::vec3 around, bool unseen) {

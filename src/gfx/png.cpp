@@ -1,5 +1,11 @@
-// PNG in memory, by stb. The caller reads and writes files (base::Files), which allows fault injection.
+// PNG in memory: written by zlib, read by stb. The caller reads and writes files (base::Files), which allows fault
+// injection.
+#include <zlib.h>
+
+#include <algorithm>
 #include <climits>
+#include <functional>
+#include <new>
 
 #include <fmt/format.h>
 
@@ -8,10 +14,6 @@
 
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wunused-function"
-#define STB_IMAGE_WRITE_IMPLEMENTATION
-#define STB_IMAGE_WRITE_STATIC
-#define STBI_WRITE_NO_STDIO
-#include <stb_image_write.h>
 #define STB_IMAGE_IMPLEMENTATION
 #define STB_IMAGE_STATIC
 #define STBI_ONLY_PNG
@@ -20,17 +22,44 @@
 #pragma GCC diagnostic pop
 
 namespace coaster::gfx {
+namespace {
 
+std::string big_endian(std::size_t n) { return {char(n >> 24), char(n >> 16), char(n >> 8), char(n)}; }
+
+// Appends a chunk: its length, its name and data, their checksum.
+void add_chunk(std::string& png, const std::string& name_and_data) {
+  const auto* const bytes = reinterpret_cast<const Bytef*>(name_and_data.data());
+  png += big_endian(name_and_data.size() - 4) + name_and_data;
+  png += big_endian(crc32(0, bytes, static_cast<uInt>(name_and_data.size())));
+}
+
+}  // namespace
+
+// Row by row: a large picture is in memory only once.
 std::string encode_png(const Image& image) {
-  COASTER_CHECK(image.width >= 1 && image.height >= 1 &&
-                    image.rgba.size() == 4 * std::size_t(image.width) * std::size_t(image.height),
+  const std::size_t width = std::size_t(image.width), stride = 4 * width;
+  COASTER_CHECK(image.width >= 1 && image.height >= 1 && image.rgba.size() == stride * std::size_t(image.height),
                 "a picture has four bytes for each pixel");
-  std::string bytes;
-  const auto append = [](void* context, void* data, int size) {
-    static_cast<std::string*>(context)->append(static_cast<const char*>(data), std::size_t(size));
-  };
-  stbi_write_png_to_func(append, &bytes, image.width, image.height, 4, image.rgba.data(), 4 * image.width);
-  return bytes;
+  std::string png = "\x89PNG\r\n\x1a\n", packed(1 << 16, 0);
+  add_chunk(png, "IHDR" + big_endian(width) + big_endian(std::size_t(image.height)) + std::string("\x08\x06\0\0\0", 5));
+  z_stream stream{};
+  if (deflateInit(&stream, Z_DEFAULT_COMPRESSION) != Z_OK) throw std::bad_alloc();
+  std::vector<std::uint8_t> line(stride + 1, 2), above(stride, 0);  // 2: each byte less that above it
+  for (std::size_t y = 0; y < std::size_t(image.height); ++y) {
+    const std::uint8_t* const row = &image.rgba[y * stride];
+    std::transform(row, row + stride, above.begin(), line.begin() + 1, std::minus<std::uint8_t>());
+    above.assign(row, row + stride);
+    stream.next_in = line.data(), stream.avail_in = static_cast<uInt>(line.size());
+    do {
+      stream.next_out = reinterpret_cast<Bytef*>(packed.data()), stream.avail_out = static_cast<uInt>(packed.size());
+      (void)deflate(&stream, y + 1 < std::size_t(image.height) ? Z_NO_FLUSH : Z_FINISH);
+      if (const std::size_t size = packed.size() - stream.avail_out; size > 0)
+        add_chunk(png, "IDAT" + packed.substr(0, size));
+    } while (stream.avail_out == 0);
+  }
+  (void)deflateEnd(&stream);
+  add_chunk(png, "IEND");
+  return png;
 }
 
 base::Result<Image> decode_png(std::string_view bytes, std::string_view name) {

@@ -2,7 +2,7 @@
 // of styles (gfx/scenery) define the look.
 #include "gfx/renderer.h"
 
-#include <cstring>
+#include <algorithm>
 #include <memory>
 #include <utility>
 
@@ -71,6 +71,8 @@ const base::Status& Renderer::failure() const { return parts_->programs->failure
 
 void Renderer::set_samples(int samples) { parts_->targets.set_samples(samples); }
 
+std::string Renderer::take_notice() { return parts_->targets.take_notice(); }
+
 DrawStats Renderer::draw(const Scene& scene, int width, int height) {
   COASTER_CHECK(width >= 1 && height >= 1, "a picture has at least one pixel");
   Parts& parts = *parts_;
@@ -105,13 +107,14 @@ Image Renderer::read_pixels() const {
   const Gl& gl = parts_->gl;
   const int width = resolved->width, height = resolved->height;
   const std::size_t row = 4 * std::size_t(width);
-  std::vector<std::uint8_t> upside_down(row * std::size_t(height));
+  Image image{width, height, std::vector<std::uint8_t>(row * std::size_t(height))};
   gl.BindFramebuffer(GL_READ_FRAMEBUFFER, resolved->framebuffer.id());
   gl.PixelStorei(GL_PACK_ALIGNMENT, 4);
-  gl.ReadPixels(0, 0, width, height, GL_RGBA, GL_UNSIGNED_BYTE, upside_down.data());
-  Image image{width, height, std::vector<std::uint8_t>(upside_down.size())};
-  for (int y = 0; y < height; ++y)
-    std::memcpy(&image.rgba[std::size_t(y) * row], &upside_down[std::size_t(height - 1 - y) * row], row);
+  gl.ReadPixels(0, 0, width, height, GL_RGBA, GL_UNSIGNED_BYTE, image.rgba.data());
+  for (std::size_t y = 0; y < std::size_t(height) / 2; ++y) {  // OpenGL's first row is the lowest one
+    const auto top = image.rgba.begin() + std::ptrdiff_t(y * row);
+    std::swap_ranges(top, top + std::ptrdiff_t(row), image.rgba.end() - std::ptrdiff_t((y + 1) * row));
+  }
   return image;
 }
 

@@ -52,6 +52,8 @@ class Renderer {
  public:
   // `gl` must outlive the renderer. Shaders (embedded at build time from shaders/) are compiled when they first draw.
   Renderer(const Gl& gl, int samples);
+  // Returns a sentence once where a size has fewer samples than wanted, for its memory, otherwise "".
+  std::string take_notice();
   // Returns another renderer in the same context. They share only the compiled shaders; either may be destroyed first.
   std::unique_ptr<Renderer> sibling(int samples) const;
   ~Renderer();

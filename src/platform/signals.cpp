@@ -32,6 +32,12 @@ extern "C" void end_long_step(int) {
   if (came != 0) base::end_at_once("error: stopped by a signal in a long step.", 128 + came);
 }
 
+void watch(int number, const struct sigaction& action) {
+  struct sigaction before {};
+  if (::sigaction(number, nullptr, &before) == 0 && before.sa_handler == SIG_IGN) return;
+  (void)::sigaction(number, &action, nullptr);
+}
+
 }  // namespace
 
 void watch_signals() {
@@ -39,12 +45,15 @@ void watch_signals() {
   action.sa_handler = note_signal;
   action.sa_flags = static_cast<int>(SA_RESETHAND | SA_RESTART);
   sigemptyset(&action.sa_mask);
-  for (const int number : {SIGTERM, SIGINT, SIGHUP, SIGQUIT}) (void)::sigaction(number, &action, nullptr);
+  for (const int number : {SIGTERM, SIGINT, SIGHUP, SIGQUIT, SIGUSR1, SIGUSR2}) watch(number, action);
+#ifdef SIGPWR
+  watch(SIGPWR, action);
+#endif
   action.sa_handler = end_long_step;
   (void)::sigaction(SIGALRM, &action, nullptr);
   action.sa_handler = note_signal;
   action.sa_flags = SA_RESTART;  // each line printed to a closed pipe is another one, each second beyond the limit, too
-  for (const int number : {SIGPIPE, SIGXCPU}) (void)::sigaction(number, &action, nullptr);
+  for (const int number : {SIGPIPE, SIGXCPU}) watch(number, action);
 }
 
 int pending_signal() {

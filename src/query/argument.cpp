@@ -57,7 +57,7 @@ std::optional<base::TextError> wrong_argument(Argument argument, std::string_vie
     if (i > 0) {
       if (rest.empty() && part.optional) return std::nullopt;
       if (rest.empty())
-        return base::TextError{1, fmt::format("expected {}, found {}", usage_of(argument), base::quoted(word))};
+        return base::TextError{1, fmt::format("expected {}, found {}", usage_of(argument), base::quoted_start(word))};
       rest.remove_prefix(1);
     }
     const std::size_t end =
@@ -66,7 +66,7 @@ std::optional<base::TextError> wrong_argument(Argument argument, std::string_vie
     if (!accepts(part, own)) {
       const std::string hint = base::suggestion(own, words_of(part));
       return base::TextError{1 + static_cast<int>(word.size() - rest.size()),
-                             fmt::format("expected {}, found {}{}", expected(part), base::quoted(own), hint),
+                             fmt::format("expected {}, found {}{}", expected(part), base::quoted_start(own), hint),
                              !part.kind && base::is_number(own), !hint.empty()};
     }
     rest.remove_prefix(end);

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "base/text.h"
+#include "base/units.h"
 #include "edit/commands/command_list.h"
 #include "query/goal.h"
 #include "query/rows.h"
@@ -82,7 +83,8 @@ std::string shown(const Query& query, const Value& value) {
   const double* const number = std::get_if<double>(&value);
   if (number == nullptr) return to_text(value);
   const bool whole = *number == std::round(*number) && std::abs(*number) < 1e9 && query.unit.empty();
-  return fmt::format("{:.{}f}{}{}", *number, whole ? 0 : 2, query.unit.empty() ? "" : " ", query.unit);
+  return fmt::format("{}{}{}", base::figure_text(*number, whole ? 0 : 2, query.unit), query.unit.empty() ? "" : " ",
+                     query.unit);
 }
 
 base::Status at_rule(std::string_view path, RuleList list, std::size_t index, int column, const std::string& message) {
@@ -134,8 +136,8 @@ std::string reason_of(const edit::Finder& find, const Rule& rule, const Finding&
       rule.query->name == "ride.envelope" ? find(edit::Want::overloads).overloads : std::span<const sim::RedSpan>();
   if (!overloads.empty()) {
     const sim::RedSpan& span = overloads.front();
-    return fmt::format("{} {:.2f} g at {:.1f} m; the limit for that duration is {:.2f} g",
-                       base::row_of(span.axis).label, sim::signed_g(span.axis, span.worst), span.from_distance,
+    return fmt::format("{} {} g at {:.1f} m; the limit for that duration is {:.2f} g", base::row_of(span.axis).label,
+                       base::figure_text(sim::signed_g(span.axis, span.worst), 2, "g"), span.from_distance,
                        sim::signed_g(span.axis, span.allowed));
   }
   return explain(rule, finding);
@@ -176,7 +178,7 @@ base::Result<std::vector<Rule>> read_rules(const exchange::ChallengeFile& challe
       if (!parse_condition(words, rule.condition) || !words.end()) return wrong(error.column, error.message);
       rule.query = find_query(rule.condition.query);
       if (!may_judge(*rule.query))
-        return wrong(rule.condition.column, base::quoted(rule.condition.query) +
+        return wrong(rule.condition.column, base::quoted_start(rule.condition.query) +
                                                 " cannot be used in a rule: expected a query of track or ride");
       rules.push_back(std::move(rule));
     }
@@ -188,8 +190,8 @@ base::Status check_rules(const exchange::ChallengeFile& challenge, const std::st
   if (!rules) return rules.status();
   for (std::size_t i = 0; i < challenge.locks.size(); ++i)
     if (!edit::is_command_word(challenge.locks[i]))
-      return {base::Code::bad_file,
-              fmt::format("{}: error: locks[{}]: there is no command {}", path, i, base::quoted(challenge.locks[i]))};
+      return {base::Code::bad_file, fmt::format("{}: error: locks[{}]: there is no command {}", path, i,
+                                                base::quoted_start(challenge.locks[i]))};
   return {};
 }
 

@@ -14,7 +14,7 @@ namespace coaster::query {
 namespace {
 
 using base::lower;
-using base::parse_switch;
+using base::parse_switch, base::quoted_start;
 using base::Words;
 
 struct OpName {
@@ -50,7 +50,7 @@ constexpr OtherOp kOtherOps[]{{"is", "=="},      {"equals", "=="}, {"eq", "=="},
 std::string near_op(const base::Token& word, bool last) {
   for (const OtherOp& row : kOtherOps)
     if (row.text == lower(word.text)) return fmt::format("; did you mean \"{}\"?", row.here);
-  return last && !word.quoted ? fmt::format("; did you mean {}?", base::quoted("== " + word.text)) : "";
+  return last && !word.quoted ? fmt::format("; did you mean {}?", quoted_start("== " + word.text)) : "";
 }
 
 constexpr std::string_view kNone = "none";  // a number or word that is not there
@@ -73,7 +73,7 @@ bool parse_tolerance(Words& words, Condition& condition) {
   } else {
     condition.tolerance = base::parse_double(attached);
     if (!condition.tolerance)
-      return words.fail(word->column, "expected a tolerance such as +-0.01, found " + base::quoted(word->text));
+      return words.fail(word->column, "expected a tolerance such as +-0.01, found " + quoted_start(word->text));
   }
   if (condition.tolerance && !(*condition.tolerance >= 0))
     return words.fail(word->column, "expected a tolerance of 0 or more");
@@ -120,7 +120,7 @@ base::Result<bool> meets(const Condition& c, double found) {
     return lower(base::to_text(found)).find(lower(wanted_text)) != std::string::npos;
   if (wanted_text == kNone) return *c.op == Op::not_equal;
   const auto wanted = number_of(wanted_text);
-  if (!wanted) return mismatch("expected a number, found " + base::quoted(wanted_text));
+  if (!wanted) return mismatch("expected a number, found " + quoted_start(wanted_text));
   return ordered(*c.op, found, *wanted, c.tolerance.value_or(0), whole(found) && whole(*wanted));
 }
 
@@ -135,7 +135,7 @@ std::optional<double> leading_number(std::string_view text) {
 base::Result<bool> meets(const Condition& c, const std::string& found) {
   if (c.tolerance) {
     if (const auto number = leading_number(found)) return meets(c, *number);
-    return mismatch("expected a text that begins with a number, found " + base::quoted(found));
+    return mismatch("expected a text that begins with a number, found " + quoted_start(found));
   }
   const std::string wanted = joined(c.values);
   if (*c.op == Op::contains) return lower(found).find(lower(wanted)) != std::string::npos;
@@ -169,7 +169,7 @@ bool check_numbers(Words& words, const Query& query, const Condition& c, std::si
   if (c.values.size() != count)
     return words.fail(c.values.front().column,
                       fmt::format("expected {}{}, found {}", count == 1 ? "one number" : "three numbers", unit,
-                                  base::quoted(joined(c.values))));
+                                  quoted_start(joined(c.values))));
   for (const base::Token& value : c.values)
     if (!number_of(value.text))
       return words.fail(value.column,
@@ -181,18 +181,18 @@ bool check_numbers(Words& words, const Query& query, const Condition& c, std::si
 bool check_values(Words& words, const Query& query, const Condition& c, const base::Token& op, bool tolerance) {
   const auto [type, names] = values_with(query, c.argument);
   if (tolerance && (type == Type::ranked || !names.empty() || joined(c.values) == kNone))
-    return words.fail(c.values.front().column, "a tolerance needs a number, found " + base::quoted(joined(c.values)));
+    return words.fail(c.values.front().column, "a tolerance needs a number, found " + quoted_start(joined(c.values)));
   if (tolerance && type == Type::text) return check_numbers(words, query, c, 1);
   if (c.op == Op::contains) return true;
   const bool equality = c.op == Op::equal || c.op == Op::not_equal;
   if (!equality && (type == Type::text || type == Type::vector))
     return words.fail(op.column,
                       fmt::format("a {} can be compared only with {}, found {}", type == Type::text ? "text" : "vector",
-                                  type == Type::text ? "==, != and ~" : "== and !=", base::quoted(op.text)));
+                                  type == Type::text ? "==, != and ~" : "== and !=", quoted_start(op.text)));
   const std::string all = joined(c.values);
   if (all == kNone && !equality && type == Type::number)
     return words.fail(op.column,
-                      fmt::format("none can be compared only with == and !=, found {}", base::quoted(op.text)));
+                      fmt::format("none can be compared only with == and !=, found {}", quoted_start(op.text)));
   if (all == kNone && (type != Type::ranked || !query.argument.empty())) return true;
   if (type == Type::number || type == Type::vector) return check_numbers(words, query, c, type == Type::number ? 1 : 3);
   if (names.empty()) return true;
@@ -200,7 +200,7 @@ bool check_values(Words& words, const Query& query, const Condition& c, const ba
                            : std::find(names.begin(), names.end(), all) != names.end())
     return true;
   return words.fail(c.values.front().column, fmt::format("expected {}, found {}{}", base::alternatives(names),
-                                                         base::quoted(all), base::suggestion(all, names)));
+                                                         quoted_start(all), base::suggestion(all, names)));
 }
 
 // Returns what the message about an unknown query ends with: the one that was probably meant, else one with the same
@@ -234,13 +234,13 @@ bool parse_condition(Words& words, Condition& condition, std::string_view stop) 
   condition.negated = condition.negated != opposite;
   const Query* const query = find_query(condition.query);
   if (!query)
-    return words.fail(name->column, fmt::format("no query {}{}", base::quoted(name->text), near_query(name->text)));
+    return words.fail(name->column, fmt::format("no query {}{}", quoted_start(name->text), near_query(name->text)));
   if (!query->argument.empty()) {
     const std::string usage = usage_of(query->argument);
     const base::Token* const argument = words.take(usage);
     if (!argument) return false;
     if (op_of(*argument))
-      return words.fail(argument->column, fmt::format("expected {}, found {}", usage, base::quoted(argument->text)));
+      return words.fail(argument->column, fmt::format("expected {}, found {}", usage, quoted_start(argument->text)));
     if (auto wrong = wrong_argument(query->argument, argument->text)) {
       wrong->column += argument->column + (argument->quoted ? 0 : -1);
       return words.fail(*wrong);
@@ -260,7 +260,7 @@ bool parse_condition(Words& words, Condition& condition, std::string_view stop) 
     condition.op = op_of(*op);
     if (!condition.op)
       return words.fail(op->column, fmt::format("expected == != < <= > >= or ~ (contains), found {}{}",
-                                                base::quoted(op->text), near_op(*op, stops())));
+                                                quoted_start(op->text), near_op(*op, stops())));
     condition.text += " " + op->text;
   }
   while (!stops() && !tolerance_in(*words.peek())) {
@@ -293,7 +293,7 @@ base::Result<bool> holds(const Condition& condition, const Value& value) {
 std::string describe(const Query& query, const Value& value) {
   if (const None* const none = std::get_if<None>(&value))
     return fmt::format("but {} is none{}{}", query.name, none->why.empty() ? "" : ": ", none->why);
-  const std::string text = std::holds_alternative<std::string>(value) ? base::quoted(to_text(value)) : to_text(value);
+  const auto text = std::holds_alternative<std::string>(value) ? quoted_start(to_text(value)) : query.words(value);
   return fmt::format("found {}{}{}", text, query.unit.empty() ? "" : " ", query.unit);
 }
 

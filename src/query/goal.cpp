@@ -57,15 +57,15 @@ std::optional<Goal> parse_goal(base::Words& words) {
   const Query* const query = find_query(condition.query);
   const bool numeric = values_with(*query, condition.argument).type == Type::number;
   if (!may_be_sought(*query) || !numeric)
-    return fail(condition.column,
-                base::quoted(condition.query) + " cannot be sought: expected a query of track or ride with a number");
+    return fail(condition.column, base::quoted_start(condition.query) +
+                                      " cannot be sought: expected a query of track or ride with a number");
   const bool compares = condition.op && *condition.op != Op::not_equal && *condition.op != Op::contains;
   if (!compares || condition.negated)
     return fail(condition.column, "expected a goal with == < <= > or >= and a number, such as ride.lap_time == 40");
   const auto number = condition.values.size() == 1 ? base::parse_double(condition.values.front().text) : std::nullopt;
   if (!number)
     return fail(condition.values.front().column,
-                "expected one number, found " + base::quoted(condition.values.front().text));
+                "expected one number, found " + base::quoted_start(condition.values.front().text));
   const double usual = 1e-3 * std::max(std::abs(*number), 1.0);
   return Goal{query, condition.argument, *condition.op, *number, std::max(condition.tolerance.value_or(usual), 1e-9)};
 }
@@ -77,7 +77,7 @@ base::Result<Goal> read_goal(const std::string& text) {
     base::Words words(tokens, error);
     if (const auto goal = parse_goal(words)) return *goal;
   }
-  return base::Status{base::Code::usage, fmt::format("goal {}: {}", base::quoted(text), error.message)};
+  return base::Status{base::Code::usage, fmt::format("goal {}: {}", base::quoted_start(text), error.message)};
 }
 
 }  // namespace

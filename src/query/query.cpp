@@ -3,9 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include <fmt/format.h>
 
+#include "base/units.h"
 #include "base/words.h"
 #include "query/rows.h"
 
@@ -27,10 +29,18 @@ std::string to_text(const Value& value) {
   return std::visit(Visitor{}, value);
 }
 
+std::string Query::words(const Value& value) const {
+  const auto* const number = std::get_if<double>(&value);
+  const bool over = number != nullptr && std::abs(*number) >= base::figure_limit(unit);
+  return over ? base::figure_text(*number, 0, unit) : to_text(value);
+}
+
 base::Result<Value> Query::evaluate(const Context& context, std::string_view word) const {
   if (const auto wrong = wrong_argument(argument, word)) return base::Status{base::Code::usage, wrong->message};
   base::Result<Value> value = row(context, word);
-  const auto* const number = value ? std::get_if<double>(&*value) : nullptr;
+  auto* const number = value ? std::get_if<double>(&*value) : nullptr;
+  constexpr double kMost = std::numeric_limits<double>::max();
+  if (number != nullptr && std::isfinite(base::figure_limit(unit))) *number = std::clamp(*number, -kMost, kMost);
   const auto* const vector = value ? std::get_if<glm::dvec3>(&*value) : nullptr;
   const bool finite = number ? std::isfinite(*number) : !vector || std::isfinite(vector->x + vector->y + vector->z);
   return finite ? value : none("it is not finite");

@@ -50,8 +50,10 @@ struct Query {
   base::Result<Value> (*row)(const Context& context, std::string_view argument);  // of an argument that is accepted
   Values values = {};
 
-  // None where there is no value, and for a number that is not finite. Code::usage for an argument that the query does
-  // not accept, Code::refused for an entity that does not exist.
+  // Returns a value of it; of a figure at its limit (base/units.h) that it is over it.
+  std::string words(const Value& value) const;
+  // None where there is no value, and for a number that is not finite, unless it has a limit: then the largest one.
+  // Code::usage for an argument that the query does not accept, Code::refused for an entity that does not exist.
   base::Result<Value> evaluate(const Context& context, std::string_view word) const;
 };
 

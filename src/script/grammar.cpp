@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "base/console.h"
+#include "base/utf8.h"
 #include "base/words.h"
 #include "script/lines.h"
 #include "script/paths.h"
@@ -82,7 +82,7 @@ void Parser::include(Tokens tokens) {
   std::error_code ignored;
   const std::filesystem::path canonical = std::filesystem::weakly_canonical(path, ignored);
   if (std::find(including_.begin(), including_.end(), canonical) != including_.end())
-    return error(tokens[1].column, fmt::format("the file {} includes itself", base::quoted(tokens[1].text)));
+    return error(tokens[1].column, fmt::format("the file {} includes itself", base::quoted_start(tokens[1].text)));
   if (static_cast<int>(including_.size()) > kMaxIncludeDepth)
     return error(tokens[1].column, fmt::format("includes are nested more than {} deep", kMaxIncludeDepth));
   const auto text = files_.read(path);
@@ -100,14 +100,15 @@ void Parser::include(Tokens tokens) {
     errors_ = before;
     return error(tokens[1].column, fmt::format("{} is not a script: its line {} is no statement; begin it with "
                                                "\"coaster-script 1\" to see its errors",
-                                               base::quoted(tokens[1].text), inner.first_line_));
+                                               base::quoted_start(tokens[1].text), inner.first_line_));
   }
   statement.action = std::move(included);
   add(std::move(statement));
 }
 
 void Parser::close(Tokens tokens) {
-  if (tokens.size() > 1) error(tokens[1].column, fmt::format("unexpected {} after end", base::quoted(tokens[1].text)));
+  if (tokens.size() > 1)
+    error(tokens[1].column, fmt::format("unexpected {} after end", base::quoted_start(tokens[1].text)));
   if (too_deep_ > 0) return void(--too_deep_);
   if (open_.empty()) return error(tokens[0].column, "\"end\" without repeat, gesture or lesson");
   Open closed = std::move(open_.back());

@@ -77,7 +77,7 @@ bool parse_wait(Words& words, Action& action) {
       first && (base::is_number(first->text) || first->text.find_first_of("0123456789") == 0))
     return words.fail(first->column, fmt::format("expected a query such as ride.lap, found {}; ticks N or frames N "
                                                  "advances time without a condition",
-                                                 base::quoted(first->text)));
+                                                 base::quoted_start(first->text)));
   if (!parse_condition(words, wait.condition, "max")) return false;
   if (words.accept("max")) {
     static const std::vector<std::string> kUnits{"ticks", "frames", "tick", "frame", "s", "seconds"};
@@ -220,9 +220,9 @@ bool parse_line(std::span<const base::Token> line, base::TextError& error, Actio
   if (!edit::is_command(first.text)) {
     const std::vector<std::string>& known = statement_words();
     const bool spans_lines = std::find(known.begin(), known.end(), first.text) != known.end();
-    error = {first.column, spans_lines
-                               ? fmt::format("expected a statement of one line, found {}", base::quoted(first.text))
-                               : fmt::format("no command {}{}", base::quoted(first.text), near_words(line))};
+    error = {first.column,
+             spans_lines ? fmt::format("expected a statement of one line, found {}", base::quoted_start(first.text))
+                         : fmt::format("no command {}{}", base::quoted_start(first.text), near_words(line))};
     return false;
   }
   auto command = edit::parse(line, error);

@@ -55,7 +55,7 @@ inline bool take(Words& words, std::string_view what, base::Token& to) {
 inline bool end_of_text(Words& words) {
   if (words.failed() || words.at_end()) return words.end();
   return words.fail(words.peek()->column,
-                    "unexpected " + base::quoted(words.peek()->text) + ": a text with blanks needs quotes");
+                    "unexpected " + base::quoted_start(words.peek()->text) + ": a text with blanks needs quotes");
 }
 
 // Takes any of +shift, +ctrl and +alt.

@@ -20,7 +20,7 @@ constexpr std::string_view kTargets =
 bool refuse(Words& words, const base::Token& word) {
   const std::string at = "@" + word.text.substr(0, word.text.find_first_of(".:"));
   const std::string hint = world::parse_name(at.substr(1)) ? fmt::format("; did you mean \"@{}\"?", word.text) : "";
-  return words.fail(word.column, fmt::format("expected {}, found {}{}", kTargets, base::quoted(word.text), hint));
+  return words.fail(word.column, fmt::format("expected {}, found {}{}", kTargets, base::quoted_start(word.text), hint));
 }
 
 // Parses "@k3.in", "@s2:0.4" and so on.
@@ -51,7 +51,8 @@ bool parse_entity(Words& words, const base::Token& word, AimPoint& point) {
   if (place.empty()) return true;
   const auto t = base::parse_double(place);
   if (!t || !(*t >= 0 && *t <= 1))
-    return words.fail({word.column, "expected a parameter from 0 to 1 after the colon, found " + base::quoted(place),
+    return words.fail({word.column,
+                       "expected a parameter from 0 to 1 after the colon, found " + base::quoted_start(place),
                        base::is_number(place)});
   point.t = *t;
   return true;

@@ -20,7 +20,7 @@ bool parse_file(Words& words, bool negated, Action& action) {
     return words.end();
   }
   if (!words.accept("same") && !words.accept("=="))
-    return words.fail(words.peek()->column, "expected same or exists, found " + base::quoted(words.peek()->text));
+    return words.fail(words.peek()->column, "expected same or exists, found " + base::quoted_start(words.peek()->text));
   words.accept("as");
   if (!take(words, "the file to compare with", expect.same_as.emplace())) return false;
   action = expect;

@@ -20,7 +20,7 @@ std::string near_chord(const std::string& text, std::span<const base::Token> mor
   for (const base::Token& word : more) joined += "+" + word.text;
   std::replace(joined.begin(), joined.end(), '-', '+');
   if (const auto chord = platform::parse_chord(joined))
-    return fmt::format("; did you mean {}?", base::quoted(to_text(*chord)));
+    return fmt::format("; did you mean {}?", base::quoted_start(to_text(*chord)));
   const std::string key = text.substr(text.rfind('+') + 1);
   if (platform::parse_chord(key)) return "; only Ctrl, Shift and Alt can come before a key";
   return base::suggestion(key, platform::key_names());
@@ -32,7 +32,7 @@ std::optional<platform::Chord> take_chord(Words& words) {
   const auto chord = platform::parse_chord(word->text);
   if (!chord)
     words.fail(word->column, fmt::format("expected a key such as F, Escape, Left or Ctrl+Z, found {}{}",
-                                         base::quoted(word->text), near_chord(word->text, words.rest())));
+                                         base::quoted_start(word->text), near_chord(word->text, words.rest())));
   return chord;
 }
 

@@ -50,7 +50,7 @@ bool parse_ui_drag(Words& words, Action& action) {
     const base::Token* const value = words.take("a value");
     if (!value) return false;
     if (!base::parse_double(value->text))
-      return words.fail(value->column, "expected a number, found " + base::quoted(value->text));
+      return words.fail(value->column, "expected a number, found " + base::quoted_start(value->text));
     ui->verb = UiVerb::drag_to;
     ui->text = value->text;
   } else {

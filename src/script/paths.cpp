@@ -38,7 +38,7 @@ std::string not_below_out(std::string_view written) {
   std::string name = std::filesystem::path(written).filename().string();
   if (name.empty() || name == ".." || name == "." || name == kOut) name = "NAME";
   return fmt::format("scripts write only below $OUT: expected a file such as {}, found {}",
-                     base::quoted(fmt::format("{}/{}", kOut, name)), base::quoted(written));
+                     base::quoted_start(fmt::format("{}/{}", kOut, name)), base::quoted_start(written));
 }
 
 base::Result<std::filesystem::path> find_output(std::string_view written, const base::Root& out) {

@@ -51,12 +51,6 @@ std::vector<edit::Command> settings_commands(const edit::Session& session) {
   return commands;
 }
 
-// Removes a link, so that the recording replaces it.
-void drop_link(base::Files& files, const std::filesystem::path& path) {
-  std::error_code ignored;
-  if (std::filesystem::is_symlink(path, ignored)) (void)files.remove(path);
-}
-
 }  // namespace
 
 base::Result<std::unique_ptr<Recorder>> Recorder::start(const base::Files& files, const std::filesystem::path& path,
@@ -64,7 +58,6 @@ base::Result<std::unique_ptr<Recorder>> Recorder::start(const base::Files& files
   auto folder = base::Root().open(path.has_parent_path() ? path.parent_path() : ".");
   if (!folder) return folder.status();
   base::Files below = files.with(std::move(*folder));
-  drop_link(below, path);
   auto out = below.create(path);
   if (!out) return out.status();
   if (!out->put_in_place()) return base::Status{base::Code::io, path.string() + ": cannot be written"};
@@ -95,7 +88,6 @@ base::Status Recorder::snapshot(const edit::Session& session) {
   ++snapshots_;
   track.replace_filename(
       fmt::format("{}{}.json", path_.stem().string(), snapshots_ > 1 ? fmt::format("-{}", snapshots_) : ""));
-  drop_link(files_, track);
   if (const base::Status saved = exchange::save_track(files_, track, session.document); !saved) return saved;
   return line("load " + base::quoted(track.filename().string()));
 }

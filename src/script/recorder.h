@@ -17,8 +17,8 @@ namespace coaster::script {
 class Recorder {
  public:
   // Begins the script `path` and saves the track next to it (rec.coaster: rec.json), with the faults of `files`. Both
-  // are new files: links of these names are replaced; links in the folder's own path are followed. Code::io if either
-  // cannot be written.
+  // are new files, or such that runs made; links in the folder's own path are followed. Code::io if either cannot be
+  // written, Code::refused for another file or a link of these names.
   static base::Result<std::unique_ptr<Recorder>> start(const base::Files& files, const std::filesystem::path& path,
                                                        const edit::Session& session);
   ~Recorder();

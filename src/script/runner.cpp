@@ -144,7 +144,9 @@ Failure Runner::perform(const SetEnvironment& change) {
   const auto folder = find_output(change.home->text, files_.root());
   if (!folder) return failure(folder.status(), change.home->column);
   // Empties the folder at its first use in a run: files of an earlier run would change the result.
-  if (std::find(homes_.begin(), homes_.end(), *folder) == homes_.end()) (void)files_.remove_tree(*folder);
+  if (std::find(homes_.begin(), homes_.end(), *folder) == homes_.end())
+    if (const base::Status emptied = files_.remove_made(*folder); !emptied)
+      return failure(emptied, change.home->column);
   homes_.push_back(*folder);
   return failure(frames_.set_home(*folder));
 }

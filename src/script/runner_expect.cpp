@@ -133,9 +133,9 @@ Failure Runner::perform(const ExpectError& expect) {
     message = result.message;
   }
   if (!expect.contains || message.find(*expect.contains) != std::string::npos) return {};
-  return failed(
-      fmt::format("expected an error with {}, found {}", base::quoted(*expect.contains), base::quoted(message)),
-      expect.statement.front().column);
+  return failed(fmt::format("expected an error with {}, found {}", base::quoted_start(*expect.contains),
+                            base::quoted_start(message)),
+                expect.statement.front().column);
 }
 
 }  // namespace coaster::script

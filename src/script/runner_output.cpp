@@ -102,7 +102,7 @@ Failure Runner::perform(const Snap& snap) {
   Failure result = failure(frames_.host().snap(snap.name, golden, options_.out.folder(), update && !again));
   if (again && update && result.code == base::Code::expectation)
     result.message = fmt::format("snap {} was taken before in this run, of another picture: give each its own name; {}",
-                                 base::quoted(snap.name), result.message);
+                                 base::quoted_start(snap.name), result.message);
   return result;
 }
 
@@ -168,7 +168,7 @@ Failure Runner::perform(const Log& log) {
     }
     const auto value = value_of(part.query, part.argument);
     if (!value) return failure(value.status(), part.column);
-    line += query::to_text(*value);
+    line += query::find_query(part.query)->words(*value);
   }
   frames_.host().print(line);
   return {};

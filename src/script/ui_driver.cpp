@@ -27,7 +27,7 @@ std::optional<double> number_shown(const std::string& text) {
 Failure expect_kind(const WidgetState& widget, std::initializer_list<std::string_view> kinds,
                     std::string_view expected) {
   if (std::find(kinds.begin(), kinds.end(), widget.kind) != kinds.end()) return {};
-  return wrong(fmt::format("{} is a {}, expected a {}", base::quoted(widget.path),
+  return wrong(fmt::format("{} is a {}, expected a {}", base::quoted_start(widget.path),
                            widget.kind == "item" ? "menu item" : widget.kind, expected));
 }
 
@@ -79,7 +79,7 @@ Failure UiDriver::check(std::string_view path, bool on) {
     return other;
   if (is_on(widget_) == on) return {};
   if (!on && widget_.kind == "radio")
-    return failed(base::quoted(widget_.path) + " is a radio button: it turns off when another one is selected");
+    return failed(base::quoted_start(widget_.path) + " is a radio button: it turns off when another one is selected");
   return press_and_release({});
 }
 

@@ -30,9 +30,9 @@ const WidgetState* UiDriver::now(std::string_view path) {
 }
 
 Failure UiDriver::refusal(const WidgetState& widget) const {
-  if (!widget.visible) return failed(base::quoted(widget.path) + " is out of sight");
-  if (widget.covered) return failed(base::quoted(widget.path) + " is covered by another window");
-  if (!widget.enabled) return failed(base::quoted(widget.path) + " is disabled");
+  if (!widget.visible) return failed(base::quoted_start(widget.path) + " is out of sight");
+  if (widget.covered) return failed(base::quoted_start(widget.path) + " is covered by another window");
+  if (!widget.enabled) return failed(base::quoted_start(widget.path) + " is disabled");
   return {};
 }
 
@@ -114,7 +114,7 @@ Failure UiDriver::refuse_missing(std::string_view path, const base::Status& miss
   }
   if (!go_to(here) || there.empty()) return failure(missing);
   return failed(
-      fmt::format("{} is in the workspace {}: write \"workspace {}\" before", base::quoted(path), there, there));
+      fmt::format("{} is in the workspace {}: write \"workspace {}\" before", base::quoted_start(path), there, there));
 }
 
 Failure UiDriver::find(std::string_view path, WidgetState& widget) {

@@ -54,7 +54,7 @@ std::string nearest_path(std::span<const WidgetState> widgets, std::string_view 
   const auto near = base::nearest(last_part(path), ends);
   if (!near) return {};
   const auto at = std::find(ends.begin(), ends.end(), *near) - ends.begin();
-  return fmt::format("; did you mean {}?", base::quoted(paths[static_cast<std::size_t>(at)]));
+  return fmt::format("; did you mean {}?", base::quoted_start(paths[static_cast<std::size_t>(at)]));
 }
 
 }  // namespace
@@ -78,11 +78,11 @@ base::Result<std::size_t> find_widget(std::span<const WidgetState> widgets, std:
   if (found.size() == 1) return found[0];
   if (found.empty())
     return base::Status{base::Code::usage,
-                        fmt::format("no widget {}{}", base::quoted(path), nearest_path(widgets, path))};
+                        fmt::format("no widget {}{}", base::quoted_start(path), nearest_path(widgets, path))};
   std::string list;
   for (const std::size_t i : found)
-    list += fmt::format("{}{} ({})", list.empty() ? "" : ", ", base::quoted(widgets[i].path), widgets[i].kind);
-  return base::Status{base::Code::usage, fmt::format("{} matches several widgets: {}", base::quoted(path), list)};
+    list += fmt::format("{}{} ({})", list.empty() ? "" : ", ", base::quoted_start(widgets[i].path), widgets[i].kind);
+  return base::Status{base::Code::usage, fmt::format("{} matches several widgets: {}", base::quoted_start(path), list)};
 }
 
 std::string_view panel_of(std::string_view path) { return path.substr(0, path.find('/')); }

@@ -59,25 +59,41 @@ refused 'save "$OUT/in/a.json"' 'shot "$OUT/in/a.png"' 'dump "in/a"' 'snap in/a'
   'movie.start "$OUT/in/m"' 'movie.start "$OUT/in"'
 
 # Movies: pictures and the file that ffmpeg writes; by statement and by option.
-# replaced FILE: checks that a file of the run took the place of the link.
-replaced() { [ -f "$OUT/run/$1" ] && [ ! -L "$OUT/run/$1" ] || fail "the link $1 was not replaced"; }
+# stays FILE: checks that the link is still there.
+stays() { [ -L "$OUT/run/$1" ] || fail "the link $1 was replaced"; }
 prepare m/frame-00000.png
+printf 'coaster-script 1\nenv size 96x54\nload "%s"\nmovie.start "$OUT/m"\n' "$TRACK" >"$OUT/try.coaster"
+run_script 2 try
+expect_text stderr "no run of coaster made this file"
+stays m/frame-00000.png
+prepare
 run 0 'movie.start "$OUT/m"\nticks 8\nmovie.stop\n'
-replaced m/frame-00000.png
 [ "$(cat "$OUT/run/m/movie.mp4")" = "a movie" ] || fail "no movie file"
 prepare m/movie.mp4
 run 0 'movie.start "$OUT/m"\nticks 8\nmovie.stop\n'
 expect_text stderr "movie.mp4: is a symbolic link"
 run 0 'ticks 8\n' --movie "$OUT/run/m"
 
-# Recordings replace links; the folder itself may be a link.
-prepare rec.coaster rec.json rec-2.json
-run 0 "load \"$TRACK\"\n" --record "$OUT/run/rec.coaster"
-for name in rec.coaster rec.json rec-2.json; do replaced "$name"; done
+# Recordings are refused where a link is.
+for name in rec.coaster rec.json; do
+  prepare "$name"
+  run 5 "load \"$TRACK\"\n" --record "$OUT/run/rec.coaster"
+  expect_text stderr "is a symbolic link"
+  stays "$name"
+done
+prepare rec-2.json
+run 2 "load \"$TRACK\"\n" --record "$OUT/run/rec.coaster"
+stays rec-2.json
 
-# The user's folder of a script: emptied before use; no lock next to a file outside.
-prepare home/settings.json
-ln -s "$away" "$OUT/run/home/recovery"
+# The user's folder of a script: links in it are no way out; no lock next to a file outside.
+for link in home/settings.json home/recovery; do
+  prepare "$link"
+  printf 'coaster-script 1\nenv home "$OUT/home"\n' >"$OUT/try.coaster"
+  run_script 2 try
+  stays "$link"
+done
+nothing_outside "env home"
+prepare
 cp "$TRACK" "$away/foreign.json"
 script home "env size 96x54
 env home \"\$OUT/home\"
@@ -100,10 +116,11 @@ run 0 'env home "$OUT/home"\nsave "$OUT/a.json"\nframes 2\n'
 prepare two-knots-1.png
 run 0 'key f12\nframes 2\n'
 
-# A hard link is replaced; a pipe is refused.
+# A hard link is replaced where a run made a file of that name; a pipe is refused.
 prepare
+run 0 'save "$OUT/a.json"\n'
 echo victim >"$OUT/victim"
-ln "$OUT/victim" "$OUT/run/a.json"
+ln -f "$OUT/victim" "$OUT/run/a.json"
 mkfifo "$OUT/run/b.json"
 run 0 'save "$OUT/a.json"\n'
 [ "$(cat "$OUT/victim")" = victim ] || fail "a hard link was written through"

@@ -93,6 +93,16 @@ expect error save \"\$OUT/a.gltf\" ~ \"the limit\""
 fi
 rm -f "$OUT/zeros.json" "$OUT/large.nl2elem"
 
+# The largest picture with samples, density and scale: fewer samples, and 0.7 GB at most.
+script large 'env size 7680x4320 msaa 16 density 4 scale 3
+shot "large.png"'
+most=$(python3 -c 'import resource, subprocess, sys
+subprocess.run(sys.argv[1:], check=True, stdout=subprocess.DEVNULL, stderr=open(sys.argv[-1] + ".stderr", "w"))
+print(resource.getrusage(resource.RUSAGE_CHILDREN).ru_maxrss)' \
+  "$COASTER" --headless --script "$OUT/large.coaster" --out "$OUT/run")
+[ -n "$limited" ] && [ "${most:-9999999}" -gt 700000 ] && fail "a large picture took $most kB"
+grep -q "Antialiasing is off: 7680x4320 pixels with" "$OUT/run.stderr" || fail "no word of fewer samples"
+
 # A sheet has as many pixels as a picture at most.
 script sheet "env size 640x360
 shot \"a.png\"

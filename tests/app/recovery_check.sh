@@ -6,7 +6,9 @@ run() { expect_code "$1" --headless --script "$OUT/$2.coaster" "${user[@]}"; }
 # Runs a script in the background until it has written its picture ready.png; its process is $pid.
 launch() {
   rm -f "$OUT/ready.png"
-  "$COASTER" --headless --script "$OUT/$1.coaster" "${user[@]}" >"$OUT/stdout.$1" 2>"$OUT/stderr.$1" &
+  # A shell's background jobs ignore SIGINT and SIGQUIT from their start on, which the program respects.
+  env --default-signal "${@:2}" "$COASTER" --headless --script "$OUT/$1.coaster" "${user[@]}" >"$OUT/stdout.$1" \
+    2>"$OUT/stderr.$1" &
   pid=$!
   for _ in $(seq 600); do
     [ -e "$OUT/ready.png" ] && return
@@ -72,9 +74,7 @@ move @k2 to 5 8 4
 log "moved"
 shot "ready.png"
 frames 1000000'
-for signal in 15 2 1 13 3 24; do
-  # A shell's background jobs ignore SIGINT from their start on; the handlers that the program installs work
-  # nevertheless.
+for signal in 15 2 1 13 3 24 10 12 30; do
   launch signalled
   kill -$signal $pid
   wait $pid
@@ -92,6 +92,18 @@ expect knots == 0'
   [ "$(left)" = 0 ] || fail "Discard left an autosave"
 done
 find "$OUT/home/recovery" -type f | grep . && fail "files are left in the recovery folder"
+
+# As nohup starts it: SIGHUP changes nothing.
+launch signalled --ignore-signal=HUP
+kill -HUP $pid
+sleep 0.3
+kill -0 $pid 2>/dev/null || fail "an ignored signal ended the program"
+kill -TERM $pid
+wait $pid
+check_code $? 143 "SIGTERM after an ignored SIGHUP"
+script drop 'ui.click "Recovery/Discard"
+frames 1'
+run 0 drop
 
 # The same without a folder for autosaves. Whatever else ends the program, the lines it has printed are there.
 user=(--out "$OUT" --record "$OUT/recorded.coaster")

@@ -8,6 +8,8 @@
 
 #include <cstdlib>
 
+#include "base/utf8.h"
+
 namespace coaster::base {
 namespace console_test {
 
@@ -39,6 +41,7 @@ TEST(console, what_controls_a_terminal_is_shown_as_text) {
             "\\u202egpj.exe")
       << "right to left";
   EXPECT_EQ(visible_text(std::string_view("\0", 1)), "\\u0000");
+  EXPECT_EQ(visible_text("end\r\n\rstart\x7f"), "end\r\n\\u000dstart\\u007f") << "a file's line end";
   EXPECT_EQ(visible_text("two\n\tlines, Stra\xc3\x9f"
                          "e, \xf0\x9f\x8e\xa2"),
             "two\n\tlines, Stra\xc3\x9f"
@@ -50,7 +53,7 @@ RC_GTEST_PROP(console, no_bytes_whatsoever_control_the_terminal, (const std::str
   const std::string visible = visible_text(text);
   for (std::size_t i = 0; i < visible.size(); ++i) {
     const auto byte = static_cast<unsigned char>(visible[i]);
-    RC_ASSERT((byte >= 0x20 && byte != 0x7f) || byte == '\n' || byte == '\t');
+    RC_ASSERT((byte >= 0x20 && byte != 0x7f) || byte == '\n' || byte == '\t' || visible.compare(i, 2, "\r\n") == 0);
     if (byte == 0xc2) RC_ASSERT(static_cast<unsigned char>(visible.at(i + 1)) >= 0xa0);
   }
   RC_ASSERT(visible_text(visible) == visible);

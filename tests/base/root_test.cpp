@@ -41,6 +41,11 @@ class root : public testing::Test {
     std::ifstream file(path);
     return {std::istreambuf_iterator<char>(file), {}};
   }
+  static int files_in(const fs::path& folder) {
+    int files = 0;
+    for (const auto& entry : fs::recursive_directory_iterator(folder)) files += entry.is_directory() ? 0 : 1;
+    return files;
+  }
   void refused(const fs::path& path, std::string_view reason) {
     const Status status = io.write_atomic(path, "new");
     EXPECT_EQ(status.code, Code::refused) << path;
@@ -63,8 +68,8 @@ TEST_F(root, what_lies_below_is_written) {
   EXPECT_TRUE(io.remove(out("deep/er/c")));
   EXPECT_FALSE(fs::exists(out("deep/er/c")));
   ASSERT_TRUE(io.write_atomic(out("deep/er/b"), "4").ok());
-  EXPECT_TRUE(io.remove_tree(out("deep")));
-  EXPECT_FALSE(fs::exists(out("deep")));
+  EXPECT_TRUE(io.remove_made(out("deep")).ok());
+  EXPECT_EQ(files_in(out("deep")), 0);
 }
 
 TEST_F(root, a_name_outside_is_refused) {
@@ -74,7 +79,7 @@ TEST_F(root, a_name_outside_is_refused) {
     EXPECT_FALSE(io.root().contains(path)) << path;
     EXPECT_EQ(io.root().make_folders(path).code, Code::refused) << path;
     EXPECT_FALSE(io.remove(path)) << path;
-    EXPECT_FALSE(io.remove_tree(path)) << path;
+    EXPECT_EQ(io.remove_made(path).code, Code::refused) << path;
     EXPECT_FALSE(io.rename(path, "other")) << path;
   }
 }
@@ -105,8 +110,10 @@ TEST_F(root, a_link_on_the_way_is_refused) {
 }
 
 TEST_F(root, a_hard_link_is_replaced_and_pipes_and_devices_are_refused) {
+  ASSERT_TRUE(io.write_atomic(out("hard"), "old").ok());
+  fs::remove(out("hard"));
   fs::create_hard_link(victim(), out("hard"));
-  ASSERT_TRUE(io.write_atomic(out("hard"), "new").ok());
+  ASSERT_TRUE(io.write_atomic(out("hard"), "new").ok()) << "a run made a file of that name";
   EXPECT_EQ(text(out("hard")), "new");
   EXPECT_EQ(fs::hard_link_count(victim()), 1u);
   ASSERT_EQ(::mkfifo(out("pipe").c_str(), 0600), 0);
@@ -118,15 +125,76 @@ TEST_F(root, a_hard_link_is_replaced_and_pipes_and_devices_are_refused) {
   }
 }
 
-TEST_F(root, removing_a_tree_leaves_what_its_links_lead_to) {
+TEST_F(root, a_link_in_a_folder_to_be_emptied_is_refused_and_not_followed) {
   fs::create_directories(out("tree/inner"));
-  fs::create_directory_symlink(top / "foreign", out("tree/inner/away"));
-  fs::create_symlink(victim(), out("tree/link"));
-  EXPECT_TRUE(io.remove_tree(out("tree")));
-  EXPECT_FALSE(fs::exists(out("tree")));
+  for (const fs::path& link : {out("tree/inner/away"), out("tree/link")}) {
+    fs::create_symlink(link == out("tree/link") ? victim() : top / "foreign", link);
+    EXPECT_EQ(io.remove_made(out("tree")).code, Code::refused);
+    EXPECT_TRUE(fs::is_symlink(link));
+    fs::remove(link);
+  }
+  EXPECT_TRUE(io.remove_made(out("tree")).ok());
+  fs::remove_all(out("tree"));
   fs::create_directory_symlink(top / "foreign", out("tree"));
-  EXPECT_TRUE(io.remove_tree(out("tree"))) << "the link itself";
-  EXPECT_FALSE(fs::exists(fs::symlink_status(out("tree"))));
+  EXPECT_EQ(io.remove_made(out("tree")).code, Code::refused);
+}
+
+// The rule: only what runs made is replaced or removed.
+TEST_F(root, a_file_that_no_run_made_is_neither_replaced_nor_removed) {
+  std::ofstream(out("mine")) << "mine";
+  refused(out("mine"), "no run of coaster made this file");
+  EXPECT_EQ(io.create(out("mine")).status().code, Code::refused);
+  EXPECT_FALSE(io.remove(out("mine")));
+  EXPECT_EQ(text(out("mine")), "mine");
+  ASSERT_TRUE(io.write_atomic(out("made"), "1").ok());
+  const Files later(*Root().open(top / "out"));
+  EXPECT_TRUE(Files(later).write_atomic(out("made"), "2").ok()) << "of an earlier run";
+  EXPECT_FALSE(io.rename(out("made"), "mine")) << "the name is not free";
+  EXPECT_EQ(text(out("mine")), "mine");
+  EXPECT_TRUE(io.rename(out("made"), "renamed"));
+  EXPECT_TRUE(io.remove(out("renamed")));
+  EXPECT_TRUE(io.write_atomic(out("mine"), "asked", Replaces::any).ok()) << "where the user was asked";
+}
+
+TEST_F(root, a_folder_is_emptied_only_if_runs_made_all_of_it) {
+  EXPECT_TRUE(io.remove_made(out("home")).ok()) << "there is none";
+  ASSERT_TRUE(io.root().make_folders(out("home/recovery")).ok());
+  ASSERT_TRUE(io.write_atomic(out("home/settings.json"), "1").ok());
+  ASSERT_TRUE(io.write_atomic(out("home/recovery/a"), "1").ok());
+  LockAttempt lock = try_lock(out("home/recovery/a"), io.root());
+  std::ofstream(out("home/recovery/mine")) << "mine";
+  const Status refusal = io.remove_made(out("home"));
+  EXPECT_EQ(refusal.code, Code::refused);
+  EXPECT_NE(refusal.message.find("mine: no run"), std::string::npos) << refusal.message;
+  EXPECT_EQ(text(out("home/settings.json")), "1") << "all of it stays";
+  EXPECT_EQ(text(out("home/recovery/mine")), "mine");
+  fs::remove(out("home/recovery/mine"));
+  EXPECT_TRUE(io.remove_made(out("home")).ok()) << "the lock and the list are traces of the others";
+  EXPECT_EQ(files_in(out("home")), 0);
+  const auto frames = [](const std::string& name) { return name.starts_with("frame"); };
+  std::ofstream(out("home/mine")) << "mine";
+  ASSERT_TRUE(io.write_atomic(out("home/frame1"), "1").ok());
+  EXPECT_TRUE(io.remove_made(out("home"), frames).ok()) << "the other file has another name";
+  EXPECT_FALSE(fs::exists(out("home/frame1")));
+  std::ofstream(out("home/frame2")) << "mine";
+  EXPECT_EQ(io.remove_made(out("home"), frames).code, Code::refused);
+  EXPECT_EQ(text(out("home/frame2")), "mine");
+}
+
+TEST_F(root, the_list_of_made_files_is_no_way_out) {
+  fs::create_symlink("../foreign/new", out(std::string(kMadeList).c_str()));
+  EXPECT_TRUE(io.write_atomic(out("a"), "1").ok()) << "it is new";
+  refused(out("a"), "no run of coaster made this file");
+  fs::remove(out(std::string(kMadeList).c_str()));
+  fs::create_hard_link(victim(), out(std::string(kMadeList).c_str()));
+  EXPECT_TRUE(io.write_atomic(out("b"), "1").ok());
+  EXPECT_EQ(text(victim()), "victim");
+}
+
+TEST_F(root, a_lock_s_name_with_other_words_is_left_alone) {
+  std::ofstream(out(".mine.lock")) << "my notes";
+  EXPECT_EQ(try_lock(out("mine"), io.root()).outcome, LockAttempt::Outcome::impossible);
+  EXPECT_EQ(text(out(".mine.lock")), "my notes");
 }
 
 TEST_F(root, a_lock_is_a_new_file_below) {

@@ -44,6 +44,44 @@ TEST(formats, messages_name_every_ending_once) {
             std::count_if(formats().begin(), formats().end(), [](const Format& f) { return f.parse != nullptr; }));
 }
 
+// A terminal that shows the file is controlled by nothing in a name: no escape, no DEL, no C1 control in either form,
+// no mark that turns the direction of text.
+TEST(formats, no_export_controls_a_terminal) {
+  const test::ScratchFolder scratch;
+  base::Files files;
+  world::Document document = test::ring_document(6, 20.5f, 3.1f);
+  document.name =
+      "a\x1b]0;title\x07"
+      "b\x7f"
+      "c\xc2\x9b"
+      "31md\xe2\x80\xae"
+      "e\xd8\x9c"
+      "f\xe2\x81\xa6"
+      "g\xe2\x80\xa8h\x9b";
+  int written = 0;
+  for (const Format& format : formats()) {
+    if (!format.print) continue;
+    const std::filesystem::path path = scratch.path() / ("a" + std::string(format.ending));
+    ASSERT_TRUE(save_track(files, path, document)) << format.ending;
+    const std::string bytes = files.read(path)->data();
+    ++written;
+    for (std::size_t i = 0; i < bytes.size(); ++i) {
+      const auto byte = static_cast<unsigned char>(bytes[i]);
+      const bool line_end = byte == '\n' || byte == '\t' || (byte == '\r' && bytes[i + 1] == '\n');
+      EXPECT_TRUE(line_end || (byte >= 0x20 && byte != 0x7f)) << format.ending << " at " << i;
+    }
+    for (const char* const mark : {"\xc2\x9b", "\xe2\x80\xae", "\xd8\x9c", "\xe2\x81\xa6", "\xe2\x80\xa8", "h\x9b"})
+      EXPECT_EQ(bytes.find(mark), std::string::npos) << format.ending;
+    if (format.whole && format.parse) {
+      document.name = "a\x7f\xc2\x9b\xe2\x80\xae";
+      ASSERT_TRUE(save_track(files, path, document));
+      const auto back = load_track(files, path);
+      ASSERT_TRUE(back.ok()) << back.status().message;
+    }
+  }
+  EXPECT_GE(written, 6);
+}
+
 TEST(formats, archives_and_utf_16_are_named_with_what_to_do) {
   const test::ScratchFolder scratch;
   const std::filesystem::path& folder = scratch.path();

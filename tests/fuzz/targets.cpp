@@ -162,7 +162,7 @@ void outputs(std::string_view bytes) {
       case 'n': (void)files.rename(path, "renamed"); break;
       case 's': (void)(files.remove_leftovers(path) + files.remove_leftovers_in(path)); break;
       case 'r': (void)files.remove(path); break;
-      case 't': (void)files.remove_tree(path); break;
+      case 't': (void)files.remove_made(path); break;
       default: break;
     }
   }

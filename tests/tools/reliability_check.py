@@ -17,6 +17,7 @@ def tests_of(source):
     names |= {"script." + file.stem for file in (source / "tests/scripts").glob("*.coaster")}
     names |= {"script." + file.stem for file in (source / "tests/app").glob("*_check.sh")}
     names |= {"window." + file.stem.removesuffix("_test") for file in (source / "tests/window").glob("*_test.py")}
+    names |= {"tool." + file.stem.removesuffix("_check") for file in (source / "tests/tools").glob("*_check.py")}
     names |= {"fuzz." + folder.name for folder in (source / "tests/fuzz/corpus").iterdir()}
     return names
 

@@ -21,6 +21,7 @@
 #include "edit/session/session.h"
 #include "platform/surface.h"
 #include "ui/host/host.h"
+#include "ui/widgets/imgui_compat.h"
 
 namespace coaster::ui {
 
@@ -37,16 +38,30 @@ struct DrawnGlyph {
   ImVec2 low, high;  // px
   int vertex;        // the first of its four
 };
+// Calls visit(glyph) for each glyph in the fonts' texture.
+inline void for_each_glyph(const auto& visit) {
+#if IMGUI_VERSION_NUM >= 19200
+  auto& fonts = ImGui::GetIO().Fonts->Builder->BakedPool;  // in sizes that were drawn
+  for (int i = 0; i < fonts.Size; ++i)
+    for (const ImFontGlyph& glyph : fonts[i].Glyphs) visit(glyph);
+#else
+  for (const ImFont* const font : ImGui::GetIO().Fonts->Fonts)
+    for (const ImFontGlyph& glyph : font->Glyphs) visit(glyph);
+#endif
+}
+inline float font_pixels() { return pixels_of(*ImGui::GetIO().Fonts->Fonts[0]); }
+
 // Returns the characters that a list draws, found by their places in the fonts' texture.
 inline std::vector<DrawnGlyph> drawn_glyphs(const ImDrawList& list) {
   static std::map<std::array<float, 4>, unsigned> glyphs;
-  static std::pair<const void*, float> of(nullptr, 0);  // the fonts that they are of
-  const ImFont& first = *ImGui::GetIO().Fonts->Fonts[0];
-  if (const std::pair now(static_cast<const void*>(first.Glyphs.Data), first.FontSize); of != now) {
+  static std::array<float, 3> of{};  // the fonts that they are of
+  std::array<float, 3> now{font_pixels()};
+  for_each_glyph([&](const ImFontGlyph& g) { now[1] += 1, now[2] += g.U0 + g.V0 * 1.7f; });
+  if (of != now) {
     of = now, glyphs.clear();
-    for (const ImFont* const font : ImGui::GetIO().Fonts->Fonts)
-      for (const ImFontGlyph& g : font->Glyphs)
-        if (g.Visible) glyphs.try_emplace({g.U0, g.V0, g.U1, g.V1}, g.Codepoint);
+    for_each_glyph([&](const ImFontGlyph& g) {
+      if (g.Visible) glyphs.try_emplace({g.U0, g.V0, g.U1, g.V1}, g.Codepoint);
+    });
   }
   std::vector<DrawnGlyph> found;
   for (int i = 0; i + 3 < list.VtxBuffer.Size; ++i) {
@@ -62,7 +77,7 @@ inline std::vector<DrawnGlyph> drawn_glyphs(const ImDrawList& list) {
 inline std::string drawn_text(const ImDrawList& list) {
   std::string text;
   ImVec2 end(0, 0);
-  const float size = ImGui::GetIO().Fonts->Fonts[0]->FontSize;
+  const float size = font_pixels();
   for (const DrawnGlyph& glyph : drawn_glyphs(list)) {
     if (!text.empty() && (glyph.low.x > end.x + 0.17f * size || glyph.low.x < end.x - size)) text += ' ';
     text += glyph.codepoint < 128 ? static_cast<char>(glyph.codepoint) : '?';
@@ -105,6 +120,8 @@ class Stage : public testing::Test {
     state.pictures = &pictures_;
     state.lesson = lesson_;
     state.content_scale = density_;
+    state.job = job_;
+    state.movie = movie_ ? &*movie_ : nullptr;
     Output out = host_->build(events, state, width_, height_);
     for (const edit::Command& command : out.commands) {
       (void)edit::apply(session_, files_, command);
@@ -219,6 +236,8 @@ class Stage : public testing::Test {
   query::FrameStats stats_;
   std::optional<UserState> user_;
   const query::LessonCard* lesson_ = nullptr;
+  JobState job_;
+  std::optional<MovieState> movie_;
   std::map<std::string, TrackPicture> pictures_;  // of the start screen
   std::vector<edit::Command> commands_;
   Output last_;

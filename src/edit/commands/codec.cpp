@@ -223,7 +223,7 @@ base::Result<Command> parse(std::span<const base::Token> tokens, base::TextError
   const auto row = std::find_if(kKinds.begin(), kKinds.end(),
                                 [&](const CommandKind& kind) { return kind.info->name == tokens[0].text; });
   if (row == kKinds.end()) {
-    error = {tokens[0].column, fmt::format("no command {}{}", base::quoted(tokens[0].text),
+    error = {tokens[0].column, fmt::format("no command {}{}", base::quoted_start(tokens[0].text),
                                            base::suggestion(tokens[0].text, command_names()))};
     return failed();
   }
@@ -234,7 +234,7 @@ base::Result<Command> parse(std::span<const base::Token> tokens, base::TextError
   const bool read =
       std::all_of(fields.begin(), fields.end(), [&](const Field& field) { return read_field(words, field); });
   if (read && words.at_end()) return result;
-  if (read) words.fail(words.peek()->column, "unexpected " + base::quoted(words.peek()->text));
+  if (read) words.fail(words.peek()->column, "unexpected " + base::quoted_start(words.peek()->text));
   // Where no word was meant, the whole form helps, unless it is as long as that of an element.
   constexpr std::size_t kLongestUsage = 120;
   const std::string form = usage(*row);

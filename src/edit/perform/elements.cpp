@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "base/units.h"
 #include "edit/commands/commands_elements.h"
 #include "edit/perform/placing.h"
 #include "world/aids.h"
@@ -101,8 +102,8 @@ Status perform(Session& session, Change& change, const CompleteCircuit& command)
   const double jolt = way_jolt(session, static_cast<std::size_t>(command.proposal) - 1);
   change.select = sim::close_by(session.document, proposal);
   if (jolt > sim::kJoltLimit)
-    change.clamped.push_back(
-        fmt::format("A joint of the way home jolts riders by {:.1f} g. Worst jolt finds it.", jolt));
+    change.clamped.push_back(fmt::format("A joint of the way home jolts riders by {} g. Worst jolt finds it.",
+                                         base::figure_text(jolt, 1, "g")));
   change.note = fmt::format(
       "Completed the circuit: {:.1f} m, {} {}, at most {:.1f} g.{}", proposal.plan.length, proposal.plan.spans(),
       proposal.plan.spans() == 1 ? "span" : "spans", proposal.felt.most,

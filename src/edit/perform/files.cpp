@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "base/text.h"
+#include "base/utf8.h"
 #include "edit/commands/commands_lab.h"
 #include "edit/commands/commands_operation.h"
 #include "edit/commands/commands_session.h"
@@ -24,7 +25,7 @@ namespace {
 
 Status write(Change& change, const std::string& path, std::string_view text) {
   if (path.empty()) return refused("expected a file to write to");
-  const Status status = change.files.write_atomic(path, text);
+  const Status status = change.files.write_atomic(path, base::visible_text(text));
   if (status) change.note = "Saved " + path;
   return status;
 }
@@ -99,9 +100,10 @@ Status perform(Session& session, Change& change, const Save& command) {
   if (own && !command.overwrite && changed_outside(session))
     return {base::Code::io, fmt::format("{} was changed by another program since it was opened. Save under another "
                                         "name, or replace the changes with: save {} overwrite",
-                                        command.path, base::quoted(command.path))};
+                                        command.path, base::quoted_start(command.path))};
   std::uint64_t content = 0;
-  const Status status = exchange::save_track(change.files, command.path, session.document, &content);
+  const Status status = exchange::save_track(change.files, command.path, session.document, &content,
+                                             own ? base::Replaces::any : base::Replaces::made);
   if (!status) {
     // If only the last flush failed, the new contents are this program's own.
     if (own && content_of(session.file.path) == content) session.file.content = content;
@@ -155,7 +157,7 @@ Status perform(Session& session, Change& change, const RecoverTrack& command) {
   session.file.content = content;
   warn(session, loaded->warnings);
   change.note = fmt::format("Recovered {}: {} knots, {:.0f} m. It is not saved yet.",
-                            command.original.empty() ? base::quoted(session.document.name) : command.original,
+                            command.original.empty() ? base::quoted_start(session.document.name) : command.original,
                             session.document.track.knots.size(), session.derived.length);
   return {};
 }

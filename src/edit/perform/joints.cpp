@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "base/units.h"
 #include "edit/commands/commands_document.h"
 #include "edit/perform/joint_repair.h"
 #include "edit/perform/perform.h"
@@ -35,7 +36,8 @@ std::string told(const world::Document& document, const RepairReport& report) {
 // Returns the step of the force at a fastest passage of the ride, before and after the repair, as a sentence.
 std::string told(std::string_view what, std::optional<double> before, std::optional<double> now) {
   if (!before || !now) return fmt::format(" {}: none.", what);
-  return fmt::format(" {}: {:.3f} g, before {:.3f} g.", what, *now, *before);
+  return fmt::format(" {}: {} g, before {} g.", what, base::figure_text(*now, 3, "g"),
+                     base::figure_text(*before, 3, "g"));
 }
 
 }  // namespace

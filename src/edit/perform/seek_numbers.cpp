@@ -80,7 +80,7 @@ base::Result<Numbers> of_knots(const Session& session, const Seek& command) {
   const std::vector<SeekKind> kinds = kinds_of(command.by.text);
   if (kinds.empty())
     return refused(
-        fmt::format("expected height, x, z, place or roll of knots, found {}", base::quoted(command.by.text)));
+        fmt::format("expected height, x, z, place or roll of knots, found {}", base::quoted_start(command.by.text)));
   const auto knots = knots_of(session, command.of);
   if (!knots) return knots.status();
   std::vector<world::Entity> stay;
@@ -172,7 +172,7 @@ base::Result<Numbers> of_sections(const Session& session, const Seek& command) {
       const std::string label = world::label_of(session.document, e);
       if (section.kind != world::SectionKind::element && section.kind != world::SectionKind::force)
         return refused(fmt::format("@{} has no parameters: name its knots", label));
-      return refused(fmt::format("{} @{} has no number {}", world::words_of(section), label, base::quoted(by)));
+      return refused(fmt::format("{} @{} has no number {}", world::words_of(section), label, base::quoted_start(by)));
     }
     for (SeekNumber number : own) {
       if (!limit(command, number.unknown)) return beyond_limits(session, e, command, number.unknown.start);
@@ -226,7 +226,7 @@ std::optional<std::string> wrong_by(const Seek& command) {
                      !sections ? "knots"
                      : knots   ? "knots or sections"
                                : "sections",
-                     base::quoted(by), base::suggestion(by, names));
+                     base::quoted_start(by), base::suggestion(by, names));
 }
 
 base::Result<Numbers> seek_numbers(const Session& session, const Seek& command) {

@@ -2,7 +2,9 @@
 #include "edit/session/ride_report.h"
 
 #include <algorithm>
+#include <cmath>
 
+#include "base/units.h"
 #include "exchange/own/json_values.h"
 #include "sim/plan/force_plan.h"
 #include "sim/study/ride_report.h"
@@ -26,7 +28,7 @@ std::string key(std::string name, std::string_view unit) {
 exchange::JsonMembers overload(const sim::RedSpan& span) {
   return {{"car", std::int64_t{span.car + 1}},
           {"axis", std::string(base::name_of(span.axis))},
-          {"worst_g", sim::signed_g(span.axis, span.worst)},
+          {"worst_g", base::limited_figure(sim::signed_g(span.axis, span.worst), "g")},
           {"limit_g", sim::signed_g(span.axis, span.allowed)},
           {"from_s", span.from},
           {"to_s", span.to},
@@ -53,8 +55,10 @@ std::optional<std::string> ride_report_json(const Finder& find) {
       {"spacing_m", double{ghost.start.spacing}},
       {"mean_speed_m_s", r.mean_speed},
       {"cutoff_Hz", found.riders->all().empty() ? nullptr : JsonValue(found.riders->all().front().cutoff)}};
+  exchange::JsonList over;  // figures at their limit
   for (const auto& [name, unit, at] : sim::report_figures(r, found.riders->all())) {
-    all.emplace_back(key(name, unit), at.value);
+    all.emplace_back(key(name, unit), base::limited_figure(at.value, unit));
+    if (std::abs(at.value) >= base::figure_limit(unit)) over.push_back({{"figure", key(name, unit)}});
     all.emplace_back(key(name, "at_m"), at.distance), all.emplace_back(key(name, "at_s"), at.seconds);
     all.emplace_back(key(name, "car"), std::int64_t{at.car + 1});
   }
@@ -66,6 +70,7 @@ std::optional<std::string> ride_report_json(const Finder& find) {
                                       {"intensity", r.intensity},
                                       {"nausea", r.nausea}};
   all.insert(all.end(), ratings.begin(), ratings.end());
+  all.emplace_back("over_limit", std::move(over));
   exchange::JsonList overloads, missed, bends;
   for (const sim::RedSpan& span : found.overloads) overloads.push_back(overload(span));
   for (const sim::TightBend& bend : found.tight_bends) bends.push_back({{"at_m", bend.at}, {"radius_m", bend.radius}});

@@ -115,7 +115,7 @@ FvdSection read_section(FvdReader& reader, bool older) {
   while (kind < std::size(kTags) && kTags[kind] != tag) ++kind;
   if (kind == std::size(kTags)) {
     reader.fail(at, fmt::format("expected a section STR, CUR, FRC, GEO or BEZ, found {}",
-                                base::quoted(base::printable_utf8(std::string(tag)))));
+                                base::quoted_start(base::printable_utf8(std::string(tag)))));
     return section;
   }
   section.kind = static_cast<FvdKind>(kind);
@@ -177,7 +177,7 @@ base::Result<FvdTrack> read_fvd(std::string_view bytes, std::string_view name) {
   const std::string_view version = reader.take(5, "the version");
   if (version != "v0.77" && version != "v0.30")
     reader.fail(3, fmt::format("expected version v0.77 or v0.30, found {}",
-                               base::quoted(base::printable_utf8(std::string(version)))));
+                               base::quoted_start(base::printable_utf8(std::string(version)))));
   reader.text("the ground's picture");
   std::vector<FvdTrack> tracks;
   for (;;) {

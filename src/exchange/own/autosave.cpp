@@ -156,7 +156,7 @@ std::vector<FoundAutosave> find_autosaves(base::Files& files, const std::filesys
     const auto is_spared = [&](const std::string& name) { return name == stem || name == entry.name; };
     if (std::ranges::any_of(spared, is_spared)) continue;
     const auto pid = base::parse_int(stem.substr(0, stem.find('-')));
-    if (pid && base::process_runs(*pid)) continue;
+    if (!pid || base::process_runs(*pid)) continue;  // without a number it is none of ours
     remove_file(files, folder / entry.name);
   }
   std::sort(found.begin(), found.end(),

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/units.h"
 #include "sim/study/jolt.h"
 #include "sim/study/wheel_loads.h"
 
@@ -129,7 +130,8 @@ Ratings rate(const Ghost& ghost, const RailTables& tables, double cutoff, const 
   for (std::size_t i = 1; i < ghost.samples.size(); ++i)
     way += std::abs(ghost.samples[i].travelled - ghost.samples[i - 1].travelled);
   r.mean_speed = ghost.seconds() > 0 ? way / ghost.seconds() : 0.0;
-  const double p = r.up_most.value, n = r.up_least.value, l = r.side_most.value, d = r.drops, h = r.highest_drop;
+  const auto g = [](const Extreme& extreme) { return base::limited_figure(extreme.value, "g"); };
+  const double p = g(r.up_most), n = g(r.up_least), l = g(r.side_most), d = r.drops, h = r.highest_drop;
   r.near_misses = marks.near_misses;
   for (const RedSpan& span : marks.overloads)
     r.overload += span.allowed > 0 ? std::max(0.0, span.worst / span.allowed - 1) : 1.0;

@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "base/units.h"
 #include "sim/study/seat.h"
 #include "sim/study/wheel_loads.h"
 
@@ -20,9 +21,8 @@ void add(std::string& out, fmt::format_string<Values...> format, Values&&... val
 
 void add_extreme(std::string& out, const Figure& figure) {
   const Extreme& e = figure.at;
-  const double value = std::abs(e.value) < 0.005 ? 0 : e.value;  // not -0.00
-  add(out, "  {:<22} {:8.2f} {:<4} at {:7.1f} m, {:6.2f} s, car {}\n", figure.name, value, figure.unit, e.distance,
-      e.seconds, e.car + 1);
+  add(out, "  {:<22} {:>8} {:<4} at {:7.1f} m, {:6.2f} s, car {}\n", figure.name,
+      base::figure_text(e.value, 2, figure.unit), figure.unit, e.distance, e.seconds, e.car + 1);
 }
 
 }  // namespace
@@ -67,9 +67,9 @@ std::string report_text(const Ghost& ghost, const Ratings& r, std::span<const Ri
       r.intensity, r.nausea);
   add(out, "  {:<22} {:8} (force limits by duration; not a compliance check)\n", "overloads", red.size());
   for (const RedSpan& span : red)
-    add(out, "    car {:2}, {:<22} {:6.2f} g, limit {:.2f} g, {:.2f}..{:.2f} s, {:.1f}..{:.1f} m\n", span.car + 1,
-        base::row_of(span.axis).label, signed_g(span.axis, span.worst), signed_g(span.axis, span.allowed), span.from,
-        span.to, span.from_distance, span.to_distance);
+    add(out, "    car {:2}, {:<22} {:>6} g, limit {:.2f} g, {:.2f}..{:.2f} s, {:.1f}..{:.1f} m\n", span.car + 1,
+        base::row_of(span.axis).label, base::figure_text(signed_g(span.axis, span.worst), 2, "g"),
+        signed_g(span.axis, span.allowed), span.from, span.to, span.from_distance, span.to_distance);
   return out;
 }
 
@@ -93,13 +93,16 @@ std::string report_csv(const Ghost& ghost, std::span<const Rider> riders) {
       const Force& f = ghost.forces[k * cars + car];
       const WheelLoads loads = wheel_loads(ghost, k, static_cast<int>(car));
       const Wheels front = loads.of(WheelSet::front), rear = loads.of(WheelSet::rear);
-      add(out, ",{:.4f},{:.4f},{:.4f},{:.4f},{:.4f},{:.4f},{:.4f},{:.4f},{:.4f}", f.up, f.left, f.forward, front.road,
-          rear.road, front.up_stop, rear.up_stop, loads.of(WheelSet::left).side, loads.of(WheelSet::right).side);
+      for (const double g : {f.up, f.left, f.forward}) add(out, ",{:.4f}", base::limited_figure(g, "g"));
+      for (const double load : {front.road, rear.road, front.up_stop, rear.up_stop, loads.of(WheelSet::left).side,
+                                loads.of(WheelSet::right).side})
+        add(out, ",{:.4f}", base::limited_figure(load, "kN"));
     }
     for (const Rider& rider : riders) {
       const RiderSample& s = rider.samples[k];
-      add(out, ",{:.4f},{:.4f},{:.4f},{:.4f},{:.4f}", s.jerk.up, s.jerk.left, s.jerk.forward, s.roll_rate,
-          s.roll_acceleration);
+      for (const double jerk : {s.jerk.up, s.jerk.left, s.jerk.forward})
+        add(out, ",{:.4f}", base::limited_figure(jerk, "g/s"));
+      add(out, ",{:.4f},{:.4f}", s.roll_rate, s.roll_acceleration);
     }
     out += '\n';
   }

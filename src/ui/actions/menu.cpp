@@ -119,7 +119,7 @@ void build_tabs(Ui& ui) {
     const ImVec2 words = text_size(label), low(ImGui::GetCursorScreenPos().x, ImGui::GetWindowPos().y);
     const ImVec2 size(std::floor(words.x + 2 * pad), height), high(low.x + size.x, low.y + height);
     ImGui::SetCursorScreenPos(low);
-    const bool pressed = ImGui::InvisibleButton(hidden(label).c_str(), size);
+    const bool pressed = ImGui::InvisibleButton(hidden(label).c_str(), sized(size));
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const bool on = workspace == now;
     if (on || ImGui::IsItemHovered()) list.AddRectFilled(low, high, packed(palette().field, on ? 1.0f : 0.7f));

@@ -25,7 +25,7 @@ std::vector<Wanted> readable(std::span<const std::string_view> names, std::span<
   for (const exchange::KeyChoice& choice : choices) {
     const auto row = std::find(names.begin(), names.end(), choice.action);
     if (row == names.end()) {
-      problems.push_back(base::sentence(fmt::format("there is no action {}{}", base::quoted(choice.action),
+      problems.push_back(base::sentence(fmt::format("there is no action {}{}", base::quoted_start(choice.action),
                                                     base::suggestion(choice.action, actions))));
       continue;
     }
@@ -38,7 +38,7 @@ std::vector<Wanted> readable(std::span<const std::string_view> names, std::span<
       });
       if (!chord)
         problems.push_back(
-            fmt::format("{} keeps its default keys because {} is not a key.", choice.action, base::quoted(text)));
+            fmt::format("{} keeps its default keys because {} is not a key.", choice.action, base::quoted_start(text)));
       else if (owner != all.end())
         problems.push_back(fmt::format("{0} is assigned to both {1} and {2}. {2} keeps its default keys.", text,
                                        names[owner->row], choice.action));

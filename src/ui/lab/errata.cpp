@@ -64,7 +64,7 @@ void errata_page(Ui& ui) {
       ImGui::TableSetColumnIndex(i);
       draw_text(*ImGui::GetWindowDrawList(), ImGui::GetCursorScreenPos(), palette().dim,
                 shortened(columns[i].first, ImGui::GetContentRegionAvail().x));
-      ImGui::Dummy({1, ImGui::GetTextLineHeight()});
+      ImGui::Dummy(sized({1, ImGui::GetTextLineHeight()}));
     }
     for (const sim::Erratum& e : rows) claim_row(ui, e);
     ImGui::EndTable();

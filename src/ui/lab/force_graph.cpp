@@ -33,7 +33,7 @@ void fold_button(Ui& ui, std::string_view name, std::string_view help, std::stri
   const bool open = ui.drawers.graph.open && ui.drawers.table == of_table;
   const ImVec2 low = ImGui::GetCursorScreenPos();
   const ImVec2 high(low.x + bar + text_size(name).x + std::floor(12 * ui.scale), low.y + bar);
-  const bool pressed = ImGui::InvisibleButton(hidden(name).c_str(), {high.x - low.x, bar});
+  const bool pressed = ImGui::InvisibleButton(hidden(name).c_str(), sized({high.x - low.x, bar}));
   ImDrawList& list = *ImGui::GetWindowDrawList();
   if (open || ImGui::IsItemHovered()) list.AddRectFilled(low, high, packed(palette().field, open ? 1.0f : 0.7f));
   draw_fold_mark(list, {low.x + bar * 0.5f, low.y + bar * 0.5f}, ui.scale, open);
@@ -54,7 +54,7 @@ void legend_item(Ui& ui, RideValue value, std::string shown, bool& hidden, float
   const ImVec2 low = ImGui::GetCursorScreenPos(), high(low.x + square + gap + room, low.y + bar);
   if (high.x > ImGui::GetWindowPos().x + ImGui::GetWindowWidth()) return;
   ImGui::PushID(row.label.data(), row.label.data() + row.label.size());
-  if (ImGui::InvisibleButton("##shown", {high.x - low.x, bar})) hidden = !hidden;
+  if (ImGui::InvisibleButton("##shown", sized({high.x - low.x, bar}))) hidden = !hidden;
   ImGui::PopID();
   ImDrawList& list = *ImGui::GetWindowDrawList();
   if (ImGui::IsItemHovered()) list.AddRectFilled({low.x - gap, low.y}, high, packed(palette().field));

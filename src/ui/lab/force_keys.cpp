@@ -175,7 +175,7 @@ void force_channels(Ui& ui, float bar) {
     const bool on = channel == state.channel;
     const ImVec2 low = ImGui::GetCursorScreenPos();
     const ImVec2 high(low.x + text_size(row.label).x + std::floor(12 * ui.scale), low.y + bar);
-    if (ImGui::InvisibleButton(hidden(row.label).c_str(), {high.x - low.x, bar}))
+    if (ImGui::InvisibleButton(hidden(row.label).c_str(), sized({high.x - low.x, bar})))
       state.channel = channel, state.key.reset();
     ImDrawList& list = *ImGui::GetWindowDrawList();
     if (on || ImGui::IsItemHovered()) list.AddRectFilled(low, high, packed(palette().field, on ? 1.0f : 0.7f));

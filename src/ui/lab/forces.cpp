@@ -41,10 +41,11 @@ void side(Ui& ui, const sim::Ghost& ghost, const sim::Ratings& r, bool within_li
   if (within_limits) small_note("All forces are within limits.");
   read_out(ui, ghost.lap ? "Lap time" : "Ride time", fixed(r.seconds, 2), "s", "Time of the whole simulated ride.");
   read_out(ui, "Top speed", r.top_speed.value, 2, "m/s", "Highest speed of the ride.");
-  read_out(ui, "Vertical", fmt::format("{} .. {}", fixed(r.up_least.value, 2), fixed(r.up_most.value, 2)), "g",
+  read_out(ui, "Vertical",
+           fmt::format("{} .. {}", digits(ui, r.up_least.value, 2, "g"), digits(ui, r.up_most.value, 2, "g")), "g",
            fmt::format("Smallest and largest felt g, low-passed at {:.3g} Hz, all cars.",
                        ui.session().limits.envelope.cutoff));
-  read_out(ui, "Lateral", fixed(r.side_most.value, 2), "g", "Largest felt g to either side, low-passed.");
+  read_out(ui, "Lateral", digits(ui, r.side_most.value, 2, "g"), "g", "Largest felt g to either side, low-passed.");
   read_out(ui, "Airtime", fixed(r.airtime, 2), "s", "Time with vertical g below 0.");
   read_out(ui, "Inversions", std::to_string(r.inversions), "", "Number of times that riders are upside down.");
   for (const auto& [label, value] :
@@ -105,7 +106,7 @@ void red_table(Ui& ui, std::span<const sim::RedSpan> red, float height, bool bri
   for (std::size_t i = 0; i < red.size(); ++i) {
     const sim::RedSpan& span = red[i];
     const std::string from = digits(ui, span.from_distance, 1, "m"),
-                      worst = fixed(sim::signed_g(span.axis, span.worst), 2);
+                      worst = digits(ui, sim::signed_g(span.axis, span.worst), 2, "g");
     const Cell cells[] = {{brief ? from : fmt::format("{}..{}", from, digits(ui, span.to_distance, 1, "m"))},
                           {std::string(base::row_of(span.axis).label), kPlainColour, true},
                           {worst, kBadColour},

@@ -78,7 +78,7 @@ std::uint32_t tint_of(double g) { return g > sim::kJoltLimit ? kBadColour : g > 
 void row_of(Ui& ui, const JointRow& row) {
   const bool selected = ui.session().settings.selected == row.knot;
   const double jolt = ui.find(edit::Want::ride).ride != nullptr ? row.jolt : NAN;
-  const std::string name = world::to_text(row.name), step = row.step ? fixed(*row.step, 3) : "--";
+  const std::string name = world::to_text(row.name), step = row.step ? digits(ui, *row.step, 3, "g") : "--";
   const std::uint32_t tint = row.joint.geometric == curve::Geometric::g2   ? kGoodColour
                              : row.joint.geometric == curve::Geometric::g1 ? kPlainColour
                                                                            : kBadColour;
@@ -90,7 +90,7 @@ void row_of(Ui& ui, const JointRow& row) {
                         {fixed(row.joint.speed_ratio, 3)},
                         {digits(ui, row.joint.curvature_jump, 5, "1/m")},
                         {step, row.step > sim::kStepLimit ? kBadColour : kPlainColour},
-                        {fixed(jolt, 2), tint_of(jolt)}};
+                        {digits(ui, jolt, 2, "g"), tint_of(jolt)}};
   if (table_row(ui, "Joint " + name, cells, selected, fmt::format("{} {} {} g", geometric, parametric, step),
                 "Click to select the knot.") &&
       !selected)
@@ -118,8 +118,8 @@ void side(Ui& ui, const JointList& list) {
   for (const JointRow& row : list.rows) largest = std::max(largest, row.step);
   read_out(ui, "All joints", std::to_string(list.rows.size()), "", "Number of joints between segments.");
   read_out(ui, "G2 joints###Of them G2", std::to_string(smooth), "", "Joints with continuous curvature.");
-  read_out(ui, "Largest g-step", largest ? fixed(*largest, 3) : "--", "g", "Largest g-step of the whole ride.", false,
-           largest > sim::kStepLimit);
+  read_out(ui, "Largest g-step", largest ? digits(ui, *largest, 3, "g") : "--", "g",
+           "Largest g-step of the whole ride.", false, largest > sim::kStepLimit);
   read_query(ui, "Largest jolt", "ride.jolt_max", "Largest jolt of the whole ride.");
   choose_side(ui, ui.lab.joints_by_jolt, {"Track order", "List the joints in track order."},
               {"Largest first###Hardest first", "List the joints by jolt, largest first."});

@@ -42,7 +42,7 @@ void fold_button(Ui& ui, float bar, bool named, ImFont* font) {
   ImGui::PushFont(font);
   const float text = named ? text_size("Laboratory").x + std::floor(8 * ui.scale) : 0;
   const float width = bar + text;
-  const bool pressed = ImGui::InvisibleButton("##fold", {width, bar});
+  const bool pressed = ImGui::InvisibleButton("##fold", sized({width, bar}));
   if (ImGui::IsItemHovered())
     ImGui::GetWindowDrawList()->AddRectFilled(low, {low.x + width, low.y + bar}, packed(palette().field));
   draw_fold_mark(*ImGui::GetWindowDrawList(), {low.x + bar * 0.5f, low.y + bar * 0.5f}, ui.scale, is_open(ui));
@@ -67,7 +67,7 @@ void tab(Ui& ui, world::LabPage index, float bar, float pad, ImFont* font) {
   const ImVec2 low = ImGui::GetCursorScreenPos(), size = text_size(page.label);
   const ImVec2 high(std::floor(low.x + size.x + 2 * pad), low.y + bar);
   const bool on = is_open(ui) && chosen_page(ui) == index;
-  const bool pressed = ImGui::InvisibleButton(page.name.data(), {high.x - low.x, bar});
+  const bool pressed = ImGui::InvisibleButton(page.name.data(), sized({high.x - low.x, bar}));
   ImDrawList& list = *ImGui::GetWindowDrawList();
   if (ImGui::IsItemHovered() || on) list.AddRectFilled(low, high, packed(palette().field, on ? 1.0f : 0.7f));
   if (on) list.AddRectFilled(low, {high.x, low.y + std::max(2.0f, std::floor(2 * ui.scale))}, packed(palette().accent));

@@ -145,7 +145,7 @@ void lengths_table(Ui& ui, const LengthStudy& study, bool segment, bool track, f
   std::vector<TableColumn> columns{kMethod};
   if (segment) columns.insert(columns.end(), std::begin(kOfSegment), std::end(kOfSegment));
   if (track) columns.insert(columns.end(), std::begin(kOfTrack), std::end(kOfTrack));
-  ImGui::BeginChild("##lengths", {width, height}, false, ImGuiWindowFlags_NoNav);
+  ImGui::BeginChild("##lengths", sized({width, height}), false, ImGuiWindowFlags_NoNav);
   if (begin_table(ui, "Lengths table", columns, height)) {
     for (std::size_t i = 0; i < study.size(); ++i) row_of(ui, i, study[i], segment, track);
     end_table();

@@ -48,7 +48,7 @@ void measured_table(Ui& ui, const sim::Measurement& m, bool time, float width, f
   for (const sim::MeasuredRow& row : m.rows)
     for (const sim::MeasuredCell& cell : row.cells)
       if (cell.rounds > 0) all.add(value_of_cell(cell, time), AxisScale::logarithmic);
-  ImGui::BeginChild(time ? "##times" : "##errors", {width, height}, false, ImGuiWindowFlags_NoNav);
+  ImGui::BeginChild(time ? "##times" : "##errors", sized({width, height}), false, ImGuiWindowFlags_NoNav);
   if (begin_table(ui, time ? "Times" : "Errors", columns, height)) {
     for (const sim::MeasuredRow& row : m.rows) {
       const std::string name(base::row_of(row.evaluator).label);
@@ -78,7 +78,7 @@ void progress_bar(Ui& ui, double part) {
   list.AddRectFilled(low, high, packed(palette().field), 3);
   if (part > 0)
     list.AddRectFilled(low, {low.x + (high.x - low.x) * static_cast<float>(part), high.y}, packed(palette().accent), 3);
-  ImGui::Dummy({high.x - low.x, high.y - low.y});
+  ImGui::Dummy(sized({high.x - low.x, high.y - low.y}));
   note_item(ui, "Progress", "label", "Part of the table that is measured.", true, fixed(part * 100, 0) + " %");
 }
 

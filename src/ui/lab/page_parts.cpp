@@ -71,7 +71,7 @@ Page::Page(const Ui& ui, float side) : scale_(ui.scale) {
   stacked_ = room < (side + kLeast) * scale_;
   pictures_width_ = stacked_ ? room : room - std::floor(side * scale_) - std::floor(kGap * scale_);
   compact_ = ImGui::GetContentRegionAvail().y < kRoomy * scale_;
-  ImGui::BeginChild("##side", {stacked_ ? 0.0f : std::floor(side * scale_), 0}, false, ImGuiWindowFlags_NoNav);
+  ImGui::BeginChild("##side", {stacked_ ? 0.0f : sized(std::floor(side * scale_)), 0}, false, ImGuiWindowFlags_NoNav);
   if (!compact_) return;
   ImGui::PushFont(small_font());
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(std::floor(6 * scale_), std::floor(3 * scale_)));
@@ -111,7 +111,7 @@ void colour_value(Ui& ui, std::uint32_t rgb, std::string_view path, std::string_
   list.AddRectFilled({at.x, y - 1.5f * ui.scale}, {at.x + mark, y + 1.5f * ui.scale}, packed(ink(rgb)));
   draw_text(list, {at.x + mark + std::floor(6 * ui.scale), at.y}, palette().dim, shown);
   draw_text(list, {at.x + room - text_size(value).x, at.y}, palette().text, value);
-  ImGui::Dummy({room, line});
+  ImGui::Dummy(sized({room, line}));
   note_item(ui, path, "label", tooltip, true, std::string(value));
   ImGui::PopFont();
 }
@@ -133,7 +133,7 @@ void triple_heading(Ui& ui, std::string_view unit) {
     draw_text(*ImGui::GetWindowDrawList(), {column_edge(ui, at, room, i) - text_size(words).x, at.y}, palette().dim,
               words);
   }
-  ImGui::Dummy({room, ImGui::GetTextLineHeight()});
+  ImGui::Dummy(sized({room, ImGui::GetTextLineHeight()}));
   ImGui::PopFont();
 }
 
@@ -151,7 +151,7 @@ void triple(Ui& ui, std::string_view path, std::string_view shown, std::uint32_t
     draw_text(list, {column_edge(ui, at, room, i) - text_size(one).x, at.y}, palette().text, one);
   }
   if (!unit.empty()) words += fmt::format(" {}", base::shown_in(ui.units, unit).name);
-  ImGui::Dummy({room, line});
+  ImGui::Dummy(sized({room, line}));
   note_item(ui, path, "label", tooltip, true, words);
   ImGui::PopFont();
 }
@@ -180,7 +180,7 @@ void two_pictures(Ui& ui, Page& page, const Picture& first, const Picture& secon
 std::optional<float> height_edge(Ui& ui, const view::Viewport& area, float bar, float tallest,
                                  std::string_view tooltip) {
   const ImVec2 low = ImGui::GetCursorScreenPos(), size(area.width, std::floor(5 * ui.scale));
-  ImGui::InvisibleButton("##edge", size);
+  ImGui::InvisibleButton("##edge", sized(size));
   const bool held = ImGui::IsItemActive(), hot = held || ImGui::IsItemHovered();
   if (hot) {
     ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeNS);

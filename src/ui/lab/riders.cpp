@@ -49,7 +49,7 @@ void riders_page(Ui& ui) {
   const float fitting = std::floor((ImGui::GetContentRegionAvail().y - gaps) / static_cast<float>(rows));
   const float least = std::floor(kLeastHeight * ui.scale), height = stacked ? least : std::max(least, fitting);
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(gap, gap));
-  ImGui::BeginChild("##plots", {0, stacked ? static_cast<float>(rows) * height + gaps : 0}, false,
+  ImGui::BeginChild("##plots", {0, stacked ? sized(static_cast<float>(rows) * height + gaps) : 0}, false,
                     ImGuiWindowFlags_NoNav);
   const float width = std::floor((ImGui::GetContentRegionAvail().x - static_cast<float>(columns - 1) * gap) /
                                  static_cast<float>(columns));

@@ -40,7 +40,7 @@ void rule_row(Ui& ui, const query::Rule& rule, const exchange::ChallengeRule& wo
   const float y = beside ? low.y : low.y + size.y;
   draw_text(list, {low.x + room - value, y}, finding.holds ? palette().good : palette().dim, found);
   const float height = beside ? line : size.y + line;
-  ImGui::Dummy({room, height});
+  ImGui::Dummy(sized({room, height}));
   note(ui, words.text, "label", base::sentence(query::explain(rule, finding)), true,
        (finding.holds ? "met " : "not met ") + found, low, {low.x + room, low.y + height});
 }
@@ -65,7 +65,7 @@ void medals(Ui& ui, const edit::ActiveChallenge& challenge, int best) {
               best >= medal ? palette().text : palette().dim, name);
   }
   const float height = size + ImGui::GetTextLineHeight() + std::floor(4 * ui.scale);
-  ImGui::Dummy({room, height});
+  ImGui::Dummy(sized({room, height}));
   note(ui, "Medals", "label", "Medals earned so far.", true, std::string(medal_title(challenge.medal)), low,
        {low.x + room, low.y + height});
 }
@@ -115,7 +115,7 @@ void hints(Ui& ui, const edit::ActiveChallenge& challenge) {
 void passed_row(Ui& ui, const edit::ActiveChallenge& challenge) {
   const float size = std::floor(24 * ui.scale);
   draw_medal(*ImGui::GetWindowDrawList(), ImGui::GetCursorScreenPos(), size, challenge.medal, true);
-  ImGui::Dummy({size, size});
+  ImGui::Dummy(sized({size, size}));
   ImGui::SameLine();
   ImGui::AlignTextToFramePadding();
   tinted_line(fmt::format("{} medal", medal_title(challenge.medal)), palette().good);

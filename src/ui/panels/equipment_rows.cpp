@@ -31,7 +31,7 @@ std::optional<EquipmentChoice> equipment_buttons(Ui& ui, const Equipped& now, bo
     if (place++ % kColumns != 0) ImGui::SameLine();
     ImGui::BeginDisabled(!enabled);
     if (lit) ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetStyleColorVec4(ImGuiCol_ButtonActive));
-    const bool pressed = ImGui::Button(std::string(label).c_str(), {width, 0});
+    const bool pressed = ImGui::Button(std::string(label).c_str(), {sized(width), 0});
     if (lit) ImGui::PopStyleColor();
     ImGui::EndDisabled();
     if (lit)

@@ -95,16 +95,16 @@ void jolt(Ui& ui, Entity knot) {
   const auto index = world::index_of(ui.session().document.track.knots, knot);
   if (!index) return;
   const auto step = sim::fastest_step(ui.session().document, findings.jolts, *index);
-  read_out(ui, "g-step", step ? fixed(*step, 3) : "--", "g",
+  read_out(ui, "g-step", step ? digits(ui, *step, 3, "g") : "--", "g",
            "v\u00B2 |\u0394\u03BA| / g: step of the force here at the fastest passage of the whole ride, of all cars.",
            false, step > sim::kStepLimit);
   if (findings.ride == nullptr) return;
   const sim::Jolt found = *index < findings.jolts.size() ? findings.jolts[*index] : sim::Jolt{};
-  read_out(ui, "Jolt", fixed(found.total, 2), "g",
+  read_out(ui, "Jolt", digits(ui, found.total, 2, "g"), "g",
            fmt::format("Largest change of felt g by the jumps of curvature and roll here, low-pass filtered: "
                        "vertical {}, lateral {}, longitudinal {} g. Worst in car {}, at {} m/s.",
-                       fixed(found.up, 2), fixed(found.left, 2), fixed(found.forward, 2), found.car + 1,
-                       fixed(found.speed, 1)),
+                       digits(ui, found.up, 2, "g"), digits(ui, found.left, 2, "g"), digits(ui, found.forward, 2, "g"),
+                       found.car + 1, fixed(found.speed, 1)),
            found.total > sim::kJoltLimit);
 }
 
@@ -234,7 +234,8 @@ void cart_inspector(Ui& ui, Entity entity) {
   if (session.derived.order.empty()) return;
   read_out(ui, "Energy", fixed(sim::energy(session.document, session.derived, entity, *motion), 3), "J/kg",
            "v\u00B2/2 + g (y - datum).");
-  read_out(ui, "Vertical g###g up", fixed(sim::felt(session.document, session.derived, entity, *motion).up, 2), "g",
+  read_out(ui, "Vertical g###g up",
+           digits(ui, sim::felt(session.document, session.derived, entity, *motion).up, 2, "g"), "g",
            "Felt acceleration towards the rider's head.");
 }
 

@@ -154,7 +154,7 @@ void build_drawer(Ui& ui, const view::Viewport& area) {
     ui.panel = "Parameters";
     const bool open = ui.drawers.parameters.open;
     const ImVec2 low(area.x, area.y), high(area.x + area.width, area.y + area.height);
-    const bool pressed = ImGui::InvisibleButton("##fold", {area.width, area.height});
+    const bool pressed = ImGui::InvisibleButton("##fold", sized({area.width, area.height}));
     ImDrawList& list = *ImGui::GetWindowDrawList();
     if (ImGui::IsItemHovered()) list.AddRectFilled(low, high, packed(palette().field));
     draw_fold_mark(list, {low.x + area.height * 0.5f, low.y + area.height * 0.5f}, ui.scale, open);

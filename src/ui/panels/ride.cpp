@@ -91,7 +91,8 @@ void wheel_table(Ui& ui) {
     const sim::Wheels wheels = loads.of(set);
     ImGui::TableNextColumn();
     tinted_line(label, palette().dim);
-    const std::string words[] = {fixed(wheels.road, 1), fixed(wheels.up_stop, 1), fixed(wheels.side, 1)};
+    const std::string words[] = {digits(ui, wheels.road, 1, "kN"), digits(ui, wheels.up_stop, 1, "kN"),
+                                 digits(ui, wheels.side, 1, "kN")};
     note_item(ui, label, "label", "Load of the road wheels, up-stop wheels and side wheels.", true,
               fmt::format("{}", fmt::join(words, " ")));
     for (const std::string& load : words) right_cell(load, palette().text);

@@ -109,14 +109,14 @@ const std::vector<std::size_t>& sorted_rows(Ui& ui, const sim::SectionTable& tab
   });
 }
 
-// Returns the columns that fit, in order.
+// Returns the columns that fit, in order, and in any case the one of the first rank.
 std::vector<SectionColumn> columns_in(float room, float scale) {
   std::vector<SectionColumn> by_rank(kSectionColumnCount), fitting;
   for (std::size_t i = 0; i < kSectionColumnCount; ++i)
     by_rank[static_cast<std::size_t>(kLooks[i].rank)] = static_cast<SectionColumn>(i);
   for (const SectionColumn column : by_rank) {
     room -= column_look(column).width * scale;
-    if (room < 0) break;
+    if (room < 0 && !fitting.empty()) break;
     fitting.push_back(column);
   }
   std::sort(fitting.begin(), fitting.end());

@@ -83,7 +83,7 @@ void evaluator(Bar& bar) {
   const ImVec2 low(bar.x, bar.top), high(bar.x + text_size(words).x + arrow, bar.bottom);
   if (high.x > bar.right) return;
   ImGui::SetCursorScreenPos(low);
-  if (ImGui::InvisibleButton("##evaluator", {high.x - low.x, high.y - low.y})) ImGui::OpenPopup(kList);
+  if (ImGui::InvisibleButton("##evaluator", sized({high.x - low.x, high.y - low.y}))) ImGui::OpenPopup(kList);
   const bool open = ImGui::IsPopupOpen(kList);
   const float pad = std::floor(4 * ui.scale);
   if (open || ImGui::IsItemHovered())
@@ -96,7 +96,7 @@ void evaluator(Bar& bar) {
   if (!open) return;
   const ImVec2 padding(std::floor(10 * ui.scale), std::floor(8 * ui.scale));
   ImGui::SetNextWindowPos({low.x - pad, low.y}, ImGuiCond_Always, {0, 1});
-  ImGui::SetNextWindowSize({std::floor(320 * ui.scale), 0});
+  ImGui::SetNextWindowSize({sized(std::floor(320 * ui.scale)), 0});
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, padding);
   if (ImGui::BeginPopup(kList)) {
     ui.panel = "Status/Evaluator";

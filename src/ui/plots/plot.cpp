@@ -175,12 +175,12 @@ std::optional<PlotDrag> plot(WidgetFrame& ui, std::string_view label, const Plot
 
   ImGui::PushID(label.data(), label.data() + label.size());
   ImGui::SetCursorScreenPos(area.low);
-  ImGui::InvisibleButton("##area", {area.high.x - area.low.x, area.high.y - area.low.y});
+  ImGui::InvisibleButton("##area", sized({area.high.x - area.low.x, area.high.y - area.low.y}));
   const bool held = ImGui::IsItemActive(), hovered = ImGui::IsItemHovered();
   const AreaState state{ImGui::GetID("##area"), hovered, held, ImGui::IsItemActivated(), ImGui::IsItemDeactivated()};
   ImGui::PopID();
   ImGui::SetCursorScreenPos(low);
-  ImGui::Dummy(size);  // the next item is placed relative to the whole plot
+  ImGui::Dummy(sized(size));  // the next item is placed relative to the whole plot
 
   ImDrawList& list = *ImGui::GetWindowDrawList();
   list.PushClipRect(low, high, true);

@@ -85,7 +85,7 @@ std::optional<std::filesystem::path> draw_challenge_list(Ui& ui, std::span<const
        {std::pair{ImGuiKey_UpArrow, -1}, {ImGuiKey_DownArrow, 1}, {ImGuiKey_Home, -count}, {ImGuiKey_End, count}})
     if (ImGui::IsKeyPressed(key)) step = by;
   if (count > 0) current = std::clamp(current + step, 0, count - 1);
-  const bool seen = ImGui::BeginChild("##challenges", {0, height});
+  const bool seen = ImGui::BeginChild("##challenges", {0, sized(height)});
   if (seen && count == 0) ImGui::TextUnformatted("No challenges found.");
   for (int i = 0; seen && i < count; ++i) {
     const ChallengeEntry& entry = challenges[static_cast<std::size_t>(i)];
@@ -93,7 +93,7 @@ std::optional<std::filesystem::path> draw_challenge_list(Ui& ui, std::span<const
     const ImVec2 low = ImGui::GetCursorScreenPos();
     const float width = ImGui::GetContentRegionAvail().x, tall = std::floor(62 * ui.scale);
     ImGui::PushID(i);
-    const bool pressed = ImGui::InvisibleButton("##row", {width, tall});
+    const bool pressed = ImGui::InvisibleButton("##row", sized({width, tall}));
     const bool hovered = ImGui::IsItemHovered();
     ImGui::PopID();
     draw_row(ui, entry, medal, low, {low.x + width, low.y + tall}, i == current, hovered);

@@ -193,8 +193,8 @@ void Dialogs::build(Ui& ui, const platform::Events& events, bool text_had_keyboa
   constexpr float kTop = 0.28f;
   const float top = fits ? std::min(height * kTop, height - high - 8) : (height - high) * 0.5f;
   ImGui::SetNextWindowPos({std::floor((width - wide) * 0.5f), std::floor(top)});
-  ImGui::SetNextWindowSize({wide, fits ? 0 : high});
-  if (fits) ImGui::SetNextWindowSizeConstraints({wide, high}, {wide, std::max(high, height - 16)});
+  ImGui::SetNextWindowSize({sized(wide), fits ? 0 : sized(high)});
+  if (fits) ImGui::SetNextWindowSizeConstraints(sized({wide, high}), sized({wide, std::max(high, height - 16)}));
   constexpr ImGuiWindowFlags kFixed = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoMove |
                                       ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoCollapse |
                                       ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoNav;

@@ -173,7 +173,7 @@ bool FileBrowser::draw_row(Ui& ui, const base::FolderEntry& entry) {
 FileBrowser::Answer FileBrowser::draw_list(Ui& ui, const Entries& entries, float height) {
   const base::FolderEntry* twice = nullptr;
   ImGui::PushStyleColor(ImGuiCol_ChildBg, colour(palette().background));
-  if (ImGui::BeginChild("##files", {0, height}, true)) {
+  if (ImGui::BeginChild("##files", {0, sized(height)}, true)) {
     for (std::size_t i = 0; i < std::min(entries.size(), kMostRows); ++i)
       if (draw_row(ui, *entries[i])) twice = entries[i];
     const bool searched = mode_ == Mode::open && !words_.empty();

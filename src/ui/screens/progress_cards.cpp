@@ -16,7 +16,7 @@ namespace {
 // `done`: 0..1; `height` in design px.
 void progress_bar(Ui& ui, double done, float height, std::uint32_t rgb, std::string_view tooltip) {
   ImGui::PushStyleColor(ImGuiCol_PlotHistogram, colour(rgb));
-  ImGui::ProgressBar(static_cast<float>(done), {-1, std::floor(height * ui.scale)}, "");
+  ImGui::ProgressBar(static_cast<float>(done), {-1, sized(std::floor(height * ui.scale))}, "");
   ImGui::PopStyleColor();
   note_item(ui, "Progress", "label", tooltip, true, fixed(100 * done, 0) + " %");
 }
@@ -33,7 +33,7 @@ void draw_dot(bool recording) {
   const ImVec2 at = ImGui::GetCursorScreenPos();
   ImGui::GetWindowDrawList()->AddCircleFilled({at.x + height * 0.5f, at.y + height * 0.5f}, height * 0.32f,
                                               packed(recording ? palette().error : palette().accent), 24);
-  ImGui::Dummy({height, height});
+  ImGui::Dummy(sized({height, height}));
   ImGui::SameLine();
 }
 

@@ -99,7 +99,7 @@ void scrub(RideRow& row, float width) {
   float at = train != nullptr ? static_cast<float>(train->track_distance) : 0;
   const bool any = train != nullptr && rideable(session);
   const float length = std::max(0.1f, static_cast<float>(session.derived.length));
-  ImGui::SetNextItemWidth(row.place(width));
+  ImGui::SetNextItemWidth(sized(row.place(width)));
   ImGui::BeginDisabled(!any);
   const std::string shown = measured(ui, at, 1, "m");
   const bool moved = ImGui::SliderFloat("##scrub", &at, 0, length, shown.c_str(),
@@ -113,7 +113,7 @@ void scrub(RideRow& row, float width) {
 template <class Build>
 void list_in(RideRow& row, const char* id, float width, Build build) {
   row.place(width);
-  if (ImGui::BeginChild(id, {width, ImGui::GetFrameHeight()}, false, ImGuiWindowFlags_NoScrollbar)) build();
+  if (ImGui::BeginChild(id, sized({width, ImGui::GetFrameHeight()}), false, ImGuiWindowFlags_NoScrollbar)) build();
   ImGui::EndChild();
 }
 

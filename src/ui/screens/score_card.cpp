@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include "base/text.h"
+#include "base/units.h"
 #include "edit/commands/commands_challenge.h"
 #include "edit/commands/commands_ride.h"
 #include "edit/commands/commands_sections.h"
@@ -39,7 +40,7 @@ struct CardRow {
     ImDrawList& list = *ImGui::GetWindowDrawList();
     draw_text(list, low, palette().dim, label);
     draw_text(list, {high.x - text_size(shown).x, low.y}, palette().text, shown);
-    ImGui::Dummy({width, high.y - low.y});
+    ImGui::Dummy(sized({width, high.y - low.y}));
     note(ui, label, "label", tooltip, true, shown, low, high);
   }
   bool button(std::string_view label, std::string_view tooltip) {
@@ -48,7 +49,9 @@ struct CardRow {
   }
 };
 
-std::string range(double low, double high) { return fmt::format("{} .. {} g", fixed(low, 1), fixed(high, 1)); }
+std::string range(double low, double high) {
+  return fmt::format("{} .. {} g", base::figure_text(low, 1, "g"), base::figure_text(high, 1, "g"));
+}
 
 // The five numbers that players compare.
 void values(Ui& ui, const edit::RideResult& result) {
@@ -69,7 +72,7 @@ void details(Ui& ui, const edit::RideResult& result) {
   const sim::Ratings& r = result.ratings;
   read_out(ui, "Length", r.length, 1, "m", "Length of the track.");
   read_out(ui, "Highest drop", r.highest_drop, 1, "m", fmt::format("Largest of {} descents of 3 m or more.", r.drops));
-  read_out(ui, "Lateral g", fixed(r.side_most.value, 2), "g", "Largest felt g to either side, low-passed.");
+  read_out(ui, "Lateral g", digits(ui, r.side_most.value, 2, "g"), "g", "Largest felt g to either side, low-passed.");
   read_out(ui, "Inversions", std::to_string(r.inversions), "", "Number of times that riders are upside down.");
   constexpr std::string_view kTerms = "From g, drops, airtime, near misses, jolts and overloads.";
   read_out(ui, "Intensity", fixed(r.intensity, 1), "", kTerms);
@@ -91,7 +94,7 @@ void title(Ui& ui, const edit::RideResult& result) {
     const ImVec2 low = ImGui::GetCursorScreenPos();
     const float size = std::floor(24 * ui.scale);
     draw_medal(*ImGui::GetWindowDrawList(), low, size, std::max(1, medal), medal > 0);
-    ImGui::Dummy({size, size});
+    ImGui::Dummy(sized({size, size}));
     const std::string verdict = medal > 0 ? fmt::format("{} medal", medal_title(medal)) : "Not passed yet";
     note_item(ui, "Verdict", "label", "Verdict of the challenge.", true, verdict);
     ImGui::SameLine();
@@ -152,7 +155,7 @@ view::Viewport draw_score_card(Ui& ui, const view::Viewport& scene) {
   const float width = std::min(std::floor(690 * ui.scale), scene.width - 2 * margin);
   if (width < 240 * ui.scale || scene.height < 240 * ui.scale) return scene;
   const ImVec2 foot(std::floor(scene.x + scene.width * 0.5f), std::floor(scene.y + scene.height - margin));
-  ImGui::SetNextWindowSizeConstraints({width, 0}, {width, scene.height - 2 * margin});
+  ImGui::SetNextWindowSizeConstraints({sized(width), 0}, sized({width, scene.height - 2 * margin}));
   Card card{.id = "##score", .panel = "Score", .at = foot, .pivot = {0.5f, 1}, .width = width, .alpha = 0.9f};
   card.flags &= ~ImGuiWindowFlags_NoScrollbar;
   card.flags |= ImGuiWindowFlags_NoNav;

@@ -110,7 +110,8 @@ void key_row(Ui& ui, const Action& action) {
   const bool waits = ui.inputs.waits_for_key == action.name;
   const std::string keys = chords_text(ui.keys.chords(action.name), ", "), words = waits ? "Press a key" : keys;
   if (waits) ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetStyleColorVec4(ImGuiCol_ButtonActive));
-  const bool pressed = ImGui::Button(fmt::format("{}##{}", words, action.name).c_str(), {ImGui::CalcItemWidth(), 0});
+  const bool pressed =
+      ImGui::Button(fmt::format("{}##{}", words, action.name).c_str(), {sized(ImGui::CalcItemWidth()), 0});
   if (waits) ImGui::PopStyleColor();
   note_item(ui, action.name, "button", action.help, true, words);
   if (pressed) ui.inputs.waits_for_key = waits ? "" : action.name;
@@ -121,7 +122,8 @@ void key_list(Ui& ui, const platform::Events& events) {
   take_key(ui, events);
   heading(ui, "Keys", "Click an action, then press its key. Escape keeps its keys, Backspace removes them.");
   const float below = 2 * ImGui::GetFrameHeightWithSpacing() + ImGui::GetStyle().ItemSpacing.y;
-  if (ImGui::BeginChild("##keys", {0, std::max(3 * ImGui::GetFrameHeight(), ImGui::GetContentRegionAvail().y - below)},
+  if (ImGui::BeginChild("##keys",
+                        {0, sized(std::max(3 * ImGui::GetFrameHeight(), ImGui::GetContentRegionAvail().y - below))},
                         true)) {
     ui.panel = "Settings/Keys";  // some actions have the same names as rows above
     for (const Action& action : actions()) key_row(ui, action);

@@ -38,12 +38,12 @@ void draw_emblem(ImVec2 at, float size) {
 void draw_title(const Ui& ui) {
   const float size = std::floor(64 * ui.scale);
   draw_emblem(ImGui::GetCursorScreenPos(), size);
-  ImGui::Dummy({size, size});
+  ImGui::Dummy(sized({size, size}));
   ImGui::PushFont(title_font());
   ImGui::TextUnformatted("coaster");
   ImGui::PopFont();
   tinted_line("Build it, measure it, ride it.", palette().dim);
-  ImGui::Dummy({0, std::floor(8 * ui.scale)});
+  ImGui::Dummy(sized({0, std::floor(8 * ui.scale)}));
 }
 
 }  // namespace
@@ -85,8 +85,8 @@ bool StartScreen::draw(Ui& ui, const Card& card, float width) {
   ImGui::PushFont(small_font());
   const float height = std::floor(width * 9 / 16), line = ImGui::GetTextLineHeight(), round = 5 * ui.scale;
   const ImVec2 low = ImGui::GetCursorScreenPos(), high(low.x + width, low.y + height);
-  const bool clicked =
-      ImGui::InvisibleButton(hidden(card.label).c_str(), {width, height + std::floor(1.4f * line)}, kChosenByKeys);
+  const bool clicked = ImGui::InvisibleButton(hidden(card.label).c_str(),
+                                              sized({width, height + std::floor(1.4f * line)}), kChosenByKeys);
   const bool hot = ImGui::IsItemHovered();
   if (!card.picture.empty() && ImGui::IsItemVisible()) ui.out.wanted_pictures.push_back(card.picture);
   ui.out.picture_width = static_cast<int>(width);
@@ -158,7 +158,7 @@ void StartScreen::build_tracks(Ui& ui) {
 void StartScreen::build(Ui& ui, const platform::Events& events, float width, float height) {
   if (!open_) return;
   ImGui::SetNextWindowPos({0, 0});
-  ImGui::SetNextWindowSize({width, height});
+  ImGui::SetNextWindowSize(sized({width, height}));
   ImGui::SetNextWindowBgAlpha(0.72f);
   constexpr ImGuiWindowFlags kFlags =
       ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings;
@@ -171,9 +171,9 @@ void StartScreen::build(Ui& ui, const platform::Events& events, float width, flo
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(24 * ui.scale, 22 * ui.scale));
   ImGui::PushStyleColor(ImGuiCol_ChildBg, colour(palette().background, 0.97f));
   ImGui::PushStyleColor(ImGuiCol_NavHighlight, colour(palette().accent));
-  if (begin_part("##page", {wide, high}, true)) {
+  if (begin_part("##page", sized({wide, high}), true)) {
     const float left = std::floor(kChoices * ui.scale);
-    begin_part("##choices", {left, 0});
+    begin_part("##choices", {sized(left), 0});
     build_choices(ui, left);
     ImGui::EndChild();
     ImGui::SameLine(0, std::floor(24 * ui.scale));

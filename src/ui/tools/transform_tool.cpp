@@ -84,7 +84,7 @@ std::string TransformTool::mistyped() const {
   for (std::size_t field = 0; field < fields(); ++field) {
     if (text_[field].empty()) continue;
     const base::Result<double> value = base::evaluate(text_[field]);
-    if (!value) return fmt::format("{} is not a number: {}.", base::quoted(text_[field]), value.status().message);
+    if (!value) return fmt::format("{} is not a number: {}.", base::quoted_start(text_[field]), value.status().message);
   }
   return {};
 }

@@ -116,7 +116,7 @@ std::optional<double> field(WidgetFrame& ui, std::string_view label, const Numbe
   const bool begin = enabled && ui.entry.id != ImGui::GetID("##type") && wants_typing(drag_id, low, high, true);
   std::optional<double> result;
   if (begin) ImGui::ClearActiveID();
-  ImGui::SetNextItemWidth(width);
+  ImGui::SetNextItemWidth(sized(width));
   const bool wished = is_wished(ui, ImGui::GetID("##type"), enabled);
   if (begin || wished || ui.entry.id == ImGui::GetID("##type")) {
     const std::string initial = unit.factor == 1 ? base::to_text(n.value) : fmt::format("{:.9g}", n.value);
@@ -180,7 +180,7 @@ std::optional<double> slide(WidgetFrame& ui, std::string_view label, const Numbe
   const std::string digits = fixed(value, n.decimals), format = fmt::format("%.{}f", n.decimals);
   std::optional<double> result;
   if (begin) ImGui::ClearActiveID();
-  ImGui::SetNextItemWidth(width);
+  ImGui::SetNextItemWidth(sized(width));
   if (begin || ui.entry.id == ImGui::GetID("##type")) {
     if (typed(ui, "##type", digits, begin) == Typing::complete) result = parse(ui, label, n);
   } else {

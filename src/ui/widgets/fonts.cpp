@@ -61,7 +61,7 @@ ImFont* Letters::add_font(float pixels, const ImWchar* base) const {
   const std::span<const unsigned char> inter = inter_font();
   if (inter.empty()) return atlas.AddFontDefault(&config);
   config.FontDataOwnedByAtlas = false;
-  config.OversampleH = 3;
+  config.OversampleH = pixels < 40 ? 3 : 1;  // large letters need no finer steps, but much memory
   config.OversampleV = 1;
   config.PixelSnapH = false;
   config.RasterizerMultiply = 1.1f;  // light text on dark looks thin otherwise

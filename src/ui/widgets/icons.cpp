@@ -140,7 +140,7 @@ bool icon_button(WidgetFrame& ui, const Icon& icon, std::string_view label, std:
   const float height = above || alone ? std::floor(design * ui.scale) : line + 2 * ImGui::GetStyle().FramePadding.y;
   ImGui::BeginDisabled(!enabled);
   const ImVec2 low = ImGui::GetCursorScreenPos();
-  const bool pressed = ImGui::Button(hidden(label).c_str(), {width, height});
+  const bool pressed = ImGui::Button(hidden(label).c_str(), sized({width, height}));
   const ImU32 colour = ImGui::GetColorU32(ImGuiCol_Text);
   ImDrawList& list = *ImGui::GetWindowDrawList();
   list.PushClipRect(low, {low.x + width, low.y + height}, true);

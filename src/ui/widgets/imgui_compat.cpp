@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace coaster::ui {
 
@@ -242,7 +243,10 @@ bool has_glyph(ImFont& font, ImWchar character) {
   return glyph != nullptr && glyph->V0 != kMissing;
 }
 
-void begin_fonts(ImFontAtlas& atlas) { atlas.Clear(); }
+void begin_fonts(ImFontAtlas& atlas) {
+  atlas.Clear();
+  ImGui::GetIO().BackendRendererUserData = nullptr;  // the atlas that was uploaded
+}
 bool finish_fonts(ImFontAtlas& atlas, const std::set<ImWchar>& tried) {
   if (!atlas.Build()) return false;
   for (ImFont* const font : atlas.Fonts) {
@@ -262,11 +266,12 @@ void take_missing(std::set<ImWchar>& blocks) {
 
 void upload_textures(const Upload& upload) {
   ImFontAtlas& atlas = *ImGui::GetIO().Fonts;
-  if (atlas.TexPixelsRGBA32 != nullptr) return;  // made by the next lines, and discarded with the fonts
+  if (std::exchange(ImGui::GetIO().BackendRendererUserData, &atlas) == &atlas) return;
   unsigned char* pixels = nullptr;
   int width = 0, height = 0;
   atlas.GetTexDataAsRGBA32(&pixels, &width, &height);
   upload(kOwnTexture, width, height, pixels);
+  atlas.ClearTexData();  // the texture alone holds them now
 }
 
 #endif

@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include "base/check.h"
 #include "ui/widgets/theme.h"
 
 namespace coaster::ui {
@@ -68,8 +69,8 @@ void heading_cell(WidgetFrame& ui, std::string_view label, const TableColumn& co
   if (sorts) ImGui::SetCursorScreenPos({at.x + mark, at.y});
   (void)draw_cell(ui, {words, sorts ? palette().text : palette().dim, index == 0 || column.words});
   ImGui::SetCursorScreenPos(at);
-  if (!sorting) ImGui::Dummy({room, height});
-  else if (ImGui::InvisibleButton(name.c_str(), {std::max(1.0f, room), height})) sorting->clicked = index;
+  if (!sorting) ImGui::Dummy(sized({room, height}));
+  else if (ImGui::InvisibleButton(name.c_str(), sized({room, height}))) sorting->clicked = index;
   const float right = std::min(at.x + room, ImGui::GetWindowDrawList()->GetClipRectMax().x);
   if (right <= at.x) return;  // scrolled out sideways
   note(ui, fmt::format("{}/{}", label, name), sorting ? "button" : "label", tooltip, true,
@@ -80,12 +81,14 @@ void heading_cell(WidgetFrame& ui, std::string_view label, const TableColumn& co
 
 bool begin_table(WidgetFrame& ui, std::string_view label, std::span<const TableColumn> columns, float height,
                  Sorting* sorting) {
+  COASTER_CHECK(!columns.empty(), "a table has columns");
   push_table_style(ui, 1.5f);
   float width = 0;
   for (const TableColumn& column : columns) width += std::floor(column.width * ui.scale);
   const bool sideways = width > ImGui::GetContentRegionAvail().x;
   if (!ImGui::BeginTable(hidden(label).c_str(), static_cast<int>(columns.size()),
-                         kTableFlags | (sideways ? ImGuiTableFlags_ScrollX : 0), {0, height}, sideways ? width : 0)) {
+                         kTableFlags | (sideways ? ImGuiTableFlags_ScrollX : 0), {0, sized(height)},
+                         sideways ? sized(width) : 0)) {
     pop_table_style();
     return false;
   }
@@ -112,7 +115,7 @@ bool table_row(WidgetFrame& ui, std::string_view label, std::span<const Cell> ce
     ImGui::PopStyleColor();
   } else {
     if (selected) ImGui::TableSetBgColor(ImGuiTableBgTarget_RowBg1, packed(palette().accent, 0.35f));
-    ImGui::Dummy({1, ImGui::GetTextLineHeight()});
+    ImGui::Dummy(sized({1, ImGui::GetTextLineHeight()}));
   }
   // The row is located by its first cell, which is inside the clip rectangle of the column.
   const ImVec2 low = ImGui::GetItemRectMin();

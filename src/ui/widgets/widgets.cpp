@@ -54,11 +54,15 @@ void Rest::step(const platform::Events& events, float dt) {
   path = std::exchange(next, {});
 }
 
+float sized(float length) { return length >= 1 ? std::min(length, 32'768.0f) : 1.0f; }
+ImVec2 sized(ImVec2 size) { return {sized(size.x), sized(size.y)}; }
+
 glm::vec2 mouse_position() { return {ImGui::GetIO().MousePos.x, ImGui::GetIO().MousePos.y}; }
 
 void note(WidgetFrame& ui, std::string_view label, std::string_view kind, std::string_view tooltip, bool enabled,
           std::string value, ImVec2 low, ImVec2 high) {
   const std::string path = label.empty() ? ui.panel : fmt::format("{}/{}", ui.panel, label);
+  high = {std::max(low.x, high.x), std::max(low.y, high.y)};
   if (!ui.locked.empty()) tooltip = ui.locked, enabled = false;
   // Also while its own button is held down.
   const bool over = ImGui::IsWindowHovered(ImGuiHoveredFlags_AllowWhenBlockedByActiveItem) &&
@@ -82,8 +86,7 @@ void note_if_cut(WidgetFrame& ui, std::string_view label) {
 }
 
 std::string digits(const WidgetFrame& ui, double value, int decimals, std::string_view metric) {
-  const base::ShownUnit unit = base::shown_in(ui.units, metric);
-  return fixed(value * unit.factor, decimals + unit.more_decimals);
+  return base::figure_text(value, decimals, metric, ui.units);
 }
 
 std::string measured(const WidgetFrame& ui, double value, int decimals, std::string_view metric) {
@@ -135,7 +138,7 @@ void draw_fold_mark(ImDrawList& list, ImVec2 middle, float scale, bool down) {
 
 bool begin_area(const char* id, ImVec2 at, ImVec2 size, ImGuiWindowFlags more) {
   ImGui::SetNextWindowPos(at);
-  ImGui::SetNextWindowSize(size);
+  ImGui::SetNextWindowSize(sized(size));
   return ImGui::Begin(id, nullptr,
                       more | ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoCollapse |
                           ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
@@ -144,7 +147,7 @@ bool begin_area(const char* id, ImVec2 at, ImVec2 size, ImGuiWindowFlags more) {
 
 float build_card(WidgetFrame& ui, const Card& card, const std::function<void()>& content) {
   ImGui::SetNextWindowPos(card.at, ImGuiCond_Always, card.pivot);
-  ImGui::SetNextWindowSize({card.width, 0});
+  ImGui::SetNextWindowSize({sized(card.width), 0});
   ImGui::SetNextWindowBgAlpha(card.alpha);
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(card.padding.x * ui.scale, card.padding.y * ui.scale));
   if (ImGui::Begin(card.id, nullptr, card.flags | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings)) {
@@ -168,19 +171,19 @@ void begin_row(std::string_view label, float needed) {
   if (beside) ImGui::AlignTextToFramePadding();
   tinted_line(label, palette().dim);
   if (beside) ImGui::SameLine(start + label_room);
-  ImGui::SetNextItemWidth(beside ? room - label_room : room);
+  ImGui::SetNextItemWidth(sized(beside ? room - label_room : room));
 }
 
 void begin_in_bar(std::string_view label) {
   ImGui::AlignTextToFramePadding();
   tinted_line(shown(label), palette().dim);
   ImGui::SameLine();
-  ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x);
+  ImGui::SetNextItemWidth(sized(ImGui::GetContentRegionAvail().x));
 }
 
 bool header(WidgetFrame& ui, std::string_view name, std::string_view tooltip, bool at_first, bool open_now) {
   if (ImGui::GetCursorPosY() > 2 * ImGui::GetStyle().WindowPadding.y)
-    ImGui::Dummy({0, std::floor(3 * ui.scale)});  // not before the first one
+    ImGui::Dummy(sized({0, std::floor(3 * ui.scale)}));  // not before the first one
   if (open_now) ImGui::SetNextItemOpen(true);
   const bool open = ImGui::CollapsingHeader(std::string(name).c_str(), at_first ? ImGuiTreeNodeFlags_DefaultOpen : 0);
   note_item(ui, "", "header", tooltip, true, open ? "open" : "closed");
@@ -214,7 +217,10 @@ void paragraph(WidgetFrame& ui, std::string_view label, std::string_view words, 
 
 bool button(WidgetFrame& ui, std::string_view label, std::string_view tooltip, bool enabled, float width) {
   ImGui::BeginDisabled(!enabled);
-  const bool pressed = ImGui::Button(std::string(label).c_str(), {width, 0});
+  const bool pressed = ImGui::Button(std::string(label).c_str(), {width > 0   ? sized(width)
+                                                                  : width < 0 ? -1.0f
+                                                                              : 0.0f,
+                                                                  0});
   ImGui::EndDisabled();
   note_item(ui, label, "button", tooltip, enabled);
   note_if_cut(ui, label);
@@ -271,20 +277,15 @@ void read_out(WidgetFrame& ui, std::string_view label, std::string_view value, s
     draw_text(list, {edge - digits, top}, tint, value);
     draw_text(list, {edge + gap, top}, palette().dim, unit);
   }
-  ImGui::Dummy({room, height});
+  ImGui::Dummy(sized({room, height}));
   note_item(ui, label, "label", tooltip, true, fmt::format("{}{}{}", value, unit.empty() ? "" : " ", unit));
 }
 
 void read_out(WidgetFrame& ui, std::string_view label, double value, int decimals, std::string_view metric,
               std::string_view tooltip, bool warns) {
-  read_out(ui, label, std::isnan(value) ? "--" : digits(ui, value, decimals, metric),
-           base::shown_in(ui.units, metric).name, tooltip, warns);
+  read_out(ui, label, digits(ui, value, decimals, metric), base::shown_in(ui.units, metric).name, tooltip, warns);
 }
 
-std::string fixed(double value, int decimals) {
-  if (std::isnan(value)) return "--";
-  std::string text = fmt::format("{:.{}f}", value, decimals);
-  return text.find_first_not_of("-0.") == std::string::npos && text[0] == '-' ? text.substr(1) : text;
-}
+std::string fixed(double value, int decimals) { return base::figure_text(value, decimals, ""); }
 
 }  // namespace coaster::ui

@@ -71,6 +71,12 @@ std::string digits(const WidgetFrame& ui, double value, int decimals, std::strin
 std::string measured(const WidgetFrame& ui, double value, int decimals, std::string_view metric);
 std::string in_units(const WidgetFrame& ui, std::string_view words);
 
+// Returns a length or size, px, that Dear ImGui accepts whatever the window's size: 1 to 32,768, for NaN 1. All lengths
+// that are computed pass through it: Dear ImGui ends the program over a button of 0 px and takes 0 and less for other
+// things.
+float sized(float length);
+ImVec2 sized(ImVec2 size);
+
 glm::vec2 mouse_position();                  // px
 std::string hidden(std::string_view label);  // "##label": an id without a visible label
 ImVec2 text_size(std::string_view text);

@@ -4,6 +4,7 @@
 #include <set>
 #include <sstream>
 
+#include "base/scratch_folder.h"
 #include "edit/session_fixture.h"
 #include "exchange/own/json_text.h"
 
@@ -27,6 +28,49 @@ void visit_numbers(const exchange::Json& tree, Visit visit) {
   if (tree.is_number()) visit(tree.get<double>());
   if (tree.is_structured())
     for (const exchange::Json& part : tree) visit_numbers(part, visit);
+}
+
+// A track whose ends meet at once, with handles of a centimetre between knots 50 km apart.
+constexpr std::string_view kFar =
+    R"({"format": "coaster-track", "version": 3, "name": "Far", "closed": true, "start_speed": 31, "datum": 100000,
+"rolling": 0.5, "drag": 1e-05, "heartline": 3, "knots": [
+{"id": "k1", "position": [-2200, -21800, 14900], "tangent": [-0.71, -0.242, 0.661], "up": [0.666, -0.535, 0.519],
+ "joint": "aligned", "in": 7600, "out": 7600},
+{"id": "k2", "position": [-31000, 2100, -13100], "tangent": [0.936, 0.258, -0.239], "up": [0.172, 0.257, 0.951],
+ "joint": "aligned", "in": 500, "out": 10000},
+{"id": "k3", "position": [-6500, 27100, -5700], "tangent": [-0.707, 0.506, 0.495], "up": [0.592, 0.039, 0.805],
+ "joint": "aligned", "in": 0.01, "out": 0.01}],
+"segments": [{"id": "s1", "from": "k1", "to": "k2", "turns": 0}, {"id": "s2", "from": "k2", "to": "k3", "turns": -1},
+ {"id": "s3", "from": "k3", "to": "k1", "turns": 0}],
+"sections": [{"id": "q1", "segments": 3, "kind": "free"}],
+"carts": [{"id": "c1", "segment": "s2", "fraction": 0.999999, "cars": 1, "spacing": 20, "length": 2.2, "mass": 100000}]})";
+
+TEST_F(RideReport, figures_at_their_limit_say_so) {
+  const test::ScratchFolder scratch;
+  ASSERT_TRUE(base::Files().write_atomic(scratch.path() / "far.json", kFar));
+  good("load " + (scratch.path() / "far.json").string());
+  const std::string report = text(), table = ride_csv(session).value_or("");
+  for (const std::string_view row :
+       {"largest jolt           over 1,000 g ", "most vertical          over 1,000 g ",
+        "least vertical         under -1,000 g ", "most on road wheels    over 10,000 kN "})
+    EXPECT_NE(report.find(row), std::string::npos) << report;
+  for (const std::string& all : {report, table, ride_report_json(session).value_or("inf")})
+    EXPECT_TRUE(all.find("inf") == std::string::npos && all.find("nan") == std::string::npos) << all.substr(0, 4000);
+  std::istringstream lines(table);
+  std::string line, cell;
+  std::getline(lines, line);
+  for (int cells = 0; std::getline(lines, line) && cells < 20'000;) {
+    std::istringstream row(line);
+    for (int column = 0; std::getline(row, cell, ','); ++column, ++cells)
+      EXPECT_TRUE(column < 5 || column > 7 || std::abs(std::stod(cell)) <= 1000) << line;
+  }
+  const exchange::Json tree = json();
+  EXPECT_EQ(tree["largest_jolt_g"], 1000);
+  std::set<std::string> over;
+  for (const exchange::Json& figure : tree["over_limit"]) over.insert(figure["figure"]);
+  EXPECT_TRUE(over.contains("largest_jolt_g") && over.contains("most_on_road_wheels_kN")) << tree["over_limit"];
+  open("tracks/loop.json");
+  EXPECT_TRUE(json()["over_limit"].empty());
 }
 
 // The text rounds to as many digits as it prints, so each of its numbers is one of the JSON's, rounded as much.
