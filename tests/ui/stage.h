@@ -105,6 +105,8 @@ class Stage : public testing::Test {
     state.pictures = &pictures_;
     state.lesson = lesson_;
     state.content_scale = density_;
+    state.job = job_;
+    state.movie = movie_;
     Output out = host_->build(events, state, width_, height_);
     for (const edit::Command& command : out.commands) {
       (void)edit::apply(session_, files_, command);
@@ -219,6 +221,8 @@ class Stage : public testing::Test {
   query::FrameStats stats_;
   std::optional<UserState> user_;
   const query::LessonCard* lesson_ = nullptr;
+  JobState job_;
+  const MovieState* movie_ = nullptr;
   std::map<std::string, TrackPicture> pictures_;  // of the start screen
   std::vector<edit::Command> commands_;
   Output last_;
