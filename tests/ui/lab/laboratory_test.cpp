@@ -151,6 +151,36 @@ TEST_F(LaboratoryTest, measured_numbers_are_whole_and_every_column_is_in_sight) 
       }
 }
 
+// Each number has a ground between dark green for the smallest and dark red for the largest, by the logarithm.
+TEST_F(LaboratoryTest, measured_numbers_are_coloured_from_green_to_red) {
+  ASSERT_TRUE(edit::apply(session_, files_, edit::Set<&world::Panels::workspace>{world::Workspace::laboratory}).ok());
+  resize(1920, 1080);
+  open("Measurements");
+  sim::Measurement& measured = session_.measuring.measurement;
+  measured = sim::start_measurement(session_.derived);
+  measured.running = false;
+  for (sim::MeasuredRow& row : measured.rows) row.cells.fill({10, 1e-6, 1});
+  measured.rows[1].cells[2] = {1000, 1e-6, 1};
+  measured.rows[2].cells.fill({100, 1e-6, 1});
+  frames(3);
+  const auto ground = [](ImVec4 of) {
+    int found = 0;
+    for (const ImGuiWindow* const window : ImGui::GetCurrentContext()->Windows)
+      if (window->Active && !window->Hidden)
+        for (const ImDrawVert& v : window->DrawList->VtxBuffer) found += v.col == ImGui::ColorConvertFloat4ToU32(of);
+    return found / 4;
+  };
+  const auto at = [](double share) {
+    const auto mix = [&](double from, double to) {
+      return static_cast<float>(std::lround(from + share * (to - from)) / 255.0);
+    };
+    return ImVec4(mix(0x1E, 0x52), mix(0x45, 0x2C), mix(0x38, 0x2E), 1);
+  };
+  EXPECT_EQ(ground(at(1)), 1) << "the one of 1000 ns";
+  EXPECT_EQ(ground(at(0.5)), 5) << "the row of 100 ns";
+  EXPECT_GT(ground(at(0)), 25);
+}
+
 TEST_F(LaboratoryTest, every_plot_can_be_reached_in_a_small_window_at_a_large_scale) {
   ASSERT_TRUE(edit::apply(session_, files_, edit::Set<&world::Panels::workspace>{world::Workspace::laboratory}).ok());
   ASSERT_TRUE(edit::apply(session_, files_, edit::Set<&world::Panels::show_laboratory>{true}).ok());
