@@ -73,6 +73,7 @@ void scale(benchmark::State& state) {
     state.counters[std::string("cpu_s_") + kNames[i]] = figures.seconds[i];
     if (i != command) state.counters[std::string("mb_") + kNames[i]] = figures.mb[i];
   }
+  state.counters["ratio_chord_error_to_derive"] = figures.seconds[chords] / figures.seconds[derive];
   state.counters["kb_undo_of_one_knot"] = figures.undo_kb_few;
   state.counters["kb_undo_of_all_knots"] = figures.undo_kb_all;
 }

@@ -55,11 +55,8 @@ double adaptive(const CoefficientsD& c, double a, double b, double floor, int de
   return adaptive(c, a, middle, floor, depth + 1) + adaptive(c, middle, b, floor, depth + 1);
 }
 
-// Returns the length of the control polygon from the coefficients, an upper bound of the arc length.
-double polygon_length(const CoefficientsD& c) {
-  const dvec3 d0 = c.c1 / 3.0, d1 = d0 + c.c2 / 3.0, d2 = d1 + (c.c3 + c.c2 / 3.0);
-  return glm::length(d0) + glm::length(d1) + glm::length(d2);
-}
+// Returns the length of the control polygon, an upper bound of the arc length.
+double polygon_length(const CoefficientsD& c) { return detail::polygon_length(detail::hodograph(c, 0, 1)); }
 
 // Returns the parameters in (0,1) where |B'| has a minimum. At a cusp it is a kink that nodes may miss, so integrals
 // are split there. |B'|^2 is smallest where g = B'.B'' goes from negative to positive; g is a cubic, monotone between

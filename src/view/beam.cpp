@@ -81,13 +81,11 @@ void Beam::set_parallel(const View& view) {
 
 void Beam::set_coarse() {
   const dvec3 u(u_), v(v_), w(w_), across = glm::cross(u, v);
-  const double volume = glm::dot(across, w);  // 0 if the three have no common zero: there is no eye
-  if (!(volume * volume > 1e-18 * glm::dot(u, u) * glm::dot(v, v)) || !std::isfinite(volume)) return;
-  const double inverse = 1 / volume;
+  const double inverse = 1 / glm::dot(across, w);
   const dvec3 eye = -inverse * (u_.w * glm::cross(v, w) + v_.w * glm::cross(w, u) + w_.w * across),
               forward = inverse * across;
   const Singular pixels = singular_values(u - glm::dot(u, w) * w, v - glm::dot(v, w) * w);
-  if (!(pixels.least > 1e-3)) return;
+  if (!(pixels.least > 1e-3)) return;  // the three have no common zero: there is no eye
   Coarse& c = coarse_;
   c.eye = glm::vec3(eye);
   c.eye_depth = static_cast<float>(glm::dot(w, eye));

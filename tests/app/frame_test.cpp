@@ -3,12 +3,15 @@
 #include "app/program_fixture.h"
 #include "app/scene.h"
 #include "edit/commands/commands_elements.h"
+#include "edit/commands/commands_lab.h"
 #include "edit/commands/commands_sections.h"
 #include "edit/commands/commands_session.h"
 #include "edit/commands/commands_settings.h"
 #include "edit/commands/commands_shape.h"
 #include "edit/commands/set_setting.h"
+#include "gfx/image.h"
 #include "world/aids.h"
+#include "world/layers.h"
 #include "world/sections.h"
 
 namespace coaster::app {
@@ -48,6 +51,37 @@ TEST_F(Frame, sections_are_copied_from_one_program_to_another_as_text) {
   press(*program_, platform::Key::v);
   EXPECT_EQ(sections(*program_), 2u);
   EXPECT_EQ(last_kind(*program_), "loop");
+}
+
+// Photos without panels, pictures of movies: whatever is selected, previewed or switched on for building.
+TEST_F(Frame, a_scene_alone_shows_the_track_without_any_aid) {
+  build_track(*program_);
+  surface(*program_).resize({320, 240});
+  ASSERT_TRUE(apply(*program_, edit::Select{}).ok());
+  ASSERT_TRUE(apply(*program_, edit::ShowLayer{world::Layer::polyline, false}).ok());
+  run_frame(*program_, {platform::Tick{1.0 / 60}}, 0);
+  const view::Viewport whole{0, 0, 320, 240};
+  const auto alone = [&] {
+    run_frame(*program_, {platform::Tick{1.0 / 60}}, 0);
+    draw_scene_alone(*program_, view::view_of(program_->picture.rig.eye, whole), {320, 240});
+    return program_->renderer->read_pixels();
+  };
+  const view::View view = view::view_of(program_->picture.rig.eye, whole);
+  const Look look{program_->session.settings, view, {}, true};
+  (void)draw_scene(*program_, look, find_seen(*program_, look), {320, 240});  // with everything switched off by command
+  const gfx::Image plain = program_->renderer->read_pixels();
+  ASSERT_TRUE(apply(*program_, edit::ShowLayer{world::Layer::polyline, true}).ok());
+  (void)draw_scene(*program_, look, find_seen(*program_, look), {320, 240});
+  EXPECT_GT(gfx::compare(program_->renderer->read_pixels(), plain).pixels, 50) << "the polyline can be seen";
+  const auto same = [&](const char* with) { EXPECT_EQ(gfx::compare(alone(), plain).pixels, 0) << with; };
+  same("the polyline");
+  ASSERT_TRUE(apply(*program_, edit::Select{{{world::Kind::knot, 2}}}).ok());
+  ASSERT_TRUE(apply(*program_, edit::Set<&world::Aids::show_gizmo>{true}).ok());
+  same("knots and their arrows");
+  ASSERT_TRUE(apply(*program_, edit::Select{{{world::Kind::section, 1}}}).ok());
+  same("a section");
+  ASSERT_TRUE(apply(*program_, edit::Set<&world::Aids::show_element>{true}).ok());
+  same("an element");
 }
 
 TEST_F(Frame, pasted_lines_of_numbers_open_as_points_after_a_question) {

@@ -88,6 +88,7 @@ TEST(grammar, words_of_other_programs_lead_to_what_to_write) {
   EXPECT_NE(message("while knots < 3").find("wait waits for one"), std::string::npos);
   ends("goto \"tracks/loop.json\"", "^ did you mean \"load\"?");
   ends("await page.fill('#length', '3');", "^ did you mean \"ui.type\"?");
+  ends("await", "^ did you mean \"wait\"?");
   ends("page.getByRole('button').click()",
        "widgets are named by label: ui.click \"Track/Insert point\"\n"
        "    page.getByRole('button').click()\n    ^");

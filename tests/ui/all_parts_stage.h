@@ -40,6 +40,9 @@ class AllPartsStage : public Stage {
     good(edit::Set<Member>{to});
   }
 
+  // Shows what lies over the view.
+  virtual void over_the_view(const std::function<void(const std::string& where)>&) {}
+
   // Shows every panel, page and screen, one after the other.
   void visit(const std::function<void(const std::string& where)>& look) {
     const auto show = [&](const std::string& where) {
@@ -75,6 +78,7 @@ class AllPartsStage : public Stage {
     frames(12);
     show("lesson");
     lesson_ = nullptr;
+    over_the_view(show);
     user_.emplace();
     host_->show_start();
     show("start screen");

@@ -57,10 +57,9 @@ void side(Ui& ui, const Probe& probe) {
   const auto formula = base::row_of(ui.session().settings.frames).formula;
   setting_list<&world::Settings::frames>(
       ui, "Frame method###Turned by", fmt::format("Orients trains and the ride camera along the track. {}", formula));
-  bool alone = false;
   for (const world::Layer layer :
        {world::Layer::frames, world::Layer::flips, world::Layer::comb, world::Layer::circle}) {
-    alone = !(alone && beside_last(ui, base::row_of(layer).label));
+    (void)beside_last(ui, base::row_of(layer).label);
     layer_box(ui, layer);
   }
   read_out(ui, "Curvature", curve::curvature_if_any(probe.shape->key.cubic, probe.t).value_or(kNoNumber), 5, "1/m",

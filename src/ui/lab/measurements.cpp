@@ -37,12 +37,12 @@ std::string row_tooltip(const sim::MeasuredRow& row, bool time) {
 
 void measured_table(Ui& ui, const sim::Measurement& m, bool time, float width, float height) {
   std::vector<TableColumn> columns{
-      {time ? "Time (ns per point) at steps" : "Worst error (mm) at steps", "", 150,
+      {time ? "Time (ns per point) at steps" : "Worst error (mm) at steps", "", 165,
        time ? "Nanoseconds per point on the processor: the median of the rounds so far."
             : "Largest distance of a vertex from the exact point, over all segments of the track."}};
   std::vector<std::string> titles;
   for (const int steps : sim::kMeasuredSteps) titles.push_back(std::to_string(steps));
-  for (const std::string& title : titles) columns.push_back({title, "", 52, "Steps per segment."});
+  for (const std::string& title : titles) columns.push_back({title, "", 60, "Steps per segment."});
   const base::ShownUnit millimetre = base::shown_in(ui.units, "mm");
   Extent all;
   for (const sim::MeasuredRow& row : m.rows)
@@ -107,9 +107,10 @@ void measurements_page(Ui& ui) {
   const sim::Measurement& m = ui.session().measuring.measurement;
   Page page(ui, 190);
   side(ui);
-  const bool beside = page.pictures_width() > 620 * ui.scale;
+  const bool beside = page.pictures_width() > 950 * ui.scale;
   if (!beside && !m.rows.empty())
-    choose_side(ui, ui.lab.show_errors, {"Time", "Show nanoseconds per point."}, {"Error", "Show the largest error."});
+    choose_side(ui, ui.lab.show_errors, {"Time", "Show nanoseconds per point."},
+                {"Worst error", "Show the largest error."});
   const float height = page.pictures(), room = ImGui::GetContentRegionAvail().x, gap = std::floor(14 * ui.scale);
   if (m.rows.empty())
     return small_note(

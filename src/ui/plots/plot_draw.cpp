@@ -198,6 +198,7 @@ void draw_levels_and_spots(ImDrawList& list, const PlotArea& area, const Plot& p
     const float above = y - size.y - 1, top = above >= area.low.y ? above : y + 2;
     draw_ink(list, {area.high.x - size.x - 4 * area.scale, top}, level.colour, level.label);
   }
+  std::vector<ImVec4> labels;  // low x, low y, high x, high y
   for (const Spot& spot : plot.spots) {
     const ImVec2 p = area.at(spot.x, spot.y);
     if (!drawable(p)) continue;
@@ -208,6 +209,11 @@ void draw_levels_and_spots(ImDrawList& list, const PlotArea& area, const Plot& p
     const float gap = 6 * area.scale;
     const float x = p.x + gap + size.x <= area.high.x ? p.x + gap : p.x - gap - size.x;
     const float y = std::clamp(p.y - size.y - 1, area.low.y, std::max(area.low.y, area.high.y - size.y));
+    if (std::ranges::any_of(labels, [&](const ImVec4& other) {
+          return x < other.z && x + size.x > other.x && y < other.w && y + size.y > other.y;
+        }))
+      continue;  // two at one place would hide each other
+    labels.push_back({x, y, x + size.x, y + size.y});
     draw_ink(list, {x, y}, spot.colour, spot.label);
   }
 }

@@ -1,6 +1,8 @@
 #include "exchange/fvd/fvd_function.h"
 
+#include <algorithm>
 #include <cmath>
+#include <random>
 
 #include <gtest/gtest.h>
 
@@ -103,6 +105,43 @@ TEST(fvd_function, keys_follow_within_the_tolerance_but_at_corners) {
   }
   const auto flat = keys_along([](double) { return 2.0; }, {}, 6, 0.01, 0.05, 10);
   EXPECT_EQ(flat.size(), 1u) << "what stays is one key";
+}
+
+// Polylines with corners anywhere, also next to the ends and closer together than keys may be.
+TEST(fvd_function, keys_follow_random_polylines_but_within_a_gap_of_their_corners) {
+  std::mt19937 random(7);
+  const auto number = [&random](double low, double high) {
+    return low + (high - low) * static_cast<double>(random()) / 4294967296.0;
+  };
+  for (int round = 0; round < 40; ++round) {
+    const double gap = round % 2 == 0 ? world::kKeyGap_s : 0.2, length = number(4, 12);
+    std::vector<double> x{0}, y{number(-3, 3)};
+    while (x.back() < length) {
+      x.push_back(x.back() + (round % 4 == 3 ? number(0.2, 1) : number(2.2, 9)) * gap * number(1, 4));
+      y.push_back(y.back() + number(-0.6, 0.6) * (x.back() - x[x.size() - 2]));
+    }
+    const auto at = [&](double place) {
+      const std::size_t i = static_cast<std::size_t>(std::lower_bound(x.begin() + 1, x.end() - 1, place) - x.begin());
+      return std::lerp(y[i - 1], y[i], (place - x[i - 1]) / (x[i] - x[i - 1]));
+    };
+    world::ForceProgram program;
+    program.over = world::ForceOver::time, program.length = length;
+    program.channels[0] = keys_along(at, x, length, 0.01, gap, 1000);
+    ASSERT_FALSE(world::broken(program)) << *world::broken(program);
+    // Corners that are far enough apart cost two or three keys each, the straights between them none.
+    const auto corners = std::ranges::count_if(x, [&](double one) { return one > 0 && one < length; });
+    if (round % 4 != 3) {
+      EXPECT_LE(program.channels[0].size(), static_cast<std::size_t>(3 * corners + 2)) << round;
+    }
+    const sim::ForceCurve curve(program, world::ForceChannel::vertical);
+    for (double place = 0; place <= length; place += 0.003) {
+      double beside = 1e9;  // m or s to the nearest corner
+      for (std::size_t i = 1; i + 1 < x.size(); ++i) beside = std::min(beside, std::abs(place - x[i]));
+      // A corner is cut over at most a gap; slopes are at most 0.6.
+      EXPECT_NEAR(curve.at(place).value, at(place), beside < 1.6 * gap ? 0.7 * gap : 0.012)
+          << place << " of " << length << ", round " << round;
+    }
+  }
 }
 
 TEST(fvd_function, wild_functions_get_as_many_keys_as_there_may_be) {

@@ -180,6 +180,8 @@ TEST(track_parse, sections_are_checked) {
   expect_error(sections(R"({"id": "q1", "segments": 2, "kind": "free"}, {"id": "q1", "segments": 2, "kind": "free"})"),
                "sections[1].id: \"q1\" is already used");
   expect_error(one(R"("kind": "spiral")"), "sections[0].kind: expected \"free\", \"straight\", ");
+  for (const std::string kind : {"free", "curve", "helix", "brake_run", "complete", "force"})
+    EXPECT_NE(error_of(one(R"("kind": "spiral")")).find('"' + kind + '"'), std::string::npos) << kind;
   expect_error(one(R"("kind": "loop", "side": "up")"),
                "sections[0].side: expected \"left\" or \"right\", found \"up\"");
   expect_error(one(R"("kind": "loop", "height": 101)"),

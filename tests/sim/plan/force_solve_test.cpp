@@ -70,6 +70,18 @@ TEST(ForceSolve, finds_planted_values_again) {
   EXPECT_NEAR(last.spin, end.spin, 1e-6);
 }
 
+TEST(ForceSolve, leaves_values_that_lead_there_already) {
+  const ForceTask task = planted();
+  const Way way = way_of(task);
+  double error = 1;
+  const auto solved = solve_forces(task, goal_of(way), error);
+  ASSERT_TRUE(solved);
+  EXPECT_LT(error, 1e-9);
+  for (std::size_t c = 0; c < 3; ++c)
+    for (std::size_t i = 0; i < task.program.channels[c].size(); ++i)
+      EXPECT_NEAR(solved->program.channels[c][i].value, task.program.channels[c][i].value, 1e-9) << c << ' ' << i;
+}
+
 TEST(ForceSolve, gives_nothing_where_the_train_does_not_get) {
   ForceTask task = planted();
   const Way way = way_of(task);

@@ -96,6 +96,43 @@ TEST_F(CommandPaletteTest, what_can_run_comes_first_and_near_misses_are_listed) 
   EXPECT_TRUE(lines("qqqq wwww").empty());
 }
 
+// The arrow keys go round the whole list; Enter completes the command of the row that they have come to.
+TEST_F(CommandPaletteTest, arrows_choose_a_row_and_enter_takes_it) {
+  const auto open = [&] {
+    key(Key::escape);
+    frames(2);
+    key(Key::p, {.ctrl = true});
+    frames(4);
+    frame({TextInput{"force."}});
+    frames(3);
+    std::vector<std::string> commands;  // of the rows, with what follows the name
+    for (const Widget& widget : host_->widgets())
+      if (widget.kind == "item" && widget.path.starts_with("Palette/")) commands.push_back(widget.path.substr(8));
+    return commands;
+  };
+  for (const std::vector<Key>& keys : {std::vector<Key>{},
+                                       {Key::down},
+                                       {Key::down, Key::down},
+                                       {Key::down, Key::down, Key::up},
+                                       {Key::up, Key::down}}) {
+    const std::vector<std::string> rows = open();
+    std::size_t row = 0;
+    for (const Key one : keys) {
+      key(one);
+      frames(2);
+      row = one == Key::down ? row + 1 : row - 1;  // up from the first row and down again: the first
+    }
+    frames(2);
+    ASSERT_LT(row, rows.size());
+    const std::string wanted = rows[row].substr(0, rows[row].find(' ') + 1);
+    ASSERT_TRUE(wanted.starts_with("force") && wanted.ends_with(' ')) << "a command with arguments: " << rows[row];
+    key(Key::enter);
+    frames(3);
+    ASSERT_NE(find("Palette/Text"), nullptr);
+    EXPECT_EQ(find("Palette/Text")->value, wanted);
+  }
+}
+
 TEST_F(CommandPaletteTest, a_wrong_argument_is_explained_and_stays) {
   key(Key::p, {.ctrl = true});
   frames(4);

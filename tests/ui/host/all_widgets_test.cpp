@@ -20,6 +20,7 @@
 #include "edit/commands/commands_document.h"
 #include "edit/commands/commands_elements.h"
 #include "edit/commands/commands_force.h"
+#include "edit/commands/commands_ride.h"
 #include "edit/commands/commands_session.h"
 #include "edit/commands/set_setting.h"
 #include "ui/all_parts_stage.h"
@@ -37,6 +38,62 @@ using world::Workspace;
 
 class AllWidgetsTest : public AllPartsStage {
  protected:
+  // What lies over the view: notices, first steps, the legend, progress, the end of a ride.
+  void over_the_view(const std::function<void(const std::string& where)>& show) override {
+    edit::notify(session_, edit::NoticeKind::warning, "The train is too slow for the hill at 34.5 m.");
+    edit::notify(session_, edit::NoticeKind::error, "There is no such file.");
+    show("notice");
+    edit::notify(session_, edit::NoticeKind::info, "Saved.");
+    frames(400);
+    set<&world::Aids::show_hints>(true);
+    show("first steps");
+    set<&world::Aids::show_hints>(false);
+    stats_.colour_high = 25;
+    set<&world::LabView::colouring>(world::Colouring::speed);
+    show("legend");
+    set<&world::LabView::colouring>(world::Colouring::plain);
+    base::Progress progress;
+    progress.report(0.375);
+    job_ = {&progress, "Import", "Fitting a track to the imported points"};
+    show("job");
+    job_ = {};
+    movie_ = MovieState{.frames = 321, .ticks = 1234, .done = 0.25};
+    show("movie");
+    movie_.reset();
+    set<&world::Aids::show_card>(true);
+    good(edit::RideStart{});
+    edit::advance(session_, 120 * 120);
+    EXPECT_TRUE(session_.game.result);
+    show("score card");
+    for (const int medal : {0, 2}) {
+      session_.game.result->verdict = edit::Verdict{.medal = medal, .reason = "Lateral: you have 1.40 g at 87.0 m."};
+      show("score card with medal " + std::to_string(medal));
+    }
+    click("Score/Details");
+    show("score card with details");
+    click("Score/Details");
+    key(platform::Key::escape);
+    good(edit::RideStop{});
+    set<&world::Aids::show_card>(false);
+    frames(400);  // notices of the ride
+  }
+  // The lists of triangles of the last frame: of the windows that show, and of what is drawn behind and before them.
+  struct Drawn {
+    std::string name;
+    const ImDrawList* list;
+    bool scrolls;
+  };
+  static std::vector<Drawn> drawn() {
+    std::vector<Drawn> found{{"behind", ImGui::GetBackgroundDrawList(), false},
+                             {"before", ImGui::GetForegroundDrawList(), false}};
+    for (const ImGuiWindow* const window : windows()) {
+      bool scrolls = false;
+      for (const ImGuiWindow* w = window; w != nullptr; w = w->ParentWindow)
+        scrolls = scrolls || w->ScrollMax.x > 0 || w->ScrollMax.y > 0;
+      found.push_back({window->Name, window->DrawList, scrolls});
+    }
+    return found;
+  }
   // The windows of the last frame that show.
   static std::vector<const ImGuiWindow*> windows() {
     std::vector<const ImGuiWindow*> found;
@@ -151,10 +208,10 @@ TEST_F(AllWidgetsTest, at_twice_the_scale_all_ink_is_twice_as_far_away) {
     std::map<std::string, Ink> found;
     visit([&](const std::string& where) {
       Ink& ink = found[where];
-      for (const ImGuiWindow* const window : windows())
-        for (const ImDrawVert& v : window->DrawList->VtxBuffer) {
+      for (const Drawn& one : drawn())
+        for (const ImDrawVert& v : one.list->VtxBuffer) {
           if ((v.col >> IM_COL32_A_SHIFT) == 0) continue;
-          Box& box = ink[{window->Name, v.col}];
+          Box& box = ink[{one.name, v.col}];
           box.low = {std::min(box.low.x, v.pos.x), std::min(box.low.y, v.pos.y)};
           box.high = {std::max(box.high.x, v.pos.x), std::max(box.high.y, v.pos.y)};
         }
@@ -187,19 +244,65 @@ TEST_F(AllWidgetsTest, at_twice_the_scale_all_ink_is_twice_as_far_away) {
   EXPECT_GT(compared, 300);
 }
 
+// And for each shape by itself, in the order of drawing, where the same number of triangles is drawn (a larger circle
+// has more): its width and height.
+TEST_F(AllWidgetsTest, at_twice_the_scale_every_shape_is_twice_as_large) {
+  using Shapes = std::map<std::pair<std::string, std::string>, std::vector<ImVec2>>;
+  const auto shapes = [&] {
+    Shapes found;
+    visit([&](const std::string& where) {
+      for (const Drawn& one : drawn()) {
+        const ImDrawList& list = *one.list;
+        std::vector<char> is_glyph(static_cast<std::size_t>(list.VtxBuffer.Size), 0);
+        for (const DrawnGlyph& glyph : drawn_glyphs(list))
+          for (int k = 0; k < 4; ++k) is_glyph[static_cast<std::size_t>(glyph.vertex + k)] = 1;
+        std::vector<ImVec2>& sizes = found[{where, one.name}];
+        for (int i = 0; i + 2 < list.IdxBuffer.Size; i += 3) {
+          if (is_glyph[list.IdxBuffer[i]] != 0) continue;
+          ImVec2 low(1e9f, 1e9f), high(-1e9f, -1e9f);
+          for (int k = 0; k < 3; ++k) {
+            const ImVec2 p = list.VtxBuffer[list.IdxBuffer[i + k]].pos;
+            low = {std::min(low.x, p.x), std::min(low.y, p.y)}, high = {std::max(high.x, p.x), std::max(high.y, p.y)};
+          }
+          sizes.push_back({high.x - low.x, high.y - low.y});
+        }
+      }
+    });
+    return found;
+  };
+  resize(1280, 800);
+  const Shapes small = shapes();
+  restart();
+  set<&world::Look::ui_scale>(2.0f);
+  resize(2560, 1600);
+  const Shapes large = shapes();
+  int compared = 0;
+  for (const auto& [place, sizes] : small) {
+    const auto other = large.find(place);
+    if (other == large.end() || other->second.size() != sizes.size()) continue;
+    for (std::size_t i = 0; i < sizes.size(); ++i) {
+      const ImVec2 one = sizes[i], two = other->second[i];
+      ++compared;
+      EXPECT_NEAR(two.x, 2 * one.x, 4 + 0.05f * one.x) << i << " in " << place.second << ", " << place.first;
+      EXPECT_NEAR(two.y, 2 * one.y, 4 + 0.05f * one.y) << i << " in " << place.second << ", " << place.first;
+    }
+  }
+  EXPECT_GT(compared, 1000);
+}
+
 // No character is drawn over another one of its window, and none is cut at the left or right.
 TEST_F(AllWidgetsTest, text_keeps_apart_and_within_its_window) {
   int characters = 0;
   visit([&](const std::string& where) {
-    for (const ImGuiWindow* const window : windows()) {
+    for (const Drawn& one : drawn()) {
       std::vector<std::pair<DrawnGlyph, ImVec4>> shown;
-      const std::vector<DrawnGlyph> all = drawn_glyphs(*window->DrawList);
-      for (const ImDrawCmd& command : window->DrawList->CmdBuffer) {
-        std::vector<char> drawn(static_cast<std::size_t>(window->DrawList->VtxBuffer.Size), 0);
+      const std::vector<DrawnGlyph> all = drawn_glyphs(*one.list);
+      for (const ImDrawCmd& command : one.list->CmdBuffer) {
+        std::vector<char> used(static_cast<std::size_t>(one.list->VtxBuffer.Size), 0);
         for (unsigned i = 0; i < command.ElemCount; ++i)
-          drawn[window->DrawList->IdxBuffer[static_cast<int>(command.IdxOffset + i)]] = 1;
+          used[one.list->IdxBuffer[static_cast<int>(command.IdxOffset + i)]] = 1;
         for (const DrawnGlyph& glyph : all) {
-          if (drawn[static_cast<std::size_t>(glyph.vertex)] == 0) continue;
+          if (used[static_cast<std::size_t>(glyph.vertex)] == 0) continue;
           const ImVec4& clip = command.ClipRect;
           if (glyph.high.y < clip.y || glyph.low.y > clip.w) continue;  // scrolled out of sight
           shown.emplace_back(glyph, clip);
@@ -211,7 +314,7 @@ TEST_F(AllWidgetsTest, text_keeps_apart_and_within_its_window) {
         const auto& [g, clip] = shown[i];
         ++characters;
         EXPECT_TRUE(g.low.x > clip.x - 1.5f && g.high.x < clip.z + 1.5f)
-            << static_cast<char>(g.codepoint) << " is cut at " << g.low.x << ", " << g.low.y << " in " << window->Name
+            << static_cast<char>(g.codepoint) << " is cut at " << g.low.x << ", " << g.low.y << " in " << one.name
             << ", " << where;
         for (std::size_t k = i + 1; k < shown.size() && shown[k].first.low.y < g.high.y - 1.5f; ++k) {
           const DrawnGlyph& h = shown[k].first;
@@ -219,7 +322,7 @@ TEST_F(AllWidgetsTest, text_keeps_apart_and_within_its_window) {
                       high = std::min(g.high.y, h.high.y) - h.low.y;
           EXPECT_FALSE(wide > 1.5f && high > 1.5f)
               << static_cast<char>(g.codepoint) << " over " << static_cast<char>(h.codepoint) << " at " << g.low.x
-              << ", " << g.low.y << " in " << window->Name << ", " << where;
+              << ", " << g.low.y << " in " << one.name << ", " << where;
         }
       }
     }
@@ -227,15 +330,47 @@ TEST_F(AllWidgetsTest, text_keeps_apart_and_within_its_window) {
   EXPECT_GT(characters, 10'000);
 }
 
+// Text over the view has a ground that was drawn before it, so that it can be read over any scene.
+TEST_F(AllWidgetsTest, text_over_the_view_has_a_ground) {
+  int characters = 0;
+  visit([&](const std::string& where) {
+    for (const ImDrawList* const list : {ImGui::GetBackgroundDrawList(), ImGui::GetForegroundDrawList()}) {
+      std::vector<char> is_glyph(static_cast<std::size_t>(list->VtxBuffer.Size), 0);
+      const std::vector<DrawnGlyph> glyphs = drawn_glyphs(*list);
+      for (const DrawnGlyph& glyph : glyphs)
+        for (int k = 0; k < 4; ++k) is_glyph[static_cast<std::size_t>(glyph.vertex + k)] = 1;
+      const auto covered = [&](const DrawnGlyph& glyph, ImVec2 p) {
+        for (int i = 0; i + 2 < list->IdxBuffer.Size; i += 3) {
+          const int first = list->IdxBuffer[i];
+          if (first >= glyph.vertex) return false;
+          if (is_glyph[static_cast<std::size_t>(first)] != 0) continue;
+          const ImDrawVert &a = list->VtxBuffer[first], &b = list->VtxBuffer[list->IdxBuffer[i + 1]],
+                           &c = list->VtxBuffer[list->IdxBuffer[i + 2]];
+          if ((a.col >> IM_COL32_A_SHIFT) < 100) continue;
+          const auto side = [&](ImVec2 from, ImVec2 to) {
+            return (to.x - from.x) * (p.y - from.y) - (to.y - from.y) * (p.x - from.x);
+          };
+          const float x = side(a.pos, b.pos), y = side(b.pos, c.pos), z = side(c.pos, a.pos);
+          if ((x >= 0 && y >= 0 && z >= 0) || (x <= 0 && y <= 0 && z <= 0)) return true;
+        }
+        return false;
+      };
+      for (const DrawnGlyph& glyph : glyphs) {
+        ++characters;
+        EXPECT_TRUE(covered(glyph, glyph.low) && covered(glyph, glyph.high))
+            << static_cast<char>(glyph.codepoint) << " at " << glyph.low.x << ", " << glyph.low.y << ", " << where;
+      }
+    }
+  });
+  EXPECT_GT(characters, 100);
+}
+
 // Nothing is drawn where it cannot be seen, but for what scrolls, plots, and lists that are cut.
 TEST_F(AllWidgetsTest, what_is_drawn_can_be_seen) {
   visit([&](const std::string& where) {
-    for (const ImGuiWindow* const window : windows()) {
-      bool scrolls = false;
-      for (const ImGuiWindow* w = window; w != nullptr; w = w->ParentWindow)
-        scrolls = scrolls || w->ScrollMax.x > 0 || w->ScrollMax.y > 0;
-      if (scrolls) continue;
-      const ImDrawList& list = *window->DrawList;
+    for (const Drawn& one : drawn()) {
+      if (one.scrolls) continue;
+      const ImDrawList& list = *one.list;
       for (const ImDrawCmd& command : list.CmdBuffer)
         for (unsigned i = 0; i + 2 < command.ElemCount; i += 3) {
           ImVec2 low(1e9f, 1e9f), high(-1e9f, -1e9f);
@@ -249,8 +384,7 @@ TEST_F(AllWidgetsTest, what_is_drawn_can_be_seen) {
           if (alpha == 0) continue;
           const ImVec4& clip = command.ClipRect;
           EXPECT_TRUE(high.x > clip.x - 1 && low.x < clip.z + 1 && high.y > clip.y - 1 && low.y < clip.w)
-              << low.x << ", " << low.y << " to " << high.x << ", " << high.y << " in " << window->Name << ", "
-              << where;
+              << low.x << ", " << low.y << " to " << high.x << ", " << high.y << " in " << one.name << ", " << where;
         }
     }
   });

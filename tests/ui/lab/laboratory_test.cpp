@@ -1,4 +1,8 @@
+#include <imgui.h>
+#include <imgui_internal.h>
+
 #include <algorithm>
+#include <cmath>
 #include <set>
 
 #include "curve/bernstein.h"
@@ -118,6 +122,65 @@ TEST_F(LaboratoryTest, no_number_is_cut_in_a_small_window_at_a_large_scale) {
   }
 }
 
+TEST_F(LaboratoryTest, measured_numbers_are_whole_and_every_column_is_in_sight) {
+  ASSERT_TRUE(edit::apply(session_, files_, edit::Set<&world::Panels::workspace>{world::Workspace::laboratory}).ok());
+  open("Measurements");
+  sim::Measurement& measured = session_.measuring.measurement;
+  measured = sim::start_measurement(session_.derived);
+  measured.running = false;
+  for (const double error : {1.234e-7, 8.88e-10, 0.0456})
+    for (const float scale : {1.0f, 1.5f})
+      for (const auto& [width, height] : {std::pair{1280, 720}, {1920, 1080}}) {
+        ASSERT_TRUE(edit::apply(session_, files_, edit::Set<&world::Look::ui_scale>{scale}).ok());
+        for (sim::MeasuredRow& row : measured.rows) row.cells.fill({4321.09, error, 1});
+        resize(width, height);
+        for (const bool time : {false, true}) {
+          if (const char* side = time ? "Laboratory/Time" : "Laboratory/Worst error"; find(side) != nullptr)
+            click(side);
+          frames(2);
+          const std::string where = std::to_string(width) + " at scale " + std::to_string(scale);
+          const Widget* const row = find(time ? "Laboratory/Time of Horner" : "Laboratory/Error of Horner");
+          ASSERT_NE(row, nullptr) << where;
+          EXPECT_FALSE(row->cut) << row->value << ", " << where;
+          if (width < 1500 && scale > 1) continue;  // the table scrolls sideways
+          const Widget* const last = find(time ? "Laboratory/Times/4096" : "Laboratory/Errors/4096");
+          ASSERT_NE(last, nullptr) << where;
+          EXPECT_TRUE(last->visible) << where;
+          EXPECT_LE(last->x + last->width, host_->view().viewport.x + host_->view().viewport.width) << where;
+        }
+      }
+}
+
+// Each number has a ground between dark green for the smallest and dark red for the largest, by the logarithm.
+TEST_F(LaboratoryTest, measured_numbers_are_coloured_from_green_to_red) {
+  ASSERT_TRUE(edit::apply(session_, files_, edit::Set<&world::Panels::workspace>{world::Workspace::laboratory}).ok());
+  resize(1920, 1080);
+  open("Measurements");
+  sim::Measurement& measured = session_.measuring.measurement;
+  measured = sim::start_measurement(session_.derived);
+  measured.running = false;
+  for (sim::MeasuredRow& row : measured.rows) row.cells.fill({10, 1e-6, 1});
+  measured.rows[1].cells[2] = {1000, 1e-6, 1};
+  measured.rows[2].cells.fill({100, 1e-6, 1});
+  frames(3);
+  const auto ground = [](ImVec4 of) {
+    int found = 0;
+    for (const ImGuiWindow* const window : ImGui::GetCurrentContext()->Windows)
+      if (window->Active && !window->Hidden)
+        for (const ImDrawVert& v : window->DrawList->VtxBuffer) found += v.col == ImGui::ColorConvertFloat4ToU32(of);
+    return found / 4;
+  };
+  const auto at = [](double share) {
+    const auto mix = [&](double from, double to) {
+      return static_cast<float>(std::lround(from + share * (to - from)) / 255.0);
+    };
+    return ImVec4(mix(0x1E, 0x52), mix(0x45, 0x2C), mix(0x38, 0x2E), 1);
+  };
+  EXPECT_EQ(ground(at(1)), 1) << "the one of 1000 ns";
+  EXPECT_EQ(ground(at(0.5)), 5) << "the row of 100 ns";
+  EXPECT_GT(ground(at(0)), 25);
+}
+
 TEST_F(LaboratoryTest, every_plot_can_be_reached_in_a_small_window_at_a_large_scale) {
   ASSERT_TRUE(edit::apply(session_, files_, edit::Set<&world::Panels::workspace>{world::Workspace::laboratory}).ok());
   ASSERT_TRUE(edit::apply(session_, files_, edit::Set<&world::Panels::show_laboratory>{true}).ok());
@@ -151,6 +214,33 @@ TEST_F(LaboratoryTest, dragging_in_a_plot_moves_the_probe_and_weights_follow) {
   double weights[4];
   curve::bernstein_basis<double>(session_.settings.selected_t, weights);
   for (int i = 0; i < 4; ++i) EXPECT_NEAR(number_shown("Laboratory/B" + std::to_string(i)), weights[i], 6e-5) << i;
+}
+
+TEST_F(LaboratoryTest, weights_of_every_degree_are_written_and_of_a_cubic_with_their_points) {
+  ASSERT_TRUE(edit::apply(session_, files_, edit::Select{{{world::Kind::segment, 1}}, 0.31}).ok());
+  resize(1280, 1080);
+  open("Weights");
+  for (int degree = 1; degree <= 8; ++degree) {
+    type("Laboratory/Degree n", std::to_string(degree));
+    frames(3);
+    std::string written;
+    for (const ImGuiWindow* const window : ImGui::GetCurrentContext()->Windows)
+      if (window->Active && !window->Hidden)
+        for (const DrawnGlyph& g : drawn_glyphs(*window->DrawList))
+          written += g.codepoint >= 0x2080 && g.codepoint <= 0x2089 ? static_cast<char>('0' + g.codepoint - 0x2080)
+                     : g.codepoint < 128                            ? static_cast<char>(g.codepoint)
+                                                                    : '?';
+    double choose = 1;  // binomial coefficient
+    for (int i = 0; i <= degree; ++i) {
+      const std::string digit = std::to_string(i),
+                        value = fixed(choose * std::pow(0.31, i) * std::pow(0.69, degree - i), 4);
+      const std::string row = "B" + digit + (degree == 3 ? "weighsp" + digit : "") + value;
+      EXPECT_NE(written.find(row), std::string::npos) << row << " of degree " << degree;
+      EXPECT_EQ(find("Laboratory/B" + digit)->value, value);
+      choose *= static_cast<double>(degree - i) / (i + 1);
+    }
+    EXPECT_EQ(find("Laboratory/B" + std::to_string(degree + 1)), nullptr);
+  }
 }
 
 TEST_F(LaboratoryTest, the_construction_shows_the_point_of_the_curve) {

@@ -1,14 +1,18 @@
 #include "ui/panels/panels.h"
 
+#include <algorithm>
 #include <set>
+#include <tuple>
 
 #include "curve/evaluators.h"
 #include "edit/commands/commands_challenge.h"
 #include "edit/commands/commands_document.h"
 #include "edit/commands/commands_ride.h"
+#include "edit/commands/commands_session.h"
 #include "edit/commands/commands_settings.h"
 #include "edit/commands/set_setting.h"
 #include "ui/stage.h"
+#include "world/aids.h"
 #include "world/panels.h"
 
 namespace coaster::ui {
@@ -55,6 +59,45 @@ TEST_F(PanelsTest, the_parameters_begin_with_what_was_just_chosen) {
   scroll_down();
   frames(3);
   EXPECT_FALSE(in_sight("Section/Title")) << "a panel that stays is left where it was scrolled to";
+}
+
+// In Build the column begins with the element that is placed, then what is selected; a challenge is above the track
+// alone.
+TEST_F(PanelsTest, panels_are_in_the_order_of_what_was_chosen) {
+  resize(1280, 1400);
+  const std::string path = COASTER_SOURCE_DIR "/challenges/01_first_hill.json";
+  ASSERT_TRUE(edit::apply(session_, files_, edit::StartChallenge{path}));
+  ASSERT_TRUE(edit::apply(session_, files_, edit::Set<&world::Panels::workspace>{world::Workspace::build}));
+  const auto order = [&] {
+    frames(3);
+    std::vector<Widget> headers;
+    for (const Widget& w : host_->widgets())
+      if (w.kind == "header" && w.x < host_->view().viewport.x) headers.push_back(w);
+    std::ranges::sort(headers, {}, &Widget::y);
+    std::vector<std::string> names;
+    for (const Widget& w : headers) names.push_back(w.path);
+    return names;
+  };
+  const auto first = [&](const std::string& name) {
+    const std::vector<std::string> names = order();
+    return std::ranges::find(names, name) - names.begin();
+  };
+  const auto count = [&] { return static_cast<std::ptrdiff_t>(order().size()); };
+  ASSERT_TRUE(edit::apply(session_, files_, edit::Select{}));
+  EXPECT_EQ(first("Challenge"), 0);
+  EXPECT_LT(first("Track"), count()) << "shows, below";
+  for (const auto& [kind, number, panel] : {std::tuple{world::Kind::knot, 2u, "Inspector"},
+                                            {world::Kind::segment, 1u, "Inspector"},
+                                            {world::Kind::section, 1u, "Section"}}) {
+    select(kind, number);
+    EXPECT_EQ(first(panel), 0) << panel << " of " << number;
+    EXPECT_TRUE(first("Challenge") > 0) << panel;
+  }
+  ASSERT_TRUE(edit::apply(session_, files_, edit::Set<&world::Aids::show_element>{true}));
+  EXPECT_EQ(first("Elements"), 0);
+  EXPECT_LT(first("Elements"), first("Section"));
+  ASSERT_TRUE(edit::apply(session_, files_, edit::Select{}));
+  EXPECT_EQ(first("Elements"), 0);
 }
 
 TEST_F(PanelsTest, every_panel_draws_and_paths_are_unique_for_every_selection) {

@@ -216,6 +216,24 @@ TEST_F(PlotTest, levels_are_dashed_to_the_right_edge_and_spots_are_dots_with_the
   }
 }
 
+TEST_F(PlotTest, of_labels_at_one_place_only_one_is_drawn) {
+  const std::vector<double> x{0, 10}, y{0, 0};
+  const Series series{"", x, y, kRed};
+  Plot p = with(std::span(&series, 1));
+  // Vertices of the label and of the dots: two at nearly one place have one label, in either order.
+  const auto drawn_with = [&](std::vector<Spot> spots) {
+    p.spots = spots;
+    draw(p);
+    return std::ranges::count_if(drawn_, [&](const ImDrawVert& v) { return has_colour(v, ink(kBlue)); });
+  };
+  const auto dot = drawn_with({{5, 0, kBlue, ""}}), label = drawn_with({{5, 0, kBlue, "flip"}}) - dot;
+  ASSERT_EQ(label, 16);  // four letters
+  EXPECT_EQ(drawn_with({{5, 0, kBlue, "flip"}, {5.1, 0, kBlue, "flip"}}), 2 * dot + label);
+  EXPECT_EQ(drawn_with({{5.1, 0, kBlue, "flip"}, {5, 0, kBlue, "flip"}}), 2 * dot + label);
+  EXPECT_EQ(drawn_with({{5, 0, kBlue, "flip"}, {5.1, 2, kBlue, "flip"}}), 2 * (dot + label)) << "above each other";
+  EXPECT_EQ(drawn_with({{5, 0, kBlue, "flip"}, {7, 0, kBlue, "flip"}, {7.1, 0, kBlue, "flip"}}), 3 * dot + 2 * label);
+}
+
 // All ink is within the plot's own box, and the data have most of it: a line of text below and to the left what the
 // numbers need. A title takes a line above, none half a line.
 TEST_F(PlotTest, the_data_have_the_room_that_titles_and_numbers_leave) {

@@ -1,5 +1,14 @@
 #include "ui/screens/overlays.h"
+
+#include <imgui.h>
+
+#include <algorithm>
+#include <vector>
+
+#include "edit/commands/set_setting.h"
 #include "ui/stage.h"
+#include "ui/widgets/theme.h"
+#include "world/look.h"
 
 namespace coaster::ui {
 namespace lesson_test {
@@ -60,6 +69,34 @@ TEST_F(LessonTest, a_lesson_opens_the_panel_of_its_widget_and_scrolls_to_it) {
   click("Shape");
   frames(2);
   EXPECT_EQ(find("Shape/Close"), nullptr) << "the user may close it again";
+}
+
+// The ring around the widget swells by 3 px and back 0.7 times a second; in scripts it stands still, at its largest.
+TEST_F(LessonTest, the_ring_around_its_widget_breathes) {
+  ASSERT_TRUE(edit::apply(session_, files_, edit::Set<&world::Look::ui_scale>{2.0f}));
+  resize(2560, 1440);
+  const query::LessonCard card{"Click Play.", "Ride/Play", 1, 2};
+  lesson_ = &card;
+  frames(30);
+  const auto grown = [&] {
+    frame();
+    const Widget& play = *find("Ride/Play");
+    float left = play.x;
+    for (const ImDrawVert& v : ImGui::GetForegroundDrawList()->VtxBuffer)
+      if (v.col == packed(palette().warning)) left = std::min(left, v.pos.x);
+    return play.x - left;
+  };
+  std::vector<float> sizes;
+  for (int i = 0; i < 172; ++i) sizes.push_back(grown());  // two breaths
+  const auto [least, most] = std::minmax_element(sizes.begin(), sizes.end());
+  EXPECT_NEAR(*most - *least, 6, 1.1);  // whole pixels
+  int swells = 0;
+  for (std::size_t i = 1; i < sizes.size(); ++i) swells += sizes[i] == *most && sizes[i - 1] < *most;
+  EXPECT_NEAR(swells, 2, 1);
+  scripted_ = true;
+  const float largest = grown();
+  EXPECT_NEAR(largest, *least + 6, 0.1);
+  for (int i = 0; i < 10; ++i) EXPECT_EQ(grown(), largest);
 }
 
 // The buttons end where the text does, so that they stay in place from lesson to lesson.

@@ -1,6 +1,14 @@
 #include "ui/screens/toasts.h"
 
-#include <gtest/gtest.h>
+#include <imgui.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "edit/commands/set_setting.h"
+#include "ui/stage.h"
+#include "ui/widgets/theme.h"
+#include "world/look.h"
 
 namespace coaster::ui {
 namespace toasts_test {
@@ -64,6 +72,53 @@ TEST(toasts, warnings_stay_above_the_note_that_came_with_them) {
   edit::notify(session, edit::NoticeKind::info, "next");
   toasts.update(session, 300, false);
   EXPECT_EQ(toasts.shown, "next");
+}
+
+// A box in the middle of the view, 12 design px above its foot, with a bar in the colour of its kind along its left
+// edge and the text inside.
+struct ToastsDrawn : Stage {
+  struct Box {
+    ImVec2 low{1e9f, 1e9f}, high{-1e9f, -1e9f};
+    void add(ImVec2 p) {
+      low = {std::min(low.x, p.x), std::min(low.y, p.y)}, high = {std::max(high.x, p.x), std::max(high.y, p.y)};
+    }
+  };
+  static Box box_of(std::uint32_t rgb) {
+    Box box;
+    for (const ImDrawVert& v : ImGui::GetBackgroundDrawList()->VtxBuffer)
+      if (((v.col ^ packed(rgb)) & 0xffffffu) == 0 && (v.col >> IM_COL32_A_SHIFT) > 200) box.add(v.pos);
+    return box;
+  }
+};
+
+TEST_F(ToastsDrawn, the_box_is_at_the_foot_of_the_view_with_its_bar_and_its_text_inside) {
+  for (const float scale : {1.0f, 2.0f}) {
+    ASSERT_TRUE(edit::apply(session_, files_, edit::Set<&world::Look::ui_scale>{scale}));
+    resize(static_cast<int>(1280 * scale), static_cast<int>(720 * scale));
+    for (const auto& [kind, colour] : {std::pair{edit::NoticeKind::info, palette().accent},
+                                       {edit::NoticeKind::warning, palette().warning},
+                                       {edit::NoticeKind::error, palette().error}}) {
+      edit::notify(session_, kind, "The train stops on the hill,\n34.5 m from the start.");
+      frames(3);
+      const view::Viewport& scene = host_->view().viewport;
+      const Box box = box_of(palette().raised), bar = box_of(colour);
+      Box text;
+      for (const DrawnGlyph& glyph : drawn_glyphs(*ImGui::GetBackgroundDrawList()))
+        text.add(glyph.low), text.add(glyph.high);
+      EXPECT_NEAR((box.low.x + box.high.x) / 2, scene.x + scene.width / 2, 1);
+      EXPECT_NEAR(scene.y + scene.height - box.high.y, 12 * scale, 1.5);
+      EXPECT_NEAR(bar.low.x, box.low.x, 1);
+      EXPECT_NEAR(bar.high.x - bar.low.x, 4 * scale, 1.5);
+      EXPECT_NEAR(bar.low.y, box.low.y, 1);
+      EXPECT_NEAR(bar.high.y, box.high.y, 1);
+      EXPECT_NEAR(text.low.x - bar.high.x, 10 * scale, 3 * scale);
+      EXPECT_NEAR(box.high.x - text.high.x, 10 * scale, 3 * scale);
+      const float line = ImGui::GetFontSize();
+      EXPECT_NEAR(box.high.y - box.low.y, 2 * line + 16 * scale, 2 * scale);
+      EXPECT_GT(text.low.y, box.low.y + 6 * scale);
+      EXPECT_LT(text.high.y, box.high.y - 6 * scale);
+    }
+  }
 }
 
 }  // namespace toasts_test
