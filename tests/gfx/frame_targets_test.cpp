@@ -46,8 +46,12 @@ TEST_F(Targets, no_picture_takes_more_than_the_limit_and_fewer_samples_are_told_
       EXPECT_EQ(notice.empty(), targets.samples() == samples) << notice;
       targets.fit(width, width * 9 / 16);
       EXPECT_EQ(targets.take_notice(), "") << "once";
-      if (width <= 1920 && samples <= 16) EXPECT_EQ(targets.samples(), samples) << width;
-      if (width == kWidest) EXPECT_EQ(targets.samples(), 0);
+      if (width <= 1920 && samples <= 16) {
+        EXPECT_EQ(targets.samples(), samples) << width;
+      }
+      if (width == kWidest) {
+        EXPECT_EQ(targets.samples(), 0);
+      }
     }
   FrameTargets large(counting);
   large.set_samples(16);

@@ -260,6 +260,45 @@ TEST(TightWay, IsPassedWhenTheTrainIsThere) {
     }
 }
 
+world::Document closed_of(const std::vector<curve::Cubic>& cubics, double speed) {
+  world::Document d;
+  d.start_speed = speed;
+  for (std::size_t i = 0; i < cubics.size(); ++i) {
+    const curve::Cubic &before = cubics[(i + cubics.size() - 1) % cubics.size()], &c = cubics[i];
+    world::Knot knot;
+    knot.position = c.p0, knot.tangent = glm::normalize(c.p1 - c.p0), knot.up = {0, 1, 0};
+    knot.in_length = glm::distance(before.p2, before.p3), knot.out_length = glm::distance(c.p0, c.p1);
+    knot.joint = world::JointKind::aligned;
+    world::append_knot(d, knot);
+  }
+  world::set_closed(d, true);
+  return d;
+}
+
+// A level drop of two long segments with its sharp end where one leads to the other, and of the same curve in sixteen.
+TEST(TightWay, IsTheSameHoweverAClosedTrackIsDivided) {
+  for (const float near : {0.1f, 0.3f})
+    for (const double speed : {3.0, 8.0}) {
+      std::vector<curve::Cubic> cubics{{{0, 5, 0}, {0, 5, -3}, {2, 5, -near}, {2, 5, 0}},
+                                       {{2, 5, 0}, {2, 5, near}, {0, 5, 3}, {0, 5, 0}}};
+      const Ratings whole = ride(closed_of(cubics, speed), 0.3, 1).ratings;
+      for (int halving = 0; halving < 3; ++halving) {
+        std::vector<curve::Cubic> halves;
+        for (const curve::Cubic& c : cubics) {
+          const curve::SplitCubic two = curve::split(c, 0.5);
+          halves.push_back(two.left), halves.push_back(two.right);
+        }
+        cubics = halves;
+      }
+      const Ratings parts = ride(closed_of(cubics, speed), 0.3, 1).ratings;
+      SCOPED_TRACE(testing::Message() << "handles of " << near << " m, " << speed << " m/s");
+      EXPECT_NEAR(parts.side_most.value, whole.side_most.value, 0.03 * whole.side_most.value);
+      EXPECT_NEAR(parts.forward_most.value, whole.forward_most.value, 0.03 * whole.side_most.value);
+      EXPECT_NEAR(parts.back_most.value, whole.back_most.value, 0.03 * whole.side_most.value);
+      EXPECT_GT(whole.side_most.value, 0.5);
+    }
+}
+
 TEST(TightWay, EndsWhereTheTableIsFineEnough) {
   const double radius = 1.01 * kTightRadius;
   for (const double speed : {2.0, 10.0, 30.0}) {
