@@ -11,6 +11,7 @@
 
 #include <fmt/format.h>
 
+#include "base/files.h"
 #include "base/words.h"
 
 namespace coaster::base {
@@ -78,7 +79,7 @@ Result<std::vector<FolderEntry>> list_folder(const std::filesystem::path& folder
   for (; !error && at != end; at.increment(error)) {
     struct stat info {};
     const std::string name = at->path().filename().string();
-    if ((!hidden && name.starts_with('.')) || ::stat(at->path().c_str(), &info) != 0) continue;
+    if ((!hidden && name.starts_with('.')) || name == kMadeList || ::stat(at->path().c_str(), &info) != 0) continue;
     const bool is_folder = S_ISDIR(info.st_mode);
     if (is_folder || S_ISREG(info.st_mode))
       entries.push_back({name, is_folder, is_folder ? 0 : static_cast<std::uintmax_t>(info.st_size),

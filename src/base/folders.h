@@ -38,8 +38,8 @@ struct FolderEntry {
 };
 
 // Returns the contents of a folder: folders first, each sorted by name ignoring case. Follows links; leaves out entries
-// that cannot be examined or are neither file nor folder, and names that begin with a dot unless `hidden`.
-// Code::bad_file with the reason.
+// that cannot be examined or are neither file nor folder, the lists of files that runs made (kMadeList), and names that
+// begin with a dot unless `hidden`. Code::bad_file with the reason.
 Result<std::vector<FolderEntry>> list_folder(const std::filesystem::path& folder, bool hidden = false);
 
 // Returns the time of a file's last change, s since 1970; 0 if there is no such file.
