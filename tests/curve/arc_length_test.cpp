@@ -294,7 +294,7 @@ TEST(arc_length, distances_beyond_the_ends_are_clamped) {
   const ArcLengthMap map(random_cubics(1, 36)[0]);
   EXPECT_EQ(map.parameter(-1), 0);
   EXPECT_EQ(map.parameter(map.length() + 1), 1);
-  EXPECT_EQ(map.distance(-0.5), 0);
+  for (const double before : {-1e-9, -1e-3, -0.05, -0.5, -1e300}) EXPECT_EQ(map.distance(before), 0) << before;
   EXPECT_EQ(map.distance(1.5), map.length());
 }
 

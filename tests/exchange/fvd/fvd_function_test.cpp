@@ -144,6 +144,14 @@ TEST(fvd_function, keys_follow_random_polylines_but_within_a_gap_of_their_corner
   }
 }
 
+TEST(fvd_function, one_corner_costs_two_keys_wherever_it_is) {
+  for (const double corner : {0.1, 0.2, 0.5, 1.0, 1.4, 4.0, 6.6, 7.1, 7.6, 7.9}) {
+    const auto f = [corner](double x) { return x < corner ? 1 + 0.5 * x : 1 + 0.5 * corner - 0.7 * (x - corner); };
+    const auto keys = keys_along(f, {corner}, 8, 0.001, world::kKeyGap_s, 10);
+    EXPECT_LE(keys.size(), 4u) << corner;
+  }
+}
+
 TEST(fvd_function, wild_functions_get_as_many_keys_as_there_may_be) {
   const auto keys = keys_along([](double x) { return 20 * std::sin(40 * x); }, {}, 60, 0.01, 0.05, 10);
   EXPECT_LE(keys.size(), world::kMostForceKeys);

@@ -204,6 +204,16 @@ TEST_F(FollowCameraTest, shows_the_way_home_and_the_completed_circuit) {
   frames(120);
   for (const world::Entity at : session_.document.track.knots)
     EXPECT_TRUE(shows(world::knot(session_.document, at).position)) << "all of the circuit";
+  // From the other side the first knot is out of sight.
+  ASSERT_TRUE(edit::apply(session_, files_, edit::Undo{}));
+  frames(120);
+  ASSERT_TRUE(edit::apply(session_, files_, edit::set_camera({.target = {120, 2, 0}, .distance = 40})));
+  frames(3);
+  ASSERT_FALSE(shows({0, 2, 0}));
+  ASSERT_TRUE(edit::apply(session_, files_, edit::CompleteCircuit{1}));
+  frames(120);
+  for (const world::Entity at : session_.document.track.knots)
+    EXPECT_TRUE(shows(world::knot(session_.document, at).position)) << "all of the circuit again";
 }
 
 }  // namespace follow_camera_test
