@@ -127,7 +127,7 @@ base::Result<LoadedChallenge> load_challenge(base::Files& files, const std::file
 
 bool looks_like_challenge(std::string_view text) {
   const base::Result<Json> tree = read_json(text, "");
-  if (!tree || !tree->is_object()) return false;
+  if (!tree) return false;
   const auto format = tree->find("format");
   return format != tree->end() && format->is_string() && format->get_ref<const std::string&>() == kChallengeFormat;
 }
