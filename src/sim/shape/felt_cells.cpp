@@ -2,6 +2,7 @@
 // turns little, so a bend of any sharpness is integrated to its last part.
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "curve/tight_places.h"
 #include "sim/shape/rail_tables.h"
@@ -11,23 +12,38 @@ namespace {
 
 using glm::dvec3;
 
+constexpr double kNearTight = 2 * kTightRadius;  // m: cells with this radius at an end are tight
+
 class Cells {
  public:
   Cells(const SegmentShape& shape, SegmentTable& table)
-      : shape_(shape), table_(table), curve_(curve::coefficients_d(shape.key.cubic)) {}
+      : shape_(shape),
+        table_(table),
+        curve_(curve::coefficients_d(shape.key.cubic)),
+        minima_(curve::tight_places(shape.key.cubic, kNearTight)) {}
 
-  // Appends a part in halves, until each turns by at most 0.1 rad and is at most half a table step long.
-  void add(double from, double to, int depth = 0) {
+  // Distances of the ends of a part without tight cells, m.
+  struct Gentle {
+    double begin, end;
+  };
+
+  // Appends a part in halves, until each turns by at most 0.1 rad and is at most half a table step long. Leaves out
+  // what keep_near() would remove: a long segment with one tight bend has few cells.
+  void add(double from, double to, int depth = 0, std::optional<Gentle> gentle = {}) {
     constexpr double kLittleTurn = 0.99875;  // cosine of 0.05 rad, for either half
     constexpr int kDeepest = 48;
     const double middle = 0.5 * (from + to);
     if (!(from < middle && middle < to)) return;
+    if (!gentle && is_gentle(from, to)) gentle = Gentle{shape_.arc.distance(from), shape_.arc.distance(to)};
+    if (gentle && shape_.arc.distance(from) > gentle->begin + 2 * table_.step &&
+        shape_.arc.distance(to) < gentle->end - 2 * table_.step)
+      return;
     const dvec3 a = curve_.derivative(from), b = curve_.derivative(middle), c = curve_.derivative(to);
     const double length = (glm::length(a) + 4 * glm::length(b) + glm::length(c)) / 6 * (to - from);
     const bool turns = dot(a, b) < kLittleTurn * glm::length(a) * glm::length(b) ||
                        dot(b, c) < kLittleTurn * glm::length(b) * glm::length(c);
     if (depth < kDeepest && (turns || length > 0.5 * kTableStep)) {
-      add(from, middle, depth + 1), add(middle, to, depth + 1);
+      add(from, middle, depth + 1, gentle), add(middle, to, depth + 1, gentle);
       return;
     }
     FeltCell& cell = start(from, to);
@@ -43,8 +59,7 @@ class Cells {
       cell.bend += weight * dvec3(h * shape_.roll.spin(s) * to_left, entry.bend.y, entry.bend.z);
       cell.weight += weight * dvec3(entry.weight);
     }
-    near_.push_back(std::min(curve::radius_at(shape_.key.cubic, from), curve::radius_at(shape_.key.cubic, to)) <
-                    2 * kTightRadius);
+    near_.push_back(is_tight_at(from) || is_tight_at(to));
   }
   void add_reversal(double from, double to) {
     // Both of a segment's reversals are felt in the axes of the track between them.
@@ -73,6 +88,12 @@ class Cells {
   }
 
  private:
+  bool is_tight_at(double t) const { return curve::radius_at(shape_.key.cubic, t) < kNearTight; }
+  // True if no cell of this part can be tight: the radius is large at both ends, and has no small minimum between.
+  bool is_gentle(double from, double to) const {
+    return !is_tight_at(from) && !is_tight_at(to) &&
+           std::none_of(minima_.begin(), minima_.end(), [&](const auto& at) { return at.t > from && at.t < to; });
+  }
   FeltCell& start(double from, double to) {
     table_.cells.push_back({shape_.arc.distance(from), shape_.arc.distance(to)});
     return table_.cells.back();
@@ -81,6 +102,7 @@ class Cells {
   const SegmentShape& shape_;
   SegmentTable& table_;
   curve::CoefficientsD curve_;
+  std::vector<curve::TightPlace> minima_;  // of the radius, below kNearTight
   int reversals_ = 0;
   std::vector<bool> near_;  // of each cell: it is tight
 };
