@@ -1,4 +1,5 @@
 #include "app/beside.h"
+#include "base/interrupted.h"
 
 #include <chrono>
 
@@ -10,9 +11,10 @@ namespace coaster::app {
 Beside::Beside(Work work, const std::string&)
     : result_(std::async(
           std::launch::async | std::launch::deferred,
-          [work](base::Progress* told) {
+          [work](base::Progress* watched) {
             const base::HandlerStack stack;
-            return work(told);
+            const base::WorkFor cancellable(watched);
+            return work(watched);
           },
           &progress)) {}
 Beside::~Beside() { progress.cancelled = true; }  // the future waits for the thread

@@ -9,6 +9,7 @@
 #include "app/pictures.h"
 #include "app/scene.h"
 #include "base/crash_guard.h"
+#include "base/interrupted.h"
 #include "edit/commands/commands_force.h"
 #include "edit/commands/commands_sections.h"
 #include "exchange/formats.h"
@@ -151,6 +152,7 @@ int take_ticks(FrameClock& time, const platform::Events& events) {
 }
 
 void run_frame(Program& program, const platform::Events& events, int ticks) {
+  if (base::interrupted()) return;
   FrameTimes times{program.surface->clock()};
   const platform::Size size = program.surface->size();
   const auto reach = [&](base::CrashPlace place) { crash_if_planned(program.planned_crash, place); };
@@ -161,6 +163,7 @@ void run_frame(Program& program, const platform::Events& events, int ticks) {
   std::optional<ui::Output> output;
   if (size.width > 0 && size.height > 0) output = build_panels(program, take_input(program, events), size);
   if (output) apply_output(program, *output);
+  if (base::interrupted()) return;  // what is derived may be incomplete
   follow_movie(program, output ? output->movie : ui::MovieWish::none);
   reach(base::CrashPlace::ticks);
   advance(program, ticks);

@@ -97,8 +97,8 @@ void hand_over(edit::Session& session, const LongJob& job, Found found) {
 void end_job(Program& program, LongJob& job) {
   edit::Session& session = program.session;
   base::Result<Found> found = job.work->take();
-  if (job.opened) session.findings.memory.opened = std::move(*job.opened);
-  // A cancelled job is dropped, even if the work was faster.
+  // A cancelled job is dropped with what it keeps, even if the work was faster.
+  if (job.opened && !job.work->progress.cancelled) session.findings.memory.opened = std::move(*job.opened);
   if (job.work->progress.cancelled) return edit::notify(session, edit::NoticeKind::info, job.cancelled);
   if (!found) return edit::notify(session, found.status());
   hand_over(session, job, std::move(*found));

@@ -16,6 +16,7 @@
 #include "base/crash_guard.h"
 #include "base/folders.h"
 #include "base/hash.h"
+#include "base/interrupted.h"
 #include "base/text.h"
 #include "base/utf8.h"
 #include "edit/commands/commands_force.h"
@@ -26,6 +27,7 @@
 #include "edit/commands/set_setting.h"
 #include "edit/perform/apply.h"
 #include "exchange/formats.h"
+#include "platform/signals.h"
 #include "query/challenge.h"
 #include "script/paths.h"
 #include "ui/tools/follow_camera.h"
@@ -142,6 +144,7 @@ view::Watched watched(const Program& program) {
 base::Result<std::unique_ptr<Program>> make_program(const Options& options, platform::Size size, int samples) {
   base::explain_crashes(crash_line(), base::exit_code(base::Code::graphics));
   auto program = std::make_unique<Program>();
+  base::watch_interruption([] { return platform::pending_signal() != 0; });
   program->options = options;
   base::on_memory_end([p = program.get()] { return save_at_once(*p); });
   const auto lost = [p = program.get()] { leave_without_graphics(*p, "The display is gone."); };

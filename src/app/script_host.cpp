@@ -9,9 +9,9 @@
 #include "app/frame.h"
 #include "app/pictures.h"
 #include "base/console.h"
+#include "base/interrupted.h"
 #include "base/portable_math.h"
 #include "edit/commands/set_setting.h"
-#include "platform/signals.h"
 #include "script/widgets.h"
 #include "view/camera.h"
 #include "view/gizmo.h"
@@ -184,7 +184,7 @@ script::Host make_script_host(Program& program) {
     for (int i = 0; i < 2; ++i) run_frame(*p, {platform::Tick{0}}, 0);  // lays out a dialog that opens
     return base::Status{};
   };
-  host.interrupted = [] { return platform::pending_signal() != 0; };
+  host.interrupted = [] { return base::interrupted(); };
   host.files = &program.files;
   host.window = program.surface->is_window();
   return host;

@@ -68,7 +68,8 @@ base::Status Runner::error_of(const Failure& result) {
   const int column = result.column > 0 ? result.column : failed_at_->column;
   const ScriptError error{source.name, failed_at_->line, column, result.message, origins()};
   if (options_.error != nullptr) *options_.error = error;
-  const std::string note = result.code == base::Code::skipped ? std::string() : write_evidence(error);
+  const bool evident = result.code != base::Code::skipped && !frames_.interrupted();
+  const std::string note = evident ? write_evidence(error) : std::string();
   return {result.code, describe_error(source, error, note)};
 }
 

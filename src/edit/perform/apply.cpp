@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "base/interrupted.h"
 #include "base/portable_math.h"
 #include "edit/commands/codec.h"
 #include "edit/commands/command_list.h"
@@ -28,6 +29,7 @@ using base::Status;
 
 // A ride that has not started (or has no trains) puts the trains at their start; any other keeps their positions.
 void settle_motion(Session& session) {
+  if (base::interrupted()) return;
   if (session.motion.state == world::RideState::stopped || session.document.entities.pool<world::Cart>().size() == 0)
     sim::reset(session.document, session.derived, session.motion);
   else sim::reconcile(session.document, session.derived, session.motion);
@@ -55,6 +57,7 @@ void share_turns(Session& session, const MotionFollowUp& split, const sim::Roll&
 // Restores everything that must hold after a change of the document whose joints are settled.
 void follow_document(Session& session, const Change& change, const sim::Roll& roll_before) {
   derive(session);
+  if (base::interrupted()) return;
   if (change.motion.kind == MotionFollowUp::Kind::split) share_turns(session, change.motion, roll_before);
   if (sim::set_automatic_spins(session.derived, change.respun, session.document)) derive(session);
   follow(change.motion, session.document, session.derived, session.motion);
@@ -79,16 +82,23 @@ Status document_command(Session& session, Change& change, const Command& command
   History& history = session.history;
   std::optional<world::Document> before;  // inside a gesture, the gesture's start is the snapshot
   if (!history.in_gesture) before = session.document;
+  // An interrupted command leaves the document as it was, for the autosave; nothing derived from it is used.
+  const auto stopped = [&](const Status& status) {
+    if (!base::interrupted()) return status;
+    session.document = before ? std::move(*before) : history.gesture_start;
+    return refused("stopped");
+  };
   const std::vector<PlannedSection> planned = planned_sections(session.document);
   const Status status = perform_one(session, change, command);
-  if (!status) return status;
+  if (!status || base::interrupted()) return stopped(status);
   session.way_search.beside = false;  // the document has changed: the command can no longer be refused
   world::settle_joints(session.document);
   free_hand_shaped(planned, session, change);
   // The derived data are still those of the previous document.
   const sim::SegmentShape* const split = session.derived.segments.find(change.motion.first);
   follow_document(session, change, split ? split->roll : sim::Roll{});
-  if (follow_speeds(session, change)) follow_document(session, Change{change.files}, {});
+  if (!base::interrupted() && follow_speeds(session, change)) follow_document(session, Change{change.files}, {});
+  if (base::interrupted()) return stopped(status);
   const auto text = [&](const world::Document& from) { return StepText{print(command), done(command, from)}; };
   if (history.in_gesture) {
     history.gesture_text = text(history.gesture_start);
@@ -152,6 +162,7 @@ Status carry_out(Session& session, base::Files& files, const Command& command) {
                                                      : perform_one(session, change, command);
   if (session.way_search.wanted) return status;  // to be applied again: nothing has happened
   if (effect != Effect::settings && effect != Effect::motion) ++session.edits;
+  if (base::interrupted()) return status ? refused("stopped") : status;
   if (!status) {
     notify(session, status);
     return status;

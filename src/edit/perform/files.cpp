@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "base/interrupted.h"
 #include "base/text.h"
 #include "base/utf8.h"
 #include "edit/commands/commands_lab.h"
@@ -63,7 +64,7 @@ void start_over(Session& session, world::Document document, std::filesystem::pat
   session.file.saved_hash = world::hash(session.document);
   fit_budget(session);
   derive(session);
-  sim::reset(session.document, session.derived, session.motion);
+  if (!base::interrupted()) sim::reset(session.document, session.derived, session.motion);
 }
 
 Status perform(Session& session, Change& change, const Load& command) {

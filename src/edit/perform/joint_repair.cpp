@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "base/interrupted.h"
 #include "base/text.h"
 #include "curve/continuity.h"
 #include "curve/g2.h"
@@ -211,7 +212,7 @@ void sweeps(Document& document, std::vector<std::string>& reasons) {
   const std::size_t count = document.track.knots.size();
   for (int sweep = 0; sweep < kMostSweeps; ++sweep) {
     bool any = false;
-    for (std::size_t k = 0; k < count; ++k) {
+    for (std::size_t k = 0; k < count && !base::interrupted(); ++k) {
       const std::size_t i = sweep % 2 == 0 ? k : count - 1 - k;
       reasons[i].clear();
       if (!joins(document, i)) continue;

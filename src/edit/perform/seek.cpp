@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "base/interrupted.h"
 #include "edit/commands/codec.h"
 #include "edit/perform/force_replan.h"
 #include "edit/perform/hand_shaped.h"
@@ -130,7 +131,7 @@ base::Result<Sought> run(Trial& trial, base::Progress* progress) {
   };
   equation.goes_on = [&](double done) {
     if (progress) progress->report(done);
-    return !progress || !progress->cancelled;
+    return !base::interrupted(progress);
   };
   const base::Solution solution = base::solve_by_least_change(equation);
   if (solution.end != base::SolutionEnd::met) return refused(failure(trial.by(), solution, *before));

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "base/interrupted.h"
 #include "base/text.h"
 #include "exchange/nolimits/nl2_csv_read.h"
 #include "exchange/own/import.h"
@@ -128,7 +129,7 @@ base::Result<LoadedTrack> parse_nl2_csv(std::string_view text, std::string_view 
       !rounded && r.rows.size() > 4 && glm::distance(r.rows.front().position, r.rows.back().position) <= kSamePlace;
   if (closed && repeated) r.rows.pop_back();
   sim::FittedTrack fitted = sim::fit_track(r.rows, closed, progress, r.given, r.steps.position);
-  if (progress && progress->cancelled)
+  if (base::interrupted(progress))
     return base::Status{base::Code::refused, std::string(name) + ": the import was cancelled"};
   LoadedTrack loaded;
   loaded.note = moved;

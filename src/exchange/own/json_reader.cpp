@@ -9,6 +9,7 @@
 
 #include <fmt/format.h>
 
+#include "base/interrupted.h"
 #include "base/text.h"
 #include "exchange/own/json_scan.h"
 
@@ -113,6 +114,7 @@ class Builder {
     return &members.back().second;
   }
   bool counts() {
+    if (values_ % 4096 == 0 && base::interrupted()) return fail("the reading was stopped");
     return ++values_ <= most_values_ || fail(fmt::format("more than the limit of {} values", most_values_));
   }
   bool add(Json value) {

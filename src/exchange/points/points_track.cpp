@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "base/interrupted.h"
 #include "base/text.h"
 #include "curve/natural_spline.h"
 #include "exchange/nolimits/within_text.h"
@@ -95,7 +96,7 @@ Points smoothed(const Points& p, bool closed, double most, base::Progress* progr
   const std::vector<double> steps = steps_of(p, closed);
   Points best = p;
   double low = 0.1, high = 0;  // m
-  for (int i = 0; i < kTries && !(high > 0 && high < 1.02 * low) && !(progress && progress->cancelled); ++i) {
+  for (int i = 0; i < kTries && !(high > 0 && high < 1.02 * low) && !base::interrupted(progress); ++i) {
     const double reach = high > 0 ? std::sqrt(low * high) : 2 * low;
     Points tried = low_pass(p, steps, closed, reach);
     if (most_apart(tried, p) > most) high = reach;
@@ -192,7 +193,7 @@ base::Result<LoadedTrack> parse_points(std::string_view text, std::string_view n
   ImportReport& report = loaded.import.emplace();
   if (as.smooth) report.max_error = fit_knots(points, closed, *as.smooth, loaded.document, progress);
   else add_knots(points, closed, loaded.document);
-  if (progress && progress->cancelled)
+  if (base::interrupted(progress))
     return base::Status{base::Code::refused, std::string(name) + ": the import was cancelled"};
   report.knots = static_cast<int>(loaded.document.track.knots.size());
   loaded.document.name = name_of_file(name);

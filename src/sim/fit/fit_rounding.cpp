@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "base/interrupted.h"
 #include "base/portable_math.h"
 
 namespace coaster::sim {
@@ -70,7 +71,7 @@ std::vector<Rounded> smoothest(std::span<const Rounded> rows, double step, doubl
   std::vector<double> shares(rows.size(), 1), rate_shares(rows.size(), 1);
   std::vector<Rounded> found(rows.begin(), rows.end());
   std::vector<dvec3> sites;
-  for (int round = 0; round <= kRounds && !(progress && progress->cancelled); ++round) {
+  for (int round = 0; round <= kRounds && !base::interrupted(progress); ++round) {
     Normal normal(parts + 3);
     for (std::size_t k = 0; k < parts; ++k) normal.add(k, {-1, 3, -3, 1}, change, dvec3(0));
     for (std::size_t i = 0; i < rows.size(); ++i) {

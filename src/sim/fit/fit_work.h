@@ -5,7 +5,7 @@
 #include <limits>
 #include <vector>
 
-#include "base/progress.h"
+#include "base/interrupted.h"
 #include "sim/fit/fit_smooth.h"
 #include "sim/fit/fit_span.h"
 #include "world/document.h"
@@ -44,7 +44,7 @@ struct FitWork {
   base::Progress* progress = nullptr;
   int passes = 0;  // completed calls of fit_spans()
 
-  bool cancelled() const { return progress && progress->cancelled; }
+  bool cancelled() const { return base::interrupted(progress); }
   // Reports progress within the present pass, 0..1. The passes take about the same time, the rest little.
   void tell(double part) const {
     const double all = (rows.size() > kEvenedRows ? 1 : 3 + kEvenings) + 0.2;

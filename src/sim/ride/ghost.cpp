@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/interrupted.h"
 #include "sim/ride/ghost_train.h"
 #include "sim/ride/tight_way.h"
 
@@ -66,7 +67,7 @@ class Simulation {
     const std::size_t usual = std::min<std::size_t>(most + 1, 20'000);
     ghost.samples.reserve(usual), ghost.forces.reserve(usual / kForceEvery * static_cast<std::size_t>(start_.cars));
     add_sample(ghost);
-    while (ghost.samples.size() <= most && ghost.end == world::FailureKind::none) {
+    while (ghost.samples.size() <= most && ghost.end == world::FailureKind::none && !base::interrupted()) {
       const double before = train_.state().x - start_.front;
       if (!train_.advance()) ghost.end = world::FailureKind::off_end;
       for (GhostSwitch at : train_.switches()) {
@@ -229,7 +230,7 @@ class Simulation {
 
 Ghost simulate(const RailTables& tables, std::span<const EquipmentSpan> equipment, const world::Document& document,
                const GhostStart& start, const GhostLimits& limits, Ghost memory) {
-  if (tables.size() == 0 || !(tables.length() > 0)) {
+  if (tables.size() == 0 || !(tables.length() > 0) || base::interrupted()) {
     Ghost ghost;
     ghost.start = start;
     ghost.samples.push_back({0, start.speed, 0, 0});

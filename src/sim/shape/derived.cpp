@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "base/bits.h"
+#include "base/interrupted.h"
 #include "sim/shape/deviation.h"
 #include "world/evaluation.h"
 
@@ -226,7 +227,7 @@ void derive(const world::Document& document, const world::Settings& settings, co
   constexpr std::size_t kPart = 64;  // segments
   base::in_parts(jobs.size(), kPart, workers, [&](std::size_t begin, std::size_t end) {
     Polyline polyline;
-    for (std::size_t i = begin; i < end; ++i) work_on(evaluation, clock, polyline, jobs[i]);
+    for (std::size_t i = begin; i < end && !base::interrupted(); ++i) work_on(evaluation, clock, polyline, jobs[i]);
   });
   gather(jobs, derived);
   const bool unlisted = moved || std::ranges::any_of(jobs, &Job::refit);

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "base/bits.h"
+#include "base/interrupted.h"
 
 namespace coaster::sim {
 namespace {
@@ -19,7 +20,7 @@ void fill(const SegmentShape& shape, double heartline, double largest_step, Segm
   table.step = length / n;
   table.per_metre = table.step > 0 ? 1.0 / table.step : 0.0;
   table.height.resize(count), table.slope.resize(count), table.felt.resize(count);
-  for (std::size_t i = 0; i < count; ++i) {
+  for (std::size_t i = 0; i < count && !base::interrupted(); ++i) {
     const double s = i + 1 == count ? length : table.step * static_cast<double>(i);
     const double t = shape.arc.parameter(s);
     const curve::Frame frame = frame_at(shape, s, t);
@@ -27,7 +28,7 @@ void fill(const SegmentShape& shape, double heartline, double largest_step, Segm
     table.slope[i] = frame.forward.y;
     table.felt[i] = felt_entry(shape, s, t, frame, heartline);
   }
-  fill_cells(shape, table);
+  if (!base::interrupted()) fill_cells(shape, table);
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <iterator>
 
 #include "base/bits.h"
+#include "base/interrupted.h"
 #include "sim/shape/rails.h"
 #include "sim/solids/clearance.h"
 #include "sim/solids/track_mesh.h"
@@ -237,14 +238,13 @@ const std::vector<Conflict>& Conflicts::update(const Derived& derived, std::size
   looked_at_ = 0;
   const bool changed = last_build_ != derived.last_build || !base::same_bits(order_, derived.order);
   if (changed) take_changes(derived);
-  if (!changed && is_complete()) return found_;
+  else if (is_complete()) return found_;
   const std::size_t end = std::min(waiting_.size(), next_ + std::min(most, waiting_.size()));
-  constexpr std::size_t kPart = 64;  // segments
-  base::in_parts(end - next_, kPart, base::cores(), [&, first = next_](std::size_t from, std::size_t to) {
+  base::in_parts(end - next_, 64, base::cores(), [&, first = next_](std::size_t from, std::size_t to) {
     for (std::size_t k = from; k < to; ++k) (void)entry(derived, waiting_[first + k]);
   });
-  for (; next_ < end; ++next_, ++looked_at_) look_around(derived, waiting_[next_]);
-  gather(derived);
+  for (; next_ < end && !base::interrupted(); ++next_, ++looked_at_) look_around(derived, waiting_[next_]);
+  if (!base::interrupted()) gather(derived);
   return found_;
 }
 

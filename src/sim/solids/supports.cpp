@@ -5,6 +5,7 @@
 #include <numeric>
 #include <utility>
 
+#include "base/interrupted.h"
 #include "sim/shape/rails.h"
 #include "sim/solids/support_forms.h"
 #include "sim/solids/track_mesh.h"
@@ -202,7 +203,8 @@ void Supports::update(const Derived& derived, const NearTrack& near) {
     find_if_stale(derived, index);
     count_ += static_cast<int>(entries_.get(derived.order[index]).found.holds.size());
   };
-  for (const std::size_t index : near.everywhere() ? places_ : near_) find(index);
+  for (const std::size_t index : near.everywhere() ? places_ : near_)
+    if (!base::interrupted()) find(index);
 }
 
 const SegmentSupports* Supports::of(world::Entity segment) const {

@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include "base/interrupted.h"
 #include "base/text.h"
 #include "curve/continuity.h"
 #include "curve/frames.h"
@@ -96,7 +97,7 @@ struct SearchTerms {
   // Reports a part of the candidates. False once the search is cancelled.
   bool goes_on(int tried) const {
     if (progress) progress->report(static_cast<double>(tried) / most_tried);
-    return !progress || !progress->cancelled;
+    return !base::interrupted(progress);
   }
 };
 

@@ -5,6 +5,7 @@
 #include <limits>
 #include <tuple>
 
+#include "base/interrupted.h"
 #include "sim/solids/track_mesh.h"
 
 namespace coaster::sim {
@@ -64,7 +65,7 @@ Cells cells_of(const Derived& derived, const Supports* supports, double step) {
     const double length = shape.arc.length();
     const int chords = std::max(1, static_cast<int>(std::ceil(length / step)));
     dvec3 before(0);
-    for (int k = 0; k <= chords; ++k) {
+    for (int k = 0; k <= chords && !base::interrupted(); ++k) {
       const dvec3 here = ring_at(shape, length * k / chords).place(0, -kSpineDrop);
       if (k > 0)
         cells.add({before, here, kNearTrack, derived.starts[i] + length * (k - 1) / chords,
@@ -94,7 +95,7 @@ NearMisses near_misses(const Ghost& ghost, const Derived& derived, const Support
   };
   constexpr double kNever = -std::numeric_limits<double>::infinity();
   double next = 0, last_track = kNever, last_support = kNever;
-  for (std::size_t i = 0; i < ghost.samples.size(); ++i) {
+  for (std::size_t i = 0; i < ghost.samples.size() && !base::interrupted(); ++i) {
     const GhostSample& sample = ghost.samples[i];
     if (sample.travelled < next) continue;
     if (ghost.closed && sample.travelled > derived.length) break;

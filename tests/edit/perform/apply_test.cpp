@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include "base/interrupted.h"
 #include "base/scratch_folder.h"
 #include "base/tries.h"
 #include "edit/commands/commands_document.h"
@@ -51,6 +52,19 @@ TEST_F(Applying, save_and_load_bring_the_same_document) {
   EXPECT_EQ(hash(), before);
   EXPECT_EQ(session.motion.carts.size(), 2u);
   EXPECT_FALSE(dirty(session));
+}
+
+// What is derived is built by loops that end early; only the document is used afterwards, for the autosave.
+TEST_F(Applying, an_interrupted_command_leaves_the_document_as_it_was) {
+  const world::Document before = session.document;
+  base::Progress job;
+  job.cancelled = true;
+  for (const char* const line : {"duplicate all", "reverse", "translate all by 1 2 3", "make_all_g2", "close"}) {
+    const base::WorkFor working(&job);
+    EXPECT_FALSE(apply(line)) << line;
+    EXPECT_TRUE(session.document == before) << line;
+    EXPECT_TRUE(session.history.undo.empty()) << line;
+  }
 }
 
 TEST_F(Applying, exporting_leaves_the_path_and_what_is_unsaved) {
