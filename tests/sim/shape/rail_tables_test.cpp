@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <random>
 
 #include "sim/ride/ride.h"
@@ -169,6 +170,25 @@ TEST(rail_tables, places_wrap_on_a_closed_track_and_stay_on_an_open_one) {
   EXPECT_EQ(hint, 0u);
   EXPECT_NEAR(straight.locate(33.0, hint), 13.0, 1e-5);
   EXPECT_EQ(hint, 2u);
+}
+
+// A straight of 5 km that turns sharply near one end: the bend has cells without gaps as far as the entries reach, and
+// the straight has none.
+TEST(rail_tables, a_long_segment_with_a_tight_bend_has_cells_only_there) {
+  world::Document d;
+  world::append_knot(d, test::skew_knot({0, 5, 0}, {1, 0, 0}, 4000, 4000));
+  world::append_knot(d, test::skew_knot({5000, 5, 0}, {0, 0, 1}, 0.5f, 0.5f));
+  const Derived derived = test::derived_of(d);
+  RailTables tables;
+  tables.update(derived, 1.1);
+  const SegmentTable& table = tables.segment(0);
+  ASSERT_FALSE(table.peaks.empty());
+  ASSERT_FALSE(table.cells.empty());
+  const double length = derived.length, peak = table.peaks.front();
+  EXPECT_LE(table.cells.front().from, std::max(0.0, peak - table.step));
+  EXPECT_GE(table.cells.back().to, std::min(length, peak + table.step));
+  EXPECT_LT(table.cells.back().to - table.cells.front().from, 50);
+  for (std::size_t i = 1; i < table.cells.size(); ++i) EXPECT_EQ(table.cells[i].from, table.cells[i - 1].to) << i;
 }
 
 }  // namespace rail_tables_test
