@@ -30,7 +30,7 @@ constexpr std::array<CrashSignal, 5> kSignals{{{SIGSEGV, "SIGSEGV, an invalid me
 constexpr std::size_t kHandlerStack = 1u << 16;  // bytes
 
 // What handlers read. A handler gets no argument, so its state is global; it is never destroyed.
-struct Guard {
+struct CrashState {
   std::array<struct sigaction, kSignals.size()> earlier{};
   std::atomic<std::vector<CrashFile>*> kept = nullptr;
   std::atomic<pid_t> crashed = 0;  // the thread that handles a crash
@@ -41,15 +41,15 @@ struct Guard {
   std::string line;
   int exit_code = 0;
 };
-Guard& guard() {
-  static Guard* const one = new Guard;
+CrashState& crash_state() {
+  static CrashState* const one = new CrashState;
   return *one;
 }
 
 void say(std::string_view text) { (void)!::write(STDERR_FILENO, text.data(), text.size()); }
 
 // Waits for ever if another thread handles a crash: that one ends the program. True the first time.
-bool begin_crash(Guard& g) {
+bool begin_crash(CrashState& g) {
   pid_t nobody = 0;
   if (g.crashed.compare_exchange_strong(nobody, ::gettid())) return true;
   while (nobody != ::gettid()) ::pause();
@@ -57,7 +57,7 @@ bool begin_crash(Guard& g) {
 }
 
 // Writes what is kept, and says what failed and what became of it.
-void tell_crash(Guard& g, std::string_view start, std::string_view what, std::string_view end) {
+void tell_crash(CrashState& g, std::string_view start, std::string_view what, std::string_view end) {
   std::string_view fate;
   if (std::vector<CrashFile>* const kept = begin_crash(g) ? g.kept.load() : nullptr; kept != nullptr) {
     fate = " Unsaved changes were kept, and the next start offers them.";
@@ -72,7 +72,7 @@ void tell_crash(Guard& g, std::string_view start, std::string_view what, std::st
 
 // Uses only functions that are allowed in a signal handler.
 extern "C" void crashed(int signal, siginfo_t* info, void*) {
-  Guard& g = guard();
+  CrashState& g = crash_state();
   end_if_out_of_memory();
   if (g.explains) end_at_once(g.line, g.exit_code);
   for (std::size_t i = 0; i < kSignals.size(); ++i) {
@@ -120,37 +120,37 @@ void guard_crashes() {
   action.sa_flags = SA_ONSTACK | SA_SIGINFO;
   for (std::size_t i = 0; i < kSignals.size(); ++i)
     if (struct sigaction now{}; sigaction(kSignals[i].number, nullptr, &now) == 0 && now.sa_sigaction != crashed) {
-      guard().earlier[i] = now;
+      crash_state().earlier[i] = now;
       sigaction(kSignals[i].number, &action, nullptr);
     }
   std::set_terminate(unhandled_exception);
-  guard().installed = true;
+  crash_state().installed = true;
 }
 
 // A handler first marks the crash and then reads what is kept. So what was kept before is deleted only if no handler
 // can have it.
 void keep_for_crash(std::vector<CrashFile> files) {
-  Guard& g = guard();
+  CrashState& g = crash_state();
   auto* const next = files.empty() ? nullptr : new std::vector<CrashFile>(std::move(files));
   const std::unique_ptr<std::vector<CrashFile>> before(g.kept.exchange(next));
   while (g.crashed != 0) ::pause();
 }
 
 void crash_because(const char* reason) {
-  guard().reason = reason;
-  if (!guard().installed) say(reason), say("\n");
+  crash_state().reason = reason;
+  if (!crash_state().installed) say(reason), say("\n");
   std::abort();
 }
 
 void explain_crashes(const std::string& line, int exit_code) {
-  Guard& g = guard();
+  CrashState& g = crash_state();
   g.explains = false;
   g.line = line, g.exit_code = exit_code;
   g.explains = !line.empty();
 }
 
 void end_at_once(std::string_view line, int exit_code) {
-  tell_crash(guard(), line, "", "");
+  tell_crash(crash_state(), line, "", "");
   std::_Exit(exit_code);
 }
 

@@ -37,7 +37,7 @@ class HandlerStack {
 
  private:
   std::unique_ptr<char[]> stack_;
-  stack_t before_{};
+  [[maybe_unused]] stack_t before_{};
 };
 
 // A file that a crash completes. It has its name only then; without a crash it leaves nothing.

@@ -1,6 +1,7 @@
 #include "query/challenge.h"
 
 #include "base/scratch_folder.h"
+#include "curve/continuity.h"
 #include "edit/commands/commands_challenge.h"
 #include "edit/session_fixture.h"
 #include "exchange/own/track_file.h"
