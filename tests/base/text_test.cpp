@@ -69,5 +69,13 @@ TEST(text, an_error_becomes_a_sentence) {
   EXPECT_EQ(sentence(""), "");
 }
 
+// A table of all pairs of letters would have 3e10 entries.
+TEST(text, a_long_word_is_not_compared_with_short_ones) {
+  const std::string word(1'000'000, 'a');
+  EXPECT_EQ(nearest(word, std::vector<std::string>(300, std::string(100, 'a'))), std::nullopt);
+  EXPECT_EQ(nearest("aaaaaaaaaaaa", std::vector<std::string>{"aaaaaaaaa"}), "aaaaaaaaa");
+  EXPECT_EQ(nearest("aaaaaaaaaaaa", std::vector<std::string>{"aaaaaaa"}), std::nullopt);
+}
+
 }  // namespace text_test
 }  // namespace coaster::base
