@@ -90,8 +90,9 @@ constexpr std::array kOutput{
     HelpRow{"needs vertex_shader|geometry_shader|tessellation_shader",
             "Ends the script as skipped, with exit code 77, where the driver cannot evaluate there."},
     HelpRow{"fault io.open|read|write|fsync|rename|close fail N", "Makes the Nth such operation from now on fail."},
-    HelpRow{"fault crash PLACE [access|check|exception|stack|memory]",
-            "Crashes the program when it comes to input, job, panels, command, ticks, findings, drawing or keeping."},
+    HelpRow{"fault crash input|job|panels|command|ticks|findings|drawing|keeping "
+            "[access|check|exception|stack|memory]",
+            "Crashes the program the next time that it comes to that place."},
     HelpRow{
         "fault import slow N",
         "Makes the next import, search or change of a circuit by hand take N frames longer, time to see its progress "
