@@ -87,7 +87,7 @@ function(coaster_room name)
   list(TRANSFORM room_USES PREPEND coaster_)
   target_link_libraries(coaster_${name} PUBLIC ${room_USES} ${room_LINK})
   # What a page loads should be small: a ride's frame takes a tenth of the time that it may there.
-  if(EMSCRIPTEN AND (room_COLD OR name MATCHES "^(gfx|view)$"))
+  if(EMSCRIPTEN AND (room_COLD OR name MATCHES "^(base|world|gfx|view)$"))
     coaster_precompile(coaster_${name} -Oz)
   elseif(room_COLD AND COASTER_SANITIZE AND NOT COASTER_FUZZ)
     coaster_precompile(coaster_${name} -O0)
