@@ -283,8 +283,8 @@ TEST_F(AllWidgetsTest, at_twice_the_scale_every_shape_is_twice_as_large) {
     for (std::size_t i = 0; i < sizes.size(); ++i) {
       const ImVec2 one = sizes[i], two = other->second[i];
       ++compared;
-      EXPECT_NEAR(two.x, 2 * one.x, 4 + 0.05f * one.x) << i << " in " << place.second << ", " << place.first;
-      EXPECT_NEAR(two.y, 2 * one.y, 4 + 0.05f * one.y) << i << " in " << place.second << ", " << place.first;
+      EXPECT_NEAR(two.x, 2 * one.x, 8 + 0.05f * one.x) << i << " in " << place.second << ", " << place.first;
+      EXPECT_NEAR(two.y, 2 * one.y, 8 + 0.05f * one.y) << i << " in " << place.second << ", " << place.first;
     }
   }
   EXPECT_GT(compared, 1000);
