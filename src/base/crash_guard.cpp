@@ -56,7 +56,7 @@ bool begin_crash(CrashState& g) {
   return false;
 }
 
-// Writes what is kept, and says what failed and what became of it.
+// Writes the kept files, then prints one line: the reason, and whether the changes were written.
 void tell_crash(CrashState& g, std::string_view start, std::string_view what, std::string_view end) {
   std::string_view fate;
   if (std::vector<CrashFile>* const kept = begin_crash(g) ? g.kept.load() : nullptr; kept != nullptr) {
@@ -127,8 +127,7 @@ void guard_crashes() {
   crash_state().installed = true;
 }
 
-// A handler first marks the crash and then reads what is kept. So what was kept before is deleted only if no handler
-// can have it.
+// A handler marks the crash before it reads `kept`. The previous files are deleted only when no handler can use them.
 void keep_for_crash(std::vector<CrashFile> files) {
   CrashState& g = crash_state();
   auto* const next = files.empty() ? nullptr : new std::vector<CrashFile>(std::move(files));

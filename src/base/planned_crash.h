@@ -1,4 +1,4 @@
-// Crashes on purpose, so that tests see what is left of unsaved work. Scripts plan them: `fault crash drawing stack`.
+// Crashes on purpose, for tests of recovery. Scripts plan them: `fault crash drawing stack`.
 #pragma once
 
 #include <cstdint>

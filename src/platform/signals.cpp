@@ -13,7 +13,7 @@ namespace {
 // A handler may access only such flags and gets no argument: global variables that cannot be avoided.
 volatile std::sig_atomic_t came = 0, asked_for = 0;
 
-// Sets the time until SIGALRM, us; 0: never.
+// Sets the time until SIGALRM, us.
 void set_alarm(int microseconds) {
   const itimerval timer{{0, 0}, {0, microseconds}};
   (void)::setitimer(ITIMER_REAL, &timer, nullptr);

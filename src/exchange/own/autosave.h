@@ -54,7 +54,7 @@ class Autosave {
 };
 
 // Returns the files with which a crash leaves an autosave of this name, the info file last; none if they cannot be
-// created. The track has a name of its own, so an earlier autosave stays complete until the info file is replaced.
+// created. Its track has another name than an earlier autosave's, which stays complete until the info file is replaced.
 std::vector<base::CrashFile> crash_files(base::Files& files, const std::filesystem::path& info,
                                          const world::Document& document, const std::string& original,
                                          std::int64_t time);
