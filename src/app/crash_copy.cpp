@@ -19,6 +19,7 @@ void follow_crash_copy(Program& program) {
   const double now = program.surface->clock();
   if (!at_once && copy.edits && now - copy.since < kGap) return;
   if (copy.printing.valid() && copy.printing.wait_for(std::chrono::seconds(0)) == std::future_status::timeout) return;
+  copy.edits = session.edits, copy.since = now;
   base::Files files(keeper.files.root());  // without injected faults, which are meant for documents
   if (!keeper.autosave.reserve(files, recovery_folder(keeper))) return;  // the next autosave reports it
   // Where the system refuses a thread, std::async needs the function again: it may not be moved.
@@ -30,7 +31,6 @@ void follow_crash_copy(Program& program) {
     if (!made.empty()) base::keep_for_crash(std::move(made));
   };
   copy.printing = std::async(std::launch::async | std::launch::deferred, print);
-  copy.edits = session.edits, copy.since = now;
   if (at_once || copy.printing.wait_for(std::chrono::seconds(0)) == std::future_status::deferred) copy.printing.get();
 }
 

@@ -12,7 +12,7 @@ struct Program;
 
 struct CrashCopy {
   std::future<void> printing;
-  std::optional<std::uint64_t> edits;  // Session::edits of the newest copy; nothing: no copy
+  std::optional<std::uint64_t> edits;  // Session::edits of the newest copy, or of the newest try; nothing: no copy
   double since = 0;                    // of it, s by the surface's clock
 };
 
