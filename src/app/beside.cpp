@@ -22,4 +22,16 @@ bool Beside::is_quick() { return true; }
 bool Beside::done() { return result_.wait_for(std::chrono::seconds(0)) != std::future_status::timeout; }
 base::Result<Found> Beside::take() { return result_.get(); }
 
+void watch_work(const std::function<void()>& work, base::Progress& progress, double patience,
+                const std::function<void()>& meanwhile) {
+  std::future<void> done = std::async(std::launch::async | std::launch::deferred, [&] {
+    const base::HandlerStack stack;
+    const base::WorkFor cancellable(&progress);
+    work();
+  });
+  std::chrono::duration<double> pause(patience);
+  for (; done.wait_for(pause) == std::future_status::timeout; meanwhile()) pause = std::chrono::milliseconds(50);
+  done.get();
+}
+
 }  // namespace coaster::app

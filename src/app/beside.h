@@ -34,4 +34,9 @@ class Beside {
   std::future<base::Result<Found>> result_;
 };
 
+// Does the work, which `progress` can cancel, and returns. It works in a thread, and after `patience` seconds calls
+// `meanwhile` some times a second until it is done. A page has no threads: there it only does the work.
+void watch_work(const std::function<void()>& work, base::Progress& progress, double patience,
+                const std::function<void()>& meanwhile);
+
 }  // namespace coaster::app

@@ -6,9 +6,11 @@
 #include <variant>
 
 #include "app/program.h"
+#include "base/interrupted.h"
 #include "edit/commands/codec.h"
 #include "edit/commands/commands_seek.h"
 #include "edit/commands/commands_session.h"
+#include "edit/perform/apply.h"
 #include "edit/perform/seek.h"
 #include "exchange/formats.h"
 
@@ -106,7 +108,57 @@ void end_job(Program& program, LongJob& job) {
   session.way_search.found.reset();
 }
 
+// Shows the last picture with a card while a command works. Input is for the track as it will be, so presses are left
+// out; what ends earlier ones is kept for the panels.
+void wait_a_moment(Program& program, ui::WaitCard& card, const std::string& title, base::Progress& progress) {
+  platform::Events events;
+  program.surface->poll(events, 0);
+  for (const platform::Event& event : events) {
+    const auto* const button = std::get_if<platform::MouseButton>(&event);
+    const auto* const key = std::get_if<platform::KeyPress>(&event);
+    if (const auto* const tick = std::get_if<platform::Tick>(&event)) program.time.seconds += tick->dt;
+    else if (std::holds_alternative<platform::CloseRequest>(event)) program.held_input.push_back(event);
+    else if (button ? !button->down : key ? !key->down : std::holds_alternative<platform::MouseMove>(event))
+      program.held_input.push_back(event);
+  }
+  const platform::Size size{program.stats.width, program.stats.height};
+  if (program.surface->size() != size || size.width < 1 || size.height < 1)
+    return;  // a picture of that size is missing
+  program.gl.BindFramebuffer(GL_FRAMEBUFFER, program.renderer->framebuffer());
+  if (card.show(events, {&progress, "Command", title}, size.width, size.height)) progress.cancelled = true;
+  program.surface->present(program.renderer->framebuffer());
+}
+
+// Returns "Make joints G2" of "Make joints G2, where that is possible."
+std::string title_of(const edit::Command& command) {
+  const std::string_view help = edit::info(command).help;
+  return std::string(help.substr(0, help.find_first_of(",.;:(")));
+}
+
 }  // namespace
+
+base::Status apply_watched(Program& program, const edit::Command& command) {
+  constexpr std::size_t kFew = 2000;  // segments: a move of a drag takes less than a frame, as a rule
+  edit::Session& session = program.session;
+  const bool dragged = session.history.in_gesture;
+  if (!works_beside(program) || (dragged && session.document.track.segments.size() < kFew))
+    return edit::apply(session, program.files, command);
+  base::Status applied;
+  base::Progress progress;
+  const std::string title = title_of(command);
+  std::unique_ptr<ui::WaitCard> card;
+  const auto work = [&] {
+    applied = edit::apply(session, program.files, command);
+    const base::WorkFor whole(nullptr);
+    if (!applied && progress.cancelled) edit::settle(session);
+  };
+  watch_work(work, progress, dragged ? 1 : kBarAfter, [&] {
+    if (!card) card = program.ui->make_wait_card();
+    wait_a_moment(program, *card, title, progress);
+  });
+  if (!applied && progress.cancelled) edit::notify(session, edit::NoticeKind::info, "Cancelled: " + title);
+  return applied;
+}
 
 void apply_by_hand(Program& program, const std::vector<edit::Command>& commands) {
   program.by_hand = true;

@@ -1,6 +1,6 @@
-// Commands that take longer than a frame begin beside the frames, with a progress bar: imports, searches, and changes
-// of a circuit, whose way home is planned again. Only in a window: scripts wait, unless they request a slow one to test
-// the bar.
+// Commands that take longer than a frame. Imports, searches, and changes of a circuit, whose way home is planned again,
+// begin beside the frames, with a progress bar; the frames wait for all others, and Cancel ends those that take long.
+// Only in a window: scripts wait, unless they request a slow one to test the bar.
 #pragma once
 
 #include <optional>
@@ -36,6 +36,11 @@ struct LongJob {
 
 // Applies commands of the user in their order. While a job goes on, those that would lose its result are left out.
 void apply_by_hand(Program& program, const std::vector<edit::Command>& commands);
+
+// Applies a command to the session. One of the user in a window may be cancelled: when it takes longer than a moment, a
+// card shows over the last picture, and nothing else happens until it ends, neither ticks nor other input. A cancelled
+// one changes nothing.
+base::Status apply_watched(Program& program, const edit::Command& command);
 
 // Starts an import or a search of the user in a thread; returns false for every other command.
 bool begin_job(Program& program, const edit::Command& command);

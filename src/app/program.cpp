@@ -78,7 +78,7 @@ base::Status apply_one(Program& program, const edit::Command& command) {
   }
   const std::uint64_t builds = program.session.derived.last_build;
   crash_if_planned(program.planned_crash, base::CrashPlace::command);
-  const base::Status applied = edit::apply(program.session, program.files, command);
+  const base::Status applied = apply_watched(program, command);
   after_command(program, command, applied);
   if (program.session.derived.last_build != builds) program.rebuilds += program.session.derived.rebuilds;
   if (applied && command.is<edit::Set<&world::Evaluation::evaluator>>())

@@ -60,4 +60,6 @@ base::Result<Found> Beside::take() {
   return found;
 }
 
+void watch_work(const std::function<void()>& work, base::Progress&, double, const std::function<void()>&) { work(); }
+
 }  // namespace coaster::app

@@ -6,7 +6,7 @@ namespace coaster::base {
 namespace {
 
 std::atomic<bool (*)()> asked_to_end{nullptr};
-thread_local const Progress* job_of_thread = nullptr;
+thread_local Progress* job_of_thread = nullptr;
 
 }  // namespace
 
@@ -17,8 +17,12 @@ bool interrupted(const Progress* progress) {
 
 void watch_interruption(bool (*asked)()) { asked_to_end = asked; }
 
-WorkFor::WorkFor(const Progress* job) : before_(std::exchange(job_of_thread, job)) {}
+void report_progress(double done) {
+  if (job_of_thread) job_of_thread->report(done);
+}
+
+WorkFor::WorkFor(Progress* job) : before_(std::exchange(job_of_thread, job)) {}
 WorkFor::~WorkFor() { job_of_thread = before_; }
-const Progress* WorkFor::now() { return job_of_thread; }
+Progress* WorkFor::now() { return job_of_thread; }
 
 }  // namespace coaster::base

@@ -12,17 +12,20 @@ bool interrupted(const Progress* progress = nullptr);
 // Sets the function that says whether the system has asked the program to end. Any thread calls it.
 void watch_interruption(bool (*asked)());
 
+// Tells the job of this thread, if it has one, which part is done: 0..1. Only the thread that began the work tells it.
+void report_progress(double done);
+
 // The calling thread works for this job as long as the object exists; in_parts() passes it to its other threads.
 class WorkFor {
  public:
-  explicit WorkFor(const Progress* job);
+  explicit WorkFor(Progress* job);
   ~WorkFor();
   WorkFor(const WorkFor&) = delete;
   WorkFor& operator=(const WorkFor&) = delete;
-  static const Progress* now();  // the thread's job; null for none
+  static Progress* now();  // the thread's job; null for none
 
  private:
-  const Progress* before_;
+  Progress* before_;
 };
 
 }  // namespace coaster::base

@@ -52,8 +52,8 @@ bool weld_ends(Document& document);
 Entity make_section(Document& document, std::size_t first, std::size_t count, Section value);
 
 // Changes the number of a section's segments. Knots and segments are added and removed before its last knot; new ones
-// have that knot's values and the fittings of the segment before them. The caller shapes the knots and repositions
-// trains.
+// have that knot's values and the fittings of the segment before them. The caller shapes the knots, and sets turns and
+// the places of trains.
 void resize_section(Document& document, Entity section, std::size_t count);
 
 // Removes a section, the trains on it, and its knots except the first; for the track's first section its knots except

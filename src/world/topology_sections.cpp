@@ -17,6 +17,25 @@ void link_segments(Document& document, std::size_t begin, std::size_t end) {
   }
 }
 
+// Merges the segments [survivor, end) into the first of them, as remove_knot() does with two, but in a time that is
+// linear in their number, and without a look at shapes: turns and trains' fractions stay.
+void merge_run(Document& document, std::size_t survivor, std::size_t end) {
+  Track& track = document.track;
+  const Entity whole = track.segments[survivor];
+  for (std::size_t i = end; i-- > survivor + 1;) {
+    const Entity merged = track.segments[i];
+    for (Cart& cart : document.entities.pool<Cart>().items())
+      if (cart.segment == merged) cart.segment = whole;
+    document.entities.destroy(merged), document.entities.destroy(track.knots[i]);
+  }
+  const auto erase = [&](std::vector<Entity>& order) {
+    order.erase(order.begin() + static_cast<std::ptrdiff_t>(survivor) + 1,
+                order.begin() + static_cast<std::ptrdiff_t>(end));
+  };
+  erase(track.segments), erase(track.knots);
+  link_segments(document, survivor, survivor + 1);
+}
+
 }  // namespace
 
 Entity make_section(Document& document, std::size_t first, std::size_t count, Section value) {
@@ -46,7 +65,12 @@ void resize_section(Document& document, Entity section, std::size_t count) {
   COASTER_CHECK(count > 0, "a section has segments");
   Track& track = document.track;
   SectionRun run = run_of(document, section);
-  for (; run.count > count; --run.count) remove_knot(document, track.knots[run.end() - 1]);
+  if (run.count > count) {
+    const bool opens = track.closed && count + track.knots.size() - run.count < 2;
+    merge_run(document, run.first + count - (opens ? 0 : 1), run.end());
+    if (opens) remove_knot(document, track.knots[run.first + count]);
+    return;
+  }
   for (; run.count < count; ++run.count) {
     const Entity before = track.segments[run.end() - 1], end = segment(document, before).to;
     const Entity knot = create_named(document, Kind::knot);

@@ -1,14 +1,17 @@
 #include "app/long_job.h"
 
 #include <chrono>
+#include <cmath>
 #include <thread>
 
 #include <fmt/format.h>
 
+#include "app/frame.h"
 #include "app/program_fixture.h"
 #include "edit/commands/commands_session.h"
 #include "edit/session_fixture.h"
 #include "exchange/formats.h"
+#include "world/sample_documents.h"
 
 namespace coaster::app {
 namespace long_job_test {
@@ -221,6 +224,67 @@ TEST_F(CircuitJobs, a_script_waits) {
   apply_by_hand(*program_, {command("section.change @q2 to climb height 30 equipment lift")});
   EXPECT_FALSE(program_->job);
   EXPECT_NE(hash(), before_);
+}
+
+// A track on which some commands take a second.
+class SlowCommands : public LongJobs {
+ protected:
+  void SetUp() override {
+    LongJobs::SetUp();
+    restart_drawing();
+    program_->by_hand = true;
+    world::Document& track = program_->session.document;
+    for (int i = 0; i <= 15'000; ++i)
+      world::append_knot(track, test::skew_knot({static_cast<float>(i % 150) * 7.3f, 5 + 3 * std::sin(i * 0.7f),
+                                                 static_cast<float>(i / 150) * 11.0f},
+                                                {1, 0.1f, 0.2f}, 2.3f, 2.3f));
+    ASSERT_TRUE(apply(*program_, test::command_of("resolution 4")).ok());
+    run_frame(*program_, {platform::Tick{0.01}}, 0);
+    surface(*program_).window = true;
+    before_ = world::hash(program_->session.document);
+  }
+  std::uint64_t before_ = 0;
+};
+
+TEST_F(SlowCommands, show_a_card_and_do_the_same_as_without) {
+  const edit::Command command = edit::MakeAllG2{};
+  platform::Events& input = surface(*program_).next;
+  input = {platform::KeyPress{platform::Key::d}, platform::MouseMove{5, 6}, platform::MouseButton{.down = false},
+           platform::CloseRequest{}, platform::Tick{3}};
+  apply_by_hand(*program_, {command});
+  EXPECT_GT(surface(*program_).presented, 0);
+  const std::uint64_t after = world::hash(program_->session.document);
+  EXPECT_NE(after, before_);
+  EXPECT_EQ(program_->session.history.undo.size(), 1u);
+  EXPECT_EQ(program_->time.seconds, 3.01) << "notices fade";
+  EXPECT_EQ(take_input(*program_, {}).size(), 3u) << "presses are for another track";
+  ASSERT_TRUE(apply(*program_, edit::Undo{}).ok());
+  program_->by_hand = false;
+  const int shown = surface(*program_).presented;
+  ASSERT_TRUE(apply(*program_, command).ok());
+  EXPECT_EQ(surface(*program_).presented, shown) << "a script waits";
+  EXPECT_EQ(world::hash(program_->session.document), after);
+}
+
+TEST_F(SlowCommands, change_nothing_when_escape_cancels_them) {
+  surface(*program_).next = {platform::KeyPress{platform::Key::escape}, platform::Tick{0.01}};
+  const std::uint64_t commands = program_->session.history.undo.size();
+  apply_by_hand(*program_, {edit::MakeAllG2{}});
+  EXPECT_EQ(world::hash(program_->session.document), before_);
+  EXPECT_EQ(program_->session.history.undo.size(), commands);
+  EXPECT_EQ(last_notice(*program_), "Cancelled: Make every joint G2 with little movement");
+  run_frame(*program_, {platform::Tick{0.01}}, 0);
+}
+
+TEST_F(SlowCommands, show_their_card_in_windows_of_any_size) {
+  for (const platform::Size size : {platform::Size{1, 1}, platform::Size{3, 700}, platform::Size{640, 480}}) {
+    surface(*program_).resize(size);
+    program_->by_hand = false;
+    run_frame(*program_, {platform::Tick{0.01}}, 0);
+    surface(*program_).next = {platform::KeyPress{platform::Key::escape}, platform::Tick{0.01}};
+    apply_by_hand(*program_, {edit::MakeAllG2{}});
+    EXPECT_EQ(world::hash(program_->session.document), before_) << size.width;
+  }
 }
 
 }  // namespace long_job_test

@@ -1,13 +1,13 @@
 """The sizes that CONTRIBUTING.md names. Usage: sizes_check.py SOURCE_FOLDER
 
-Files of src/ have at most 300 lines, functions 60, folders 30 .cpp files. Lines have at most 120 columns; tool.format
+Files of src/ have at most 600 lines, functions 60, folders 30 .cpp files. Lines have at most 120 columns; tool.format
 checks those of C++.
 """
 import re
 import sys
 from pathlib import Path
 
-FILE, FUNCTION, FOLDER, LINE = 300, 60, 30, 120
+FILE, FUNCTION, FOLDER, LINE = 600, 60, 30, 120
 # The folders whose lines are measured, besides the files at the top, and what is exempt there.
 FOLDERS = ("bench", "cmake", "packaging", "shaders", "tests", "third_party", "tools")
 EXEMPT = (

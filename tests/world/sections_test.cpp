@@ -34,6 +34,32 @@ TEST(sections, appended_segments_extend_a_free_section_and_no_other) {
   EXPECT_EQ(runs_of(d), "q1:3 q2:1 q3:2");
 }
 
+TEST(sections, a_shorter_section_is_what_is_left_when_its_last_knots_are_removed_one_by_one) {
+  int tried = 0;
+  for (std::uint32_t seed = 0; seed < 40; ++seed) {
+    Document d = test::random_document(seed);
+    const std::size_t all = d.track.segments.size();
+    if (all < 2) continue;
+    const std::size_t first = seed % all;
+    const Entity section = make_section(d, first, seed % 3 == 0 ? all - first : 1 + seed % (all - first), kLoop);
+    for (const Entity e : d.track.segments) d.entities.get<Segment>(e).turns = 0;
+    const SectionRun run = run_of(d, section);
+    for (std::size_t count = 1; count <= run.count; ++count) {
+      Document bulk = d, single = d;
+      resize_section(bulk, section, count);
+      for (std::size_t left = run.count; left > count; --left)
+        remove_knot(single, single.track.knots[run.first + left - 1]);
+      for (Document* const each : {&bulk, &single})  // which the caller sets
+        for (Cart& cart : each->entities.pool<Cart>().items()) cart.fraction = 0;
+      EXPECT_TRUE(bulk == single) << seed << ": " << run.first << " " << run.count << " to " << count;
+      EXPECT_EQ(broken_invariant(bulk), std::nullopt);
+      EXPECT_EQ(bulk.entities.create(), single.entities.create());
+      ++tried;
+    }
+  }
+  EXPECT_GT(tried, 60);
+}
+
 TEST(sections, halves_stay_together_and_the_last_segment_takes_its_section_along) {
   Document d = test::sample_document();
   make_section(d, 1, 1, kLoop);

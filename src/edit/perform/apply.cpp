@@ -82,10 +82,11 @@ Status document_command(Session& session, Change& change, const Command& command
   History& history = session.history;
   std::optional<world::Document> before;  // inside a gesture, the gesture's start is the snapshot
   if (!history.in_gesture) before = session.document;
-  // An interrupted command leaves the document as it was, for the autosave; nothing derived from it is used.
-  const auto stopped = [&](const Status& status) {
+  // An interrupted command leaves the document as it was: for the autosave, or, after Cancel, for settle().
+  const auto stopped = [&, motion = session.motion, settings = session.settings](const Status& status) {
     if (!base::interrupted()) return status;
     session.document = before ? std::move(*before) : history.gesture_start;
+    session.motion = motion, session.settings = settings;
     return refused("stopped");
   };
   const std::vector<PlannedSection> planned = planned_sections(session.document);
@@ -111,6 +112,7 @@ Status document_command(Session& session, Change& change, const Command& command
 
 Status settings_command(Session& session, Change& change, const Command& command) {
   const Status status = perform_one(session, change, command);
+  const base::WorkFor whole(nullptr);
   if (status && change.remeasure) derive(session);
   return status;
 }
@@ -120,6 +122,7 @@ template <class Exchange>
 bool exchange_document(Session& session, Exchange exchange) {
   world::Document next = session.document;
   if (!exchange(next)) return false;
+  const base::WorkFor whole(nullptr);
   follow_by_distance(session.document, next, session.derived, session.motion);
   session.document = std::move(next);
   fit_budget(session);
@@ -162,7 +165,9 @@ Status carry_out(Session& session, base::Files& files, const Command& command) {
                                                      : perform_one(session, change, command);
   if (session.way_search.wanted) return status;  // to be applied again: nothing has happened
   if (effect != Effect::settings && effect != Effect::motion) ++session.edits;
-  if (base::interrupted()) return status ? refused("stopped") : status;
+  if (!status && base::interrupted()) return status;
+  const base::WorkFor whole(nullptr);  // it is done: Cancel comes too late
+  if (base::interrupted()) return refused("stopped");
   if (!status) {
     notify(session, status);
     return status;
@@ -205,6 +210,12 @@ Status perform(Session& session, Change&, const EndGesture&) {
 Status perform(Session& session, Change& change, const CancelGesture&) {
   if (!session.history.in_gesture) return refused("no gesture is open");
   return cancel(session, change);
+}
+
+void settle(Session& session) {
+  derive(session);
+  settle_motion(session);
+  world::drop_dead(session.document, session.settings);
 }
 
 Status apply(Session& session, base::Files& files, const Command& command) {

@@ -10,6 +10,11 @@ namespace coaster::edit {
 // word "limit"; impossible commands (unknown names, over the vertex budget, too short handles) are refused with
 // Code::refused, file errors are passed on, and each error shows an error notice. A document command outside a gesture
 // is one undo step; a command that does not change the document adds none. undo inside a gesture cancels it.
+// If the job of this thread is cancelled meanwhile, it returns an error without a notice, and the session is as before
+// once settle() is called; or the command is done, if the old state was gone already.
 base::Status apply(Session& session, base::Files& files, const Command& command);
+
+// Restores what depends on the document after a cancelled apply().
+void settle(Session& session);
 
 }  // namespace coaster::edit

@@ -46,6 +46,7 @@ Status show_shared(Session& session, Change& change, const exchange::SharedView&
 }  // namespace
 
 void start_over(Session& session, world::Document document, std::filesystem::path path) {
+  const base::WorkFor whole(nullptr);  // the old track is gone: Cancel comes too late
   if (!session.document.track.knots.empty()) session.notices.list.clear();  // they are about that track
   session.notices.tight = 0;
   session.document = std::move(document);

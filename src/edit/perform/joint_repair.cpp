@@ -214,6 +214,7 @@ void sweeps(Document& document, std::vector<std::string>& reasons) {
     bool any = false;
     for (std::size_t k = 0; k < count && !base::interrupted(); ++k) {
       const std::size_t i = sweep % 2 == 0 ? k : count - 1 - k;
+      base::report_progress((sweep + static_cast<double>(k) / static_cast<double>(count)) / kMostSweeps);
       reasons[i].clear();
       if (!joins(document, i)) continue;
       const curve::Joint now = class_at(document, i);

@@ -96,7 +96,8 @@ struct SearchTerms {
 
   // Reports a part of the candidates. False once the search is cancelled.
   bool goes_on(int tried) const {
-    if (progress) progress->report(static_cast<double>(tried) / most_tried);
+    const double part = static_cast<double>(tried) / most_tried;
+    progress ? progress->report(part) : base::report_progress(part);
     return !base::interrupted(progress);
   }
 };

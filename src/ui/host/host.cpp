@@ -168,7 +168,7 @@ void Host::Parts::lay_out(Ui& ui, const platform::Events& events, int width, int
   draw_hints(ui, layout.scene);
   draw_lesson(ui, layout.scene, guide);
   const view::Viewport free = draw_score_card(ui, layout.scene);  // for hint and notice at the bottom
-  draw_job(ui, layout.scene);
+  ui.out.cancel_job = draw_job(ui, layout.scene, ui.state.job);
   draw_movie(ui, layout.scene);
   build_palette(act, palette);
   take_want(ui);
@@ -198,9 +198,6 @@ base::Result<std::unique_ptr<Host>> Host::make(const gfx::Gl& gl) {
   ImGui::SetCurrentContext(parts->context);
   set_up_context();
   ImGuiIO& io = ImGui::GetIO();
-  io.IniFilename = nullptr;
-  io.LogFilename = nullptr;
-  io.BackendFlags |= ImGuiBackendFlags_RendererHasVtxOffset;  // a list may have more than 65,536 vertices
   io.ConfigWindowsMoveFromTitleBarOnly = true;
   auto renderer = ImGuiRenderer::make(gl);
   if (!renderer) {
@@ -258,6 +255,10 @@ Output Host::build(const platform::Events& polled, const State& state, int width
 void Host::draw(int width, int height) {
   ImGui::SetCurrentContext(parts_->context);
   if (const ImDrawData* const data = ImGui::GetDrawData()) parts_->renderer->draw(*data, width, height);
+}
+
+std::unique_ptr<WaitCard> Host::make_wait_card() {
+  return std::make_unique<WaitCard>(*parts_->context, *parts_->renderer, parts_->letters.scale());
 }
 
 std::vector<std::string> Host::set_keys(std::span<const exchange::KeyChoice> choices) {

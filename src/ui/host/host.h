@@ -11,6 +11,7 @@
 #include "platform/events.h"
 #include "ui/context/output.h"
 #include "ui/context/state.h"
+#include "ui/host/wait_card.h"
 #include "ui/widgets/widget_list.h"
 
 namespace coaster::ui {
@@ -26,6 +27,9 @@ class Host {
   Output build(const platform::Events& events, const State& state, int width, int height);
   // Draws the layout of the last build() into the bound framebuffer of that size.
   void draw(int width, int height);
+
+  // Returns the card of a command that takes long. Build no frame while it exists.
+  std::unique_ptr<WaitCard> make_wait_card();
 
   // Replaces the default keys. Returns the problems, one a line.
   std::vector<std::string> set_keys(std::span<const exchange::KeyChoice> choices);

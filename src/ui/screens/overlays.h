@@ -41,8 +41,9 @@ void draw_lesson(Ui& ui, const view::Viewport& scene, const LessonGuide& guide);
 // Draws the score card at the end of a ride, a strip at the bottom: the result, the challenge's verdict, the main
 // values, and on request the others. Returns the part of the scene above it.
 view::Viewport draw_score_card(Ui& ui, const view::Viewport& scene);
-// Draws the progress of a file import, with a cancel button. Escape also cancels.
-void draw_job(Ui& ui, const view::Viewport& scene);
+// Draws the progress of a job, if there is one, with a cancel button. Returns true if the user cancels; Escape does,
+// too.
+bool draw_job(WidgetFrame& ui, const view::Viewport& scene, const JobState& job);
 // Draws the progress of the movie being recorded, with a stop button. It is not in the movie.
 void draw_movie(Ui& ui, const view::Viewport& scene);
 

@@ -13,11 +13,19 @@
 namespace coaster::ui {
 namespace {
 
-// `done`: 0..1; `height` in design px.
-void progress_bar(Ui& ui, double done, float height, std::uint32_t rgb, std::string_view tooltip) {
+// `done`: 0..1, 0 also if it is not known: then a piece of the bar moves. `height` in design px.
+void progress_bar(WidgetFrame& ui, double done, float height, std::uint32_t rgb, std::string_view tooltip) {
   ImGui::PushStyleColor(ImGuiCol_PlotHistogram, colour(rgb));
   ImGui::ProgressBar(static_cast<float>(done), {-1, sized(std::floor(height * ui.scale))}, "");
   ImGui::PopStyleColor();
+  if (done <= 0) {
+    constexpr float kPiece = 0.25f;  // of the width
+    const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
+    const float width = high.x - low.x, at = static_cast<float>(std::fmod(ImGui::GetTime() * 0.5, 1.0));
+    const float left = low.x + (1 - kPiece) * width * (1 - std::abs(2 * at - 1));
+    ImGui::GetWindowDrawList()->AddRectFilled({left, low.y}, {left + kPiece * width, high.y}, packed(rgb),
+                                              ImGui::GetStyle().FrameRounding);
+  }
   note_item(ui, "Progress", "label", tooltip, true, fixed(100 * done, 0) + " %");
 }
 
@@ -45,9 +53,9 @@ Card card_in(const view::Viewport& scene, const char* id, std::string_view panel
 
 }  // namespace
 
-void draw_job(Ui& ui, const view::Viewport& scene) {
-  const JobState& job = ui.state.job;
-  if (!job.progress) return;
+bool draw_job(WidgetFrame& ui, const view::Viewport& scene, const JobState& job) {
+  if (!job.progress) return false;
+  bool cancels = false;
   Card card = card_in(scene, "##job", job.panel, std::floor(360 * ui.scale), scene.height * 0.4f);
   card.padding = {14, 12};
   card.flags = ImGuiWindowFlags_NoDecoration;
@@ -55,10 +63,10 @@ void draw_job(Ui& ui, const view::Viewport& scene) {
   build_card(ui, card, [&] {
     ImGui::TextWrapped("%.*s", static_cast<int>(job.title.size()), job.title.data());
     progress_bar(ui, job.progress->done.load(), 8, palette().accent, "Part of the work that is done.");
-    if (button(ui, "Cancel", "Cancel. The track stays as it is. Key Escape.", !job.progress->cancelled) ||
-        ImGui::IsKeyPressed(ImGuiKey_Escape))
-      ui.out.cancel_job = true;
+    cancels = button(ui, "Cancel", "Cancel. The track stays as it is. Key Escape.", !job.progress->cancelled) ||
+              ImGui::IsKeyPressed(ImGuiKey_Escape);
   });
+  return cancels;
 }
 
 void draw_movie(Ui& ui, const view::Viewport& scene) {

@@ -7,6 +7,15 @@
 #include <utility>
 
 namespace coaster::ui {
+namespace {
+
+void set_up_io(ImGuiIO& io) {
+  io.IniFilename = nullptr;
+  io.LogFilename = nullptr;
+  io.BackendFlags |= ImGuiBackendFlags_RendererHasVtxOffset;  // a list may have more than 65,536 vertices
+}
+
+}  // namespace
 
 #if IMGUI_VERSION_NUM >= 18700
 
@@ -139,6 +148,7 @@ bool load_glyph(ImFontAtlas* atlas, ImFontConfig* source, ImFontBaked* baked, vo
 
 void set_up_context() {
   ImGuiIO& io = ImGui::GetIO();
+  set_up_io(io);
   io.ConfigInputTrickleEventQueue = false;
   io.BackendFlags |= ImGuiBackendFlags_RendererHasTextures;
 #if IMGUI_VERSION_NUM >= 19290
@@ -188,6 +198,8 @@ void upload_textures(const Upload& upload) {
   }
 }
 
+void share_textures(const ImGuiIO&) {}
+
 #else
 
 namespace {
@@ -232,6 +244,7 @@ void mark_missing(ImFont& font, const std::set<ImWchar>& tried) {
 }  // namespace
 
 void set_up_context() {
+  set_up_io(ImGui::GetIO());
 #if IMGUI_VERSION_NUM >= 18700
   ImGui::GetIO().ConfigInputTrickleEventQueue = false;
 #endif
@@ -273,6 +286,8 @@ void upload_textures(const Upload& upload) {
   upload(kOwnTexture, width, height, pixels);
   atlas.ClearTexData();  // the texture alone holds them now
 }
+
+void share_textures(const ImGuiIO& other) { ImGui::GetIO().BackendRendererUserData = other.BackendRendererUserData; }
 
 #endif
 

@@ -23,7 +23,8 @@ inline constexpr ImGuiButtonFlags kChosenByKeys = ImGuiButtonFlags_EnableNav;
 inline constexpr ImGuiButtonFlags kChosenByKeys = ImGuiButtonFlags_None;
 #endif
 
-// Prepares a new current context: textures are created by upload_textures(), and a frame gets all input set before it.
+// Prepares a new current context: it keeps no files, textures are created by upload_textures(), and a frame gets all
+// input set before it.
 void set_up_context();
 
 // Input of the current context for the next frame; set all of it before each frame.
@@ -64,6 +65,8 @@ void take_missing(std::set<ImWchar>& blocks);
 inline constexpr std::uintptr_t kOwnTexture = 0x8000'0000;
 using Upload = std::function<void(std::uintptr_t id, int width, int height, const void* pixels)>;
 void upload_textures(const Upload& upload);
+// The current context has the fonts of another one, whose textures upload_textures() has uploaded.
+void share_textures(const ImGuiIO& other);
 std::uintptr_t texture_of(const ImDrawCmd& command);
 std::span<const ImDrawList* const> lists_of(const ImDrawData& data);
 

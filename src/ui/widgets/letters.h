@@ -14,6 +14,7 @@ class Letters {
   // Loads the fonts of the current context if `scale` changed or the last frame showed letters for the first time:
   // those of Inter, else of the system's fonts, else a box for each. Returns true if it did. Call outside a frame.
   bool load(float scale);
+  float scale() const { return scale_; }  // of the last load()
 
  private:
   struct File {

@@ -1,7 +1,9 @@
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
+#include <memory>
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
@@ -65,6 +67,93 @@ TEST_F(Applying, an_interrupted_command_leaves_the_document_as_it_was) {
     EXPECT_TRUE(session.document == before) << line;
     EXPECT_TRUE(session.history.undo.empty()) << line;
   }
+}
+
+// Cancel comes at some question of a loop whether to go on.
+struct CancelledLater {
+  explicit CancelledLater(int questions) {
+    left = questions, job = &progress;
+    base::watch_interruption([] {
+      if (left-- == 0) job->cancelled = true;
+      return false;
+    });
+  }
+  ~CancelledLater() { base::watch_interruption(nullptr); }
+  CancelledLater(const CancelledLater&) = delete;
+  CancelledLater& operator=(const CancelledLater&) = delete;
+  static inline std::atomic<int> left;
+  static inline base::Progress* job;
+  base::Progress progress;
+};
+
+// What is derived from the document is what a new derivation makes of it.
+void expect_settled(const Session& session) {
+  sim::Derived anew;
+  sim::derive(session.document, session.settings, {}, anew);
+  ASSERT_EQ(session.derived.order, anew.order);
+  ASSERT_EQ(session.derived.starts, anew.starts);
+  ASSERT_EQ(session.derived.twists, anew.twists);
+  for (std::size_t i = 0; i < anew.order.size(); ++i) {
+    const sim::SegmentShape &is = session.derived.shape_at(i), &wanted = anew.shape_at(i);
+    ASSERT_TRUE(is.key == wanted.key && is.ups == wanted.ups && is.polyline_key == wanted.polyline_key) << i;
+  }
+}
+
+TEST_F(Applying, a_command_that_is_cancelled_at_any_moment_changes_nothing_or_is_done) {
+  int cancelled = 0;
+  for (int i = 0; i < test::tries(100); ++i) {
+    const auto seed = static_cast<std::uint32_t>(i);
+    test::RandomCommands random(seed);
+    const Command c = i % 4 == 0 ? random.of_kind(random.below(Commands::size)) : document_command(random);
+    if (info(c).effect == Effect::session) continue;
+    if (i % 3 == 0) circuit();
+    else start_on(test::random_document(seed));
+    const std::unique_ptr<Session> done = std::make_unique<Session>(session),
+                                   before = std::make_unique<Session>(session);
+    const base::Status status = edit::apply(*done, files, c);
+    CancelledLater cancel(static_cast<int>(random.below(12)));
+    const auto now = [&] {
+      const base::WorkFor working(&cancel.progress);
+      return apply(c);
+    }();
+    if (status && !now) {
+      ++cancelled;
+      settle(session);
+      EXPECT_TRUE(session.document == before->document) << print(c);
+      EXPECT_TRUE(session.motion == before->motion) << print(c);
+      EXPECT_TRUE(session.settings == before->settings) << print(c);
+      EXPECT_EQ(session.history.undo.size(), before->history.undo.size()) << print(c);
+      EXPECT_EQ(session.notices.serial, before->notices.serial) << print(c);
+    } else {
+      EXPECT_EQ(now.ok(), status.ok()) << print(c);
+      EXPECT_TRUE(session.document == done->document) << print(c);
+      EXPECT_TRUE(session.motion == done->motion) << print(c);
+      EXPECT_TRUE(session.settings == done->settings) << print(c);
+    }
+    expect_settled(session);
+  }
+  EXPECT_GT(cancelled, test::tries(20));
+}
+
+TEST_F(Applying, a_track_that_is_opened_is_complete_however_late_it_is_cancelled) {
+  circuit();
+  ASSERT_TRUE(apply(Save{file("a.json")}));
+  const std::uint64_t saved = hash();
+  int opened = 0;
+  for (int questions = 0; questions < 40; ++questions) {
+    good("new");
+    CancelledLater cancel(questions);
+    const auto status = [&] {
+      const base::WorkFor working(&cancel.progress);
+      return apply(Load{file("a.json")});
+    }();
+    if (!status) settle(session);
+    opened += status.ok();
+    EXPECT_EQ(hash(), status ? saved : world::hash(world::Document{})) << questions;
+    EXPECT_EQ(session.file.path, status ? file("a.json") : "");
+    expect_settled(session);
+  }
+  EXPECT_GT(opened, 0);
 }
 
 TEST_F(Applying, exporting_leaves_the_path_and_what_is_unsaved) {
