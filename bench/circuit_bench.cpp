@@ -7,6 +7,7 @@
 
 #include "edit/commands/codec.h"
 #include "edit/perform/apply.h"
+#include "edit/session/findings_memory.h"
 #include "paired.h"
 #include "sim/study/complete_circuit.h"
 #include "world/topology.h"
@@ -78,11 +79,12 @@ void complete_random(benchmark::State& state) {
   Builder builder;
   build_random(static_cast<std::uint32_t>(state.range(0)), builder);
   edit::Session& session = builder.session;
-  edit::find(session, edit::Want::ride | edit::Want::conflicts);
-  const sim::CircuitTask task = *sim::circuit_task(session.document, session.derived, session.findings.ride);
+  const edit::Finder find(session);
+  (void)find.conflicts();
+  const sim::CircuitTask task = *sim::circuit_task(session.document, session.derived, find.ride());
   std::size_t proposals = 0;
   for (auto _ : state)
-    proposals = sim::complete_circuit(task, session.derived, session.findings.memory.conflicts).list.size();
+    proposals = sim::complete_circuit(task, session.derived, session.findings->conflicts).list.size();
   state.counters["proposals"] = static_cast<double>(proposals);
 }
 BENCHMARK(complete_random)->DenseRange(1, 20)->Unit(benchmark::kMillisecond);
@@ -108,7 +110,7 @@ void change_40_elements(benchmark::State& state) {
   for (auto _ : state) {
     taken += builder.apply(
         fmt::format("section.change @q2 from_start on to climb height {} equipment lift", 45 + 0.05 * (++step % 40)));
-    edit::find(session, edit::Want::ride | edit::Want::overloads | edit::Want::conflicts);
+    (void)edit::Finder(session).overloads(), (void)edit::Finder(session).conflicts();
   }
   state.counters["closed"] = closed;
   state.counters["sections"] = static_cast<double>(session.document.entities.pool<world::Section>().size());

@@ -48,7 +48,7 @@ void take_picture(Program& program) {
 // Returns the ticks of the first train's lap.
 std::int64_t ticks_of_lap(edit::Session& session) {
   const sim::Ghost* const ghost =
-      session.findings.memory.rides.ride(session.document, session.derived, world::first_cart(session.document));
+      edit::rides_of(session).ride(session.document, session.derived, world::first_cart(session.document));
   return ghost && ghost->samples.size() > 1 ? static_cast<std::int64_t>(ghost->samples.size() - 1) : 0;
 }
 

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "base/text.h"
+#include "sim/study/way_change.h"
 
 namespace coaster::app {
 namespace {

@@ -8,6 +8,7 @@
 
 #include "edit/session/session.h"
 #include "exchange/own/track_file.h"
+#include "sim/study/way_change.h"
 
 namespace coaster::app {
 

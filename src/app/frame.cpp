@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "app/idle.h"
+#include "app/long_job.h"
 #include "app/pictures.h"
 #include "app/scene.h"
 #include "base/crash_guard.h"
@@ -99,13 +100,14 @@ void fill_stats(Program& program, const gfx::DrawStats& drawn, platform::Size si
   if (drawn.drawn_by != derived.evaluated_by)
     stats.stage_refusals[static_cast<std::size_t>(derived.evaluated_by)] =
         program.renderer->refusal(derived.evaluated_by);
-  stats.rebuilds = std::exchange(program.rebuilds, 0);
+  const edit::EvaluationWork evaluated = std::exchange(program.session.evaluated, {});
+  stats.rebuilds = evaluated.rebuilds;
   if (derived.evaluated_by != curve::EvaluatedBy::processor) {
     stats.evaluation_ms = 0;
     stats.evaluated_vertices = 0;
   } else if (stats.rebuilds > 0) {
-    stats.evaluation_ms = derived.evaluation_seconds * 1e3;
-    stats.evaluated_vertices = derived.evaluated_vertices;
+    stats.evaluation_ms = evaluated.seconds * 1e3;
+    stats.evaluated_vertices = evaluated.vertices;
   }
   stats.width = size.width, stats.height = size.height;
   const view::Eye& eye = program.picture.rig.eye;
@@ -125,9 +127,9 @@ void set_title(Program& program) {
 }
 
 // Draws and shows the present state, and stores the figures of the picture.
-void draw(Program& program, const ui::Output& output, const Look& look, const edit::Findings& found,
-          platform::Size size, FrameTimes times) {
-  const gfx::DrawStats drawn = draw_scene(program, look, found, size);
+void draw(Program& program, const ui::Output& output, const Look& look, const Seen& seen, platform::Size size,
+          FrameTimes times) {
+  const gfx::DrawStats drawn = draw_scene(program, look, seen, size);
   if (!look.unseen) program.ui->draw(size.width, size.height);
   times.drew = program.surface->clock();
   if (!look.unseen) program.surface->present(program.renderer->framebuffer());
@@ -176,10 +178,10 @@ void run_frame(Program& program, const platform::Events& events, int ticks) {
     const bool opening = program.stats.frame == 0;  // a window's first frame is before its track is open
     const bool unseen = (opening || !program.surface->is_window()) && output->photo == ui::PhotoWish::none;
     const Look look{program.session.settings, program.picture.view, output->hovered, false, unseen};
-    const edit::Findings& found = find_seen(program, look);
+    const Seen seen = find_seen(program, look);
     times.found = program.surface->clock();
     reach(base::CrashPlace::drawing);
-    draw(program, *output, look, found, size, times);
+    draw(program, *output, look, seen, size, times);
   }
   reach(base::CrashPlace::keeping);
   keep(program);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <variant>
 
+#include "app/long_job.h"
 #include "app/program.h"
 #include "world/lab_view.h"
 
@@ -10,11 +11,11 @@ namespace coaster::app {
 namespace {
 
 // True while every frame shows something new.
-bool is_busy(const Program& program) {
-  const edit::Session& session = program.session;
+bool is_busy(Program& program) {
+  edit::Session& session = program.session;
   return session.motion.state == world::RideState::running || session.measuring.measurement.running ||
          program.picture.rig.ticks_left > 0 || program.stats.deviation_pending > 0 || program.pictures.busy() ||
-         (session.settings.lab->layers.has(world::Layer::conflicts) && !session.findings.all_conflicts) ||
+         (session.settings.lab->layers.has(world::Layer::conflicts) && !edit::Finder(session).all_conflicts()) ||
          program.job || program.filming || program.tutorial.wanted || program.tutorial.card ||
          program.ui->input_waits() || (program.keeper && program.keeper->dialog.running());
 }

@@ -152,8 +152,7 @@ void watch_settings(Program& program, Keeper& keeper) {
 // True if there are changes that neither the file nor the autosave has.
 bool needs_autosave(Program& program, const Keeper& keeper) {
   if (!edit::dirty(program.session)) return false;
-  return !keeper.autosave.exists() ||
-         keeper.autosaved != edit::find(program.session, edit::Want::document_hash).document_hash;
+  return !keeper.autosave.exists() || keeper.autosaved != edit::Finder(program.session).document_hash();
 }
 
 void watch_document(Program& program, Keeper& keeper) {
@@ -267,7 +266,7 @@ base::Status autosave_now(Program& program) {
       keeper.autosave.write(keeper.files, recovery_folder(keeper), program.session.document,
                             original_of(program.session), static_cast<std::int64_t>(std::time(nullptr)));
   if (wrote) {
-    keeper.autosaved = edit::find(program.session, edit::Want::document_hash).document_hash;
+    keeper.autosaved = edit::Finder(program.session).document_hash();
     keeper.autosave_failed = false;
     ++program.stats.keeping.autosaves;
   } else if (!std::exchange(keeper.autosave_failed, true)) {

@@ -12,6 +12,7 @@
 #include "edit/commands/commands_session.h"
 #include "edit/perform/apply.h"
 #include "edit/perform/seek.h"
+#include "edit/session/found_way.h"
 #include "exchange/formats.h"
 
 namespace coaster::app {
@@ -58,7 +59,7 @@ void begin_way(Program& program, const edit::Command& command, sim::WayChange ch
   job->panel = "Search", job->title = "Planning the way home again";
   job->cancelled = "Cancelled the change";
   job->way = std::move(change);
-  job->opened = std::make_unique<sim::OpenedTrack>(std::exchange(program.session.findings.memory.opened, {}));
+  job->opened = std::make_unique<sim::OpenedTrack>(std::exchange(edit::opened_track_of(program.session), {}));
   job->in_gesture = program.session.history.in_gesture;
   job->rest.assign(rest.begin(), rest.end());
   job->work = std::make_unique<Beside>(planning(*job->way, *job->opened), "");
@@ -92,7 +93,9 @@ void hand_over(edit::Session& session, const LongJob& job, Found found) {
     session.file.read_ahead = edit::ReadAhead{load.path, load.import, std::move(*track)};
   } else if (auto* const sought = std::get_if<edit::Sought>(&found))
     session.sought = edit::SoughtAhead{edit::print(job.command), job.edits, std::move(*sought)};
-  else session.way_search.found = edit::FoundWay{*job.way, std::get<sim::ChangedWay>(std::move(found))};
+  else
+    session.way_search.found =
+        std::make_shared<edit::FoundWay>(edit::FoundWay{*job.way, std::get<sim::ChangedWay>(std::move(found))});
 }
 
 // Applies a finished job's command, or says why not.
@@ -100,7 +103,7 @@ void end_job(Program& program, LongJob& job) {
   edit::Session& session = program.session;
   base::Result<Found> found = job.work->take();
   // A cancelled job is dropped with what it keeps, even if the work was faster.
-  if (job.opened && !job.work->progress.cancelled) session.findings.memory.opened = std::move(*job.opened);
+  if (job.opened && !job.work->progress.cancelled) edit::opened_track_of(session) = std::move(*job.opened);
   if (job.work->progress.cancelled) return edit::notify(session, edit::NoticeKind::info, job.cancelled);
   if (!found) return edit::notify(session, found.status());
   hand_over(session, job, std::move(*found));
@@ -171,7 +174,7 @@ void apply_by_hand(Program& program, const std::vector<edit::Command>& commands)
     ways.beside = false;
     if (!ways.wanted) continue;
     const auto next = static_cast<std::size_t>(command - commands.begin()) + 1;
-    begin_way(program, *command, *std::exchange(ways.wanted, std::nullopt), std::span(commands).subspan(next));
+    begin_way(program, *command, *std::exchange(ways.wanted, nullptr), std::span(commands).subspan(next));
     break;
   }
   program.by_hand = false;

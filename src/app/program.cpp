@@ -12,6 +12,7 @@
 
 #include <fmt/format.h>
 
+#include "app/long_job.h"
 #include "base/console.h"
 #include "base/crash_guard.h"
 #include "base/folders.h"
@@ -76,11 +77,9 @@ base::Status apply_one(Program& program, const edit::Command& command) {
     edit::notify(program.session, edit::NoticeKind::error, allowed.message);
     return allowed;
   }
-  const std::uint64_t builds = program.session.derived.last_build;
   crash_if_planned(program.planned_crash, base::CrashPlace::command);
   const base::Status applied = apply_watched(program, command);
   after_command(program, command, applied);
-  if (program.session.derived.last_build != builds) program.rebuilds += program.session.derived.rebuilds;
   if (applied && command.is<edit::Set<&world::Evaluation::evaluator>>())
     if (const std::string reason = program.renderer->refusal(program.session.derived.evaluated_by); !reason.empty())
       edit::notify(program.session, edit::NoticeKind::warning, "The vertex shader draws instead: " + reason);
@@ -127,6 +126,9 @@ std::string save_at_once(Program& program) {
 }
 
 }  // namespace
+
+Program::Program() = default;
+Program::~Program() = default;
 
 void leave_without_graphics(Program& program, const std::string& why) {
   const std::string said = save_at_once(program);

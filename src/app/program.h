@@ -8,7 +8,6 @@
 
 #include "app/filming.h"
 #include "app/keeper.h"
-#include "app/long_job.h"
 #include "app/options.h"
 #include "app/sounds.h"
 #include "app/track_pictures.h"
@@ -47,6 +46,8 @@ struct Picture {
   std::string toast;                     // notice shown by the panels
 };
 
+struct LongJob;  // app/long_job.h
+
 // The script that teaches the player (tutorial.cpp).
 struct TutorialRun;
 
@@ -64,6 +65,9 @@ struct Tutorial {
 };
 
 struct Program {
+  Program();
+  ~Program();
+
   Options options;
   base::Files files;  // a script's files: only below its folder
   edit::Session session;
@@ -78,7 +82,6 @@ struct Program {
   std::unique_ptr<ui::Host> ui;
   Picture picture;
   query::FrameStats stats;
-  int rebuilds = 0;  // segments evaluated since the last drawn frame
 
   std::unique_ptr<script::Recorder> recorder;       // null: not recording
   base::Status recorded;                            // why a recording ended early

@@ -57,9 +57,10 @@ void measure(const edit::Session& session, RideSummary& summary) {
 
 void finish_summary(edit::Session& session, RideSummary& summary) {
   summary.end = end_of_ride(session, summary);
-  const edit::Findings& found = edit::find(session, edit::Want::ride);
-  if (found.ride == nullptr) return;
-  const sim::Ratings felt = sim::rate(*found.ride, *found.tables, summary.cutoff);
+  const edit::Finder find(session);
+  const sim::Ghost* const ride = find.ride();
+  if (ride == nullptr) return;
+  const sim::Ratings felt = sim::rate(*ride, find.tables(), summary.cutoff);
   summary.most_up = felt.up_most.value, summary.least_up = felt.up_least.value;
   summary.most_side = felt.side_most.value;
 }

@@ -6,6 +6,9 @@
 #include "base/console.h"
 #include "gfx/instances.h"
 #include "sim/ride/shown_cars.h"
+#include "sim/shape/tight_bends.h"
+#include "sim/solids/supports.h"
+#include "sim/study/complete_circuit.h"
 #include "world/aids.h"
 #include "world/lab_view.h"
 #include "world/look.h"
@@ -24,32 +27,12 @@ bool shows_circuit(const Program& program, const Look& look) {
   return look.settings.aids->circuit > 0 && !program.session.history.in_gesture;
 }
 
-// A saved picture shows all conflicts. Others may show them later.
-edit::Want wanted_conflicts(const Look& look, const Program& program) {
-  return look.unseen || program.surface->is_window() ? edit::Want::conflicts_so_far : edit::Want::conflicts;
-}
-
-edit::Want wanted_by(const Look& look, const Program& program) {
-  using edit::Want;
-  const world::Layers& layers = look.settings.lab->layers;
-  Want wanted = Want::values;
-  if (layers.has(world::Layer::flips)) wanted = wanted | Want::breaks;
-  if (layers.has(world::Layer::conflicts) && !is_riding(program, look))
-    wanted = wanted | wanted_conflicts(look, program) | Want::folds | Want::tight_bends;
-  if (layers.has(world::Layer::limits)) wanted = wanted | Want::overloads | Want::jolts;
-  if (layers.has(world::Layer::supports)) wanted = wanted | Want::supports;
-  if (look.settings.aids->show_element) wanted = wanted | Want::element | Want::room;
-  if (shows_circuit(program, look)) wanted = wanted | Want::circuit;
-  return wanted;
-}
-
-// Adds the palette's element or a way home to the overlay.
-void mark_plan(const Program& program, const Look& look, const edit::Findings& found, view::Findings& marked) {
-  if (look.settings.aids->show_element) marked.element = found.element, marked.narrow = found.room;
-  if (!shows_circuit(program, look) || found.circuit->list.empty()) return;
-  const std::size_t last = found.circuit->list.size() - 1,
-                    wanted = static_cast<std::size_t>(look.settings.aids->circuit) - 1;
-  marked.element = &found.circuit->list[std::min(wanted, last)].plan, marked.narrow = {};
+// Returns the plan of the way home that shows; null for none.
+const sim::ElementPlan* shown_way(const edit::Finder& find, const Program& program, const Look& look) {
+  if (!shows_circuit(program, look)) return nullptr;
+  const std::vector<sim::CircuitProposal>& ways = find.circuit().list;
+  const auto wanted = static_cast<std::size_t>(look.settings.aids->circuit) - 1;
+  return ways.empty() ? nullptr : &ways[std::min(wanted, ways.size() - 1)].plan;
 }
 
 }  // namespace
@@ -59,38 +42,44 @@ std::vector<sim::Pose> cart_poses(const edit::Session& session, glm::vec3 eye) {
                          gfx::Instances::kFullCars);
 }
 
-const edit::Findings& find_seen(Program& program, const Look& look) {
-  edit::look_from(program.session, gfx::surroundings_of(look.view));
-  return edit::find(program.session, wanted_by(look, program));
+Seen find_seen(Program& program, const Look& look) {
+  const edit::Finder find(program.session);
+  const world::Layers& layers = look.settings.lab->layers;
+  find.look_from(gfx::surroundings_of(look.view));
+  Seen seen{{.failure = program.session.motion.failure, .riding = is_riding(program, look)}, find.values(), nullptr};
+  view::Findings& marked = seen.marked;
+  if (layers.has(world::Layer::flips)) marked.breaks = find.breaks();
+  if (layers.has(world::Layer::conflicts) && !marked.riding) {
+    // A saved picture shows all conflicts. Others may show them later.
+    marked.conflicts = look.unseen || program.surface->is_window() ? find.conflicts_so_far() : find.conflicts();
+    marked.folds = find.folds(), marked.tight_bends = find.tight_bends();
+  }
+  if (layers.has(world::Layer::limits)) marked.spans = find.overloads(), marked.jolts = find.jolts();
+  if (look.settings.aids->show_element) marked.element = &find.element(), marked.narrow = find.room();
+  if (const sim::ElementPlan* const way = shown_way(find, program, look)) marked.element = way, marked.narrow = {};
+  if (layers.has(world::Layer::supports)) seen.supports = &find.supports();
+  return seen;
 }
 
-gfx::DrawStats draw_scene(Program& program, const Look& look, const edit::Findings& found, platform::Size size) {
+gfx::DrawStats draw_scene(Program& program, const Look& look, const Seen& seen, platform::Size size) {
   const edit::Session& session = program.session;
   const world::Layers& layers = look.settings.lab->layers;
-  view::Findings marked{.failure = session.motion.failure, .riding = is_riding(program, look)};
-  if (layers.has(world::Layer::flips)) marked.breaks = found.breaks;
-  if (layers.has(world::Layer::conflicts) && !marked.riding) {
-    marked.conflicts = found.conflicts;
-    marked.folds = found.folds, marked.tight_bends = found.tight_bends;
-  }
-  if (layers.has(world::Layer::limits)) marked.spans = found.overloads, marked.jolts = found.jolts;
-  mark_plan(program, look, found, marked);
   const view::Overlay overlay =
-      view::build_overlay(session.document, session.derived, look.settings, look.view, look.hovered, marked);
+      view::build_overlay(session.document, session.derived, look.settings, look.view, look.hovered, seen.marked);
   const std::vector<sim::Pose> carts = cart_poses(session, look.view.eye);
   gfx::Scene scene{session.derived,
                    look.view,
                    overlay,
                    carts,
                    layers.has(world::Layer::polyline),
-                   found.values,
+                   &seen.values,
                    session.settings.look->theme};
   scene.style = session.settings.look->style;
   scene.shadows = session.settings.look->shadows;
   scene.unseen = look.unseen;
   scene.clock = [&] { return program.surface->clock(); };
-  if (layers.has(world::Layer::supports)) scene.supports = found.supports;
-  program.stats.colour_low = found.values->low, program.stats.colour_high = found.values->high;
+  scene.supports = seen.supports;
+  program.stats.colour_low = seen.values.low, program.stats.colour_high = seen.values.high;
   program.stats.supports = scene.supports ? scene.supports->count() : 0;
   program.stats.support_rebuilds = scene.supports ? scene.supports->rebuilds() : 0;
   const gfx::DrawStats drawn = program.renderer->draw(scene, size.width, size.height);

@@ -16,11 +16,17 @@ struct Look {
   bool unseen = false;  // everything except the pixels, because nobody will look at them
 };
 
-// Returns the session's findings with those that a picture needs, seen from its eye.
-const edit::Findings& find_seen(Program& program, const Look& look);
+// What a picture shows besides the track and its trains.
+struct Seen {
+  view::Findings marked;
+  const sim::TrackValues& values;
+  const sim::Supports* supports;  // null: not shown
+};
+// Finds what a picture needs, seen from its eye.
+Seen find_seen(Program& program, const Look& look);
 
-// Draws the scene with its findings; the numbers of supports and colours go to program.stats.
-gfx::DrawStats draw_scene(Program& program, const Look& look, const edit::Findings& found, platform::Size size);
+// Draws the scene; the numbers of supports and colours go to program.stats.
+gfx::DrawStats draw_scene(Program& program, const Look& look, const Seen& seen, platform::Size size);
 
 // Draws the pixels of the last frame. Without a window most frames are never looked at, so pixels are drawn on demand;
 // the rest of a frame is always done.

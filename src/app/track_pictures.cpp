@@ -10,6 +10,7 @@
 #include "edit/perform/apply.h"
 #include "edit/session/session.h"
 #include "gfx/image.h"
+#include "sim/solids/supports.h"
 #include "view/camera.h"
 
 namespace coaster::app {
@@ -36,8 +37,8 @@ ui::TrackPicture TrackPictures::draw(const gfx::Gl& gl, const gfx::Renderer& sce
   gfx::Scene scene{session.derived, view, nothing_over_it, cars};
   scene.show_polyline = false;
   scene.style = source.style;
-  edit::look_from(session, gfx::surroundings_of(view));
-  scene.supports = edit::find(session, edit::Want::supports).supports;
+  edit::Finder(session).look_from(gfx::surroundings_of(view));
+  scene.supports = &edit::Finder(session).supports();
   (void)renderer->draw(scene, width, height);
   gfx::Object texture = gfx::make_texture(gl, renderer->read_pixels());
   picture.texture = texture.id();

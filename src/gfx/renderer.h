@@ -12,11 +12,14 @@
 #include "gfx/gl.h"
 #include "sim/ride/ride.h"
 #include "sim/shape/near_track.h"
-#include "sim/solids/supports.h"
 #include "sim/study/track_values.h"
 #include "view/camera.h"
 #include "view/draw_stats.h"
 #include "view/overlay.h"
+
+namespace coaster::sim {
+class Supports;
+}
 
 namespace coaster::gfx {
 

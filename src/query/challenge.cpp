@@ -56,11 +56,11 @@ std::optional<double> place_of(const edit::Finder& find, std::string_view query)
                              Row{"ride.speed_max", &sim::Ratings::top_speed},
                              Row{"ride.jolt_max", &sim::Ratings::jolt_most},
                              Row{"ride.height_max", &sim::Ratings::highest}};
-  if (find(edit::Want::ride).ride == nullptr) return std::nullopt;
+  if (find.ride() == nullptr) return std::nullopt;
   for (const Row& row : kRows)
-    if (row.query == query) return (find(edit::Want::ratings).ratings->*row.extreme).distance;
+    if (row.query == query) return (find.ratings().*row.extreme).distance;
   if (query == "ride.envelope") {
-    const std::span<const sim::RedSpan> spans = find(edit::Want::overloads).overloads;
+    const std::span<const sim::RedSpan> spans = find.overloads();
     return spans.empty() ? std::nullopt : std::optional(spans.front().from_distance);
   }
   return std::nullopt;
@@ -132,8 +132,7 @@ std::string needed(const Rule& rule) {
 
 // Returns why a rule fails: for an overload, its kind and duration.
 std::string reason_of(const edit::Finder& find, const Rule& rule, const Finding& finding) {
-  const auto overloads =
-      rule.query->name == "ride.envelope" ? find(edit::Want::overloads).overloads : std::span<const sim::RedSpan>();
+  const auto overloads = rule.query->name == "ride.envelope" ? find.overloads() : std::span<const sim::RedSpan>();
   if (!overloads.empty()) {
     const sim::RedSpan& span = overloads.front();
     return fmt::format("{} {} g at {:.1f} m; the limit for that duration is {:.2f} g", base::row_of(span.axis).label,

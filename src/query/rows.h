@@ -9,6 +9,8 @@
 #include "curve/continuity.h"
 #include "query/context.h"
 #include "query/query.h"
+#include "world/element_rows.h"
+#include "world/equipment_rows.h"
 #include "world/topology.h"
 
 namespace coaster::query {

@@ -6,6 +6,8 @@
 #include "base/hash.h"
 #include "base/portable_math.h"
 #include "query/rows.h"
+#include "sim/shape/tight_bends.h"
+#include "sim/solids/conflict.h"
 
 namespace coaster::query {
 namespace {
@@ -27,12 +29,12 @@ Answer longest(const Context& c, View) {
 
 // --- conflicts
 const sim::Conflict* worst_conflict(const Context& c) {
-  const auto found = c.find(edit::Want::conflicts).conflicts;
+  const auto found = c.find.conflicts();
   const auto worst =
       std::max_element(found.begin(), found.end(), [](const auto& a, const auto& b) { return a.missing < b.missing; });
   return worst == found.end() ? nullptr : &*worst;
 }
-Answer conflicts(const Context& c, View) { return number(c.find(edit::Want::conflicts).conflicts.size()); }
+Answer conflicts(const Context& c, View) { return number(c.find.conflicts().size()); }
 Answer conflict_missing(const Context& c, View) {
   const sim::Conflict* const worst = worst_conflict(c);
   return number(worst ? worst->missing : 0.0);
@@ -44,10 +46,10 @@ Answer conflict_place(const Context& c, View) {
 }
 
 // --- folds
-Answer folds(const Context& c, View) { return number(c.find(edit::Want::folds).folds.size()); }
-Answer tight_bends(const Context& c, View) { return number(c.find(edit::Want::tight_bends).tight_bends.size()); }
+Answer folds(const Context& c, View) { return number(c.find.folds().size()); }
+Answer tight_bends(const Context& c, View) { return number(c.find.tight_bends().size()); }
 Answer tight_bend_at(const Context& c, View) {
-  const auto found = c.find(edit::Want::tight_bends).tight_bends;
+  const auto found = c.find.tight_bends();
   return found.empty() ? none("there is no tight bend") : number(sim::tightest(found).at);
 }
 Answer least_radius(const Context& c, View) {
@@ -57,7 +59,7 @@ Answer least_radius(const Context& c, View) {
 }
 template <double sim::Fold::*value>
 Answer first_fold(const Context& c, View) {
-  const auto found = c.find(edit::Want::folds).folds;
+  const auto found = c.find.folds();
   return found.empty() ? none("there is no fold") : number(found.front().*value);
 }
 

@@ -3,11 +3,12 @@
 
 #include "base/portable_math.h"
 #include "query/rows.h"
+#include "sim/study/complete_circuit.h"
 
 namespace coaster::query {
 namespace {
 
-const sim::ElementPlan& plan(const Context& c) { return *c.find(edit::Want::element).element; }
+const sim::ElementPlan& plan(const Context& c) { return c.find.element(); }
 
 Answer element(const Context& c, View) { return text(base::row_of(c.session.settings.element.kind).name); }
 Answer side(const Context& c, View) {
@@ -27,13 +28,13 @@ Answer roll_error(const Context& c, View) {
 }
 Answer spans(const Context& c, View) { return number(plan(c).spans()); }
 Answer missing(const Context& c, View) {
-  return plan(c).spans() > 0 ? number(sim::worst(c.find(edit::Want::room).room)) : none(plan(c).refusal);
+  return plan(c).spans() > 0 ? number(sim::worst(c.find.room())) : none(plan(c).refusal);
 }
 Answer refusal(const Context& c, View) {
   return plan(c).refusal.empty() ? none("it can be placed") : text(plan(c).refusal);
 }
 
-const sim::CircuitProposals& circuit(const Context& c) { return *c.find(edit::Want::circuit).circuit; }
+const sim::CircuitProposals& circuit(const Context& c) { return c.find.circuit(); }
 Answer proposals(const Context& c, View) { return number(circuit(c).list.size()); }
 constexpr ArgumentPart kWay[]{{.usage = "N", .most = sim::kMostProposals}};
 // Returns function(index) of the proposal that the argument names, none without it.

@@ -41,20 +41,21 @@ double asked_at(const sim::ForcePlan& plan, const ForcePlace& spot) {
 // Returns nothing where the ride does not arrive.
 std::optional<double> met_at(const Context& c, const sim::ForcePlan& plan, const ForcePlace& spot, std::size_t first) {
   const double start = c.session.derived.starts[first];
-  const edit::Findings& found = c.find(edit::Want::ride);
+  const sim::Ghost* const ride = c.find.ride();
+  const sim::RailTables& tables = c.find.tables();
   const auto length = [&](std::size_t i) { return plan.path.curve.points[i].s; };
   const double place = start + sim::between_points(plan, spot.at, length);
   if (plan.task.program.of == world::ForceOf::curvature)
     return sim::curvature_at(c.session.derived, first, place)[static_cast<std::size_t>(spot.channel)];
-  const auto passing = found.ride != nullptr ? sim::passing(*found.ride, place) : std::nullopt;
+  const auto passing = ride != nullptr ? sim::passing(*ride, place) : std::nullopt;
   if (!passing) return std::nullopt;
   std::size_t index = 0;
-  const double s = found.tables->locate(place, index), g = world::kGravity;
+  const double s = tables.locate(place, index), g = world::kGravity;
   if (spot.channel == world::ForceChannel::roll) {
     const double spin = base::degrees(c.session.derived.shape_at(index).roll.spin(s));
     return plan.task.program.over == world::ForceOver::distance ? spin : spin * passing->speed;
   }
-  const glm::vec3 felt = sim::felt_at(found.tables->segment(index), s, static_cast<float>(passing->along / g),
+  const glm::vec3 felt = sim::felt_at(tables.segment(index), s, static_cast<float>(passing->along / g),
                                       static_cast<float>(passing->speed * passing->speed / g));
   return double{spot.channel == world::ForceChannel::vertical ? felt.z : felt.y};
 }

@@ -36,7 +36,7 @@ Answer deviation(const Context& c, View) {
                                                              : none("it is not measured yet");
 }
 Answer chord_error(const Context& c, View) {
-  return c.session.derived.order.empty() ? none(kNoSegment) : number(c.find(edit::Want::chord_error).chord_error);
+  return c.session.derived.order.empty() ? none(kNoSegment) : number(c.find.chord_error());
 }
 Answer ns_per_point(const Context& c, View) {
   if (c.stats.evaluated_vertices == 0) return none("nothing has been evaluated");

@@ -44,7 +44,7 @@ Answer of_card(const Context& c, View) {
 Answer rides(const Context& c, View) { return number(c.session.game.result ? c.session.game.result->serial : 0); }
 Answer challenge_deviation(const Context& c, View) {
   if (!c.session.game.challenge) return none(kNoChallenge);
-  const double deviation = c.find(edit::Want::deviation).deviation;
+  const double deviation = c.find.deviation();
   return std::isfinite(deviation) ? number(deviation) : none(kNoSegment);
 }
 

@@ -11,28 +11,26 @@
 namespace coaster::query {
 namespace {
 
-const sim::Ghost* ghost_of(const Context& c) { return c.find(edit::Want::ride).ride; }
+const sim::Ghost* ghost_of(const Context& c) { return c.find.ride(); }
 
 template <auto... path>
 Answer rating(const Context& c, View) {
-  return ghost_of(c) ? value_of(member_at(*c.find(edit::Want::ratings).ratings, path...)) : none(kNoRide);
+  return ghost_of(c) ? value_of(member_at(c.find.ratings(), path...)) : none(kNoRide);
 }
 template <sim::Extreme sim::Ratings::*member>
 constexpr auto extreme = rating<member, &sim::Extreme::value>;
 // The largest value of all cars, in either direction.
 template <sim::RideValue value>
 Answer most(const Context& c, View) {
-  const edit::Findings& found = c.find(edit::Want::riders);
-  return found.riders != nullptr ? number(std::abs(sim::most_of(found.riders->all(), value).value)) : none(kNoRide);
+  const sim::Riders* const riders = c.find.riders();
+  return riders != nullptr ? number(std::abs(sim::most_of(riders->all(), value).value)) : none(kNoRide);
 }
 
 Answer lap_time(const Context& c, View) {
   const sim::Ghost* const ghost = ghost_of(c);
   return ghost && ghost->lap ? number(ghost->lap_time) : none(ghost ? "no lap completed" : kNoRide);
 }
-Answer envelope(const Context& c, View) {
-  return ghost_of(c) ? number(c.find(edit::Want::overloads).overloads.size()) : none(kNoRide);
-}
+Answer envelope(const Context& c, View) { return ghost_of(c) ? number(c.find.overloads().size()) : none(kNoRide); }
 Answer envelope_name(const Context& c, View) { return text(c.session.limits.name); }
 Answer fail(const Context& c, View) { return value_of(c.session.motion.failure.kind); }
 Answer fail_distance(const Context& c, View) {

@@ -5,6 +5,7 @@
 #include "base/portable_math.h"
 #include "query/rows.h"
 #include "sim/shape/frame_methods.h"
+#include "sim/study/jolt.h"
 #include "sim/study/live_errata.h"
 #include "world/evaluation.h"
 
@@ -72,13 +73,10 @@ Value passed(std::optional<double> value) { return value ? number(*value) : none
 Answer ride_g_step(const Context& c, View argument) {
   return of_entity(c, argument, world::Kind::knot, [&](world::Entity e) {
     const world::Document& document = c.session.document;
-    return passed(
-        sim::fastest_step(document, c.find(edit::Want::jolts).jolts, *world::index_of(document.track.knots, e)));
+    return passed(sim::fastest_step(document, c.find.jolts(), *world::index_of(document.track.knots, e)));
   });
 }
-Answer ride_g_step_max(const Context& c, View) {
-  return passed(sim::largest_step(c.session.document, c.find(edit::Want::jolts).jolts));
-}
+Answer ride_g_step_max(const Context& c, View) { return passed(sim::largest_step(c.session.document, c.find.jolts())); }
 
 // Returns the least continuity, at the first of several joints.
 template <class Level>
@@ -120,15 +118,15 @@ template <double sim::Jolt::*axis>
 Answer jolt(const Context& c, View argument) {
   return of_entity(c, argument, world::Kind::knot, [&](world::Entity e) {
     if (!joint_at(c.session.document, e)) return none(kOpenEnd);
-    if (c.find(edit::Want::ride).ride == nullptr) return none(kNoRide);
-    const std::span<const sim::Jolt> jolts = c.find(edit::Want::jolts).jolts;
+    if (c.find.ride() == nullptr) return none(kNoRide);
+    const std::span<const sim::Jolt> jolts = c.find.jolts();
     const auto index = world::index_of(c.session.document.track.knots, e);
     return index && *index < jolts.size() ? number(jolts[*index].*axis) : none("the ride does not pass it");
   });
 }
 Answer jolt_knot(const Context& c, View) {
   AtJoint<double> worst;
-  const std::span<const sim::Jolt> jolts = c.find(edit::Want::jolts).jolts;
+  const std::span<const sim::Jolt> jolts = c.find.jolts();
   for (std::size_t i = 0; i < jolts.size(); ++i)
     if (jolts[i].total > worst.figure) worst = {jolts[i].total, c.session.document.track.knots[i]};
   return label_or_none(c, worst.knot, "there is no jolt");

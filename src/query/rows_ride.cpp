@@ -69,7 +69,7 @@ Answer roll(const Context& c, View) {
 // Jerk depends on earlier values, so it comes from the simulation of the whole ride.
 Answer jerk(const Context& c, View) {
   return of_cart(c, [&](world::Entity, const world::CartMotion& cart) -> std::optional<double> {
-    const sim::Riders* const riders = c.find(edit::Want::riders).riders;
+    const sim::Riders* const riders = c.find.riders();
     if (riders == nullptr) return std::nullopt;
     return sim::value_at(riders->car(0), cart.track_distance, sim::RideValue::jerk);
   });

@@ -47,14 +47,14 @@ Spot spot_of(const Context& c, View word) {
 template <sim::RideValue value>
 Answer at_seat(const Context& c, View word) {
   const Spot spot = spot_of(c, word);
-  const edit::Findings& found = c.find(edit::Want::riders);
+  const sim::Ghost* const ride = c.find.ride();
   std::optional<double> result;
-  if (found.ride != nullptr)
-    for (const sim::Rider& rider : found.riders->cars(sim::cars_of(spot.seat, spot.car, found.ride->start.cars))) {
+  if (ride != nullptr)
+    for (const sim::Rider& rider : c.find.riders()->cars(sim::cars_of(spot.seat, spot.car, ride->start.cars))) {
       const std::optional<double> here = sim::value_at(rider, spot.distance, value);
       if (here && (!result || (spot.least ? *here < *result : *here > *result))) result = here;
     }
-  return result ? number(*result) : none(found.ride ? "the seat does not arrive there" : kNoRide);
+  return result ? number(*result) : none(ride ? "the seat does not arrive there" : kNoRide);
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 #include <array>
 
 #include "query/rows.h"
+#include "sim/study/section_figures.h"
 #include "world/sections.h"
 
 namespace coaster::query {
@@ -52,7 +53,7 @@ Answer section_of(const Context& c, View argument) {
 template <auto Member>
 Answer section_figure(const Context& c, View argument) {
   return of_run(c, argument, [&](const world::SectionRun& run) -> Value {
-    const auto value = c.find(edit::Want::sections).sections->of(run).*Member;
+    const auto value = c.find.sections().of(run).*Member;
     return value_of(value);
   });
 }

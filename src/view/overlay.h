@@ -7,10 +7,14 @@
 
 #include "sim/shape/folds.h"
 #include "sim/shape/frame_methods.h"
-#include "sim/study/element_room.h"
+#include "sim/solids/conflict.h"
 #include "sim/study/envelope.h"
 #include "sim/study/jolt.h"
 #include "view/pick.h"
+
+namespace coaster::sim {
+struct ElementPlan;
+}
 
 namespace coaster::view {
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sim/plan/elements.h"
 #include "sim/solids/track_mesh.h"
 #include "view/overlay_lab_parts.h"
 

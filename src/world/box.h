@@ -4,8 +4,8 @@
 
 namespace coaster::world {
 
-// Never empty. Copying copies the value; it cannot be moved. The functions are defined in settings.cpp, only for the
-// groups of settings.
+// Never empty. Copying copies the value; it cannot be moved. The functions are in world/box_detail.h: one file makes
+// those of a type.
 template <class T>
 class Box {
  public:

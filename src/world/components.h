@@ -9,7 +9,6 @@
 
 #include "world/element.h"
 #include "world/entity.h"
-#include "world/equipment_kind.h"
 #include "world/fields.h"
 #include "world/force.h"
 #include "world/registry.h"
@@ -137,6 +136,15 @@ struct Cart {
   }
   friend bool operator==(const Cart&, const Cart&) = default;
 };
+
+// Names: world/equipment_rows.h.
+// station: stops a train at its end, or where it can bring a short one to its speed; waits `seconds`, and dispatches it
+//          at up to `speed`.
+// lift:    a chain that pulls up to `speed`, prevents rollback, and does not slow faster trains.
+// launch:  accelerates with `acceleration` until `speed` is reached.
+// brake:   decelerates with `acceleration`, from above speed + hysteresis until below speed - hysteresis.
+// block:   a brake that stops a train at its end until the section after it is free.
+enum class EquipmentKind : std::uint8_t { station, lift, launch, brake, block };
 
 // The effect of a segment's rails on trains. A segment without this component is plain track.
 struct Equipment {

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "base/check.h"
+#include "world/element_rows.h"
 
 namespace coaster::world {
 

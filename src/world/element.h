@@ -5,10 +5,15 @@
 #include <optional>
 #include <string_view>
 
-#include "base/names.h"
-#include "world/element_rows.h"
+#include "world/element_kind.h"
+
+namespace coaster::base {
+struct NameRow;
+}
 
 namespace coaster::world {
+
+struct ElementParameter;  // world/element_rows.h
 
 // One element with its parameters: the first `values` are those of its row, in the row's order; the others are 0.
 struct Element {
@@ -20,7 +25,7 @@ struct Element {
 
 // Return an element with the row's default values, to the left; and all such elements, by kind.
 Element usual_element(ElementKind kind);
-std::array<Element, base::count_of<ElementKind>()> usual_elements();
+std::array<Element, kElementKinds> usual_elements();
 
 // True if the kind is in the table, the side exists, the values are within their limits, and those beyond its
 // parameters are 0.
@@ -31,9 +36,6 @@ Element limited(Element element);
 
 // Returns the row of a parameter's choice.
 const base::NameRow& choice_of(const ElementParameter& parameter, double value);
-
-// Returns the value of the parameter "equipment" for a kind; 0 is none.
-constexpr double equipment_choice(EquipmentKind kind) { return 1 + static_cast<double>(kind); }
 
 // Returns the value of a parameter; nothing if the element's row does not have it.
 std::optional<double> found_value(const Element& element, std::string_view parameter);

@@ -1,49 +1,19 @@
 // The elements of the palette as plain data, and their parameters with units, defaults and limits. To add one: an
-// enumerator, a row and its parameters here, its shape in sim/plan/element_shapes_*.cpp and in the table there, its
-// icon in ui/widgets/icons.cpp; for a force element its keys in sim/plan/force_elements.cpp instead.
+// enumerator in world/element_kind.h, a row and its parameters here, its shape in sim/plan/element_shapes_*.cpp and in
+// the table there, its icon in ui/widgets/icons.cpp; for a force element its keys in sim/plan/force_elements.cpp
+// instead.
 #pragma once
 
 #include <array>
 #include <cstddef>
-#include <cstdint>
 #include <span>
 #include <string_view>
 
 #include "base/names.h"
-#include "world/equipment_kind.h"
+#include "world/element_kind.h"
+#include "world/equipment_rows.h"
 
 namespace coaster::world {
-
-// Rows of elements(), in its order, then of force_elements().
-enum class ElementKind : std::uint8_t {
-  straight,
-  curve,
-  helix,
-  climb,
-  dive,
-  camelback,
-  loop,
-  corkscrew,
-  s_bend,
-  overbanked_turn,
-  bunny_hops,
-  zero_g_roll,
-  immelmann,
-  dive_loop,
-  cobra_roll,
-  brake_run,
-  force_hill,
-  force_valley,
-  force_turn,
-  force_roll,
-  force_heartline,
-  force_loop,
-  force_brakes
-};
-// True for a force element, which is placed as a force section: what riders feel shapes it, and its keys can be edited.
-constexpr bool is_of_forces(ElementKind kind) { return kind >= ElementKind::force_hill; }
-
-inline constexpr std::size_t kMaxElementParameters = 5;
 
 struct ElementParameter {
   std::string_view name;   // in scripts and recordings: "radius"
@@ -273,11 +243,15 @@ inline constexpr ElementRow kElements[] = {
     {"force_brakes", "Brakes", "Straight brakes, as long as the train needs to slow down.", false,
      element_rows::kForceBrakes},
 };
+static_assert(std::size(kElements) == kElementKinds);
 constexpr std::span<const ElementRow> rows_of(ElementKind) { return kElements; }
 // Elements with a fixed shape; and those that are placed as force sections (sim/plan/force_elements.h).
 constexpr std::span<const ElementRow> elements() {
   return rows_of(ElementKind{}).first(static_cast<std::size_t>(ElementKind::force_hill));
 }
 constexpr std::span<const ElementRow> force_elements() { return rows_of(ElementKind{}).subspan(elements().size()); }
+
+// Returns the value of the parameter "equipment" for a kind; 0 is none.
+constexpr double equipment_choice(EquipmentKind kind) { return 1 + static_cast<double>(kind); }
 
 }  // namespace coaster::world

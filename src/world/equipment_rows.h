@@ -1,20 +1,13 @@
-// The kinds of equipment.
+// The names of the kinds of equipment. Who only compares kinds needs world/components.h alone.
 #pragma once
 
-#include <cstdint>
 #include <span>
 
 #include "base/names.h"
+#include "world/components.h"
 
 namespace coaster::world {
 
-// station: stops a train at its end, or where it can bring a short one to its speed; waits `seconds`, and dispatches it
-//          at up to `speed`.
-// lift:    a chain that pulls up to `speed`, prevents rollback, and does not slow faster trains.
-// launch:  accelerates with `acceleration` until `speed` is reached.
-// brake:   decelerates with `acceleration`, from above speed + hysteresis until below speed - hysteresis.
-// block:   a brake that stops a train at its end until the section after it is free.
-enum class EquipmentKind : std::uint8_t { station, lift, launch, brake, block };
 inline constexpr base::NameRow kEquipmentKinds[] = {
     {"station", "Station", "Stops a train, waits, then dispatches it at its speed."},
     {"lift", "Lift", "A chain lift with anti-rollback: pulls the train at its speed."},

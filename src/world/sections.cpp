@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "world/element_rows.h"
+
 namespace coaster::world {
 
 std::vector<SectionRun> sections_of(const Document& document) {

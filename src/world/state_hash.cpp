@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "base/hash.h"
+#include "world/element_rows.h"
 #include "world/motion.h"
 #include "world/sections.h"
 

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "exchange/formats.h"
+#include "sim/study/way_change.h"
 
 namespace coaster::app {
 namespace found_test {

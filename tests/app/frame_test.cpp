@@ -9,6 +9,7 @@
 #include "edit/commands/commands_settings.h"
 #include "edit/commands/commands_shape.h"
 #include "edit/commands/set_setting.h"
+#include "edit/session/findings_memory.h"
 #include "gfx/image.h"
 #include "world/aids.h"
 #include "world/layers.h"
@@ -104,8 +105,8 @@ TEST_F(Frame, ways_home_are_not_searched_for_while_a_drag_changes_the_track) {
   ASSERT_TRUE(apply(*program_, edit::Set<&world::Aids::circuit>{1}).ok());
   const auto length = [&] {
     run_frame(*program_, {platform::Tick{1.0 / 60}}, 0);
-    const sim::CircuitProposals* const found = program_->session.findings.circuit;
-    return found != nullptr && !found->list.empty() ? found->list.front().plan.length : 0.0;
+    const std::vector<sim::CircuitProposal>& found = program_->session.findings->circuit.found().list;
+    return found.empty() ? 0.0 : found.front().plan.length;
   };
   const double before = length();
   ASSERT_GT(before, 1);

@@ -82,7 +82,7 @@ TEST_F(RideSummaries, g_are_those_that_riders_feel_as_in_the_report) {
   finish_summary(session, s);
   EXPECT_LT(s.most_side, most - 1);
   EXPECT_GT(s.most_side, 14 * 14 / 40.7 / 9.81);
-  const sim::Ratings& ratings = *edit::find(session, edit::Want::ratings).ratings;
+  const sim::Ratings& ratings = edit::Finder(session).ratings();
   EXPECT_EQ(s.most_up, ratings.up_most.value);
   EXPECT_EQ(s.least_up, ratings.up_least.value);
   EXPECT_EQ(s.most_side, ratings.side_most.value);

@@ -8,6 +8,8 @@
 #include "exchange/challenge_file.h"
 #include "sim/ride/ride.h"
 #include "sim/shape/frame_methods.h"
+#include "world/element_rows.h"
+#include "world/equipment_rows.h"
 #include "world/laboratory.h"
 #include "world/layers.h"
 #include "world/look.h"

@@ -4,6 +4,7 @@
 #include "curve/continuity.h"
 #include "edit/commands/commands_force.h"
 #include "edit/session_fixture.h"
+#include "sim/plan/force_plan.h"
 #include "world/sections.h"
 
 namespace coaster::test {
@@ -24,7 +25,7 @@ class Forces : public SessionTest {
   }
   const world::Section& value() { return world::section(session.document, entity(section.c_str())); }
   const world::ForceProgram& program() { return value().force; }
-  const sim::ForcePlan& plan() { return *edit::force_plan(session, entity(section.c_str())); }
+  const sim::ForcePlan& plan() { return *edit::Finder(session).force(entity(section.c_str())); }
   // Returns the knots from the section's end on, without the handle before it, which is the section's own.
   std::vector<world::Knot> knots_behind() {
     const auto& order = session.document.track.knots;
@@ -37,8 +38,8 @@ class Forces : public SessionTest {
   void key(const std::string& words) { good("force @" + section + " " + words); }
   // Largest difference between what the plan asks for and what the first train's riders feel in the simulated ride.
   double missed() {
-    const sim::Ghost& ride = *edit::find(session, edit::Want::ride).ride;
-    const sim::RailTables& tables = *session.findings.tables;
+    const sim::Ghost& ride = *edit::Finder(session).ride();
+    const sim::RailTables& tables = edit::Finder(session).tables();
     const sim::ForcePlan& planned = plan();
     const double start = session.derived.starts[world::run_of(session.document, entity(section.c_str())).first];
     double most = 0;

@@ -10,6 +10,8 @@
 #include "edit/commands/command_list.h"
 #include "sim/ride/ride.h"
 #include "sim/shape/frame_methods.h"
+#include "world/element_rows.h"
+#include "world/equipment_rows.h"
 
 namespace coaster::test {
 

@@ -5,6 +5,7 @@
 #include "base/hash.h"
 #include "edit/session_fixture.h"
 #include "query/context.h"
+#include "sim/solids/conflict.h"
 
 namespace coaster::query {
 namespace query_test {
@@ -167,7 +168,7 @@ TEST_F(QueryTest, the_conflict_is_the_worst_wherever_it_is) {
       good("append at " + at);
     ASSERT_GE(number("conflicts"), 2);
     double most = 0, at = 0;
-    for (const sim::Conflict& conflict : edit::Finder(session)(edit::Want::conflicts).conflicts)
+    for (const sim::Conflict& conflict : edit::Finder(session).conflicts())
       if (conflict.missing > most) most = conflict.missing, at = conflict.at;
     EXPECT_EQ(number("conflict.missing"), most) << heights;
     EXPECT_EQ(number("conflict.at"), at) << heights;

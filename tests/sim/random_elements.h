@@ -5,6 +5,7 @@
 #include <random>
 
 #include "sim/plan/elements.h"
+#include "world/element_rows.h"
 
 namespace coaster::test {
 

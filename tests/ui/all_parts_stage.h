@@ -95,7 +95,7 @@ class AllPartsStage : public Stage {
                                  {"Challenges", Key::h, {.ctrl = true}},
                                  {"Settings", Key::comma, {.ctrl = true}},
                                  {"Palette", Key::p, {.ctrl = true}}}) {
-      session_.file.saved_hash = edit::find(session_, edit::Want::document_hash).document_hash;
+      session_.file.saved_hash = edit::Finder(session_).document_hash();
       const std::size_t before = host_->widgets().size();
       key(dialog.key, dialog.with);
       show(dialog.name);

@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include "world/element_rows.h"
+
 namespace coaster::world {
 namespace element_test {
 

@@ -16,6 +16,8 @@
 #include "sim/ride/ride.h"
 #include "sim/shape/frame_methods.h"
 #include "world/document.h"
+#include "world/element_rows.h"
+#include "world/equipment_rows.h"
 
 namespace coaster::edit {
 

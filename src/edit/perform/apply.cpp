@@ -19,6 +19,7 @@
 #include "edit/session/history.h"
 #include "edit/session/locks.h"
 #include "edit/session/ride_watch.h"
+#include "sim/shape/tight_bends.h"
 #include "world/selection.h"
 #include "world/topology.h"
 
@@ -149,7 +150,7 @@ Status allowed(const Session& session, const Command& command) {
 // Tells of tight bends when there are more than before, at the end of a gesture.
 void warn_of_tight_bends(Session& session) {
   if (session.history.in_gesture) return;
-  const std::span<const sim::TightBend> bends = find(session, Want::tight_bends).tight_bends;
+  const std::span<const sim::TightBend> bends = Finder(session).tight_bends();
   if (bends.size() > std::exchange(session.notices.tight, bends.size()))
     notify(session, NoticeKind::warning, sim::tight_text(bends) + ". No train can pass there.");
 }

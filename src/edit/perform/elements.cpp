@@ -6,7 +6,10 @@
 #include "base/units.h"
 #include "edit/commands/commands_elements.h"
 #include "edit/perform/placing.h"
+#include "sim/study/complete_circuit.h"
+#include "sim/study/jolt.h"
 #include "world/aids.h"
+#include "world/element_rows.h"
 #include "world/evaluation.h"
 #include "world/section_words.h"
 #include "world/topology.h"
@@ -71,7 +74,7 @@ void add_first_train(world::Document& document) {
 Status perform(Session& session, Change& change, const PlaceElement& command) {
   if (const Status good = well_formed(command.what); !good) return good;
   world::Document& document = session.document;
-  const sim::ElementPlan& plan = *find(session, Want::element, command.what).element;
+  const sim::ElementPlan& plan = Finder(session).element(command.what);
   if (!plan.refusal.empty()) return refused(plan.refusal);
   const std::size_t knots = std::max<std::size_t>(document.track.knots.size(), 1) + plan.spans();
   if (knots > world::kMaxKnots) return refused(fmt::format("the track is at the limit of {} knots", world::kMaxKnots));
@@ -79,11 +82,11 @@ Status perform(Session& session, Change& change, const PlaceElement& command) {
           within_budget(knots - 1, session.settings.evaluation->steps, session.settings.evaluation->vertex_budget);
       !room)
     return room;
-  const double missing = sim::worst(find(session, Want::room, command.what).room);
+  const double missing = sim::worst(Finder(session).room(command.what));
   const world::Entity section = place(document, plan);
   change.select = plan.forces ? section : document.track.knots.back();
   if (document.track.segments.size() == plan.spans()) add_first_train(document);
-  if (plan.forces) report_forces(*force_plan(session, section), change);
+  if (plan.forces) report_forces(*Finder(session).force(section), change);
   report(plan, missing, change);
   return {};
 }
@@ -91,7 +94,7 @@ Status perform(Session& session, Change& change, const PlaceElement& command) {
 Status perform(Session& session, Change& change, const CompleteCircuit& command) {
   if (command.proposal < 1 || command.proposal > static_cast<int>(sim::kMostProposals))
     return refused(fmt::format("expected a proposal from 1 to {}", sim::kMostProposals));
-  const sim::CircuitProposals& found = *find(session, Want::circuit).circuit;
+  const sim::CircuitProposals& found = Finder(session).circuit();
   if (!found.refusal.empty()) return refused(found.refusal);
   if (static_cast<std::size_t>(command.proposal) > found.list.size())
     return refused(fmt::format("there {} {} proposal{}", found.list.size() == 1 ? "is" : "are", found.list.size(),
@@ -99,7 +102,7 @@ Status perform(Session& session, Change& change, const CompleteCircuit& command)
   const sim::CircuitProposal& proposal = found.list[static_cast<std::size_t>(command.proposal) - 1];
   const std::vector<world::Knot>& knots = proposal.plan.fit.knots;
   if (const Status room = room_for(session, knots.size() - 2, knots.size() - 1); !room) return room;
-  const double jolt = way_jolt(session, static_cast<std::size_t>(command.proposal) - 1);
+  const double jolt = Finder(session).way_jolt(static_cast<std::size_t>(command.proposal) - 1);
   change.select = sim::close_by(session.document, proposal);
   if (jolt > sim::kJoltLimit)
     change.clamped.push_back(fmt::format("A joint of the way home jolts riders by {} g. Worst jolt finds it.",

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "edit/perform/perform.h"
+#include "world/equipment_rows.h"
 
 namespace coaster::edit {
 

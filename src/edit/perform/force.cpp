@@ -73,7 +73,7 @@ void put_key(ForceProgram& program, world::ForceChannel channel, const ForceKey&
 // Returns the plan of a section's program; refused if there is none.
 base::Result<sim::ForcePlan> present_plan(Session& session, Target section, const ForceProgram& program) {
   const world::SectionRun run = world::run_of(session.document, world::find(session.document, section.name));
-  const sim::ForcePlan& plan = session.findings.memory.forces.plan(sim::force_task(session.document, run, program));
+  const sim::ForcePlan& plan = force_plans_of(session).plan(sim::force_task(session.document, run, program));
   return plan.refusal.empty() ? base::Result<sim::ForcePlan>(plan) : refused(plan.refusal);
 }
 
@@ -105,9 +105,9 @@ Status add_force(Session& session, Change& change, ForceProgram program) {
   Document& document = session.document;
   const std::optional<sim::TrackEnd> end = sim::open_end(document);
   if (!end) return refused(std::string(world::kClosedTrack));
-  const std::optional<double> speed = speed_at(session, session.derived.length);
+  const std::optional<double> speed = Finder(session).speed_at(session.derived.length);
   program.speed = speed.value_or(sim::kAssumedSpeed);
-  const sim::ForcePlan& plan = session.findings.memory.forces.plan(sim::force_task(document, *end, program));
+  const sim::ForcePlan& plan = force_plans_of(session).plan(sim::force_task(document, *end, program));
   if (!plan.refusal.empty()) return refused(plan.refusal);
   const std::size_t knots = std::max<std::size_t>(document.track.knots.size(), 1) + plan.spans();
   if (const Status room = room_for(session, knots, knots - 1); !room) return room;

@@ -55,13 +55,13 @@ Status perform(Session& session, Change& change, const ReadForces& command) {
   if (!all) return all.status();
   const world::SectionRun& run = *all;
   if (const Status same = same_equipment(document, run); !same) return same;
-  const std::optional<double> speed = speed_at(session, session.derived.starts[run.first]);
+  const std::optional<double> speed = Finder(session).speed_at(session.derived.starts[run.first]);
   world::ForceProgram program;
   program.tolerance = command.tolerance, program.speed = speed.value_or(sim::kAssumedSpeed);
   const sim::ForceReading reading =
       sim::read_forces({session.derived, run.first, run.count}, sim::force_task(document, run, program));
   if (!reading.refusal.empty()) return refused(fmt::format("@{}: {}", label, reading.refusal));
-  const sim::ForcePlan& plan = session.findings.memory.forces.plan(reading.plan.task);
+  const sim::ForcePlan& plan = force_plans_of(session).plan(reading.plan.task);
   if (const Status room = room_for_spans(session, document, run, plan.spans()); !room) return room;
   Document next = document;
   const Entity section = world::make_section(

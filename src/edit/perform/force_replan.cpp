@@ -113,7 +113,7 @@ Status replan_force(Session& session, Change& change, Document& document, Entity
   if (const std::optional<double> former = energy_at(session.document, section))
     change.gained = *energy_at(document, section) - *former;
   const sim::ForceTask task = sim::force_task(document, run, world::section(document, section).force);
-  const sim::ForcePlan& plan = session.findings.memory.forces.plan(task);
+  const sim::ForcePlan& plan = force_plans_of(session).plan(task);
   if (!plan.refusal.empty()) return refused(plan.refusal);
   if (const Status room = room_for_spans(session, document, run, plan.spans()); !room) return room;
   if (const std::string stopped = sim::stop_text(plan); !stopped.empty())
@@ -133,7 +133,7 @@ bool follow_speeds(Session& session, Change& change) {
   const auto& all = session.document.entities.pool<world::Section>().items();
   const auto count = std::count_if(all.begin(), all.end(), [](const auto& s) { return s.kind == SectionKind::force; });
   if (count == 0) return false;
-  session.findings.memory.forces.make_room(static_cast<std::size_t>(count));
+  force_plans_of(session).make_room(static_cast<std::size_t>(count));
   for (const SectionRun& run : world::sections_of(session.document)) sections.push_back(run.section);
   bool changed = false;
   for (const Entity section : sections) {
@@ -141,10 +141,10 @@ bool follow_speeds(Session& session, Change& change) {
     if (value.kind != SectionKind::force) continue;
     const SectionRun run = world::run_of(session.document, section);
     world::ForceProgram program = value.force;
-    const std::optional<double> speed = speed_at(session, session.derived.starts[run.first]);
+    const std::optional<double> speed = Finder(session).speed_at(session.derived.starts[run.first]);
     if (speed && !(std::abs(*speed - program.speed) <= kSameSpeed)) program.speed = *speed;
     const sim::ForceTask task = sim::force_task(session.document, run, program);
-    if (session.findings.memory.forces.has(task)) continue;
+    if (force_plans_of(session).has(task)) continue;
     Document next = session.document;
     next.entities.get<world::Section>(section).force = program;
     change.gained.reset();

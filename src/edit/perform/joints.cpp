@@ -8,6 +8,7 @@
 #include "edit/commands/commands_document.h"
 #include "edit/perform/joint_repair.h"
 #include "edit/perform/perform.h"
+#include "sim/study/jolt.h"
 
 namespace coaster::edit {
 namespace {
@@ -47,7 +48,7 @@ Status perform(Session& session, Change& change, const MakeG2& command) {
   if (!e) return e.status();
   const std::size_t index = *world::index_of(session.document.track.knots, *e);
   double movement = 0;
-  const std::span<const sim::Jolt> jolts = find(session, Want::jolts).jolts;  // of the ride before
+  const std::span<const sim::Jolt> jolts = Finder(session).jolts();  // of the ride before
   const world::Document before = session.document;
   const Status status = make_g2(session.document, index, &movement);
   if (!status) return status;
@@ -63,7 +64,7 @@ Status perform(Session& session, Change& change, const MakeAllG2&) {
   const RepairReport report = make_all_g2(next);
   const std::string text = told(session.document, report);
   if (report.changed == 0 && !report.refused.empty()) return refused(text);
-  const std::span<const sim::Jolt> jolts = find(session, Want::jolts).jolts;
+  const std::span<const sim::Jolt> jolts = Finder(session).jolts();
   change.note = text + told("Largest step of the force at a fastest passage",
                             sim::largest_step(session.document, jolts), sim::largest_step(next, jolts));
   session.document = std::move(next);

@@ -81,7 +81,7 @@ Status perform(Session& session, Change&, const SetRollbackFails& command) {
 
 // Banking changes what riders feel, not the speeds of the ride, so one pass is enough.
 Status perform(Session& session, Change& change, const AutoBank&) {
-  const sim::Ghost* const ghost = find(session, Want::ride).ride;
+  const sim::Ghost* const ghost = Finder(session).ride();
   if (!ghost) return refused("banking needs a track with a train");
   const int turned = sim::bank_knots(session.document, session.derived, *ghost);
   change.respun = session.document.track.knots;

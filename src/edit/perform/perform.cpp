@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "sim/shape/detail.h"
+#include "world/element_rows.h"
 #include "world/evaluation.h"
 
 namespace coaster::edit {
@@ -47,6 +48,9 @@ glm::vec3 Change::clamp_position(std::string_view what, glm::vec3 position) {
 void derive(Session& session) {
   const sim::Detail before = sim::detail_of(session.derived);
   sim::derive(session.document, session.settings, session.measuring.clock, session.derived);
+  session.evaluated.rebuilds += session.derived.rebuilds;
+  session.evaluated.seconds += session.derived.evaluation_seconds;
+  session.evaluated.vertices += session.derived.evaluated_vertices;
   const sim::Detail now = sim::detail_of(session.derived);
   if (now == before) return;
   if (const std::string coarse = sim::detail_text(now); !coarse.empty()) notify(session, NoticeKind::warning, coarse);

@@ -60,8 +60,7 @@ Status perform(Session& session, Change& change, const RideStep& command) {
   const int ticks = change.clamp("ticks", command.ticks, 1, kMaxStepTicks);
   if (session.motion.state == RideState::stopped) watch_start(session, true);
   session.motion.state = RideState::running;
-  sim::step(session.document, session.derived, session.settings.integrator, ticks, session.findings.memory.rides,
-            session.motion);
+  sim::step(session.document, session.derived, session.settings.integrator, ticks, rides_of(session), session.motion);
   watch_ticks(session, ticks);
   if (session.motion.state == RideState::running) session.motion.state = RideState::paused;
   return {};

@@ -8,6 +8,7 @@
 #include "edit/commands/commands_sections.h"
 #include "edit/perform/force_replan.h"
 #include "edit/perform/replan.h"
+#include "world/element_rows.h"
 #include "world/section_words.h"
 #include "world/sections.h"
 #include "world/topology.h"

@@ -5,6 +5,7 @@
 #include "edit/commands/commands_sections.h"
 #include "edit/perform/equipping.h"
 #include "edit/perform/knot_runs.h"
+#include "world/element_rows.h"
 #include "world/section_words.h"
 #include "world/sections.h"
 #include "world/topology.h"

@@ -34,7 +34,7 @@ class Trial {
         by_(words_of(command, numbers_)) {
     session_.document = session.document, session_.settings = session.settings, session_.limits = session.limits;
     session_.derived = session.derived, session_.game.referee = session.game.referee;
-    session_.findings.memory.forces = session.findings.memory.forces;
+    force_plans_of(session_) = force_plans_of(session);
     // As inside a drag: a section that completes the circuit keeps its way instead of searching all.
     session_.history.in_gesture = true, session_.history.gesture_start = session.document;
   }

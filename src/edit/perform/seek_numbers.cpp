@@ -12,6 +12,7 @@
 #include "edit/perform/knot_runs.h"
 #include "edit/perform/seek.h"
 #include "world/element.h"
+#include "world/element_rows.h"
 #include "world/force_steps.h"
 #include "world/section_words.h"
 #include "world/sections.h"

@@ -7,6 +7,7 @@
 #include "curve/arc_length.h"
 #include "curve/continuity.h"
 #include "edit/perform/replan.h"
+#include "edit/session/found_way.h"
 #include "world/sections.h"
 
 namespace coaster::edit {
@@ -72,9 +73,9 @@ sim::WayChange change_of(const Session& session, const Document& former, const S
 // beside the frames.
 std::optional<sim::ChangedWay> way_for(Session& session, sim::WayChange change) {
   WaySearch& search = session.way_search;
-  if (search.found && search.found->change == change) return std::exchange(search.found, std::nullopt)->way;
-  if (!search.beside) return sim::changed_way(change, session.findings.memory.opened);
-  search.wanted = std::move(change);
+  if (search.found && search.found->change == change) return std::exchange(search.found, nullptr)->way;
+  if (!search.beside) return sim::changed_way(change, opened_track_of(session));
+  search.wanted = std::make_shared<const sim::WayChange>(std::move(change));
   return std::nullopt;
 }
 

@@ -1,149 +1,99 @@
-// Values computed on demand for a session: whole rides, ratings, conflicts, plans, supports. All of them follow from
-// the document, the derived data, the settings and the envelope.
+// What follows from a session and is computed on demand: whole rides, ratings, conflicts, plans, supports. Each is
+// asked for by its name, computes what it needs itself, and is remembered with the state it was found for, so asking
+// again costs a comparison of keys, some nanoseconds a segment at most. Who reads a finding includes its header in sim.
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
-#include <tuple>
-#include <utility>
-#include <vector>
 
-#include "base/kept.h"
-#include "sim/plan/elements.h"
-#include "sim/plan/force_plan.h"
-#include "sim/ride/ghost.h"
-#include "sim/shape/frame_methods.h"
-#include "sim/shape/shape_distance.h"
-#include "sim/shape/tight_bends.h"
-#include "sim/solids/conflicts.h"
-#include "sim/solids/supports.h"
-#include "sim/study/complete_circuit.h"
-#include "sim/study/element_room.h"
-#include "sim/study/jolt.h"
-#include "sim/study/ratings.h"
-#include "sim/study/riders.h"
-#include "sim/study/section_figures.h"
-#include "sim/study/track_values.h"
-#include "sim/study/way_jolt.h"
+#include "world/box.h"
+#include "world/entity.h"
+
+namespace coaster::world {
+struct Element;
+}
+
+namespace coaster::sim {
+class ForceMemo;
+class GhostMemo;
+class RailTables;
+class Riders;
+class Supports;
+struct CircuitProposals;
+struct Conflict;
+struct ElementPlan;
+struct Fold;
+struct ForcePlan;
+struct FrenetBreak;
+struct Ghost;
+struct Jolt;
+struct Narrow;
+struct OpenedTrack;
+struct Ratings;
+struct RedSpan;
+struct SectionTable;
+struct Surroundings;
+struct TrackValues;
+}  // namespace coaster::sim
 
 namespace coaster::edit {
 
+struct FindingsMemory;  // edit/session/findings_memory.h
 struct Session;
 
-// The arguments of find(): one of these, or several joined by |.
-enum class Want : std::uint32_t {
-  nothing = 0,
-  document_hash = 1,
-  ride = 2,        // ride of the selected cart (chosen_cart), and the tables of the rails
-  ratings = 4,     // ratings of that ride
-  overloads = 8,   // overloads of that ride
-  conflicts = 16,  // where the track lacks clearance from itself
-  element = 32,    // the plan of the palette's element at the track's open end
-  room = 64,       // where that element lacks clearance
-  breaks = 128,    // breaks of the Frenet frame
-  values = 256,    // values that colour the track
-  supports = 512,
-  deviation = 1024,           // distance from the start track of the current challenge
-  seat = 2048,                // what the riders of the selected seat feel during that ride
-  riders = 4096,              // the same for all cars
-  folds = 8192,               // folds of the rails
-  jolts = 16384,              // jolts of that ride, at the joints
-  circuit = 32768,            // ways from the open end to the first knot
-  sections = 65536,           // their lengths, heights, and what the riders of the selected seat feel on them
-  conflicts_so_far = 131072,  // conflicts found so far; each call continues the search by a slice
-  chord_error = 262144,       // chord error of the polylines
-  tight_bends = 524288        // bends too tight for a train, and reversals
-};
-constexpr Want operator|(Want a, Want b) {
-  return static_cast<Want>(static_cast<std::uint32_t>(a) | static_cast<std::uint32_t>(b));
-}
-constexpr bool has(Want all, Want one) {
-  return (static_cast<std::uint32_t>(all) & static_cast<std::uint32_t>(one)) != 0;
-}
+// What planners and moving trains remember between two uses.
+sim::GhostMemo& rides_of(Session& session);
+sim::ForceMemo& force_plans_of(Session& session);
+const sim::ForceMemo& force_plans_of(const Session& session);
+sim::OpenedTrack& opened_track_of(Session& session);  // for planning a section that completes a circuit again
 
-// The results of find(). A member is up to date if find() has just been called for it; pointers and spans are valid
-// until the next find().
-struct Findings {
-  std::uint64_t document_hash = 0;
-  const sim::Ghost* ride = nullptr;          // null without a ride
-  const sim::RailTables* tables = nullptr;   // never null after Want::ride
-  const sim::Ratings* ratings = nullptr;     // never null after Want::ratings; all 0 without a ride
-  const sim::Riders* riders = nullptr;       // riders of the requested cars; null without a ride
-  std::span<const sim::RedSpan> overloads;   // none without a ride
-  std::span<const sim::Conflict> conflicts;  // in track order; all of them after Want::conflicts
-  bool all_conflicts = true;
-  std::span<const sim::Fold> folds;  // in track order
-  std::span<const sim::TightBend> tight_bends;
-  std::span<const sim::Jolt> jolts;  // by index of the knot in the track; none without a ride
-  const sim::ElementPlan* element = nullptr;
-  std::span<const sim::Narrow> room;               // parts of the element that lack clearance
-  const sim::CircuitProposals* circuit = nullptr;  // never null after Want::circuit
-  const sim::SectionTable* sections = nullptr;     // never null after Want::sections
-  std::span<const sim::FrenetBreak> breaks;
-  const sim::TrackValues* values = nullptr;
-  const sim::Supports* supports = nullptr;
-  double deviation = 0;    // m; 0 without a challenge
-  double chord_error = 0;  // m, largest distance of a piece of the curve from its chord
-
-  // Caches behind the members above, each with the key of its result.
-  struct Memory {
-    base::Kept<std::uint64_t, std::uint64_t> document_hash;  // by Session::edits
-    sim::GhostMemo rides;
-    // Keyed by the ride's serial, the build of the track and the envelope.
-    base::Kept<std::tuple<std::uint64_t, std::uint64_t, sim::Envelope>, sim::Ratings> ratings;
-    base::Kept<std::pair<std::uint64_t, sim::Envelope>, std::vector<sim::RedSpan>> overloads;  // by the ride's serial
-    sim::Riders riders;
-    base::Kept<std::pair<std::uint64_t, double>, std::vector<sim::Jolt>> jolts;  // by the ride's serial and the cutoff
-    sim::Conflicts conflicts;
-    sim::Folds folds, tight_bends{sim::tight_bends_of};
-    sim::ElementMemo elements;
-    sim::ElementRoom room;
-    sim::CircuitMemo circuit;
-    sim::WayJolts way_jolts;
-    // Keyed by Session::edits, the last build, the ride's serial and the first and the last car.
-    base::Kept<std::tuple<std::uint64_t, std::uint64_t, std::uint64_t, int, int>, sim::SectionTable> sections;
-    sim::OpenedTrack opened;  // for planning a section that completes a circuit again
-    sim::ForceMemo forces;
-    sim::FrenetBreaks breaks;
-    sim::TrackValueMemo values;
-    sim::NearTrack near;             // to the eye
-    sim::Supports supports, passed;  // displayed ones, and those a ride passes: each counts its rebuilds
-    base::Kept<std::pair<sim::ShapeTrace, sim::ShapeTrace>, double> deviation;  // by the two tracks' traces
-    base::Kept<std::pair<std::uint64_t, int>, double> chord_error;              // by the last build, and steps
-  } memory;
-};
-
-// Updates what is wanted and nothing else; no other function does. Unchanged findings cost a comparison of keys, some
-// nanoseconds per segment.
-const Findings& find(Session& session, Want wanted);
-// Does the same, with Want::element and Want::room for another element than the selected one.
-const Findings& find(Session& session, Want wanted, const world::Element& element);
-
-// Says where the eye is: of very long tracks Want::supports finds those near it.
-void look_from(Session& session, const sim::Surroundings& around);
-
-// Returns the speed of the first train when its first car reaches a position of the session's track, m/s; nothing if it
-// does not.
-std::optional<double> speed_at(Session& session, double distance);
-
-// Returns the largest jolt on a way home of Want::circuit, by its index, for the selected cart, g
-// (sim/study/way_jolt.h).
-double way_jolt(Session& session, std::size_t index);
-
-// Returns the plan of a force section as it is in the document; null for other sections. Valid until the next plan of
-// one.
-const sim::ForcePlan* force_plan(Session& session, world::Entity section);
-
-// Gives read access to a session and its findings, for panels and queries.
+// Gives read access to a session and its findings, for panels and queries. References, pointers and spans are valid
+// until the session changes, or the same finding is asked for with another argument.
 class Finder {
  public:
   Finder(Session& session) : session_(&session) {}
   const Session& session() const { return *session_; }
-  const Findings& operator()(Want wanted) const { return find(*session_, wanted); }
-  double way_jolt(std::size_t index) const { return edit::way_jolt(*session_, index); }
-  const sim::ForcePlan* force(world::Entity section) const { return force_plan(*session_, section); }
+
+  std::uint64_t document_hash() const;
+
+  // The ride of the selected cart (chosen_cart): null, none or 0 without one.
+  const sim::Ghost* ride() const;
+  const sim::RailTables& tables() const;            // of the rails
+  const sim::Ratings& ratings() const;              // of that ride
+  std::span<const sim::RedSpan> overloads() const;  // parts of it over the force limits
+  std::span<const sim::Jolt> jolts() const;         // at the joints, by index of the knot in the track
+  const sim::Riders* seat() const;                  // what the riders of the selected seat feel
+  const sim::Riders* riders() const;                // the same for all cars
+  std::optional<double> speed_at(double) const;  // m/s, of the first train at a distance, m; nothing if it isn't there
+  const sim::TrackValues& values() const;        // values that colour the track: those of the middle car
+
+  // The track.
+  const sim::SectionTable& sections() const;                // figures of each; what the riders of the seat feel there
+  std::span<const sim::Conflict> conflicts() const;         // where it lacks clearance from itself, in its order
+  std::span<const sim::Conflict> conflicts_so_far() const;  // those found so far; each call searches a slice more
+  bool all_conflicts() const;                               // true if the search is complete; does not search
+  std::span<const sim::Fold> folds() const;                 // of the rails
+  std::span<const sim::Fold> tight_bends() const;           // too tight for a train, and reversals
+  std::span<const sim::FrenetBreak> breaks() const;         // of the Frenet frame
+  const sim::Supports& supports() const;                    // near the eye on very long tracks
+  void look_from(const sim::Surroundings& around) const;    // says where the eye is
+  double chord_error() const;                               // m, largest distance of a piece from its chord
+  double deviation() const;                                 // m, from the challenge's start track; 0 without one
+
+  // Plans: the palette's element at the track's open end, or another one; ways from the open end to the first knot.
+  const sim::ElementPlan& element() const;
+  const sim::ElementPlan& element(const world::Element& element) const;
+  std::span<const sim::Narrow> room() const;  // parts of the element without clearance
+  std::span<const sim::Narrow> room(const world::Element& element) const;
+  const sim::CircuitProposals& circuit() const;
+  double way_jolt(std::size_t index) const;  // g, the selected cart's largest jolt on one of these ways
+  // The plan of a force section as it is in the document; null for other sections.
+  const sim::ForcePlan* force(world::Entity section) const;
 
  private:
+  FindingsMemory& memory() const;
+  const sim::Riders* riders_of(bool all) const;
   Session* session_;
 };
 

@@ -7,6 +7,7 @@
 #include "base/units.h"
 #include "exchange/own/json_values.h"
 #include "sim/plan/force_plan.h"
+#include "sim/shape/tight_bends.h"
 #include "sim/study/ride_report.h"
 #include "world/section_words.h"
 
@@ -39,24 +40,23 @@ exchange::JsonMembers overload(const sim::RedSpan& span) {
 }  // namespace
 
 std::optional<std::string> ride_report_json(const Finder& find) {
-  const Findings& found = find(Want::ratings | Want::overloads | Want::riders | Want::tight_bends);
-  if (found.ride == nullptr) return std::nullopt;
-  const sim::Ghost& ghost = *found.ride;
-  const sim::Ratings& r = *found.ratings;
+  if (find.ride() == nullptr) return std::nullopt;
+  const sim::Ghost& ghost = *find.ride();
+  const sim::Ratings& r = find.ratings();
+  const std::vector<sim::Rider> riders = find.riders()->all();
   const bool failed = ghost.end != world::FailureKind::none;
-  exchange::JsonMembers all{
-      {"name", find.session().document.name},
-      {"length_m", r.length},
-      {"lap_s", ghost.lap ? JsonValue(r.seconds) : nullptr},
-      {"time_s", r.seconds},
-      {"end", failed ? JsonValue(std::string(base::name_of(ghost.end))) : nullptr},
-      {"end_m", failed ? JsonValue(ghost.distance(ghost.samples.size() - 1)) : nullptr},
-      {"cars", std::int64_t{ghost.start.cars}},
-      {"spacing_m", double{ghost.start.spacing}},
-      {"mean_speed_m_s", r.mean_speed},
-      {"cutoff_Hz", found.riders->all().empty() ? nullptr : JsonValue(found.riders->all().front().cutoff)}};
+  exchange::JsonMembers all{{"name", find.session().document.name},
+                            {"length_m", r.length},
+                            {"lap_s", ghost.lap ? JsonValue(r.seconds) : nullptr},
+                            {"time_s", r.seconds},
+                            {"end", failed ? JsonValue(std::string(base::name_of(ghost.end))) : nullptr},
+                            {"end_m", failed ? JsonValue(ghost.distance(ghost.samples.size() - 1)) : nullptr},
+                            {"cars", std::int64_t{ghost.start.cars}},
+                            {"spacing_m", double{ghost.start.spacing}},
+                            {"mean_speed_m_s", r.mean_speed},
+                            {"cutoff_Hz", riders.empty() ? nullptr : JsonValue(riders.front().cutoff)}};
   exchange::JsonList over;  // figures at their limit
-  for (const auto& [name, unit, at] : sim::report_figures(r, found.riders->all())) {
+  for (const auto& [name, unit, at] : sim::report_figures(r, riders)) {
     all.emplace_back(key(name, unit), base::limited_figure(at.value, unit));
     if (std::abs(at.value) >= base::figure_limit(unit)) over.push_back({{"figure", key(name, unit)}});
     all.emplace_back(key(name, "at_m"), at.distance), all.emplace_back(key(name, "at_s"), at.seconds);
@@ -72,8 +72,8 @@ std::optional<std::string> ride_report_json(const Finder& find) {
   all.insert(all.end(), ratings.begin(), ratings.end());
   all.emplace_back("over_limit", std::move(over));
   exchange::JsonList overloads, missed, bends;
-  for (const sim::RedSpan& span : found.overloads) overloads.push_back(overload(span));
-  for (const sim::TightBend& bend : found.tight_bends) bends.push_back({{"at_m", bend.at}, {"radius_m", bend.radius}});
+  for (const sim::RedSpan& span : find.overloads()) overloads.push_back(overload(span));
+  for (const sim::TightBend& bend : find.tight_bends()) bends.push_back({{"at_m", bend.at}, {"radius_m", bend.radius}});
   all.emplace_back("tight_bends", std::move(bends));
   const std::string blocks = sim::deadlock_text(find.session().document, find.session().derived);
   all.emplace_back("deadlock", blocks.empty() ? nullptr : JsonValue(blocks));

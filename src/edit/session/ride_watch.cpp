@@ -53,7 +53,7 @@ void explain(Session& session, const sim::Ghost* ghost, RideResult& result) {
   const world::Failure& failure = session.motion.failure;
   const std::string_view what = base::name_of(failure.kind);
   const bool climbed = failure.kind == FailureKind::stall || failure.kind == FailureKind::rollback;
-  const auto missing = ghost && climbed ? shortfall(*ghost, *find(session, Want::ride).tables) : std::nullopt;
+  const auto missing = ghost && climbed ? shortfall(*ghost, Finder(session).tables()) : std::nullopt;
   result.place = missing ? missing->furthest : failure.distance;
   result.below_top = missing.has_value();
   if (missing)
@@ -88,9 +88,10 @@ void end_ride(Session& session, RideEnd end) {
   result.serial = session.game.result ? session.game.result->serial + 1 : 1;
   result.whole = run.whole && run.document == world::hash(session.document);
   result.seconds = static_cast<double>(run.ticks) * world::kTick;
-  const Findings& found = find(session, Want::ratings);
-  result.ratings = *found.ratings;
-  if (end == RideEnd::failed || end == RideEnd::open_end) explain(session, result.whole ? found.ride : nullptr, result);
+  const Finder find(session);
+  result.ratings = find.ratings();
+  if (end == RideEnd::failed || end == RideEnd::open_end)
+    explain(session, result.whole ? find.ride() : nullptr, result);
   judge(session, &result);
   session.game.result = std::move(result);
   session.game.show_result = true;

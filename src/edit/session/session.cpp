@@ -11,6 +11,8 @@
 #include "edit/session/ride_report.h"
 #include "edit/session/ride_watch.h"
 #include "exchange/own/link.h"
+#include "sim/plan/force_plan.h"
+#include "sim/shape/tight_bends.h"
 #include "world/evaluation.h"
 #include "world/sections.h"
 
@@ -37,7 +39,7 @@ void notify(Session& session, const base::Status& error) {
 bool dirty(const Finder& find) {
   const History& history = find.session().history;
   if (history.in_gesture && !history.gesture_text.command.empty()) return true;
-  return find(Want::document_hash).document_hash != find.session().file.saved_hash;
+  return find.document_hash() != find.session().file.saved_hash;
 }
 
 std::string link_of(const Session& session) {
@@ -105,11 +107,11 @@ std::string missed_forces(const Finder& find) {
 }  // namespace
 
 std::optional<std::string> ride_report(const Finder& find) {
-  const Findings& found = find(Want::ratings | Want::overloads | Want::riders | Want::tight_bends);
-  if (found.ride == nullptr) return std::nullopt;
+  const sim::Ghost* const ride = find.ride();
+  if (ride == nullptr) return std::nullopt;
   std::string text =
-      sim::report_text(*found.ride, *found.ratings, found.riders->all(), found.overloads, find.session().document.name);
-  if (!found.tight_bends.empty()) text += fmt::format("  {}\n", sim::tight_text(found.tight_bends));
+      sim::report_text(*ride, find.ratings(), find.riders()->all(), find.overloads(), find.session().document.name);
+  if (const auto bends = find.tight_bends(); !bends.empty()) text += fmt::format("  {}\n", sim::tight_text(bends));
   if (const std::string blocks = sim::deadlock_text(find.session().document, find.session().derived); !blocks.empty())
     text += fmt::format("  {}\n", blocks);
   text += missed_forces(find);
@@ -122,9 +124,8 @@ std::optional<std::string> ride_report(const Finder& find) {
   return text;
 }
 std::optional<std::string> ride_csv(const Finder& find) {
-  const Findings& found = find(Want::riders);
-  if (found.ride == nullptr) return std::nullopt;
-  return sim::report_csv(*found.ride, found.riders->all());
+  const sim::Ghost* const ride = find.ride();
+  return ride ? std::optional(sim::report_csv(*ride, find.riders()->all())) : std::nullopt;
 }
 
 std::string failure_text(const Session& session) {
@@ -154,8 +155,7 @@ void advance(Session& session, int ticks) {
   for (int done = 0; done < ticks;) {
     const int some = watched && session.game.run.under_way ? 1 : ticks - done;
     const bool running = session.motion.state == world::RideState::running;
-    sim::step(session.document, session.derived, session.settings.integrator, some, session.findings.memory.rides,
-              session.motion);
+    sim::step(session.document, session.derived, session.settings.integrator, some, rides_of(session), session.motion);
     if (running) watch_ticks(session, some);
     done += some;
   }

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <deque>
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -19,8 +20,11 @@
 #include "sim/shape/derived.h"
 #include "sim/study/envelope.h"
 #include "sim/study/measure.h"
-#include "sim/study/way_change.h"
 #include "world/difference.h"
+
+namespace coaster::sim {
+struct WayChange;
+}
 
 namespace coaster::edit {
 
@@ -78,16 +82,12 @@ struct SoughtAhead {
   Sought found;
 };
 
-// A way home that was found in advance.
-struct FoundWay {
-  sim::WayChange change;
-  sim::ChangedWay way;
-};
+struct FoundWay;  // edit/session/found_way.h
 // The search for the way home of a changed circuit, which may take longer than a frame.
 struct WaySearch {
   bool beside = false;  // true: a command that has to search is refused without a notice, and leaves this:
-  std::optional<sim::WayChange> wanted;
-  std::optional<FoundWay> found;  // for a command that is applied again
+  std::shared_ptr<const sim::WayChange> wanted;
+  std::shared_ptr<const FoundWay> found;  // for a command that is applied again
 };
 
 struct Notices {
@@ -132,6 +132,13 @@ struct Measuring {
   RideCost ride_cost;
 };
 
+// Segments evaluated since a frame counted them, by all derivations.
+struct EvaluationWork {
+  int rebuilds = 0;
+  double seconds = 0;  // in the evaluators
+  std::int64_t vertices = 0;
+};
+
 struct Session {
   world::Document document;  // the user's track: saved, undoable
   std::uint64_t edits = 0;   // increases with each command that may have changed it
@@ -142,7 +149,8 @@ struct Session {
   world::Motion motion;
   std::uint64_t tick = 0;  // ticks since the program's start
   sim::Derived derived;    // derived from document and settings
-  Findings findings;       // derived from all of these
+  EvaluationWork evaluated;
+  world::Box<FindingsMemory> findings;  // found from all of these by a Finder
   Game game;
   Measuring measuring;
   Notices notices;

@@ -6,6 +6,7 @@
 
 #include "base/text.h"
 #include "base/utf8.h"
+#include "world/element_rows.h"
 #include "world/sections.h"
 
 namespace coaster::exchange {

@@ -9,6 +9,8 @@
 #include "exchange/own/json_reader.h"
 #include "exchange/own/section_text.h"
 #include "exchange/own/track_file.h"
+#include "world/element_rows.h"
+#include "world/equipment_rows.h"
 #include "world/sections.h"
 
 namespace coaster::exchange {

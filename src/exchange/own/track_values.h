@@ -15,6 +15,8 @@
 #include "exchange/own/json_fields.h"
 #include "exchange/own/track_file.h"
 #include "world/document.h"
+#include "world/element_rows.h"
+#include "world/equipment_rows.h"
 
 namespace coaster::exchange {
 

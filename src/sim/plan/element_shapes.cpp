@@ -9,6 +9,7 @@
 
 #include "base/portable_math.h"
 #include "base/text.h"
+#include "world/element_rows.h"
 
 namespace coaster::sim {
 namespace {

@@ -8,8 +8,10 @@
 #include "base/text.h"
 #include "curve/continuity.h"
 #include "curve/frames.h"
+#include "sim/plan/element_memo.h"
 #include "sim/plan/force_elements.h"
 #include "sim/plan/force_plan.h"
+#include "world/element_rows.h"
 #include "world/topology.h"
 
 namespace coaster::sim {

@@ -9,7 +9,6 @@
 
 #include "sim/plan/element_fit.h"
 #include "sim/plan/element_shapes.h"
-#include "sim/plan/force_law.h"
 #include "world/document.h"
 
 namespace coaster::sim {
@@ -54,19 +53,5 @@ ElementPlan plan_element(const world::Element& element, const world::Document& d
                          std::optional<double> speed = std::nullopt);
 inline constexpr double kAssumedSpeed = 10;  // m/s, if no train reaches the open end
 std::string assumed_text();
-
-// Caches the last plan while the element, the track's end and, for a force element, the train are unchanged.
-class ElementMemo {
- public:
-  const ElementPlan& plan(const world::Element& element, const world::Document& document,
-                          std::optional<double> speed = std::nullopt);
-
- private:
-  std::optional<world::Element> element_;
-  std::optional<TrackEnd> end_;
-  std::optional<double> speed_;
-  std::optional<ForceTask> train_;
-  ElementPlan plan_;
-};
 
 }  // namespace coaster::sim

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "sim/shape/derived.h"
+#include "sim/solids/conflict.h"
 
 namespace coaster::sim {
 
@@ -18,27 +19,10 @@ inline constexpr double kTrackRadius = 0.78, kTrackDrop = 0.3;  // m
 inline constexpr double kSameStretch = 8;   // m
 inline constexpr double kConflictStep = 2;  // m, length of the chords of the curve; longer beyond 1,000 per segment
 
-// Two stretches that are too close to each other over their whole length.
-struct Conflict {
-  double at = 0, other = 0;               // m along the track, at < other: the narrowest point
-  double from = 0, to = 0;                // m along the track, start and end of the first stretch
-  double other_from = 0, other_to = 0;    // m, the same for the other stretch
-  double missing = 0;                     // m of clearance missing there, above 0, at most kTrainRadius + kTrackRadius
-  glm::vec3 at_place{0}, other_place{0};  // m, on the rails' centre line
-  friend bool operator==(const Conflict&, const Conflict&) = default;
-};
-
 // A point of the rails, m; `s` metres along the curve.
 struct LinePoint {
   glm::vec3 position{0}, up{0, 1, 0};
   float s = 0;
-};
-
-// A part of a planned line that is too close to track or to an earlier part of the line.
-struct Narrow {
-  double from = 0, to = 0;  // m along the line
-  double missing = 0;       // m, as in a conflict
-  double other = -1;        // m along the track, narrowest position; below 0: an earlier part of the line
 };
 
 // The conditions for a planned line: the track that it continues, and the required margin.
@@ -46,9 +30,6 @@ struct LineTerms {
   bool comes_home = false;  // it ends at the track's first knot
   double margin = 0;        // m of additional clearance
 };
-
-// Returns the largest missing clearance, m; 0 if there is none.
-double worst(std::span<const Narrow> parts);
 
 class Conflicts {
  public:

@@ -63,6 +63,7 @@ class CircuitMemo {
   // Returns the proposals, updated; refused for a track that cannot be completed.
   const CircuitProposals& update(const world::Document& document, const Derived& derived, const Conflicts& conflicts,
                                  const Ghost* ride);
+  const CircuitProposals& found() const { return found_; }  // of the last update, for tests
 
  private:
   std::optional<CircuitTask> task_;

@@ -10,6 +10,7 @@
 #include "ui/context/ways_home.h"
 #include "ui/tools/palette_element.h"
 #include "ui/tools/places.h"
+#include "world/element_rows.h"
 #include "world/panels.h"
 #include "world/selection.h"
 #include "world/topology.h"

@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "edit/commands/commands_lab.h"
+#include "sim/study/jolt.h"
 #include "ui/actions/actions_parts.h"
 #include "ui/actions/command_palette.h"
 #include "ui/context/ways_home.h"
@@ -35,11 +36,10 @@ void show_or_hide(Act& act) {
   act.ui.emit(edit::ShowLayer{layer, !layer_shown<layer>(act)});
 }
 
-constexpr Condition kInConflict{
-    [](const Act& act) { return !act.ui.find(edit::Want::conflicts_so_far).conflicts.empty(); },
-    "The track has no conflicts."};
+constexpr Condition kInConflict{[](const Act& act) { return !act.ui.find.conflicts_so_far().empty(); },
+                                "The track has no conflicts."};
 void next_conflict(Act& act) { show_next_conflict(act.ui); }
-constexpr Condition kRidden{[](const Act& act) { return !act.ui.find(edit::Want::jolts).jolts.empty(); },
+constexpr Condition kRidden{[](const Act& act) { return !act.ui.find.jolts().empty(); },
                             "A ride needs a track and a train."};
 void worst_jolt(Act& act) { show_worst_jolt(act.ui); }
 void fill_screen(Act& act) { act.ui.out.toggles_full_screen = true; }

@@ -139,7 +139,7 @@ void build_file_mark(Ui& ui) {
   const edit::Session& session = ui.session();
   const std::string holder = ui.state.kept != nullptr ? ui.state.kept->holder : "";
   const std::string name = session.file.path.empty() ? "no file" : session.file.path.filename().string();
-  const bool unsaved = edit::dirty(ui.state.find);
+  const bool unsaved = edit::dirty(ui.find);
   if (!unsaved && holder.empty()) return;
   const std::string mark = unsaved ? "\u25CF " : "", use = holder.empty() ? "" : " (in use elsewhere)";
   const float right = ImGui::GetWindowWidth() - std::floor(10 * ui.scale);

@@ -17,6 +17,7 @@
 #include "ui/context/state.h"
 #include "ui/widgets/widgets.h"
 #include "world/element.h"
+#include "world/element_rows.h"
 #include "world/section_columns.h"
 
 namespace coaster::ui {
@@ -114,9 +115,9 @@ struct Ui : WidgetFrame {
   const Widget* lesson_widget = nullptr;  // the widget that the lesson points at, as last drawn, visible or not
   view::Pick pointed = {};                // the position on the track under the mouse in a plot
   bool finger = false;                    // the mouse is a finger on a touch screen
+  const edit::Finder& find = state.find;
 
   const edit::Session& session() const { return state.session; }
-  const edit::Findings& find(edit::Want wanted) const { return state.find(wanted); }
   template <class C>
   void emit(C command) {
     out.commands.push_back(edit::Command(std::move(command)));

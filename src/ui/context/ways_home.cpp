@@ -4,6 +4,7 @@
 
 #include "edit/commands/commands_elements.h"
 #include "edit/commands/set_setting.h"
+#include "sim/study/complete_circuit.h"
 #include "world/aids.h"
 
 namespace coaster::ui {
@@ -26,14 +27,14 @@ void toggle_ways_home(Ui& ui) {
 }
 
 void next_way_home(Ui& ui) {
-  const sim::CircuitProposals& found = *ui.find(edit::Want::circuit).circuit;
+  const sim::CircuitProposals& found = ui.find.circuit();
   if (found.list.empty()) return;
   const std::size_t next = (shown_way_home(*ui.session().settings.aids, found) + 1) % found.list.size();
   ui.emit(edit::Set<&world::Aids::circuit>{static_cast<int>(next) + 1});
 }
 
 void place_way_home(Ui& ui) {
-  const sim::CircuitProposals& found = *ui.find(edit::Want::circuit).circuit;
+  const sim::CircuitProposals& found = ui.find.circuit();
   ui.emit(edit::CompleteCircuit{static_cast<int>(shown_way_home(*ui.session().settings.aids, found)) + 1});
   if (!found.list.empty()) ui.emit(edit::Set<&world::Aids::circuit>{0});
 }

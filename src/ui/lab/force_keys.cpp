@@ -190,7 +190,7 @@ void force_channels(Ui& ui, float bar) {
 
 void force_plot(Ui& ui, Entity section, const std::optional<RidePlots>& ride) {
   ForceKeys& state = state_of(ui, section);
-  const sim::ForcePlan* const plan = ui.state.find.force(section);
+  const sim::ForcePlan* const plan = ui.find.force(section);
   if (plan == nullptr || plan->path.points.empty())
     return small_note(plan == nullptr || plan->refusal.empty() ? "The section has no track."
                                                                : base::sentence(plan->refusal));

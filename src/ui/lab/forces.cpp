@@ -127,10 +127,9 @@ void forces_page(Ui& ui) {
   if (!need_probe(ui)) return;
   const auto plots = RidePlots::make(ui, ui.lab.forces_over_time);
   if (!plots) return small_note("No train: add one in the Track panel.");
-  const edit::Findings& found = ui.find(edit::Want::ratings | edit::Want::overloads);
-  const std::span<const sim::RedSpan> red = found.overloads;
+  const std::span<const sim::RedSpan> red = ui.find.overloads();
   Page page(ui, 230);
-  side(ui, plots->ride(), *found.ratings, red.empty());
+  side(ui, plots->ride(), ui.find.ratings(), red.empty());
   const float height = page.pictures(), room = ImGui::GetContentRegionAvail().x, gap = std::floor(12 * ui.scale);
   const int parts = room <= 340 * ui.scale ? 1 : red.empty() || room <= 560 * ui.scale ? 2 : 3;
   const float width = std::floor((room - gap * static_cast<float>(parts - 1)) / static_cast<float>(parts));

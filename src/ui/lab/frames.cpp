@@ -73,8 +73,7 @@ void side(Ui& ui, const Probe& probe) {
            "Rotation of a rotation-minimising frame after one lap of a closed track. It is distributed linearly in arc "
            "length.");
   std::size_t flips = 0, undefined = 0;
-  for (const sim::FrenetBreak& at : ui.find(edit::Want::breaks).breaks)
-    ++(at.kind == sim::FrenetBreak::Kind::flip ? flips : undefined);
+  for (const sim::FrenetBreak& at : ui.find.breaks()) ++(at.kind == sim::FrenetBreak::Kind::flip ? flips : undefined);
   read_out(ui, "Frenet flips", std::to_string(flips), "", "Number of places where the Frenet normal flips.");
   read_out(ui, "Undefined", std::to_string(undefined), "",
            "Number of stretches without curvature, where the Frenet normal is undefined.");

@@ -14,6 +14,8 @@
 #include "base/portable_math.h"
 #include "edit/commands/commands_document.h"
 #include "edit/commands/commands_settings.h"
+#include "sim/shape/tight_bends.h"
+#include "sim/study/jolt.h"
 #include "sim/study/live_errata.h"
 #include "ui/context/rows.h"
 #include "ui/lab/cache.h"
@@ -50,11 +52,11 @@ std::vector<std::size_t> by_jolt(const std::vector<JointRow>& rows) {
 const JointList& kept_joints(Ui& ui) {
   const edit::Session& session = ui.session();
   const sim::Derived& derived = session.derived;
-  const edit::Findings& found = ui.find(edit::Want::jolts);
-  const std::uint64_t ride = found.ride != nullptr ? found.ride->serial : 0;
+  const sim::Ghost* const ridden = ui.find.ride();
+  const std::uint64_t ride = ridden != nullptr ? ridden->serial : 0;
   const double cutoff = session.limits.envelope.cutoff;
   return ui.lab.joints.get({derived.last_build, derived.order, derived.closed, ride, cutoff}, [&] {
-    std::vector<JointRow> rows = joints_of(session, found.jolts);
+    std::vector<JointRow> rows = joints_of(session, ui.find.jolts());
     std::vector<std::size_t> order = by_jolt(rows);
     return JointList{std::move(rows), std::move(order)};
   });
@@ -77,7 +79,7 @@ std::uint32_t tint_of(double g) { return g > sim::kJoltLimit ? kBadColour : g > 
 
 void row_of(Ui& ui, const JointRow& row) {
   const bool selected = ui.session().settings.selected == row.knot;
-  const double jolt = ui.find(edit::Want::ride).ride != nullptr ? row.jolt : NAN;
+  const double jolt = ui.find.ride() != nullptr ? row.jolt : NAN;
   const std::string name = world::to_text(row.name), step = row.step ? digits(ui, *row.step, 3, "g") : "--";
   const std::uint32_t tint = row.joint.geometric == curve::Geometric::g2   ? kGoodColour
                              : row.joint.geometric == curve::Geometric::g1 ? kPlainColour
@@ -132,7 +134,7 @@ constexpr TableColumn kTightColumns[] = {
 
 // Draws the tight bends of the track, if there are any, and returns the height that is left.
 float tight_bends(Ui& ui, float height) {
-  const std::span<const sim::TightBend> bends = ui.find(edit::Want::tight_bends).tight_bends;
+  const std::span<const sim::TightBend> bends = ui.find.tight_bends();
   constexpr std::size_t kMostRows = 4;
   const float own = std::min(0.5f * height, ImGui::GetFrameHeight() * (1.5f + std::min(bends.size(), kMostRows)));
   if (bends.empty()) return height;

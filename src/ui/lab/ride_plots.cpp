@@ -55,14 +55,14 @@ void mark_overload(const sim::Rider& rider, const sim::RedSpan& span, bool over_
   }
 }
 
-SeatStudy study_of(const edit::Findings& found, sim::CarRange cars, bool over_time) {
-  const std::vector<sim::Rider> riders = found.riders->cars(cars);
+SeatStudy study_of(const edit::Finder& find, sim::CarRange cars, bool over_time) {
+  const std::vector<sim::Rider> riders = find.seat()->cars(cars);
   SeatStudy study{over_time ? sim::curves_by_time(riders) : sim::curves_by_place(riders), {}, {}, {}, {}};
   for (std::vector<double>& one : study.beyond)
     one.assign(study.curves.place.size(), std::numeric_limits<double>::quiet_NaN());
-  for (const sim::RedSpan& span : found.overloads)
+  for (const sim::RedSpan& span : find.overloads())
     if (span.car >= cars.first && span.car <= cars.last)
-      mark_overload(found.riders->car(span.car), span, over_time, study);
+      mark_overload(find.seat()->car(span.car), span, over_time, study);
   study.jerk = sim::most_of(riders, RideValue::jerk);
   study.roll_rate = sim::most_of(riders, RideValue::roll_rate);
   study.roll_acceleration = sim::most_of(riders, RideValue::roll_acceleration);
@@ -100,16 +100,16 @@ std::uint32_t RidePlots::colour_of(RideValue value) {
 
 std::optional<RidePlots> RidePlots::make(Ui& ui, bool over_time) {
   const edit::Session& session = ui.session();
-  const edit::Findings& found = ui.find(edit::Want::seat | edit::Want::overloads);
-  if (found.ride == nullptr) return std::nullopt;
+  const sim::Ghost* const ride = ui.find.ride();
+  if (ride == nullptr) return std::nullopt;
   const world::LabView& lab = *session.settings.lab;
-  const sim::CarRange cars = sim::cars_of(lab.seat, lab.seat_car, found.ride->start.cars);
+  const sim::CarRange cars = sim::cars_of(lab.seat, lab.seat_car, ride->start.cars);
   RidePlots plots;
-  plots.ride_ = found.ride;
+  plots.ride_ = ride;
   plots.over_time_ = over_time;
-  plots.study_ = &ui.lab.seat.get({found.ride->serial, session.limits.serial, cars.first, cars.last, plots.over_time_},
-                                  [&] { return study_of(found, cars, plots.over_time_); });
-  plots.behind_ = cars.middle() * found.ride->start.spacing;
+  plots.study_ = &ui.lab.seat.get({ride->serial, session.limits.serial, cars.first, cars.last, plots.over_time_},
+                                  [&] { return study_of(ui.find, cars, plots.over_time_); });
+  plots.behind_ = cars.middle() * ride->start.spacing;
   if (const world::CartMotion* const train = session.motion.carts.find(edit::chosen_cart(session)))
     plots.train_ = plots.at_place(train->track_distance - plots.behind_);
   if (const auto distance = pointed_distance(ui)) plots.mark_ = plots.at_place(*distance);

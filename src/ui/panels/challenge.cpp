@@ -25,7 +25,7 @@ using exchange::RuleList;
 
 // Shows a mark, the rule's text, and its value: on the right if it fits next to the text, else below it.
 void rule_row(Ui& ui, const query::Rule& rule, const exchange::ChallengeRule& words) {
-  const query::Finding finding = query::look_at(ui.state.find, rule);
+  const query::Finding finding = query::look_at(ui.find, rule);
   const std::string found = in_units(ui, finding.found), text = in_units(ui, words.text);
   const float line = ImGui::GetTextLineHeight(), mark = std::floor(line * 0.86f),
               indent = std::floor(mark + 8 * ui.scale);
@@ -174,7 +174,7 @@ void draw_goals(Ui& ui, const view::Viewport& scene) {
     tinted(challenge->file.name, palette().accent);
     for (const query::Rule& rule : *rules) {
       const bool medal = rule.list == RuleList::silver || rule.list == RuleList::gold;
-      if (rule.list == RuleList::goals || (!medal && !query::look_at(ui.state.find, rule).holds))
+      if (rule.list == RuleList::goals || (!medal && !query::look_at(ui.find, rule).holds))
         rule_row(ui, rule, challenge->file.list(rule.list)[rule.index]);
     }
     if (passed) passed_row(ui, *challenge);

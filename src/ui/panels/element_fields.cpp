@@ -1,5 +1,7 @@
 #include "ui/panels/element_fields.h"
 
+#include "world/element_rows.h"
+
 namespace coaster::ui {
 namespace {
 

@@ -8,6 +8,8 @@
 #include "base/text.h"
 #include "edit/commands/commands_elements.h"
 #include "sim/plan/elements.h"
+#include "sim/study/complete_circuit.h"
+#include "sim/study/jolt.h"
 #include "ui/context/rows.h"
 #include "ui/context/ways_home.h"
 #include "ui/panels/element_fields.h"
@@ -15,6 +17,7 @@
 #include "ui/tools/palette_element.h"
 #include "ui/widgets/theme.h"
 #include "world/aids.h"
+#include "world/element_rows.h"
 #include "world/panels.h"
 
 namespace coaster::ui {
@@ -56,7 +59,7 @@ void outcome(Ui& ui, const sim::ElementPlan& plan) {
   if (plan.lowest < 0)
     read_out(ui, "Below ground###In the ground", -plan.lowest, 1, "m", "Depth below the ground. That part is red.",
              true);
-  if (const double missing = sim::worst(ui.find(edit::Want::room).room); missing > 0)
+  if (const double missing = sim::worst(ui.find.room()); missing > 0)
     read_out(ui, "Missing clearance###Lacks room", missing, 1, "m",
              "Missing clearance to other track. That part is yellow.", true);
   for (const std::string& line : plan.lines) tinted(in_units(ui, line), palette().warning);
@@ -74,7 +77,7 @@ void ways_home(Ui& ui) {
   if (aids.circuit <= 0 || !completable(ui.session().document)) return;
   if (ui.session().history.in_gesture) return tinted("The ways home show again after the drag.", palette().dim);
   const float width = ImGui::GetContentRegionAvail().x;
-  const sim::CircuitProposals& found = *ui.find(edit::Want::circuit).circuit;
+  const sim::CircuitProposals& found = ui.find.circuit();
   if (!found.refusal.empty()) return tinted(in_units(ui, base::sentence(found.refusal)), palette().warning);
   const std::size_t at = shown_way_home(aids, found);
   const sim::CircuitProposal& way = found.list[at];
@@ -82,7 +85,7 @@ void ways_home(Ui& ui) {
            fmt::format("{} shows the next one.", ui.keys.shown("Panels")));
   read_out(ui, "Length home", way.plan.length, 1, "m", "Length of this way home.");
   read_out(ui, "Worst g", way.felt.most, 1, "g", "Largest vertical felt g on this way home, not low-passed.");
-  const double jolt = ui.state.find.way_jolt(at);
+  const double jolt = ui.find.way_jolt(at);
   read_out(ui, "Worst jolt", jolt, 1, "g",
            "Largest sudden change of felt g at the joints of this way home, low-passed.", jolt > sim::kJoltLimit);
   if (found.assumed)
@@ -104,7 +107,7 @@ void elements_panel(Ui& ui) {
   ways_home(ui);
   if (!session.settings.aids->show_element) return;
   parameters(ui);
-  const sim::ElementPlan& plan = *ui.find(edit::Want::element).element;
+  const sim::ElementPlan& plan = ui.find.element();
   const bool possible = plan.refusal.empty();
   if (!possible) tinted(in_units(ui, base::sentence(plan.refusal)), palette().warning);
   const std::string help =

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "ui/widgets/theme.h"
+#include "world/equipment_rows.h"
 
 namespace coaster::ui {
 

@@ -87,9 +87,7 @@ void resolution(Ui& ui) {
 void chord_error(Ui& ui) {
   constexpr std::size_t kMost = 10'000;  // segments: some 2 ms after each change
   const std::size_t segments = ui.session().derived.order.size();
-  const std::string value = segments == 0 || segments > kMost
-                                ? "--"
-                                : digits(ui, 1e3 * ui.find(edit::Want::chord_error).chord_error, 2, "mm");
+  const std::string value = segments == 0 || segments > kMost ? "--" : digits(ui, 1e3 * ui.find.chord_error(), 2, "mm");
   if (beside_last(ui, fmt::format("Chord error {}", value))) {
     // The label and its value need more than half of the row.
     const float free = ImGui::GetCursorScreenPos().x - ImGui::GetItemRectMax().x;

@@ -11,6 +11,7 @@
 #include "query/query.h"
 #include "ui/context/rows.h"
 #include "ui/widgets/theme.h"
+#include "world/element_rows.h"
 #include "world/sections.h"
 #include "world/selection.h"
 

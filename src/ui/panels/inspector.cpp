@@ -11,6 +11,7 @@
 #include "edit/commands/commands_document.h"
 #include "edit/commands/commands_settings.h"
 #include "edit/commands/commands_shape.h"
+#include "sim/study/jolt.h"
 #include "ui/context/rows.h"
 #include "ui/tools/selecting.h"
 #include "world/selection.h"
@@ -91,15 +92,15 @@ void joint_list(Ui& ui, const edit::Knots& knots, const world::Knot& knot, std::
 }
 
 void jolt(Ui& ui, Entity knot) {
-  const edit::Findings& findings = ui.find(edit::Want::jolts);
   const auto index = world::index_of(ui.session().document.track.knots, knot);
   if (!index) return;
-  const auto step = sim::fastest_step(ui.session().document, findings.jolts, *index);
+  const std::span<const sim::Jolt> jolts = ui.find.jolts();
+  const auto step = sim::fastest_step(ui.session().document, jolts, *index);
   read_out(ui, "g-step", step ? digits(ui, *step, 3, "g") : "--", "g",
            "v\u00B2 |\u0394\u03BA| / g: step of the force here at the fastest passage of the whole ride, of all cars.",
            false, step > sim::kStepLimit);
-  if (findings.ride == nullptr) return;
-  const sim::Jolt found = *index < findings.jolts.size() ? findings.jolts[*index] : sim::Jolt{};
+  if (ui.find.ride() == nullptr) return;
+  const sim::Jolt found = *index < jolts.size() ? jolts[*index] : sim::Jolt{};
   read_out(ui, "Jolt", digits(ui, found.total, 2, "g"), "g",
            fmt::format("Largest change of felt g by the jumps of curvature and roll here, low-pass filtered: "
                        "vertical {}, lateral {}, longitudinal {} g. Worst in car {}, at {} m/s.",

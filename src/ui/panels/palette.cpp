@@ -16,6 +16,7 @@
 #include "ui/widgets/icons.h"
 #include "ui/widgets/theme.h"
 #include "world/aids.h"
+#include "world/element_rows.h"
 
 namespace coaster::ui {
 namespace {

@@ -9,6 +9,8 @@
 #include "base/text.h"
 #include "edit/commands/commands_force.h"
 #include "edit/commands/commands_sections.h"
+#include "sim/plan/force_plan.h"
+#include "sim/study/section_figures.h"
 #include "ui/context/rows.h"
 #include "ui/panels/element_fields.h"
 #include "ui/panels/equipment_rows.h"
@@ -16,6 +18,7 @@
 #include "ui/tools/selecting.h"
 #include "ui/widgets/button_rows.h"
 #include "ui/widgets/theme.h"
+#include "world/element_rows.h"
 #include "world/sections.h"
 #include "world/selection.h"
 
@@ -100,7 +103,7 @@ void force_parameters(Ui& ui, const Chosen& chosen) {
   const world::SectionRun& run = chosen.runs.front();
   const std::string uncounted = sim::uncounted_text(chosen.document, run, program);
   if (!uncounted.empty()) paragraph(ui, "Not counted", uncounted, palette().warning);
-  const sim::ForcePlan* const plan = ui.state.find.force(run.section);
+  const sim::ForcePlan* const plan = ui.find.force(run.section);
   if (plan == nullptr || !plan->refusal.empty()) return;
   if (const std::string stopped = sim::stop_text(*plan); !stopped.empty())
     paragraph(ui, "Stopped", base::sentence(stopped), palette().warning);
@@ -199,7 +202,7 @@ void section_buttons(Ui& ui, const Chosen& chosen) {
 }
 
 void section_figures_rows(Ui& ui, const Chosen& chosen) {
-  const sim::SectionFigures& of = ui.find(edit::Want::sections).sections->of(chosen.runs.front());
+  const sim::SectionFigures& of = ui.find.sections().of(chosen.runs.front());
   read_out(ui, "Length", of.length, 1, "m", "Length of the section.");
   read_out(ui, "Height at start", of.start, 1, "m", "Height of the track where the section begins.");
   read_out(ui, "Height at end", of.end, 1, "m", "Height of the track where the section ends.");

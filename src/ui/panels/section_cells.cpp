@@ -9,6 +9,7 @@
 #include "ui/panels/element_fields.h"
 #include "ui/panels/section_changes.h"
 #include "ui/widgets/theme.h"
+#include "world/element_rows.h"
 
 namespace coaster::ui {
 namespace {

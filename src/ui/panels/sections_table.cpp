@@ -17,6 +17,8 @@
 #include "ui/tools/selecting.h"
 #include "ui/widgets/table.h"
 #include "ui/widgets/theme.h"
+#include "world/element_rows.h"
+#include "world/equipment_rows.h"
 #include "world/panels.h"
 #include "world/selection.h"
 
@@ -168,7 +170,7 @@ void scroll_to_cell(const Ui& ui, const sim::SectionTable& table, std::span<cons
 }
 
 void table_of_sections(Ui& ui, float height) {
-  const sim::SectionTable& table = *ui.find(edit::Want::sections).sections;
+  const sim::SectionTable& table = ui.find.sections();
   if (table.rows.empty()) return tinted("No sections yet. Place an element from the palette.", palette().dim);
   const Document& document = ui.session().document;
   const world::Panels& shown = *ui.session().settings.panels;

@@ -62,7 +62,7 @@ struct Bar {
 };
 
 void unsaved_mark(Bar& bar) {
-  const bool unsaved = edit::dirty(bar.ui.state.find);
+  const bool unsaved = edit::dirty(bar.ui.find);
   const bool none = bar.ui.session().file.path.empty();  // it has no file
   const std::string_view word = unsaved ? (none ? "not saved yet" : "unsaved") : none ? "no file" : "saved";
   const std::string mark = unsaved ? fmt::format("\u25CF {}", word) : std::string(word);

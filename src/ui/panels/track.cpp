@@ -7,7 +7,9 @@
 
 #include "edit/commands/commands_document.h"
 #include "edit/commands/commands_shape.h"
+#include "sim/plan/force_plan.h"
 #include "sim/ride/equipment.h"
+#include "sim/shape/tight_bends.h"
 #include "ui/context/rows.h"
 #include "ui/context/setting_rows.h"
 #include "ui/tools/places.h"
@@ -71,17 +73,17 @@ void deviation(Ui& ui) {
 
 void conflicts(Ui& ui) {
   constexpr std::string_view kTooltip = "Places where the track lacks clearance from itself.";
-  const edit::Findings& found = ui.find(edit::Want::conflicts_so_far);
-  if (found.conflicts.empty()) return;
-  if (found.all_conflicts) read_query(ui, "Conflicts", "conflicts", kTooltip, {.decimals = 0, .warns = true});
-  else read_out(ui, "Conflicts", fmt::format("{} so far", found.conflicts.size()), "", kTooltip);
+  const std::size_t found = ui.find.conflicts_so_far().size();
+  if (found == 0) return;
+  if (ui.find.all_conflicts()) read_query(ui, "Conflicts", "conflicts", kTooltip, {.decimals = 0, .warns = true});
+  else read_out(ui, "Conflicts", fmt::format("{} so far", found), "", kTooltip);
   if (button(ui, "Next conflict", "Go to the next place where the track lacks clearance from itself.", true,
              ImGui::GetContentRegionAvail().x))
     show_next_conflict(ui);
 }
 
 void folds(Ui& ui) {
-  if (ui.find(edit::Want::folds).folds.empty()) return;
+  if (ui.find.folds().empty()) return;
   read_query(ui, "Folds", "folds", "Places where the rails fold. Such a track cannot be exported.",
              {.decimals = 0, .warns = true});
   if (button(ui, "Next fold", "Go to the next place where the rails fold.", true, ImGui::GetContentRegionAvail().x))
@@ -89,7 +91,7 @@ void folds(Ui& ui) {
 }
 
 void tight_bends(Ui& ui) {
-  if (ui.find(edit::Want::tight_bends).tight_bends.empty()) return;
+  if (ui.find.tight_bends().empty()) return;
   read_query(ui, "Tight bends", "tight_bends",
              "Places where the curve bends with a radius below 0.5 m or reverses its direction.",
              {.decimals = 0, .warns = true});

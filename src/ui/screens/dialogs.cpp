@@ -48,7 +48,7 @@ void Dialogs::take(Ui& ui, Want want) {
 void Dialogs::request(Ui& ui, Want want) {
   want_ = std::move(want);
   saving_ = false;
-  if (edit::dirty(ui.state.find)) dialog_ = Dialog::unsaved;
+  if (edit::dirty(ui.find)) dialog_ = Dialog::unsaved;
   else proceed(ui);
 }
 
@@ -88,7 +88,7 @@ void Dialogs::load(Ui& ui, const Want& want) {
 // The save ran after the frame that requested it. If the document is still unsaved, a notice says why.
 void Dialogs::follow_save(Ui& ui) {
   if (!std::exchange(saving_, false)) return;
-  if (edit::dirty(ui.state.find)) abandon();
+  if (edit::dirty(ui.find)) abandon();
   else proceed(ui);
 }
 

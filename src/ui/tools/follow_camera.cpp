@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "edit/commands/commands_settings.h"
+#include "sim/study/complete_circuit.h"
 #include "ui/context/ways_home.h"
 #include "ui/tools/viewport_tool.h"
 #include "world/aids.h"
@@ -59,10 +60,10 @@ std::vector<glm::vec3> preview_points(const Ui& ui) {
   };
   if (aids.circuit > 0 && completable(ui.session().document)) {
     if (ui.session().history.in_gesture) return points;  // a search would hold up each frame of a drag
-    const sim::CircuitProposals& ways = *ui.find(edit::Want::circuit).circuit;
+    const sim::CircuitProposals& ways = ui.find.circuit();
     if (!ways.list.empty()) add(ways.list[shown_way_home(aids, ways)].plan);
   } else if (aids.show_element) {
-    add(*ui.find(edit::Want::element).element);
+    add(ui.find.element());
   }
   return points;
 }

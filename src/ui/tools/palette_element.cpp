@@ -3,6 +3,8 @@
 #include <algorithm>
 
 #include "edit/commands/commands_elements.h"
+#include "sim/plan/elements.h"
+#include "world/element_rows.h"
 #include "world/panels.h"
 
 namespace coaster::ui {
@@ -47,7 +49,7 @@ void choose_element(Ui& ui, ElementKind kind) {
 void place_shown_element(Ui& ui) {
   world::Element element = ui.session().settings.element;
   ui.emit(edit::PlaceElement{element});
-  const bool placed = ui.find(edit::Want::element).element->refusal.empty();
+  const bool placed = ui.find.element().refusal.empty();
   if (!placed || !in_build(ui.session()) || world::found_value(element, kEquipment).value_or(kNone) == kNone) return;
   world::set_value(element, kEquipment, kNone);
   ui.emit(edit::ChooseElement{element});

@@ -5,6 +5,9 @@
 #include "edit/commands/commands_challenge.h"
 #include "edit/commands/commands_settings.h"
 #include "edit/commands/set_setting.h"
+#include "sim/shape/tight_bends.h"
+#include "sim/solids/conflict.h"
+#include "sim/study/jolt.h"
 #include "world/aids.h"
 #include "world/sections.h"
 
@@ -85,17 +88,16 @@ void show_place(Ui& ui, double distance) {
 }
 
 void show_next_conflict(Ui& ui) {
-  if (const auto* const next = next_of(ui, ui.find(edit::Want::conflicts).conflicts))
+  if (const auto* const next = next_of(ui, ui.find.conflicts()))
     look_at(ui, next->at, 0.5f * (next->at_place + next->other_place), 0, 24);
 }
 
 void show_next_fold(Ui& ui) {
-  if (const auto* const next = next_of(ui, ui.find(edit::Want::folds).folds)) look_at(ui, next->at, next->place, 0, 24);
+  if (const auto* const next = next_of(ui, ui.find.folds())) look_at(ui, next->at, next->place, 0, 24);
 }
 
 void show_next_tight_bend(Ui& ui) {
-  if (const auto* const next = next_of(ui, ui.find(edit::Want::tight_bends).tight_bends))
-    look_at(ui, next->at, next->place, 0, 24);
+  if (const auto* const next = next_of(ui, ui.find.tight_bends())) look_at(ui, next->at, next->place, 0, 24);
 }
 
 void show_knot(Ui& ui, world::Entity knot) {
@@ -107,7 +109,7 @@ void show_knot(Ui& ui, world::Entity knot) {
 }
 
 void show_worst_jolt(Ui& ui) {
-  const std::span<const sim::Jolt> jolts = ui.find(edit::Want::jolts).jolts;
+  const std::span<const sim::Jolt> jolts = ui.find.jolts();
   const auto worst = std::max_element(jolts.begin(), jolts.end(),
                                       [](const sim::Jolt& a, const sim::Jolt& b) { return a.total < b.total; });
   if (worst == jolts.end() || !(worst->total > 0)) return;

@@ -7,6 +7,7 @@
 
 #include "ui/widgets/theme.h"
 #include "ui/widgets/widgets.h"
+#include "world/element_rows.h"
 
 namespace coaster::ui {
 namespace {

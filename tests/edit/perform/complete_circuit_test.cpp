@@ -13,6 +13,8 @@
 #include "edit/commands/commands_elements.h"
 #include "edit/random_tracks.h"
 #include "sim/shape/rails.h"
+#include "sim/study/complete_circuit.h"
+#include "sim/study/jolt.h"
 #include "world/aids.h"
 
 namespace coaster::edit {
@@ -115,7 +117,7 @@ void CompleteCircuitTest::check(std::size_t number) {
   const bool arrives = !proposals().assumed;
   const world::Document before = session.document;
   const std::size_t old = before.track.segments.size(), steps = session.history.undo.size();
-  const double jolt = way_jolt(session, number - 1);
+  const double jolt = Finder(session).way_jolt(number - 1);
   const double from = session.derived.length,
                gap = static_cast<double>(glm::distance(world::knot(before, before.track.knots.back()).position,
                                                        world::knot(before, before.track.knots.front()).position));
@@ -129,13 +131,14 @@ void CompleteCircuitTest::check(std::size_t number) {
   expect_smooth(session.derived, old);
   expect_gentle(session.derived, old);
   expect_clear(samples(), from, length);
-  EXPECT_TRUE(find(session, Want::conflicts).conflicts.empty());
-  const Findings& found = find(session, Want::ride | Want::jolts);
-  ASSERT_NE(found.ride, nullptr);
-  if (arrives) expect_felt(*found.ride, from, proposal.felt);
-  if (arrives) expect_no_jolts(found.jolts, old);
-  double most = found.jolts.front().total;
-  for (const sim::Jolt& at : found.jolts.subspan(std::min(old, found.jolts.size()))) most = std::max(most, at.total);
+  EXPECT_TRUE(Finder(session).conflicts().empty());
+  const Finder find(session);
+  ASSERT_NE(find.ride(), nullptr);
+  const std::span<const sim::Jolt> jolts = find.jolts();
+  if (arrives) expect_felt(*find.ride(), from, proposal.felt);
+  if (arrives) expect_no_jolts(jolts, old);
+  double most = jolts.front().total;
+  for (const sim::Jolt& at : jolts.subspan(std::min(old, jolts.size()))) most = std::max(most, at.total);
   EXPECT_DOUBLE_EQ(jolt, most) << "the proposal promises the jolt that the completed ride has";
   good("undo");
   ASSERT_TRUE(session.document == before);

@@ -5,6 +5,7 @@
 #include "edit/commands/commands_operation.h"
 #include "edit/session_fixture.h"
 #include "exchange/formats.h"
+#include "sim/shape/folds.h"
 #include "sim/shape/rails.h"
 
 namespace coaster::edit {
@@ -103,7 +104,7 @@ TEST_F(Curve, exports_are_refused_where_rails_fold) {
   session.document.heartline = 5;
   good("curve heartline keep numbers");
   good("move @k3 to 131.5 20 -35");  // a crest
-  const auto folds = find(session, Want::folds).folds;
+  const auto folds = Finder(session).folds();
   ASSERT_GT(folds.size(), 0u);
   for (const char* name : {"a.csv", "a.nl2elem", "a.obj", "a.gltf", "a.svg"}) {
     const std::string path = (folder.path() / name).string();

@@ -7,6 +7,7 @@
 #include "edit/session_fixture.h"
 #include "sim/random_elements.h"
 #include "world/aids.h"
+#include "world/element_rows.h"
 
 namespace coaster::edit {
 namespace perform_elements_test {

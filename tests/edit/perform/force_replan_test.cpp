@@ -78,7 +78,7 @@ TEST_F(Forces, a_change_of_speed_plans_it_again) {
   ASSERT_TRUE(loaded) << loaded.status().message;
   const std::uint64_t hash_before = world::hash(session.document);
   start_on(loaded->document);
-  session.findings.memory.forces = {};
+  force_plans_of(session) = {};
   good("section.title @" + section + " to \"Same\"");
   good("section.title @" + section + " to \"\"");
   EXPECT_EQ(world::hash(session.document), hash_before);
@@ -90,9 +90,9 @@ TEST_F(Forces, many_keep_their_plans) {
   for (int i = 0; i < 40; ++i) good("force.add of curvature length 4");
   const auto first = [&] { return world::segment(session.document, session.document.track.segments.front()).section; };
   good("section.title @q40 to last");
-  const std::uint64_t planned = edit::force_plan(session, first())->serial;
+  const std::uint64_t planned = edit::Finder(session).force(first())->serial;
   good("section.title @q40 to end");
-  EXPECT_EQ(edit::force_plan(session, first())->serial, planned);
+  EXPECT_EQ(edit::Finder(session).force(first())->serial, planned);
 }
 
 // The speed at each follows from the one before it, so none is planned for a speed that the train no longer has.
@@ -118,7 +118,7 @@ TEST_P(ForcesInARow, are_planned_once_each_when_the_train_comes_faster) {
     for (const std::string& name : names) {
       section = name;
       const std::size_t first = world::run_of(session.document, entity(name.c_str())).first;
-      EXPECT_NEAR(program().speed, *edit::speed_at(session, session.derived.starts[first]), 0.002) << name;
+      EXPECT_NEAR(program().speed, *edit::Finder(session).speed_at(session.derived.starts[first]), 0.002) << name;
       EXPECT_LT(missed(), 0.06) << name;
     }
     expect_g2();

@@ -65,7 +65,7 @@ TEST_F(Forces, both_ends_stay_while_the_keys_are_met_as_far_as_possible) {
   EXPECT_EQ(world::hash(loaded->document), hash());
   EXPECT_TRUE(world::section(loaded->document, world::find(loaded->document, *world::parse_name(section))).force.hold);
   const std::uint64_t same = hash();
-  session.findings.memory.forces = {};
+  force_plans_of(session) = {};
   good("section.title @" + section + " to \"Same\""), good("section.title @" + section + " to \"\"");
   EXPECT_EQ(hash(), same) << "planned again to the bit";
   for (int i = 0; i < 7; ++i) good("undo");

@@ -6,6 +6,7 @@
 #include "curve/continuity.h"
 #include "edit/commands/commands_sections.h"
 #include "edit/session_fixture.h"
+#include "world/equipment_rows.h"
 #include "world/sections.h"
 
 namespace coaster::edit {

@@ -2,6 +2,7 @@
 
 #include "edit/force_fixture.h"
 #include "world/element.h"
+#include "world/element_rows.h"
 
 namespace coaster::edit {
 namespace seek_numbers_test {

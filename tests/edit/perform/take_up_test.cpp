@@ -11,6 +11,7 @@
 #include "curve/continuity.h"
 #include "edit/random_tracks.h"
 #include "sim/shape/rails.h"
+#include "world/element_rows.h"
 #include "world/sections.h"
 
 namespace coaster::edit {

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include "edit/session/found_way.h"
 #include "edit/session_fixture.h"
 
 namespace coaster::edit {
@@ -34,9 +35,9 @@ TEST_F(WaySearches, a_search_beside_the_frames_comes_to_the_same) {
     EXPECT_EQ(session.edits, edits);
     EXPECT_EQ(session.notices.serial, silent) << "nothing to tell yet";
     ASSERT_TRUE(session.way_search.wanted);
-    const sim::WayChange change = *std::exchange(session.way_search.wanted, std::nullopt);
+    const sim::WayChange change = *std::exchange(session.way_search.wanted, nullptr);
     sim::OpenedTrack opened;
-    session.way_search.found = FoundWay{change, sim::changed_way(change, opened)};
+    session.way_search.found = std::make_shared<FoundWay>(FoundWay{change, sim::changed_way(change, opened)});
     EXPECT_EQ(apply(line).ok(), can);
     EXPECT_EQ(hash(), wanted);
     EXPECT_EQ(session.notices.list.back().text, notice);
@@ -67,8 +68,9 @@ TEST_F(WaySearches, neither_frame_of_a_change_does_the_search) {
   circuit();
   session.way_search.beside = true;
   const double asked = took();
-  const sim::WayChange change = *std::exchange(session.way_search.wanted, std::nullopt);
-  session.way_search.found = FoundWay{change, sim::changed_way(change, session.findings.memory.opened)};
+  const sim::WayChange change = *std::exchange(session.way_search.wanted, nullptr);
+  session.way_search.found =
+      std::make_shared<FoundWay>(FoundWay{change, sim::changed_way(change, edit::opened_track_of(session))});
   const double taken = took();
   EXPECT_EQ(hash(), after);
   std::printf("at once %.1f ms; beside the frames %.1f and %.1f ms\n", 1e3 * whole, 1e3 * asked, 1e3 * taken);
@@ -80,8 +82,8 @@ TEST_F(WaySearches, an_answer_to_another_change_is_not_taken) {
   circuit();
   session.way_search.beside = true;
   EXPECT_FALSE(apply("section.change @q2 to climb height 30 equipment lift").ok());
-  const sim::WayChange change = *std::exchange(session.way_search.wanted, std::nullopt);
-  session.way_search.found = FoundWay{change, {.refusal = "an answer to another question"}};
+  const sim::WayChange change = *std::exchange(session.way_search.wanted, nullptr);
+  session.way_search.found = std::make_shared<FoundWay>(FoundWay{change, {.refusal = "an answer to another question"}});
   session.way_search.beside = false;
   good("section.change @q2 to climb height 31 equipment lift");
   const std::uint64_t after = hash();

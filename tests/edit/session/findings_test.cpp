@@ -4,13 +4,15 @@
 #include <string>
 
 #include "edit/session_fixture.h"
+#include "sim/plan/elements.h"
+#include "sim/shape/frame_methods.h"
+#include "sim/solids/conflict.h"
+#include "sim/solids/supports.h"
+#include "sim/study/jolt.h"
+#include "sim/study/track_values.h"
 
 namespace coaster::edit {
 namespace findings_test {
-
-constexpr Want kAll = Want::document_hash | Want::ride | Want::ratings | Want::overloads | Want::conflicts |
-                      Want::element | Want::room | Want::breaks | Want::values | Want::supports | Want::deviation |
-                      Want::jolts;
 
 class FindingsOfASession : public test::SessionTest {
  protected:
@@ -26,29 +28,29 @@ class FindingsOfASession : public test::SessionTest {
   }
   void expect_the_same(const std::string& after) {
     Session other = fresh();
-    const Findings &found = find(session, kAll), &expected = find(other, kAll);
-    EXPECT_EQ(found.document_hash, world::hash(session.document)) << after;
-    ASSERT_EQ(found.ride == nullptr, expected.ride == nullptr) << after;
-    if (found.ride) {
-      EXPECT_EQ(found.ride->samples.size(), expected.ride->samples.size()) << after;
-      EXPECT_EQ(found.ride->samples.back().speed, expected.ride->samples.back().speed) << after;
+    const Finder found(session), expected(other);
+    EXPECT_EQ(found.document_hash(), world::hash(session.document)) << after;
+    ASSERT_EQ(found.ride() == nullptr, expected.ride() == nullptr) << after;
+    if (found.ride()) {
+      EXPECT_EQ(found.ride()->samples.size(), expected.ride()->samples.size()) << after;
+      EXPECT_EQ(found.ride()->samples.back().speed, expected.ride()->samples.back().speed) << after;
     }
-    EXPECT_EQ(found.ratings->up_most.value, expected.ratings->up_most.value) << after;
-    EXPECT_EQ(found.ratings->highest_drop, expected.ratings->highest_drop) << after;
-    ASSERT_EQ(found.overloads.size(), expected.overloads.size()) << after;
-    for (std::size_t i = 0; i < found.overloads.size(); ++i)
-      EXPECT_EQ(found.overloads[i].worst, expected.overloads[i].worst) << after;
-    ASSERT_EQ(found.jolts.size(), expected.jolts.size()) << after;
-    for (std::size_t i = 0; i < found.jolts.size(); ++i)
-      EXPECT_EQ(found.jolts[i].total, expected.jolts[i].total) << after;
-    EXPECT_TRUE(std::equal(found.conflicts.begin(), found.conflicts.end(), expected.conflicts.begin(),
-                           expected.conflicts.end()))
+    EXPECT_EQ(found.ratings().up_most.value, expected.ratings().up_most.value) << after;
+    EXPECT_EQ(found.ratings().highest_drop, expected.ratings().highest_drop) << after;
+    ASSERT_EQ(found.overloads().size(), expected.overloads().size()) << after;
+    for (std::size_t i = 0; i < found.overloads().size(); ++i)
+      EXPECT_EQ(found.overloads()[i].worst, expected.overloads()[i].worst) << after;
+    ASSERT_EQ(found.jolts().size(), expected.jolts().size()) << after;
+    for (std::size_t i = 0; i < found.jolts().size(); ++i)
+      EXPECT_EQ(found.jolts()[i].total, expected.jolts()[i].total) << after;
+    EXPECT_TRUE(std::equal(found.conflicts().begin(), found.conflicts().end(), expected.conflicts().begin(),
+                           expected.conflicts().end()))
         << after;
-    EXPECT_EQ(found.element->refusal, expected.element->refusal) << after;
-    EXPECT_EQ(found.room.size(), expected.room.size()) << after;
-    EXPECT_EQ(found.breaks.size(), expected.breaks.size()) << after;
-    EXPECT_EQ(found.values->values, expected.values->values) << after;
-    EXPECT_EQ(found.supports->count(), expected.supports->count()) << after;
+    EXPECT_EQ(found.element().refusal, expected.element().refusal) << after;
+    EXPECT_EQ(found.room().size(), expected.room().size()) << after;
+    EXPECT_EQ(found.breaks().size(), expected.breaks().size()) << after;
+    EXPECT_EQ(found.values().values, expected.values().values) << after;
+    EXPECT_EQ(found.supports().count(), expected.supports().count()) << after;
   }
 };
 
@@ -62,28 +64,28 @@ TEST_F(FindingsOfASession, are_those_of_a_fresh_session_after_every_change) {
 
 TEST_F(FindingsOfASession, a_ride_is_simulated_when_it_is_wanted_and_changed_alone) {
   good("start_speed 9.1");
-  const Findings& found = find(session, Want::ride);
-  ASSERT_NE(found.ride, nullptr);
-  const std::uint64_t first = found.ride->serial;
-  find(session, Want::ride);
-  EXPECT_EQ(found.ride->serial, first);
+  const Finder found(session);
+  ASSERT_NE(found.ride(), nullptr);
+  const std::uint64_t first = found.ride()->serial;
+  (void)found.ride();
+  EXPECT_EQ(found.ride()->serial, first);
   for (const char* const line : {"start_speed 10.3", "start_speed 11.7", "start_speed 12.9"}) {
     good(line);
-    find(session, Want::document_hash | Want::conflicts | Want::breaks | Want::supports);
+    (void)found.document_hash(), (void)found.conflicts(), (void)found.breaks(), (void)found.supports();
   }
-  find(session, Want::ride);
-  EXPECT_EQ(found.ride->serial, first + 1);  // the edits between were never simulated
-  EXPECT_EQ(found.ride->start.speed, 12.9);
+  (void)found.ride();
+  EXPECT_EQ(found.ride()->serial, first + 1);  // the edits between were never simulated
+  EXPECT_EQ(found.ride()->start.speed, 12.9);
 }
 
 TEST_F(FindingsOfASession, without_a_cart_there_is_no_ride_and_nothing_of_one) {
   for (world::Entity cart; (cart = chosen_cart(session)).valid();)
     good("remove @" + world::label_of(session.document, cart));
-  const Findings& found = find(session, Want::ride | Want::ratings | Want::overloads | Want::jolts);
-  EXPECT_EQ(found.ride, nullptr);
-  EXPECT_EQ(found.ratings->up_most.value, 0);
-  EXPECT_TRUE(found.overloads.empty());
-  EXPECT_TRUE(found.jolts.empty());
+  const Finder found(session);
+  EXPECT_EQ(found.ride(), nullptr);
+  EXPECT_EQ(found.ratings().up_most.value, 0);
+  EXPECT_TRUE(found.overloads().empty());
+  EXPECT_TRUE(found.jolts().empty());
 }
 
 TEST_F(FindingsOfASession, the_report_of_an_imported_track_has_its_deviations) {

@@ -1,6 +1,7 @@
 #include "edit/session/history.h"
 
 #include "base/tries.h"
+#include "edit/session/findings_memory.h"
 #include "edit/session_fixture.h"
 #include "sim/tracks.h"
 #include "world/evaluation.h"
@@ -84,7 +85,7 @@ TEST_F(HistoryOfEdits, a_gesture_that_moved_anything_counts_as_unsaved_until_its
   good("datum 9");
   good("datum -1.7");  // as it is saved
   EXPECT_TRUE(dirty(session));
-  EXPECT_NE(session.findings.memory.document_hash.key, session.edits) << "a hash was made";
+  EXPECT_NE(session.findings->document_hash.key, session.edits) << "a hash was made";
   good("gesture.end");
   EXPECT_FALSE(dirty(session));
   good("datum 9");

@@ -6,6 +6,7 @@
 #include "curve/continuity.h"
 #include "sim/plan/element_spans.h"
 #include "sim/random_elements.h"
+#include "world/element_rows.h"
 
 namespace coaster::sim {
 namespace element_fit_test {

@@ -4,6 +4,7 @@
 
 #include "base/portable_math.h"
 #include "sim/random_elements.h"
+#include "world/element_rows.h"
 
 namespace coaster::sim {
 namespace element_path_test {

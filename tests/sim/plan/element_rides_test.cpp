@@ -4,6 +4,7 @@
 #include "sim/plan/elements.h"
 #include "sim/study/ratings.h"
 #include "sim/tracks.h"
+#include "world/element_rows.h"
 #include "world/topology.h"
 
 namespace coaster::sim {

@@ -5,7 +5,9 @@
 #include <limits>
 
 #include "base/tries.h"
+#include "sim/plan/element_memo.h"
 #include "sim/random_elements.h"
+#include "world/element_rows.h"
 #include "world/topology.h"
 
 namespace coaster::sim {

@@ -12,6 +12,7 @@
 #include "sim/force_oracle.h"
 #include "sim/plan/elements.h"
 #include "sim/plan/force_plan.h"
+#include "world/element_rows.h"
 
 namespace coaster::sim {
 namespace force_elements_test {

@@ -8,6 +8,7 @@
 #include "sim/ride/live_ride.h"
 #include "sim/ride/passing.h"
 #include "sim/tracks.h"
+#include "world/equipment_rows.h"
 
 namespace coaster::sim {
 namespace equipment_instant_test {

@@ -28,7 +28,7 @@ struct Edited {
     EXPECT_TRUE(edit::apply(session, files, edit::SetDatum{0.25}).ok());
   }
   std::vector<RedSpan> red() {
-    return red_spans(*session.findings.memory.rides.ride(session.document, session.derived, cart), default_envelope());
+    return red_spans(*edit::rides_of(session).ride(session.document, session.derived, cart), default_envelope());
   }
   void move(world::Entity knot, glm::vec3 by) {
     const world::Name name = world::name_of(session.document, knot);

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "sim/plan/element_memo.h"
 #include "sim/tracks.h"
 
 namespace coaster::sim {

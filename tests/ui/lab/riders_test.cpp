@@ -49,7 +49,7 @@ struct RidersTest : Stage {
   }
   double train() const { return session_.motion.carts.items()[0].track_distance; }
   double value_at(int car, double distance, sim::RideValue value) {
-    return sim::value_at(edit::find(session_, edit::Want::riders).riders->car(car), distance, value).value_or(NAN);
+    return sim::value_at(edit::Finder(session_).riders()->car(car), distance, value).value_or(NAN);
   }
 };
 
