@@ -61,7 +61,7 @@ endfunction()
 function(coaster_room name)
   cmake_parse_arguments(room "COLD" "" "USES;LINK" ${ARGN})
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/src/${name}/*.cpp)
-  list(FILTER sources EXCLUDE REGEX "/app/main\\.cpp$")
+  list(FILTER sources EXCLUDE REGEX "/app/main\\.cpp$|/base/library_check\\.cpp$")
   # A web page has no threads, signals, processes, other programs or displays: web_*.cpp and no_*.cpp replace them.
   if(EMSCRIPTEN)
     list(FILTER sources EXCLUDE REGEX "/base/(parallel|crash_guard)\\.cpp$")

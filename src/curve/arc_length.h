@@ -7,7 +7,6 @@
 #include <span>
 #include <string_view>
 
-#include "base/names.h"
 #include "curve/cubic.h"
 
 namespace coaster::curve {

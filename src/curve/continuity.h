@@ -2,18 +2,23 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
+#include <string_view>
 
-#include "base/names.h"
 #include "curve/cubic.h"
 
 namespace coaster::curve {
 
+// A level's name. rows_of() returns a row per enumerator, in their order.
+struct LevelRow {
+  std::string_view name;
+};
 enum class Geometric : std::uint8_t { broken, g0, g1, g2 };
-inline constexpr base::NameRow kGeometric[] = {{"none"}, {"G0"}, {"G1"}, {"G2"}};
-constexpr std::span<const base::NameRow> rows_of(Geometric) { return kGeometric; }
+inline constexpr LevelRow kGeometric[] = {{"none"}, {"G0"}, {"G1"}, {"G2"}};
+constexpr std::span<const LevelRow> rows_of(Geometric) { return kGeometric; }
 enum class Parametric : std::uint8_t { broken, c0, c1, c2 };
-inline constexpr base::NameRow kParametric[] = {{"none"}, {"C0"}, {"C1"}, {"C2"}};
-constexpr std::span<const base::NameRow> rows_of(Parametric) { return kParametric; }
+inline constexpr LevelRow kParametric[] = {{"none"}, {"C0"}, {"C1"}, {"C2"}};
+constexpr std::span<const LevelRow> rows_of(Parametric) { return kParametric; }
 
 struct Joint {
   double gap;             // m, |b3 - c0|

@@ -6,7 +6,6 @@
 #include <span>
 #include <string_view>
 
-#include "base/names.h"
 #include "curve/cubic.h"
 
 namespace coaster::curve {
@@ -27,11 +26,14 @@ using PolylineFunction = void (*)(const PreparedCubic& curve, std::span<glm::vec
 // `polyline` of a shader method repeats the shader's arithmetic on the processor, so tests, deviations and picking need
 // no GL.
 enum class EvaluatedBy { processor, vertex_shader, geometry_shader, tessellation_shader };
-inline constexpr base::NameRow kStages[] = {{"processor", "Processor", ""},
-                                            {"vertex_shader", "Vertex shader", ""},
-                                            {"geometry_shader", "Geometry shader", ""},
-                                            {"tessellation_shader", "Tessellation shader", ""}};
-constexpr std::span<const base::NameRow> rows_of(EvaluatedBy) { return kStages; }
+struct StageRow {
+  std::string_view name, label;  // in scripts; in panels
+};
+inline constexpr StageRow kStages[] = {{"processor", "Processor"},
+                                       {"vertex_shader", "Vertex shader"},
+                                       {"geometry_shader", "Geometry shader"},
+                                       {"tessellation_shader", "Tessellation shader"}};
+constexpr std::span<const StageRow> rows_of(EvaluatedBy) { return kStages; }
 
 struct Evaluator {
   std::string_view name;     // in scripts and files: "bernstein"

@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "base/names.h"
 #include "edit/commands/codec.h"
 #include "edit/commands/set_setting.h"
 #include "edit/perform/seek.h"
@@ -98,9 +99,7 @@ bool parse_wait(Words& words, Action& action) {
 // Reads one word of an enumeration.
 template <class E>
 std::optional<E> named_word(Words& words, const char* expected) {
-  std::vector<std::string> names;
-  for (const base::NameRow& row : rows_of(E{})) names.emplace_back(row.name);
-  const auto name = words.one_of(expected, names);
+  const auto name = words.one_of(expected, base::names_of<E>());
   return name ? std::optional(static_cast<E>(*name)) : std::nullopt;
 }
 

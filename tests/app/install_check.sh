@@ -11,6 +11,7 @@ for file in coaster/tracks/loop.json coaster/envelopes/default.json doc/coaster/
   doc/coaster/docs/script.md man/man6/coaster.6 bash-completion/completions/coaster; do
   [ -s "$share/$file" ] || fail "share/$file was not installed"
 done
+[ ! -e "$prefix/include" ] || fail "a plain installation contains the curve library"
 for folder in challenges tutorials; do
   diff -r "$SOURCE/$folder" "$data/$folder" >/dev/null || fail "$folder were not installed"
 done

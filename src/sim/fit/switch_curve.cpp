@@ -8,7 +8,7 @@
 #include "base/portable_math.h"
 #include "base/text.h"
 #include "curve/continuity.h"
-#include "sim/plan/element_spans.h"
+#include "curve/span_fit.h"
 #include "sim/shape/folds.h"
 #include "sim/shape/rail_tables.h"
 #include "sim/shape/rails.h"
@@ -73,7 +73,7 @@ world::Knot moved_knot(const Switching& w, std::size_t k) {
 }
 
 // Returns the new curve's end of a span at parameter t of the former segment, in the knot's direction.
-ElementPoint end_of(const Switching& w, std::size_t index, double t, const world::Knot& knot, double s) {
+curve::PathPoint end_of(const Switching& w, std::size_t index, double t, const world::Knot& knot, double s) {
   const SegmentShape& shape = w.shape(index);
   const double at = shape.arc.distance(t);
   const curve::Frame frame = frame_at(shape, at, t);
@@ -105,8 +105,8 @@ Covered covered_by(const Switching& w, const Stretch& span) {
 
 // Sets the handles with which the span's cubic has the new curve's curvature at both ends.
 void set_handles(const Switching& w, double length, Stretch& span) {
-  const HandleLengths handles = handle_lengths(end_of(w, span.index, span.from, span.first, 0),
-                                               end_of(w, span.index, span.to, span.second, length));
+  const curve::HandleLengths handles = curve::handle_lengths(end_of(w, span.index, span.from, span.first, 0),
+                                                             end_of(w, span.index, span.to, span.second, length));
   span.first.out_length = world::as_handle(handles.out), span.second.in_length = world::as_handle(handles.in);
   span.first.joint = span.second.joint = world::JointKind::aligned;
 }

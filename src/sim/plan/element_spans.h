@@ -1,5 +1,5 @@
 // The spans between selected points of an element's ideal curve, and their errors. For element_fit.cpp;
-// switch_curve.cpp and force_fit.cpp use parts of it.
+// force_fit.cpp uses parts of it.
 #pragma once
 
 #include <span>
@@ -38,11 +38,5 @@ struct SpanPlace {
 // Checks the span between two neighbouring knots against the points between them. `places` gets one entry per point.
 SpanCheck check_span(std::span<const ElementPoint> points, const world::Knot& from, const world::Knot& to,
                      std::vector<SpanPlace>* places = nullptr);
-
-// The handle lengths of one span, see element_fit.h; a third of the length if curvature does not determine them.
-struct HandleLengths {
-  double out = 0, in = 0;  // m
-};
-HandleLengths handle_lengths(const ElementPoint& from, const ElementPoint& to);
 
 }  // namespace coaster::sim

@@ -103,26 +103,6 @@ TEST(element_fit, the_first_knot_is_the_end_of_the_track_and_the_last_the_end_of
   }
 }
 
-// Known for circles (de Boor, Hollig, Sabin 1987): 4/3 tan(angle / 4) of the radius on both sides.
-TEST(element_fit, handles_of_a_circular_arc_are_those_that_are_known) {
-  for (const double angle : {0.1, 0.5, 1.0, 1.5}) {
-    const double r = 17;
-    const ElementPoint from{0, {r, 0, 0}, {0, 1, 0}, {-1 / r, 0, 0}, {0, 0, 1}};
-    const ElementPoint to{r * angle,
-                          {r * std::cos(angle), r * std::sin(angle), 0},
-                          {-std::sin(angle), std::cos(angle), 0},
-                          {-std::cos(angle) / r, -std::sin(angle) / r, 0},
-                          {0, 0, 1}};
-    // Curvature at both ends and symmetry: a solves D.n = a sin + 1.5 a^2 / r, with n the normal at the start.
-    const double dn = r * (1 - std::cos(angle)), sine = std::sin(angle),
-                 a = (-sine + std::sqrt(sine * sine + 6 * dn / r)) * r / 3;
-    const HandleLengths found = handle_lengths(from, to);
-    EXPECT_NEAR(found.out, a, 1e-6 * r);
-    EXPECT_NEAR(found.in, a, 1e-6 * r);
-    EXPECT_NEAR(found.out, 4.0 / 3 * std::tan(angle / 4) * r, 2e-3 * r * angle * angle * angle);
-  }
-}
-
 // Sixth order: half the span, a 64th of the error (float leaves 1e-6 m of it).
 TEST(element_fit, the_error_of_a_plane_curve_falls_with_the_sixth_power_of_the_span) {
   world::Element element = world::usual_element(world::ElementKind::curve);

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "base/names.h"
+
 namespace coaster::sim {
 namespace rounding_test {
 
