@@ -10,6 +10,7 @@
 #include "edit/commands/commands_shape.h"
 #include "edit/commands/set_setting.h"
 #include "edit/session/findings_memory.h"
+#include "edit/session_fixture.h"
 #include "gfx/image.h"
 #include "world/aids.h"
 #include "world/layers.h"
@@ -52,6 +53,23 @@ TEST_F(Frame, sections_are_copied_from_one_program_to_another_as_text) {
   press(*program_, platform::Key::v);
   EXPECT_EQ(sections(*program_), 2u);
   EXPECT_EQ(last_kind(*program_), "loop");
+}
+
+// Setting a tolerance plans the section again and derives several times, lastly nothing new.
+TEST_F(Frame, rebuilds_are_those_of_all_derivations_since_the_last_frame) {
+  for (const char* const line :
+       {"start_speed 25", "element straight", "add_cart @s1 at 0", "element force_valley slope 20",
+        "element force_valley g 0 slope -20", "element force_valley"})
+    ASSERT_TRUE(apply(*program_, test::command_of(line)).ok()) << line;
+  run_frame(*program_, {platform::Tick{1.0 / 60}}, 0);
+  run_frame(*program_, {platform::Tick{1.0 / 60}}, 0);
+  EXPECT_EQ(program_->stats.rebuilds, 0);
+  for (const char* const line : {"force.tolerance @q2 to 0.06", "start_speed 24"}) {
+    ASSERT_TRUE(apply(*program_, test::command_of(line)).ok()) << line;
+    run_frame(*program_, {platform::Tick{1.0 / 60}}, 0);
+    EXPECT_GT(program_->stats.uploads, 0) << line;
+    EXPECT_GE(program_->stats.rebuilds, program_->stats.uploads) << line;
+  }
 }
 
 // Photos without panels, pictures of movies: whatever is selected, previewed or switched on for building.

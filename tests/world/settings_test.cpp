@@ -7,11 +7,25 @@
 
 #include <gtest/gtest.h>
 
+#include "world/aids.h"
+#include "world/box.h"
 #include "world/other_settings.h"
 #include "world/settings_groups.h"
 
 namespace coaster::world {
 namespace settings_test {
+
+TEST(settings, a_box_is_a_value) {
+  Box<Aids> box;
+  box->circuit = 2;
+  Box<Aids> copy = box;
+  EXPECT_TRUE(copy == box);
+  copy->circuit = 1;
+  EXPECT_EQ(box->circuit, 2) << "each has its own";
+  box = copy;
+  EXPECT_EQ((*box).circuit, 1);
+  EXPECT_TRUE(copy == box);
+}
 
 TEST(settings, every_row_has_help_and_limits_that_hold_its_default) {
   const Settings settings;
