@@ -1,5 +1,4 @@
 #include "app/beside.h"
-#include "base/interrupted.h"
 
 #include <chrono>
 
@@ -14,7 +13,7 @@ Beside::Beside(Work work, const std::string&)
           [work](base::Progress* watched) {
             const base::HandlerStack stack;
             const base::WorkFor cancellable(watched);
-            return work(watched);
+            return work();
           },
           &progress)) {}
 Beside::~Beside() { progress.cancelled = true; }  // the future waits for the thread

@@ -7,13 +7,13 @@
 #include <string>
 
 #include "app/found.h"
-#include "base/progress.h"
+#include "base/interrupted.h"
 
 namespace coaster::app {
 
 class Beside {
  public:
-  using Work = std::function<base::Result<Found>(base::Progress* progress)>;
+  using Work = std::function<base::Result<Found>()>;
 
   // Begins. `file` is what the work reads; empty: nothing. Where a page has no worker, take() does the work.
   Beside(Work work, const std::string& file);

@@ -21,25 +21,23 @@ namespace {
 constexpr double kBarAfter = 0.15;  // s: shorter jobs show no bar
 
 Beside::Work reading(const edit::Load& command, const std::optional<base::PlannedCrash>& crash) {
-  return [command, crash](base::Progress* progress) -> base::Result<Found> {
+  return [command, crash]() -> base::Result<Found> {
     base::Files files;
     crash_if_planned(crash, base::CrashPlace::job);
-    base::Result<exchange::LoadedTrack> read = exchange::load_track(files, command.path, progress, command.import);
+    base::Result<exchange::LoadedTrack> read = exchange::load_track(files, command.path, command.import);
     return read ? base::Result<Found>(std::move(*read)) : read.status();
   };
 }
 
 Beside::Work searching(const edit::Session& session, const edit::Seek& command) {
-  return [search = edit::search_for(session, command)](base::Progress* progress) -> base::Result<Found> {
-    base::Result<edit::Sought> sought = search(progress);
+  return [search = edit::search_for(session, command)]() -> base::Result<Found> {
+    base::Result<edit::Sought> sought = search();
     return sought ? base::Result<Found>(std::move(*sought)) : sought.status();
   };
 }
 
 Beside::Work planning(const sim::WayChange& change, sim::OpenedTrack& opened) {
-  return [change, &opened](base::Progress* progress) -> base::Result<Found> {
-    return Found(sim::changed_way(change, opened, progress));
-  };
+  return [change, &opened]() -> base::Result<Found> { return Found(sim::changed_way(change, opened)); };
 }
 
 bool works_beside(const Program& program) {

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "app/beside.h"
+#include "base/interrupted.h"
 
 namespace coaster::app {
 namespace {
@@ -33,7 +34,8 @@ EM_JS(void, tell_part, (double part), { postMessage({ part: part }); });
 extern "C" EMSCRIPTEN_KEEPALIVE const char* coaster_work(Beside::Work* work) {
   base::Progress progress;
   progress.told = tell_part;
-  return ::strdup(print_found((*work)(&progress)).c_str());
+  const base::WorkFor watched(&progress);
+  return ::strdup(print_found((*work)()).c_str());
 }
 
 Beside::Beside(Work work, const std::string& file) : work_(std::make_unique<Work>(std::move(work))) {
@@ -53,7 +55,10 @@ bool Beside::done() {
 
 base::Result<Found> Beside::take() {
   if (progress.cancelled) return base::Status{base::Code::refused, "cancelled"};
-  if (!in_worker_) return (*work_)(&progress);
+  if (!in_worker_) {
+    const base::WorkFor watched(&progress);
+    return (*work_)();
+  }
   char* const text = found_text();
   base::Result<Found> found = parse_found(text);
   std::free(text);

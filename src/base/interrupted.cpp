@@ -1,5 +1,6 @@
 #include "base/interrupted.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace coaster::base {
@@ -10,15 +11,15 @@ thread_local Progress* job_of_thread = nullptr;
 
 }  // namespace
 
-bool interrupted(const Progress* progress) {
+bool interrupted() {
   bool (*const asked)() = asked_to_end;
-  return (asked && asked()) || (progress && progress->cancelled) || (job_of_thread && job_of_thread->cancelled);
+  return (asked && asked()) || (job_of_thread && job_of_thread->cancelled);
 }
 
 void watch_interruption(bool (*asked)()) { asked_to_end = asked; }
 
 void report_progress(double done) {
-  if (job_of_thread) job_of_thread->report(done);
+  if (job_of_thread) job_of_thread->report(std::max(job_of_thread->done.load(), done));
 }
 
 WorkFor::WorkFor(Progress* job) : before_(std::exchange(job_of_thread, job)) {}

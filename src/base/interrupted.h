@@ -1,18 +1,18 @@
-// The early end of long work: on a signal of the system, or by Cancel.
+// Long work: how far it is, and its early end on a signal of the system or by Cancel.
 #pragma once
 
 #include "base/progress.h"
 
 namespace coaster::base {
 
-// True if the system has asked the program to end, or the job of `progress` or of this thread is cancelled. Every loop
-// that may take more than 0.1 s asks this and ends early. What it has made by then is complete in form and is not used.
-bool interrupted(const Progress* progress = nullptr);
+// True if the system has asked the program to end, or the job of this thread is cancelled. Every loop that may take
+// more than 0.1 s asks this and ends early. What it has made by then is complete in form and is not used.
+bool interrupted();
 
 // Sets the function that says whether the system has asked the program to end. Any thread calls it.
 void watch_interruption(bool (*asked)());
 
-// Tells the job of this thread, if it has one, which part is done: 0..1. Only the thread that began the work tells it.
+// Tells the job of this thread, if it has one, which part is done: 0..1. A smaller part than before changes nothing.
 void report_progress(double done);
 
 // The calling thread works for this job as long as the object exists; in_parts() passes it to its other threads.

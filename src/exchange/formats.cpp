@@ -33,15 +33,14 @@ namespace {
 base::Status unfit_import(std::string_view name, std::string_view words) {
   return {base::Code::bad_file, fmt::format("{}: error: {} only for lists of points", name, words)};
 }
-base::Result<LoadedTrack> parse_csv(std::string_view bytes, std::string_view name, const Import& import,
-                                    base::Progress* progress) {
-  if (is_points(bytes, false)) return parse_points(bytes, name, import, progress);
+base::Result<LoadedTrack> parse_csv(std::string_view bytes, std::string_view name, const Import& import) {
+  if (is_points(bytes, false)) return parse_points(bytes, name, import);
   if (!(import == Import{.origin = import.origin})) return unfit_import(name, "up, scale, smooth and bank are");
-  return parse_nl2_csv(bytes, name, progress, import.origin);
+  return parse_nl2_csv(bytes, name, import.origin);
 }
 template <auto parse>
 base::Result<LoadedTrack> as_proposed(std::string_view bytes, std::string_view name) {
-  return parse(bytes, name, {}, nullptr);
+  return parse(bytes, name, {});
 }
 std::string print_rows(const world::Document& document) { return print_nl2_csv(document, kNl2Spacing); }
 base::Status check_rows(const world::Document& document) { return check_nl2_csv(document, kNl2Spacing); }
@@ -223,8 +222,7 @@ std::string known_endings(Direction direction) {
   return base::alternatives(endings);
 }
 
-base::Result<LoadedTrack> load_track(base::Files& files, const std::filesystem::path& path, base::Progress* progress,
-                                     const Import& import) {
+base::Result<LoadedTrack> load_track(base::Files& files, const std::filesystem::path& path, const Import& import) {
   const bool pasted = is_pasted(path.native());
   const std::string name = pasted ? "Pasted points" : path.string();
   const Format* const format = format_of(path);
@@ -236,7 +234,7 @@ base::Result<LoadedTrack> load_track(base::Files& files, const std::filesystem::
   const base::Result<std::string> bytes = bytes_of(files, path, *format);
   if (!bytes) return bytes.status();
   base::Result<LoadedTrack> loaded =
-      format->parse_watched ? format->parse_watched(*bytes, name, import, progress) : format->parse(*bytes, name);
+      format->parse_watched ? format->parse_watched(*bytes, name, import) : format->parse(*bytes, name);
   if (const std::string_view found = wrapping(*bytes); !loaded && !found.empty())
     return base::Status{base::Code::bad_file,
                         fmt::format("{}: error: expected the format {}, found {}", name, format->label, found)};

@@ -23,8 +23,8 @@ struct Format {
       nullptr;                                   // true if the document can be printed; null: always
   std::size_t most_bytes = base::kMaxFileBytes;  // larger files are rejected before they are read, and not written
   // Parses by the words of an import and reports progress, for rows and points; null for the other formats.
-  base::Result<LoadedTrack> (*parse_watched)(std::string_view bytes, std::string_view name, const Import& import,
-                                             base::Progress* progress) = nullptr;
+  base::Result<LoadedTrack> (*parse_watched)(std::string_view bytes, std::string_view name,
+                                             const Import& import) = nullptr;
   bool cubics = false;  // prints the curve's control points, so it is given a track whose curve is the rails
   std::string (*materials)() = nullptr;  // prints the file of materials_of()
 };
@@ -45,8 +45,7 @@ const Format* format_of(const std::filesystem::path& path);
 // for that direction. A shared link is read like a file (exchange/own/link.h). A track from a format that does not hold
 // everything gets a train at its start, if it has none, and, unless the file gives one, a start speed with which its
 // ride completes (sim/ride/start_speed.h), if there is one; the note or a warning says so.
-base::Result<LoadedTrack> load_track(base::Files& files, const std::filesystem::path& path,
-                                     base::Progress* progress = nullptr, const Import& import = {});
+base::Result<LoadedTrack> load_track(base::Files& files, const std::filesystem::path& path, const Import& import = {});
 // What a window asks before it opens a list of points, or rows that begin far from the origin.
 struct ImportQuestion {
   Import proposed;         // for rows without axis and scale

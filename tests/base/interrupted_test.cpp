@@ -1,6 +1,7 @@
 // Who is interrupted by what: a signal everybody, Cancel the job's threads alone.
 #include "base/interrupted.h"
 
+#include <algorithm>
 #include <atomic>
 
 #include <gtest/gtest.h>
@@ -17,7 +18,6 @@ TEST(interrupted, cancel_reaches_all_threads_of_its_job_and_no_others) {
     const WorkFor working(&job);
     other.cancelled = true;
     EXPECT_FALSE(interrupted());
-    EXPECT_TRUE(interrupted(&other)) << "the one that is named counts, too";
     job.cancelled = true;
     std::atomic<int> parts{0};
     in_parts(64, 1, 4, [&](std::size_t, std::size_t) { parts += interrupted() ? 1 : 0; });
@@ -38,11 +38,26 @@ TEST(interrupted, a_job_within_a_job_ends_alone) {
   EXPECT_EQ(WorkFor::now(), &outer);
 }
 
+TEST(interrupted, a_job_is_told_how_far_its_work_is_and_it_never_goes_back) {
+  report_progress(0.5);  // of no job
+  Progress job, other;
+  const WorkFor working(&job);
+  for (const double part : {0.2, 0.4, 0.1, 0.6}) {
+    const double before = job.done;
+    report_progress(part);
+    EXPECT_EQ(job.done, std::max(before, part));
+  }
+  {
+    const WorkFor unwatched(nullptr);
+    report_progress(0.9);
+  }
+  EXPECT_EQ(job.done, 0.6);
+  EXPECT_EQ(other.done, 0.0);
+}
+
 TEST(interrupted, a_signal_ends_all_work) {
   watch_interruption([] { return true; });
   EXPECT_TRUE(interrupted());
-  Progress job;
-  EXPECT_TRUE(interrupted(&job));
   watch_interruption(nullptr);
   EXPECT_FALSE(interrupted());
 }

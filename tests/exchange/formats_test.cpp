@@ -240,14 +240,14 @@ TEST_F(ImportWords, rows_at_50_km_are_warned_of_asked_about_and_moved_with_the_w
   EXPECT_EQ(question_of(files, path)->proposed, Import{.origin = true});
   EXPECT_EQ(question_of(files, path)->points, 0u);
   EXPECT_FALSE(question_of(files, write("near.csv", near)));
-  const auto moved = load_track(files, path, nullptr, {.origin = true});
+  const auto moved = load_track(files, path, {.origin = true});
   ASSERT_TRUE(moved) << moved.status().message;
   EXPECT_TRUE(moved->warnings.empty());
   EXPECT_NE(moved->note.find("Moved by (-50003.000, -10.000, 7.000) m to the origin."), std::string::npos)
       << moved->note;
   for (std::size_t i = 0; i < moved->document.track.knots.size(); ++i)
     EXPECT_NEAR(glm::length(place(*moved, i) - glm::dvec3(0, 42, 0)), 40, 0.011);
-  EXPECT_NE(load_track(files, path, nullptr, {.scale = 1}).status().message.find("are only for lists of points"),
+  EXPECT_NE(load_track(files, path, {.scale = 1}).status().message.find("are only for lists of points"),
             std::string::npos);
 }
 
@@ -294,7 +294,7 @@ TEST_F(ImportWords, a_list_is_asked_about_with_its_proposal) {
 }
 
 TEST_F(ImportWords, pasted_lines_are_a_list) {
-  const auto track = load_track(files, "3\n0 5 0\n60 5 0\n120 9 0\n", nullptr, {.up = world::Axis::y, .scale = 1});
+  const auto track = load_track(files, "3\n0 5 0\n60 5 0\n120 9 0\n", {.up = world::Axis::y, .scale = 1});
   ASSERT_TRUE(track) << track.status().message;
   EXPECT_EQ(place(*track, 2), glm::dvec3(120, 9, 0));
   EXPECT_TRUE(is_pasted("1 2 3\n4 5 6"));
@@ -305,7 +305,7 @@ TEST_F(ImportWords, pasted_lines_are_a_list) {
 
 TEST_F(ImportWords, the_unit_warning_names_the_word_scale) {
   const std::string list = write("mm.xyz", "0 0 0\n400000 0 0\n400000 5 30000\n");
-  const auto large = load_track(files, list, nullptr, {.up = world::Axis::y, .scale = 0.1});
+  const auto large = load_track(files, list, {.up = world::Axis::y, .scale = 0.1});
   ASSERT_TRUE(large) << large.status().message;
   ASSERT_FALSE(large->warnings.empty());
   EXPECT_NE(large->warnings[0].find("load it with the word scale"), std::string::npos) << large->warnings[0];
@@ -318,8 +318,7 @@ TEST_F(ImportWords, auto_bank_cancels_lateral_g_at_the_start_speed) {
   for (int i = 0; i < 90; ++i)
     text += fmt::format("{:.6f} 5 {:.6f}\n", 30 * std::cos(base::kPi * i / 45), 30 * std::sin(base::kPi * i / 45));
   const std::string path = write("ring.txt", text);
-  const auto level = load_track(files, path),
-             banked = load_track(files, path, nullptr, {.bank = ImportBank::automatic});
+  const auto level = load_track(files, path), banked = load_track(files, path, {.bank = ImportBank::automatic});
   ASSERT_TRUE(level && banked);
   EXPECT_NE(banked->note.find("Banked 90 knots."), std::string::npos) << banked->note;
   const double speed = banked->document.start_speed, bank = std::atan(speed * speed / (30 * 9.81)) * 180 / base::kPi;

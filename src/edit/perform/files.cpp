@@ -72,7 +72,7 @@ Status perform(Session& session, Change& change, const Load& command) {
   std::optional<ReadAhead> ahead = std::exchange(session.file.read_ahead, std::nullopt);
   const bool read = ahead && ahead->path == command.path && ahead->import == command.import;
   base::Result<exchange::LoadedTrack> loaded =
-      read ? std::move(ahead->track) : exchange::load_track(change.files, command.path, nullptr, command.import);
+      read ? std::move(ahead->track) : exchange::load_track(change.files, command.path, command.import);
   if (!loaded) return loaded.status();
   // A format that does not hold everything is an import: the next save needs a file name, and until then the track
   // counts as unsaved. A link holds everything.

@@ -112,7 +112,7 @@ std::string failure(const std::string& by, const base::Solution& solution, const
   }
 }
 
-base::Result<Sought> run(Trial& trial, base::Progress* progress) {
+base::Result<Sought> run(Trial& trial) {
   const base::Result<GoalState> before = trial.measure();
   if (!before) return before.status();
   const auto is_now = [&](double value) {
@@ -130,8 +130,8 @@ base::Result<Sought> run(Trial& trial, base::Progress* progress) {
     return state ? std::optional(state->found) : std::nullopt;
   };
   equation.goes_on = [&](double done) {
-    if (progress) progress->report(done);
-    return !base::interrupted(progress);
+    base::report_progress(done);
+    return !base::interrupted();
   };
   const base::Solution solution = base::solve_by_least_change(equation);
   if (solution.end != base::SolutionEnd::met) return refused(failure(trial.by(), solution, *before));
@@ -160,9 +160,8 @@ base::Result<std::shared_ptr<Trial>> trial_for(const Session& session, const See
 }  // namespace
 
 Search search_for(const Session& session, const Seek& command) {
-  return [trial = trial_for(session, command)](base::Progress* progress) {
-    return trial ? run(**trial, progress) : base::Result<Sought>(trial.status());
-  };
+  return
+      [trial = trial_for(session, command)]() { return trial ? run(**trial) : base::Result<Sought>(trial.status()); };
 }
 
 Status perform(Session& session, Change& change, const Seek& command) {
@@ -171,7 +170,7 @@ Status perform(Session& session, Change& change, const Seek& command) {
   const bool fits = ahead && ahead->edits == session.edits && ahead->command == print(command);
   const base::Result<std::shared_ptr<Trial>> trial = trial_for(session, command);
   if (!trial) return trial.status();
-  base::Result<Sought> found = fits ? base::Result<Sought>(ahead->found) : run(**trial, nullptr);
+  base::Result<Sought> found = fits ? base::Result<Sought>(ahead->found) : run(**trial);
   if (!found) return found.status();
   if (const Status set = (*trial)->set(found->values); !set) return set;
   world::Document document = (*trial)->document();

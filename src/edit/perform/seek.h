@@ -5,7 +5,6 @@
 #include <optional>
 #include <string>
 
-#include "base/progress.h"
 #include "edit/commands/commands_seek.h"
 #include "edit/session/session.h"
 
@@ -15,7 +14,7 @@ namespace coaster::edit {
 // a section of that name has the number depends on the track.
 std::optional<std::string> wrong_by(const Seek& command);
 
-using Search = std::function<base::Result<Sought>(base::Progress* progress)>;  // `progress` may be null
+using Search = std::function<base::Result<Sought>()>;
 
 // Prepares a search on a copy of the session; calling the result once, in any thread, runs it. Refused then if the goal
 // cannot be parsed or measured, if nothing that could change is named, or if the goal is not reached. The same bits

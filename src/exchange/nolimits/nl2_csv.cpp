@@ -27,12 +27,12 @@ constexpr double kGap = 3;          // times the usual spacing: longer steps are
 
 // Takes the rounding off the rows, and closes them; `given` are then those of the file. Then only repeats are warned
 // of.
-void take_rounding_off(Nl2CsvReader& r, base::Progress* progress) {
+void take_rounding_off(Nl2CsvReader& r) {
   r.steps = row_steps(r.rows, r.positions, r.directions);
   r.closed = r.steps.rounded() && sim::rows_close(r.rows, kSamePlace + 2 * r.steps.position);
   const bool repeated = r.closed && r.rows.front().position == r.rows.back().position;
   sim::UnroundedRows smooth =
-      sim::unrounded_rows(std::span(r.rows).first(r.rows.size() - (repeated ? 1 : 0)), r.closed, r.steps, progress);
+      sim::unrounded_rows(std::span(r.rows).first(r.rows.size() - (repeated ? 1 : 0)), r.closed, r.steps);
   if (!r.steps.rounded()) return;
   std::vector<int> lines;
   for (const std::size_t from : smooth.from) r.given.push_back(r.rows[from]), lines.push_back(r.row_lines[from]);
@@ -95,7 +95,7 @@ void check_axes(Nl2CsvReader& r) {
            "in positions and vectors");
 }
 
-bool read_rows(Nl2CsvReader& r, base::Progress* progress) {
+bool read_rows(Nl2CsvReader& r) {
   std::string_view line;
   if (!r.lines.next(line)) {
     r.error = std::string(r.name) + ":1: error: expected the header \"No.\" \"PosX\" ..., found an empty file";
@@ -104,7 +104,7 @@ bool read_rows(Nl2CsvReader& r, base::Progress* progress) {
   if (!read_first_line(r, line)) return false;
   while (r.lines.next(line))
     if (!read_row(r, line)) return false;
-  take_rounding_off(r, progress);
+  take_rounding_off(r);
   if (r.rows.size() < 2) return r.fail("at least 2 rows at different positions", std::to_string(r.rows.size()));
   check_axes(r);
   return check_steps(r);
@@ -112,11 +112,10 @@ bool read_rows(Nl2CsvReader& r, base::Progress* progress) {
 
 }  // namespace
 
-base::Result<LoadedTrack> parse_nl2_csv(std::string_view text, std::string_view name, base::Progress* progress,
-                                        bool origin) {
+base::Result<LoadedTrack> parse_nl2_csv(std::string_view text, std::string_view name, bool origin) {
   Nl2CsvReader r{.name = name, .lines = Lines(text)};
   if (origin) r.limit = Nl2CsvReader::kAnywhere;
-  if (!read_rows(r, progress)) return base::Status{base::Code::bad_file, r.error};
+  if (!read_rows(r)) return base::Status{base::Code::bad_file, r.error};
   const bool rounded = r.steps.rounded(), closed = rounded ? r.closed : sim::rows_close(r.rows);
   std::string moved;
   if (origin) {
@@ -128,9 +127,8 @@ base::Result<LoadedTrack> parse_nl2_csv(std::string_view text, std::string_view 
   const bool repeated =
       !rounded && r.rows.size() > 4 && glm::distance(r.rows.front().position, r.rows.back().position) <= kSamePlace;
   if (closed && repeated) r.rows.pop_back();
-  sim::FittedTrack fitted = sim::fit_track(r.rows, closed, progress, r.given, r.steps.position);
-  if (base::interrupted(progress))
-    return base::Status{base::Code::refused, std::string(name) + ": the import was cancelled"};
+  sim::FittedTrack fitted = sim::fit_track(r.rows, closed, r.given, r.steps.position);
+  if (base::interrupted()) return base::Status{base::Code::refused, std::string(name) + ": the import was cancelled"};
   LoadedTrack loaded;
   loaded.note = moved;
   loaded.reshaped = rounded;

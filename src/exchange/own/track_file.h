@@ -9,7 +9,6 @@
 #include <vector>
 
 #include "base/files.h"
-#include "base/progress.h"
 #include "world/camera.h"
 #include "world/document.h"
 #include "world/evaluation.h"

@@ -43,7 +43,6 @@ glm::dvec3 with_y_up(glm::dvec3 of_file, world::Axis up);
 // Parses a list and makes a track of it: a knot at each point whose handles are those of the Catmull-Rom spline, as
 // exact as floats are, or with Import::smooth the fit of fewer knots to a smoothed list. Without trains. Points nearer
 // than kNearest to the one before are left out: two handles of world::kMinHandle need more room.
-base::Result<LoadedTrack> parse_points(std::string_view text, std::string_view name, const Import& import,
-                                       base::Progress* progress);
+base::Result<LoadedTrack> parse_points(std::string_view text, std::string_view name, const Import& import);
 
 }  // namespace coaster::exchange

@@ -91,12 +91,12 @@ double most_apart(const Points& a, const Points& b) {
 }
 
 // Returns the points as smooth as they can be within `most` m.
-Points smoothed(const Points& p, bool closed, double most, base::Progress* progress) {
+Points smoothed(const Points& p, bool closed, double most) {
   constexpr int kTries = 24;
   const std::vector<double> steps = steps_of(p, closed);
   Points best = p;
   double low = 0.1, high = 0;  // m
-  for (int i = 0; i < kTries && !(high > 0 && high < 1.02 * low) && !base::interrupted(progress); ++i) {
+  for (int i = 0; i < kTries && !(high > 0 && high < 1.02 * low) && !base::interrupted(); ++i) {
     const double reach = high > 0 ? std::sqrt(low * high) : 2 * low;
     Points tried = low_pass(p, steps, closed, reach);
     if (most_apart(tried, p) > most) high = reach;
@@ -152,23 +152,22 @@ void add_knots(const Points& p, bool closed, world::Document& document) {
 }
 
 // Fits a track to the smoothed list. Returns the most that it may leave the points by, m.
-double fit_knots(const Points& given, bool closed, double most, world::Document& document, base::Progress* progress) {
-  const Points p = smoothed(given, closed, most - kStillFit, progress);
+double fit_knots(const Points& given, bool closed, double most, world::Document& document) {
+  const Points p = smoothed(given, closed, most - kStillFit);
   Points forwards = curve::spline_derivatives({p, steps_of(p, closed), {}, {}, closed});
   for (dvec3& forward : forwards) forward = glm::normalize(forward);
   const Points ups = level_ups(p, forwards);
   std::vector<sim::FitRow> rows;
   for (std::size_t i = 0; i < p.size(); ++i)
     if (rows.empty() || glm::distance(rows.back().position, p[i]) > 1e-5) rows.push_back({p[i], forwards[i], ups[i]});
-  sim::FittedTrack fitted = sim::fit_track(rows, closed, progress);
+  sim::FittedTrack fitted = sim::fit_track(rows, closed);
   document = std::move(fitted.document);
   return most_apart(p, given) + fitted.report.max_error;
 }
 
 }  // namespace
 
-base::Result<LoadedTrack> parse_points(std::string_view text, std::string_view name, const Import& import,
-                                       base::Progress* progress) {
+base::Result<LoadedTrack> parse_points(std::string_view text, std::string_view name, const Import& import) {
   base::Result<PointList> list = read_points(text, name);
   if (!list) return list.status();
   const Import as = proposed(*list, import);
@@ -191,10 +190,9 @@ base::Result<LoadedTrack> parse_points(std::string_view text, std::string_view n
     return wrong(fmt::format("all points are within {} m at a scale of {}", kNearest, base::to_text(*as.scale)));
   const bool closed = list->closed && points.size() > 2;
   ImportReport& report = loaded.import.emplace();
-  if (as.smooth) report.max_error = fit_knots(points, closed, *as.smooth, loaded.document, progress);
+  if (as.smooth) report.max_error = fit_knots(points, closed, *as.smooth, loaded.document);
   else add_knots(points, closed, loaded.document);
-  if (base::interrupted(progress))
-    return base::Status{base::Code::refused, std::string(name) + ": the import was cancelled"};
+  if (base::interrupted()) return base::Status{base::Code::refused, std::string(name) + ": the import was cancelled"};
   report.knots = static_cast<int>(loaded.document.track.knots.size());
   loaded.document.name = name_of_file(name);
   loaded.note = fmt::format("{} points, {}: {} up{}, {} m a unit{}.", count, closed ? "closed" : "open",

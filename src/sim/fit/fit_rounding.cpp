@@ -59,7 +59,7 @@ struct Normal {
 
 // Returns the smoothest curve within half a step of each row, at the rows: the cubic spline whose third derivative is
 // least. Rates are only followed across their direction, and not at all if their step is 0.
-std::vector<Rounded> smoothest(std::span<const Rounded> rows, double step, double rate_step, base::Progress* progress) {
+std::vector<Rounded> smoothest(std::span<const Rounded> rows, double step, double rate_step) {
   constexpr int kRounds = 16;
   constexpr double kLeast = 1e-4, kMost = 1e6, kAtOnce = 4;  // of weights, and their growth in a round
   constexpr double kChange = 0.02;  // 1/m^2 of the third derivative: costs as much as half a step over as many metres
@@ -71,7 +71,7 @@ std::vector<Rounded> smoothest(std::span<const Rounded> rows, double step, doubl
   std::vector<double> shares(rows.size(), 1), rate_shares(rows.size(), 1);
   std::vector<Rounded> found(rows.begin(), rows.end());
   std::vector<dvec3> sites;
-  for (int round = 0; round <= kRounds && !base::interrupted(progress); ++round) {
+  for (int round = 0; round <= kRounds && !base::interrupted(); ++round) {
     Normal normal(parts + 3);
     for (std::size_t k = 0; k < parts; ++k) normal.add(k, {-1, 3, -3, 1}, change, dvec3(0));
     for (std::size_t i = 0; i < rows.size(); ++i) {
@@ -94,14 +94,13 @@ std::vector<Rounded> smoothest(std::span<const Rounded> rows, double step, doubl
         normal.add(k, basis.rate, rate_weight * rate_shares[i], h * glm::dot(row.rate, found[i].rate) * row.rate);
     }
     sites = normal.solve();
-    if (progress) progress->report(std::max(progress->done.load(), kTold * round / kRounds));
+    base::report_progress(kTold * round / kRounds);
   }
   return found;
 }
 
 // Smooths how the rows turn about their directions, but for jumps.
-void smooth_rolls(std::span<FitRow> rows, std::span<const Rounded> places, double step, double jump,
-                  base::Progress* progress) {
+void smooth_rolls(std::span<FitRow> rows, std::span<const Rounded> places, double step, double jump) {
   std::vector<Rounded> rolls{{0, dvec3(0), dvec3(0)}};
   for (std::size_t n = 1; n < rows.size(); ++n) {
     const FitRow &a = rows[n - 1], &b = rows[n];
@@ -111,14 +110,14 @@ void smooth_rolls(std::span<FitRow> rows, std::span<const Rounded> places, doubl
     const bool jumps = std::abs(turn) > std::max(base::radians(kJumpAngle) + jump, quick);
     rolls.push_back({places[n].s, rolls.back().value + dvec3(jumps ? 0 : turn, 0, 0), dvec3(0)});
   }
-  const std::vector<Rounded> found = smoothest(rolls, step, 0, progress);
+  const std::vector<Rounded> found = smoothest(rolls, step, 0);
   for (std::size_t n = 0; n < rows.size(); ++n)
     rows[n].up = curve::rotate(rows[n].up, rows[n].forward, found[n].value.x - rolls[n].value.x);
 }
 
 }  // namespace
 
-UnroundedRows unrounded_rows(std::span<const FitRow> rows, bool closed, RowSteps& steps, base::Progress* progress) {
+UnroundedRows unrounded_rows(std::span<const FitRow> rows, bool closed, RowSteps& steps) {
   // Closer bounds would follow errors of the places along the track, and curvature that jumps.
   constexpr double kLeastStep = 1e-4, kLeastTurn = 3e-4;   // m, radians
   constexpr double kTightBend = 0.3, kQuickRoll = 0.4;     // 1/m, radians/m: those errors turn the frame by as much
@@ -144,7 +143,7 @@ UnroundedRows unrounded_rows(std::span<const FitRow> rows, bool closed, RowSteps
   const double step = std::max(steps.position, kLeastStep),
                turn_step = std::max({steps.direction, kLeastTurn, kTightBend * steps.position}),
                roll_step = std::max({std::numbers::sqrt2 * steps.direction, kLeastTurn, kQuickRoll * steps.position});
-  const std::vector<Rounded> found = smoothest(places, step, turn_step, progress);
+  const std::vector<Rounded> found = smoothest(places, step, turn_step);
   double off = 0, turned = 0;  // mean squares
   for (std::size_t n = 0; n < places.size(); ++n) {
     const dvec3 forward = glm::normalize(found[n].rate), miss = found[n].value - places[n].value,
@@ -158,8 +157,8 @@ UnroundedRows unrounded_rows(std::span<const FitRow> rows, bool closed, RowSteps
   if (!(off <= step && turned <= std::max(turn_step, kNoisyTurn))) return exact();
   const RowSteps shown{off > kShown * steps.position ? steps.position : 0,
                        turned > kShown * steps.direction ? steps.direction : 0};
-  if (shown != steps) return steps = shown, unrounded_rows(rows, closed, steps, progress);
-  smooth_rolls(smooth, places, roll_step, 4 * turn_step, progress);
+  if (shown != steps) return steps = shown, unrounded_rows(rows, closed, steps);
+  smooth_rolls(smooth, places, roll_step, 4 * turn_step);
   UnroundedRows kept;
   for (std::size_t i = 0; i < count; ++i) {
     const FitRow& row = smooth[before + i];

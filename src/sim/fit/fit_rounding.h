@@ -4,7 +4,6 @@
 #include <span>
 #include <vector>
 
-#include "base/progress.h"
 #include "sim/fit/fit_rows.h"
 
 namespace coaster::sim {
@@ -28,9 +27,8 @@ struct UnroundedRows {
 // rows that are further off and fall at others (Lawson 1961). Rows too close to the one before are left out; jumps of
 // the frame stay. A step that the rows do not show becomes 0: the numbers are multiples of it because they are exact.
 // Without a step, and for rows that no such curve follows or that run against their directions, both become 0, and
-// there are no rows. Reports to `progress` (may be null); less smooth once it is cancelled.
+// there are no rows. Reports progress (base/interrupted.h); less smooth once it is cancelled.
 inline constexpr double kSites = 0.25;  // m
-UnroundedRows unrounded_rows(std::span<const FitRow> rows, bool closed, RowSteps& steps,
-                             base::Progress* progress = nullptr);
+UnroundedRows unrounded_rows(std::span<const FitRow> rows, bool closed, RowSteps& steps);
 
 }  // namespace coaster::sim

@@ -157,13 +157,11 @@ Doubt worst_doubt(std::span<const FitRow> rows, bool closed, const std::vector<d
 
 }  // namespace
 
-FittedTrack fit_track(std::span<const FitRow> rows, bool closed, base::Progress* progress,
-                      std::span<const FitRow> given, double step) {
+FittedTrack fit_track(std::span<const FitRow> rows, bool closed, std::span<const FitRow> given, double step) {
   COASTER_CHECK(rows.size() >= (closed ? 3u : 2u), "a track needs 2 rows, a closed one 3");
   const FilledRows filled = fill_rows(rows, closed);
   FitWork w = prepare(rows, filled, closed);
   const double most = given.empty() ? kFitDistance : set_step(w, step);
-  w.progress = progress;
   fit_all(w);
   if (w.cancelled()) return {};
   choose_rolls(w);
@@ -204,7 +202,7 @@ FittedTrack fit_track(std::span<const FitRow> rows, bool closed, base::Progress*
     if (next.size() == w.spans.size()) break;
     w.spans = std::move(next);
   }
-  if (progress) progress->report(1);
+  base::report_progress(1);
   return fitted;
 }
 

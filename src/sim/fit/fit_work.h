@@ -41,14 +41,13 @@ struct FitWork {
   SpanScratch scratch;
   std::vector<Span> spans;
   std::vector<double> rolls;  // additional roll of a knot at each row, radians
-  base::Progress* progress = nullptr;
-  int passes = 0;  // completed calls of fit_spans()
+  int passes = 0;             // completed calls of fit_spans()
 
-  bool cancelled() const { return base::interrupted(progress); }
+  bool cancelled() const { return base::interrupted(); }
   // Reports progress within the present pass, 0..1. The passes take about the same time, the rest little.
   void tell(double part) const {
     const double all = (rows.size() > kEvenedRows ? 1 : 3 + kEvenings) + 0.2;
-    if (progress) progress->report(std::max(progress->done.load(), std::min(1.0, (passes + part) / all)));
+    base::report_progress(std::min(1.0, (passes + part) / all));
   }
 
   SpanBounds bounds() const {

@@ -92,13 +92,11 @@ struct SearchTerms {
   int most_tried;
   double side = kMostSide;               // g: rougher ways only if there are no others
   std::span<const double> lengths = {};  // of a former way's spans
-  base::Progress* progress = nullptr;    // null: not watched
 
   // Reports a part of the candidates. False once the search is cancelled.
   bool goes_on(int tried) const {
-    const double part = static_cast<double>(tried) / most_tried;
-    progress ? progress->report(part) : base::report_progress(part);
-    return !base::interrupted(progress);
+    base::report_progress(static_cast<double>(tried) / most_tried);
+    return !base::interrupted();
   }
 };
 
@@ -236,10 +234,9 @@ CircuitProposals complete_again(const FormerWay& former, const CircuitTask& task
                   {derived, conflicts, 1, kMostTriedAgain, kMostSide, former.lengths});
 }
 
-CircuitProposals complete_circuit(const CircuitTask& task, const Derived& derived, const Conflicts& conflicts,
-                                  base::Progress* progress) {
+CircuitProposals complete_circuit(const CircuitTask& task, const Derived& derived, const Conflicts& conflicts) {
   CircuitProposals found =
-      searched(circuit_candidates(task), {derived, conflicts, kMostProposals, kMostTried, kGentleSide, {}, progress});
+      searched(circuit_candidates(task), {derived, conflicts, kMostProposals, kMostTried, kGentleSide, {}});
   std::stable_sort(found.list.begin(), found.list.end(), [](const CircuitProposal& a, const CircuitProposal& b) {
     const auto cost = [](const CircuitProposal& p) { return cost_of(p.plan.length, p.felt); };
     return cost(a) < cost(b);

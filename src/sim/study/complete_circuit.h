@@ -2,7 +2,6 @@
 // continuous at both joints, clear of other track and within the limits of what riders feel (docs/elements.md).
 #pragma once
 
-#include "base/progress.h"
 #include "sim/plan/circuit_search.h"
 #include "sim/plan/elements.h"
 #include "sim/ride/ghost.h"
@@ -31,9 +30,8 @@ struct CircuitProposals {
 std::optional<CircuitTask> circuit_task(const world::Document& document, const Derived& derived, const Ghost* ride);
 
 // Returns the proposals. `conflicts` and `derived` must be up to date for the open track. Tries at most kMostTried
-// candidates: below 1 s. `progress` may be null; once it is cancelled, ends soon with any result.
-CircuitProposals complete_circuit(const CircuitTask& task, const Derived& derived, const Conflicts& conflicts,
-                                  base::Progress* progress = nullptr);
+// candidates: below 1 s. Reports progress; once it is cancelled, ends soon with any result.
+CircuitProposals complete_circuit(const CircuitTask& task, const Derived& derived, const Conflicts& conflicts);
 inline constexpr int kMostTried = 1200;
 // An existing way home, with the lengths of its spans, m.
 struct FormerWay {

@@ -24,7 +24,7 @@ std::string out_of_reach(double risen) {
 
 }  // namespace
 
-ChangedWay changed_way(const WayChange& change, OpenedTrack& opened, base::Progress* progress) {
+ChangedWay changed_way(const WayChange& change, OpenedTrack& opened) {
   const double square = square_at_start(change), former_square = change.former.speed * change.former.speed;
   if (square < std::min(1.0, former_square)) return {.refusal = out_of_reach(change.risen)};
   opened.update(change.opened);
@@ -32,7 +32,7 @@ ChangedWay changed_way(const WayChange& change, OpenedTrack& opened, base::Progr
   task.speed = std::sqrt(square), task.coasts = change.former.coasts, task.losses = change.losses;
   CircuitProposals found = complete_again({change.former, change.lengths}, task, opened.derived, opened.conflicts);
   const bool another = found.list.empty() && change.whole;
-  if (another) found = complete_circuit(task, opened.derived, opened.conflicts, progress);
+  if (another) found = complete_circuit(task, opened.derived, opened.conflicts);
   if (found.list.empty())
     return {.refusal = "the Complete circuit section cannot take up the change: " + found.refusal};
   CircuitProposal& best = found.list.front();

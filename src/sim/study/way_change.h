@@ -4,7 +4,6 @@
 #include <string>
 #include <vector>
 
-#include "base/progress.h"
 #include "sim/study/complete_circuit.h"
 
 namespace coaster::sim {
@@ -29,7 +28,7 @@ struct ChangedWay {
 
 // Returns the way that is most similar to the former one, planned for its speed, adjusted by the height that its start
 // has gained. The same bits everywhere. Takes about 10 ms, and below 1 s if it searches all ways home. `opened` caches
-// shapes and conflicts of the opened track. `progress` may be null; once it is cancelled, ends soon with any result.
-ChangedWay changed_way(const WayChange& change, OpenedTrack& opened, base::Progress* progress = nullptr);
+// shapes and conflicts of the opened track. Reports progress; once it is cancelled, ends soon with any result.
+ChangedWay changed_way(const WayChange& change, OpenedTrack& opened);
 
 }  // namespace coaster::sim

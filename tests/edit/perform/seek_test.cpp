@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "base/as_job.h"
 #include "edit/session_fixture.h"
 
 namespace coaster::edit {
@@ -31,7 +32,7 @@ TEST_F(Searches, leave_the_session_as_it_is_until_the_command_takes_the_result) 
   good("remove @k3");  // the copy was made before
   good("undo");
   base::Progress progress;
-  const auto found = search(&progress);
+  const auto found = test::as_job(progress, search);
   ASSERT_TRUE(found) << found.status().message;
   EXPECT_TRUE(session.document == before);
   EXPECT_EQ(found->note, "Height is 20 m, was 7.7 m. Height: from 7.7 to 20 m.");
@@ -50,7 +51,7 @@ TEST_F(Searches, leave_the_session_as_it_is_until_the_command_takes_the_result) 
 TEST_F(Searches, end_when_they_are_cancelled) {
   base::Progress progress;
   progress.cancelled = true;
-  const auto found = search_for(session, seek(command("seek 20 by height of @k3")))(&progress);
+  const auto found = test::as_job(progress, search_for(session, seek(command("seek 20 by height of @k3"))));
   ASSERT_FALSE(found);
   EXPECT_EQ(found.status().code, base::Code::refused);
 }

@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "base/as_job.h"
 #include "base/tries.h"
 #include "exchange/nolimits/nl2_csv.h"
 #include "exchange/nolimits/nl2_header.h"
@@ -174,13 +175,13 @@ TEST(nl2_csv_rounded, smoothing_reports_and_can_be_cancelled) {
   static double last = 0;
   const std::string text = test::rounded(print_nl2_csv(sample_track("loop", 6), kNl2Spacing), {2, 2, 20});
   progress.told = [](double done) { EXPECT_GE(done, last), last = done, ++told; };
-  const auto watched = parse_nl2_csv(text, "t.csv", &progress);
+  const auto watched = test::as_job(progress, [&] { return parse_nl2_csv(text, "t.csv"); });
   EXPECT_TRUE(watched->document == parse_nl2_csv(text, "t.csv")->document);
   EXPECT_EQ(progress.done, 1.0);
   // Cancelled while it smooths, it says nothing more.
   progress.done = last = told = 0;
   progress.told = [](double) { progress.cancelled = ++told == 5; };
-  const auto cancelled = parse_nl2_csv(text, "t.csv", &progress);
+  const auto cancelled = test::as_job(progress, [&] { return parse_nl2_csv(text, "t.csv"); });
   EXPECT_EQ(cancelled.status().message, "t.csv: the import was cancelled");
   EXPECT_EQ(told, 5);
   EXPECT_LT(progress.done, 0.1);

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "base/as_job.h"
 #include "base/text.h"
 #include "curve/frames.h"
 #include "exchange/nolimits/nl2_header.h"
@@ -369,12 +370,12 @@ TEST(nl2_csv, rows_without_sense_give_a_valid_track_through_all_of_them) {
 TEST(nl2_csv, a_cancelled_import_is_refused_and_one_that_is_watched_is_the_same) {
   const std::string text = rows(40);
   base::Progress progress;
-  const auto watched = parse_nl2_csv(text, "t.csv", &progress);
+  const auto watched = test::as_job(progress, [&] { return parse_nl2_csv(text, "t.csv"); });
   ASSERT_TRUE(watched.ok());
   EXPECT_TRUE(watched->document == parse_nl2_csv(text, "t.csv")->document);
   EXPECT_EQ(progress.done, 1.0);
   progress.cancelled = true;
-  const auto cancelled = parse_nl2_csv(text, "t.csv", &progress);
+  const auto cancelled = test::as_job(progress, [&] { return parse_nl2_csv(text, "t.csv"); });
   EXPECT_EQ(cancelled.status().code, base::Code::refused);
   EXPECT_EQ(cancelled.status().message, "t.csv: the import was cancelled");
 }

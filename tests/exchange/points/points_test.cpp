@@ -14,7 +14,7 @@ namespace coaster::exchange {
 namespace points_test {
 
 base::Result<LoadedTrack> parse(std::string_view text, const Import& import = {.up = world::Axis::y, .scale = 1}) {
-  return parse_points(text, "a.xyz", import, nullptr);
+  return parse_points(text, "a.xyz", import);
 }
 
 TEST(points, handles_are_those_of_the_catmull_rom_spline) {

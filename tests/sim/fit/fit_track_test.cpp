@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "base/as_job.h"
 #include "base/tries.h"
 #include "sim/rows_along.h"
 
@@ -114,12 +115,13 @@ TEST(fit_track, progress_changes_nothing_grows_to_the_end_and_can_be_cancelled) 
   const auto rows = test::rows_along(
       place, [](double) { return glm::dvec3(0, 1, 0); }, 0.2, 2000);
   base::Progress progress;
-  const FittedTrack watched = fit_track(rows, false, &progress), alone = fit_track(rows, false);
+  const FittedTrack watched = test::as_job(progress, [&] { return fit_track(rows, false); }),
+                    alone = fit_track(rows, false);
   EXPECT_TRUE(watched.document == alone.document);
   EXPECT_EQ(progress.done, 1.0);
   base::Progress cancelled;
   cancelled.cancelled = true;
-  EXPECT_TRUE(fit_track(rows, false, &cancelled).document.track.knots.empty());
+  EXPECT_TRUE(test::as_job(cancelled, [&] { return fit_track(rows, false); }).document.track.knots.empty());
   EXPECT_EQ(cancelled.done, 0.0);
   // Cancelled by another thread, while it works.
   base::Progress halfway;
@@ -127,7 +129,7 @@ TEST(fit_track, progress_changes_nothing_grows_to_the_end_and_can_be_cancelled) 
     while (halfway.done == 0) std::this_thread::yield();
     halfway.cancelled = true;
   });
-  const FittedTrack broken_off = fit_track(rows, false, &halfway);
+  const FittedTrack broken_off = test::as_job(halfway, [&] { return fit_track(rows, false); });
   canceller.join();
   EXPECT_TRUE(broken_off.document.track.knots.empty() || halfway.done == 1.0);  // it may have been done by then
 }

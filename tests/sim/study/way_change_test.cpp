@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include "base/as_job.h"
 #include "sim/tracks.h"
 
 namespace coaster::sim {
@@ -87,11 +88,12 @@ TEST(way_change, tells_how_far_it_is_and_ends_when_cancelled) {
   change.former.first = 700, change.former.second = -700;
   OpenedTrack opened;
   base::Progress progress;
-  ASSERT_EQ(changed_way(change, opened, &progress).refusal, "");
+  ASSERT_EQ(test::as_job(progress, [&] { return changed_way(change, opened); }).refusal, "");
   EXPECT_GT(progress.done.load(), 0);
   EXPECT_LE(progress.done.load(), 1);
   progress.cancelled = true;
-  EXPECT_NE(changed_way(change, opened, &progress).refusal, "") << "nothing is tried any more";
+  EXPECT_NE(test::as_job(progress, [&] { return changed_way(change, opened); }).refusal, "")
+      << "nothing is tried any more";
 }
 
 }  // namespace way_change_test

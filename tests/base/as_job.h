@@ -1,0 +1,14 @@
+// Work as that of a job that is watched and can be cancelled.
+#pragma once
+
+#include "base/interrupted.h"
+
+namespace coaster::test {
+
+template <class Work>
+auto as_job(base::Progress& job, const Work& work) {
+  const base::WorkFor working(&job);
+  return work();
+}
+
+}  // namespace coaster::test
