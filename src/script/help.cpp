@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "base/exit_codes.h"
 #include "edit/commands/codec.h"
 #include "query/query.h"
 
@@ -122,9 +123,7 @@ std::string help() {
     out += fmt::format("  {}{}{}{}{}\n      {}\n", query.name, query.argument.empty() ? "" : " ",
                        usage_of(query.argument), unit, query.values.may_be_none ? " or none" : "", query.text);
   }
-  return out +
-         "\nExit codes: 0 success, 1 failed expectation, 2 usage or script error, 3 bad file, 4 no graphics, "
-         "5 input or output, 6 timeout, 77 skipped.\n";
+  return out + "\n" + base::exit_codes_sentence() + "\n";
 }
 
 }  // namespace coaster::script

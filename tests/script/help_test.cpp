@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "base/exit_codes.h"
 #include "query/query.h"
 
 namespace coaster::script {
@@ -20,6 +21,7 @@ TEST(help, names_every_query_with_its_unit_and_its_line) {
   }
   for (const char* const word : {"coaster-script 1", "ui.click", "aim.click", "expect", "wait", "movie.start"})
     EXPECT_NE(page.find(word), std::string::npos) << word;
+  EXPECT_TRUE(page.ends_with("\n\n" + base::exit_codes_sentence() + "\n"));
 }
 
 }  // namespace help_test
