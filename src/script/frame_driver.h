@@ -5,6 +5,12 @@
 
 namespace coaster::script {
 
+using base::Status;
+
+// Errors of statements that run: an expectation that does not hold or a target that cannot be used, and wrong use.
+inline Status failed(std::string message) { return {base::Code::expectation, std::move(message)}; }
+inline Status wrong(std::string message) { return {base::Code::usage, std::move(message)}; }
+
 // A frame of a script is 1/60 s.
 inline constexpr int kTicksPerFrame = 2;
 
