@@ -1,4 +1,4 @@
-// Files, blocks and includes. lines.cpp reads the words of single lines.
+// Files, blocks and includes. rows.cpp reads single lines.
 #include "script/grammar.h"
 
 #include <algorithm>
@@ -7,12 +7,13 @@
 #include <fmt/format.h>
 
 #include "base/utf8.h"
-#include "base/words.h"
-#include "script/lines.h"
 #include "script/paths.h"
+#include "script/rows.h"
 
 namespace coaster::script {
 namespace {
+
+constexpr std::string_view kHeader = "\"coaster-script 1\"";
 
 // Parses files into one script; continues after an error.
 class Parser {
@@ -70,14 +71,14 @@ void Parser::error(int column, const std::string& message) {
 void Parser::header(Tokens tokens) {
   const auto version = tokens.size() == 2 ? base::parse_int(tokens[1].text) : std::nullopt;
   const int column = tokens.size() > 1 ? tokens[1].column : tokens[0].column;
-  if (!version) return error(column, "expected \"coaster-script 1\"");
+  if (!version) return error(column, fmt::format("expected {}", kHeader));
   if (*version > kScriptVersion)
     return error(column, fmt::format("the script needs version {}; this program supports version 1", *version));
   if (*version < 1) error(column, "expected version 1");
 }
 
 void Parser::include(Tokens tokens) {
-  if (tokens.size() != 2) return error(tokens[0].column, "expected include \"FILE\"");
+  if (tokens.size() != 2) return error(tokens[0].column, fmt::format("expected {}", usage("include")));
   const std::filesystem::path path = find_input(source().folder, tokens[1].text, {});
   std::error_code ignored;
   const std::filesystem::path canonical = std::filesystem::weakly_canonical(path, ignored);
@@ -98,9 +99,9 @@ void Parser::include(Tokens tokens) {
   if (!inner.header_seen_ && inner.first_error_ != 0 && inner.first_error_ == inner.first_line_) {
     out_.errors.resize(std::min(before, kMaxErrors)), out_.problems.resize(out_.errors.size());
     errors_ = before;
-    return error(tokens[1].column, fmt::format("{} is not a script: its line {} is no statement; begin it with "
-                                               "\"coaster-script 1\" to see its errors",
-                                               base::quoted_start(tokens[1].text), inner.first_line_));
+    return error(tokens[1].column, fmt::format("{} is not a script: its line {} is no statement; begin it with {} "
+                                               "to see its errors",
+                                               base::quoted_start(tokens[1].text), inner.first_line_, kHeader));
   }
   statement.action = std::move(included);
   add(std::move(statement));
@@ -121,29 +122,16 @@ void Parser::close(Tokens tokens) {
 
 void Parser::statement(Tokens tokens) {
   const base::Token& first = tokens.front();
-  Statement made{source_, line_, first.column, {}};
-  base::TextError problem;
-  base::Words words(tokens, problem);
-  words.take("a statement");
   if (first.text == "end") return close(tokens);
   if (first.text == "include") return include(tokens);
-  if (first.text == "repeat" || first.text == "gesture" || first.text == "lesson") {
-    if (first.text == "repeat") made.action = Repeat{words.whole("a count", 0, 1'000'000).value_or(1), {}};
-    else if (first.text == "gesture") made.action = Gesture{};
-    else if (!parse_lesson(words, made.action)) made.action = Lesson{};  // its end belongs to it all the same
-    const std::string_view last = tokens.back().text;
-    const bool marked = !tokens.back().quoted && (last.ends_with('{') || last.ends_with(':'));
-    if (!words.end())
-      error(problem.column, problem.message + (marked ? ": a block has no { or :, only an \"end\"" : ""));
-    if (static_cast<int>(open_.size()) >= kMaxBlockDepth) {
-      if (too_deep_++ == 0) error(first.column, fmt::format("blocks are nested more than {} deep", kMaxBlockDepth));
-      return;
-    }
-    open_.push_back({std::move(made), {}});
-    return;
-  }
-  if (!parse_line(tokens, problem, made.action)) return error(problem.column, problem.message);
-  add(std::move(made));
+  Statement made{source_, line_, first.column, {}};
+  base::TextError problem;
+  const bool read = parse_line(tokens, problem, made.action);
+  if (!read) error(problem.column, problem.message);
+  if (!opens_block(first.text)) return read ? add(std::move(made)) : void();
+  // A block with an error in its first line still has its "end".
+  if (static_cast<int>(open_.size()) < kMaxBlockDepth) open_.push_back({std::move(made), {}});
+  else if (too_deep_++ == 0) error(first.column, fmt::format("blocks are nested more than {} deep", kMaxBlockDepth));
 }
 
 // Reports a line that is not words. ctx.ItemClick("x") of another language is an unknown command, not a wrong quote.
@@ -172,7 +160,7 @@ void Parser::line(const std::string& text) {
   }
   if (!header_seen_ && header_required_) {
     header_seen_ = true;
-    error(tokens[0].column, "expected \"coaster-script 1\" before the first statement");
+    error(tokens[0].column, fmt::format("expected {} before the first statement", kHeader));
   }
   statement(tokens);
 }
@@ -216,21 +204,11 @@ void Parser::file(std::string_view text, const std::string& name, const std::fil
   header_required_ = header_required;
   for (const std::string& one : lines) ++line_, line(one);
   line_ = 1;
-  if (header_required && !header_seen_) error(1, "expected \"coaster-script 1\"");
+  if (header_required && !header_seen_) error(1, fmt::format("expected {}", kHeader));
   for (const Open& open : open_) line_ = open.opener.line, error(open.opener.column, "no \"end\" for this block");
 }
 
 }  // namespace
-
-const std::vector<std::string>& statement_words() {
-  static const std::vector<std::string> kWords = [] {
-    std::vector<std::string> words = line_words();
-    for (const char* const word : {"coaster-script", "repeat", "gesture", "lesson", "end", "include"})
-      words.emplace_back(word);
-    return words;
-  }();
-  return kWords;
-}
 
 ParsedScript parse_script(std::string_view text, const std::string& name, const std::filesystem::path& folder,
                           base::Files& files) {
