@@ -1,12 +1,9 @@
 // snap, shot, dump, log, and the evidence of a failure.
-#include <algorithm>
-#include <array>
-
 #include <fmt/format.h>
 
 #include "exchange/own/json_values.h"
 #include "exchange/own/track_file.h"
-#include "query/condition.h"
+#include "query/all_values.h"
 #include "query/context.h"
 #include "script/paths.h"
 #include "script/runner.h"
@@ -14,53 +11,10 @@
 namespace coaster::script {
 namespace {
 
-exchange::JsonValue to_json(const query::Value& value) {
-  struct Visitor {
-    exchange::JsonValue operator()(double v) const { return v; }
-    exchange::JsonValue operator()(const std::string& v) const { return v; }
-    exchange::JsonValue operator()(const query::Ranked& v) const { return v.text; }
-    exchange::JsonValue operator()(glm::dvec3 v) const { return std::array{v.x, v.y, v.z}; }
-    exchange::JsonValue operator()(const query::None&) const { return nullptr; }
-  };
-  return std::visit(Visitor{}, value);
-}
-
-// Returns the arguments of one part: words, knots, segments and trains.
-std::vector<std::string> arguments_of(query::Argument argument, const world::Document& document) {
-  if (argument.size() > 1) return {};
-  const query::ArgumentPart& part = argument.front();
-  std::vector<std::string> names;
-  if (part.words) names = part.words();
-  for (int i = 1; i <= part.most; ++i) names.push_back(std::to_string(i));
-  const auto add = [&](world::Kind kind, const std::vector<world::Entity>& entities) {
-    if (part.kind != kind) return;
-    for (const world::Entity e : entities) names.push_back("@" + world::label_of(document, e));
-  };
-  add(world::Kind::knot, document.track.knots);
-  add(world::Kind::segment, document.track.segments);
-  add(world::Kind::cart, document.entities.pool<world::Cart>().entities());
-  return names;
-}
-
-// Returns a JSON object of all queries; queries with an argument appear once per entity (document and motion for hash).
-// `error`: of the script, put before the values; null if there is none.
+// Returns a JSON object of the values of all queries. `error`: of the script, put before them; null if there is none.
 std::string state_json(const query::Context& context, const ScriptError* error) {
-  constexpr std::size_t kMostKnots = 1000;  // values of single knots are left out of larger tracks
-  exchange::JsonMembers all;
-  if (error != nullptr) all.emplace_back("error", exchange::JsonList{to_json(*error)});
-  for (const query::Query& query : query::queries()) {
-    const std::string name(query.name);
-    if (query.argument.empty()) {
-      const auto value = query.evaluate(context, "");
-      all.emplace_back(name, value ? to_json(*value) : nullptr);
-      continue;
-    }
-    if (context.session.document.track.knots.size() > kMostKnots) continue;
-    for (const std::string& argument : arguments_of(query.argument, context.session.document)) {
-      const auto value = query.evaluate(context, argument);
-      if (value) all.emplace_back(fmt::format("{} {}", name, argument), to_json(*value));
-    }
-  }
+  exchange::JsonMembers all = query::all_values(context);
+  if (error != nullptr) all.emplace(all.begin(), "error", exchange::JsonList{to_json(*error)});
   return exchange::json_members(all);
 }
 
