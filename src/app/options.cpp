@@ -12,7 +12,7 @@
 #include "base/words.h"
 #include "platform/sound.h"
 #include "platform/surface.h"
-#include "script/help.h"
+#include "script/grammar.h"
 #include "world/settings.h"
 
 namespace coaster::app {

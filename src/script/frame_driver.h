@@ -19,8 +19,8 @@ class FrameDriver {
   explicit FrameDriver(Host& host) : host_(host) {}
 
   Host& host() const { return host_; }
-  base::Status set_environment(const Environment& environment);
-  base::Status set_home(const std::filesystem::path& folder);
+  // Takes note that the state changed otherwise than by the functions below.
+  void changed() { picture_stale_ = panels_stale_ = true; }
   base::Status apply(const edit::Command& command);
   // Draws one frame with these events and the postponed ones.
   base::Status frame(platform::Events events, int ticks = kTicksPerFrame);

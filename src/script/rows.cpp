@@ -7,11 +7,13 @@
 
 #include <fmt/format.h>
 
+#include "base/exit_codes.h"
 #include "edit/commands/codec.h"
 #include "edit/commands/set_setting.h"
 #include "edit/perform/seek.h"
 #include "query/condition.h"
 #include "query/goal.h"
+#include "query/query.h"
 #include "script/grammar.h"
 
 namespace coaster::script {
@@ -19,7 +21,7 @@ namespace {
 
 constexpr std::int64_t kMostFrames = 10'000'000;
 
-// A word and its row.
+// A word and its row. A word of several forms has one for each, the first of which reads it.
 struct NamedRow {
   std::string word;
   const Row* row;
@@ -28,14 +30,10 @@ struct NamedRow {
 const std::vector<NamedRow>& named_rows() {
   static const std::vector<NamedRow> kRows = [] {
     std::vector<NamedRow> rows;
-    const auto known = [&](const std::string& word) {
-      return std::any_of(rows.begin(), rows.end(), [&](const NamedRow& row) { return row.word == word; });
-    };
     for (const RowGroup& group : row_groups())
       for (const Row& row : group.rows) {
         const std::vector<std::string> words = words_of(row);
-        for (std::size_t i = 0; i < words.size(); ++i)
-          if (!known(words[i])) rows.push_back({words[i], &row, i});
+        for (std::size_t i = 0; i < words.size(); ++i) rows.push_back({words[i], &row, i});
       }
     return rows;
   }();
@@ -88,12 +86,13 @@ bool read_lesson(Words& words, Lesson& lesson) {
   return parse_condition(words, lesson.until);
 }
 
-bool read_frames(Words& words, Frames& frames) {
-  return words.at_end() || whole(words, "a number of frames", 0, kMostFrames, frames.count);
+bool read_frames(Words& words, Advance& advance) {
+  advance.frames = true;
+  return words.at_end() || whole(words, "a number of frames", 0, kMostFrames, advance.count);
 }
 
-bool read_ticks(Words& words, Ticks& ticks) {
-  return words.at_end() || whole(words, "a number of ticks", 0, kMostFrames, ticks.count);
+bool read_ticks(Words& words, Advance& advance) {
+  return words.at_end() || whole(words, "a number of ticks", 0, kMostFrames, advance.count);
 }
 
 bool read_wait(Words& words, Wait& wait) {
@@ -289,9 +288,9 @@ bool read_needs(Words& words, Needs& needs) {
   return read_named(words, "what evaluates, such as geometry_shader", needs.stage);
 }
 
-bool read_crash(Words& words, PlanCrash& crash) {
-  return read_named(words, "where to crash, such as drawing", crash.plan.place) &&
-         (words.at_end() || read_named(words, "how to crash", crash.plan.way));
+bool read_crash(Words& words, base::PlannedCrash& crash) {
+  return read_named(words, "where to crash, such as drawing", crash.place) &&
+         (words.at_end() || read_named(words, "how to crash", crash.way));
 }
 
 bool read_slow_import(Words& words, SlowImport& slow) {
@@ -329,9 +328,8 @@ constexpr Row kOutputRows[]{
     {"sheet \"$OUT/FILE.png\" [columns N] [half] \"PICTURE.png\" ...",
      "Combines pictures into one, 3 in a row by default, with half at half size.", reads<read_sheet>},
     {"movie.start \"$OUT/FOLDER\" [fps N] [gif]",
-     "Records all ticks from here on, N pictures a second (30): numbered PNG files, and movie.mp4 (movie.gif) if "
-     "ffmpeg "
-     "is installed.",
+     "Records all ticks from here on, N pictures a second (30): numbered PNG files, and movie.mp4 (movie.gif) "
+     "if ffmpeg is installed.",
      reads<read_movie_start>},
     {"movie.stop", "Stops recording and waits for the movie file.", reads<read_movie_stop>},
     {"dump \"NAME\"", "Writes picture, widgets, values and document to $OUT/NAME.*.", reads<read_dump>},
@@ -351,15 +349,13 @@ constexpr Row kOutputRows[]{
 std::string_view usage_for(std::string_view word, std::span<const base::Token> line) {
   std::string_view usage;
   std::ptrdiff_t most = -1;
-  for (const RowGroup& group : row_groups())
-    for (const Row& row : group.rows) {
-      const std::vector<std::string> words = words_of(row);
-      if (std::find(words.begin(), words.end(), word) == words.end()) continue;
-      const auto shared = std::count_if(line.begin() + 1, line.end(), [&](const base::Token& token) {
-        return !token.quoted && row.usage.find(token.text) != std::string_view::npos;
-      });
-      if (shared > most) most = shared, usage = row.usage;
-    }
+  for (const NamedRow& form : named_rows()) {
+    if (form.word != word) continue;
+    const auto shared = std::count_if(line.begin() + 1, line.end(), [&](const base::Token& token) {
+      return !token.quoted && form.row->usage.find(token.text) != std::string_view::npos;
+    });
+    if (shared > most) most = shared, usage = form.row->usage;
+  }
   return usage;
 }
 
@@ -371,10 +367,8 @@ void add_help(std::string_view word, std::span<const base::Token> line, base::Te
     return;
   }
   const auto says = [&](std::string_view words) { return error.message.find(words) != std::string::npos; };
-  constexpr std::size_t kLongestUsage = 120;
-  const std::string_view usage = usage_for(word, line);
   if (error.out_of_range || error.suggests || says(" did you mean ") || says("; usage: ")) return;
-  if (usage.size() <= kLongestUsage) error.message += fmt::format("; usage: {}", usage);
+  error.message += fmt::format("; usage: {}", usage_for(word, line));
 }
 
 // Checks what a search aims for and changes, so that errors have their place and are found before the script runs.
@@ -419,13 +413,33 @@ bool opens_block(std::string_view word) { return usage(word).ends_with("... end"
 const std::vector<std::string>& statement_words() {
   static const std::vector<std::string> kWords = [] {
     std::vector<std::string> words;
-    for (const NamedRow& row : named_rows()) words.push_back(row.word);
+    for (const NamedRow& row : named_rows())
+      if (words.empty() || words.back() != row.word) words.push_back(row.word);
     for (const edit::CommandHelp& row : edit::command_table())
       if (!find_named(row.info.name)) words.emplace_back(row.info.name);
     words.emplace_back("end");
     return words;
   }();
   return kWords;
+}
+
+std::string help() {
+  std::string out = "Coaster scripts, version 1: one statement per line; # starts a comment.\n\n";
+  for (const RowGroup& group : row_groups()) {
+    out += fmt::format("{}\n", group.title);
+    for (const Row& row : group.rows) out += fmt::format("  {}\n      {}\n", row.usage, row.help);
+    out += "\n";
+  }
+  out += "Commands\n";
+  for (const edit::CommandHelp& row : edit::command_table())
+    out += fmt::format("  {}\n      {}\n", row.usage, row.info.help);
+  out += "\nQueries\n";
+  for (const query::Query& query : query::queries()) {
+    const std::string unit = query.unit.empty() ? "" : fmt::format(" ({})", query.unit);
+    out += fmt::format("  {}{}{}{}{}\n      {}\n", query.name, query.argument.empty() ? "" : " ",
+                       usage_of(query.argument), unit, query.values.may_be_none ? " or none" : "", query.text);
+  }
+  return out + "\n" + base::exit_codes_sentence() + "\n";
 }
 
 bool read_command(std::string_view name, std::span<const base::Token> rest, Words& words, Action& action) {

@@ -80,7 +80,7 @@ int lessons_in(const Block& block) {
   int count = 0;
   for (const Statement& statement : block) {
     if (std::holds_alternative<Lesson>(statement.action)) ++count;
-    if (const auto* const include = std::get_if<Include>(&statement.action)) count += lessons_in(include->body);
+    if (std::holds_alternative<Include>(statement.action)) count += lessons_in(statement.body);
   }
   return count;
 }
@@ -96,7 +96,8 @@ Status run_script(const Script& script, Host& host, const RunOptions& options) {
 
 Status Runner::begin() {
   enter(script_.statements);
-  return frames_.set_environment(environment_);
+  frames_.changed();
+  return frames_.host().set_environment(environment_);
 }
 
 std::optional<Status> Runner::step() {
@@ -115,20 +116,19 @@ Status Runner::advance() {
   const bool gesture = here.gesture;
   places_.pop_back();
   if (!gesture) return {};
-  failed_at_ = &(*places_.back().block)[places_.back().next - 1];  // the line that began it
+  running_ = &(*places_.back().block)[places_.back().next - 1];  // the line that began it
   if (!frames_.apply(edit::EndGesture{}))
     return wrong("a command up to end ended the gesture, as undo, load and new do: write it outside");
   return {};
 }
 
 Status Runner::error_of(const Status& result) {
-  const Source& source = script_.sources[static_cast<std::size_t>(failed_at_->source)];
-  const int column = column_ > 0 ? column_ : failed_at_->column;
-  const ScriptError error{source.name, failed_at_->line, column, result.message, origins()};
+  const int column = column_ > 0 ? column_ : running_->column;
+  const ScriptError error{source().name, running_->line, column, result.message, origins()};
   if (options_.error != nullptr) *options_.error = error;
   const bool evident = result.code != base::Code::skipped && !frames_.interrupted();
   const std::string note = evident ? write_evidence(error) : std::string();
-  return {result.code, describe_error(source, error, note)};
+  return {result.code, describe_error(source(), error, note)};
 }
 
 std::vector<Origin> Runner::origins() const {
@@ -144,12 +144,10 @@ std::vector<Origin> Runner::origins() const {
 }
 
 Status Runner::run(const Statement& statement) {
-  source_ = statement.source;
+  running_ = &statement;
   if (frames_.host().progress) frames_.host().progress(statement.line, static_cast<int>(source().lines.size()));
-  failed_at_ = nullptr;
   Status result = std::visit([this](const auto& action) { return perform(action); }, statement.action);
   if (frames_.interrupted()) result = failed("stopped by a signal"), column_ = 0;
-  if (!result && !failed_at_) failed_at_ = &statement;
   return result;
 }
 
@@ -196,8 +194,9 @@ Status Runner::perform(const SetEnvironment& change) {
   // If only a folder is set, picture and scale stay: its settings may change them.
   const bool home_alone =
       change.home && !change.width && !change.samples && !change.seed && !change.scale && !change.density;
+  frames_.changed();
   if (!home_alone)
-    if (const Status status = frames_.set_environment(environment_); !status) return status;
+    if (const Status status = frames_.host().set_environment(environment_); !status) return status;
   if (!change.home) return {};
   if (!frames_.host().set_home) return wrong("this run keeps no user data");
   const auto folder = find_output(change.home->text, files_.root());
@@ -206,33 +205,29 @@ Status Runner::perform(const SetEnvironment& change) {
   if (std::find(homes_.begin(), homes_.end(), *folder) == homes_.end())
     if (const Status emptied = files_.remove_made(*folder); !emptied) return at(change.home->column, emptied);
   homes_.push_back(*folder);
-  return frames_.set_home(*folder);
+  return frames_.host().set_home(*folder);
 }
 
-Status Runner::perform(const Frames& frames) {
-  for (std::int64_t i = 0; i < frames.count && !frames_.interrupted(); ++i)
+Status Runner::perform(const Advance& advance) {
+  if (!advance.frames) frames_.advance(advance.count);
+  for (std::int64_t i = 0; advance.frames && i < advance.count && !frames_.interrupted(); ++i)
     if (const Status status = frames_.frame({}); !status) return status;
   return {};
 }
 
-Status Runner::perform(const Ticks& ticks) {
-  frames_.advance(ticks.count);
-  return {};
-}
-
 Status Runner::perform(const Repeat& repeat) {
-  if (repeat.count > 0) enter(repeat.body, repeat.count - 1);
+  if (repeat.count > 0) enter(running_->body, repeat.count - 1);
   return {};
 }
 
-Status Runner::perform(const Gesture& gesture) {
+Status Runner::perform(const Gesture&) {
   if (const Status status = frames_.apply(edit::BeginGesture{}); !status) return status;
-  enter(gesture.body, 0, true);
+  enter(running_->body, 0, true);
   return {};
 }
 
-Status Runner::perform(const Include& include) {
-  enter(include.body);
+Status Runner::perform(const Include&) {
+  enter(running_->body);
   return {};
 }
 
@@ -279,9 +274,9 @@ Status Runner::perform(const Fault& fault) {
   return {};
 }
 
-Status Runner::perform(const PlanCrash& crash) {
+Status Runner::perform(const base::PlannedCrash& crash) {
   if (!frames_.host().plan_crash) return wrong("this run cannot crash on purpose");
-  frames_.host().plan_crash(crash.plan);
+  frames_.host().plan_crash(crash);
   return {};
 }
 
@@ -468,11 +463,7 @@ Status Runner::perform(const ExpectError& expect) {
   std::string message = expect.out_of_range;
   if (message.empty()) {
     const Statement& statement = expect.statement.front();
-    const std::size_t depth = places_.size();
-    Status result = std::visit([this](const auto& action) { return perform(action); }, statement.action);
-    while (result && places_.size() > depth) result = advance();
-    places_.resize(depth);
-    failed_at_ = nullptr;
+    const Status result = std::visit([this](const auto& action) { return perform(action); }, statement.action);
     if (result) return at(statement.column, failed("expected an error, but the statement succeeded"));
     message = result.message;
   }
@@ -487,22 +478,21 @@ Status Runner::perform(const Lesson& lesson) {
   const query::LessonCard card{lesson.text, lesson.widget ? lesson.widget->text : "", ++lessons_,
                                std::max(lessons_, lessons_in(script_.statements))};
   if (host.teach) host.teach(&card);
-  const Place& here = places_.back();
-  given_ = Given{&lesson, &(*here.block)[here.next - 1], places_.size()};
+  given_ = Given{running_, places_.size()};
   if (host.answer) return {};
   std::string found;
   const base::Result<bool> before = check(lesson.until, found);
   if (before && *before)
     return at(lesson.until.column, failed("the lesson's condition already holds: " + lesson.until.text));
-  enter(lesson.body);
+  enter(running_->body);
   return {};
 }
 
 Status Runner::attend() {
   const Host& host = frames_.host();
   Given& given = *given_;
-  const Lesson& lesson = *given.lesson;
-  failed_at_ = given.statement, source_ = given.statement->source;
+  const Lesson& lesson = std::get<Lesson>(given.lesson->action);
+  running_ = given.lesson;
   // The player gets the mouse with its buttons up: the last line may have put off a release.
   if (host.answer && frames_.has_put_off()) return frames_.frame({});
   const auto end = [&](Status result) {
@@ -528,7 +518,7 @@ Status Runner::attend() {
     return end({});
   }
   if (answer == query::LessonAnswer::show) {
-    enter(lesson.body);
+    enter(running_->body);
     return {};
   }
   waits_ = true;

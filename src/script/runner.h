@@ -51,8 +51,7 @@ class Runner {
   };
   // The current lesson; a place behind `depth` shows its lines.
   struct Given {
-    const Lesson* lesson = nullptr;
-    const Statement* statement = nullptr;
+    const Statement* lesson = nullptr;
     std::size_t depth = 0;
     int waited = 0;  // frames, without a player
   };
@@ -71,8 +70,7 @@ class Runner {
 
   Status perform(const RunCommand& command);
   Status perform(const SetEnvironment& change);
-  Status perform(const Frames& frames);
-  Status perform(const Ticks& ticks);
+  Status perform(const Advance& advance);
   Status perform(const Repeat& repeat);
   Status perform(const Gesture& gesture);
   Status perform(const Include& include);
@@ -81,7 +79,7 @@ class Runner {
   Status perform(const FitCamera& fit);
   Status perform(const Needs& needs);
   Status perform(const Fault& fault);
-  Status perform(const PlanCrash& crash);
+  Status perform(const base::PlannedCrash& crash);
   Status perform(const SlowImport& slow);
 
   Status perform(const Expect& expect);
@@ -105,7 +103,7 @@ class Runner {
   base::Result<bool> check(const Condition& condition, std::string& found);
   // Returns why the value of a condition of the ride cannot change by waiting; empty if it can.
   std::string stands_still(const Condition& condition) const;
-  const Source& source() const { return script_.sources[static_cast<std::size_t>(source_)]; }
+  const Source& source() const { return script_.sources[static_cast<std::size_t>(running_->source)]; }
   std::filesystem::path input(std::string_view written) const;
   // Reports the notices after that number: without panels nobody sees the warnings of a file.
   void report_since(std::uint64_t serial);
@@ -127,8 +125,7 @@ class Runner {
   bool waits_ = false;
   int lessons_ = 0;                           // lessons started so far
   std::vector<std::filesystem::path> homes_;  // folders named by env
-  int source_ = 0;                            // source of the running statement
-  const Statement* failed_at_ = nullptr;      // the innermost statement that failed
+  const Statement* running_ = nullptr;        // the statement whose errors come now
   int column_ = 0;                            // of the error, set by at(); 0: the column of the statement
 };
 

@@ -26,14 +26,6 @@ std::optional<double> number_shown(const std::string& text) {
   return std::nullopt;
 }
 
-// Fails with the widget's kind if that is none of `kinds`.
-Status expect_kind(const WidgetState& widget, std::initializer_list<std::string_view> kinds,
-                   std::string_view expected) {
-  if (std::find(kinds.begin(), kinds.end(), widget.kind) != kinds.end()) return {};
-  return wrong(fmt::format("{} is a {}, expected a {}", base::quoted_start(widget.path),
-                           widget.kind == "item" ? "menu item" : widget.kind, expected));
-}
-
 constexpr int kMostScrolls = 80;
 
 // True for a menu inside another, which opens under the cursor.
@@ -51,6 +43,14 @@ Status UiDriver::reach(std::string_view path) {
   if (Status moved = frame({middle(widget_)}); !moved) return moved;
   if (const WidgetState* const hovered = now(path)) widget_ = *hovered;  // hovering may change the layout
   return refusal(widget_);
+}
+
+Status UiDriver::reach_a(std::initializer_list<std::string_view> kinds, std::string_view expected,
+                         std::string_view path) {
+  if (Status reached = reach(path); !reached) return reached;
+  if (std::find(kinds.begin(), kinds.end(), widget_.kind) != kinds.end()) return {};
+  return wrong(fmt::format("{} is a {}, expected a {}", base::quoted_start(widget_.path),
+                           widget_.kind == "item" ? "menu item" : widget_.kind, expected));
 }
 
 // A press or key that takes effect at once may leave its release to the next frame, so that the last frame's numbers
@@ -85,9 +85,8 @@ Status UiDriver::click(std::string_view path, int clicks) {
 }
 
 Status UiDriver::check(std::string_view path, bool on) {
-  if (Status reached = reach(path); !reached) return reached;
-  if (Status other = expect_kind(widget_, {"checkbox", "radio", "item", "header"}, "checkbox or radio button"); !other)
-    return other;
+  if (Status reached = reach_a({"checkbox", "radio", "item", "header"}, "checkbox or radio button", path); !reached)
+    return reached;
   if (is_on(widget_) == on) return {};
   if (!on && widget_.kind == "radio")
     return failed(base::quoted_start(widget_.path) + " is a radio button: it turns off when another one is selected");
@@ -95,9 +94,8 @@ Status UiDriver::check(std::string_view path, bool on) {
 }
 
 Status UiDriver::type(std::string_view path, std::string_view text) {
-  if (Status reached = reach(path); !reached) return reached;
-  if (Status other = expect_kind(widget_, {"text", "number", "slider", "cell"}, "field, slider or cell"); !other)
-    return other;
+  if (Status reached = reach_a({"text", "number", "slider", "cell"}, "field, slider or cell", path); !reached)
+    return reached;
   const platform::Modifiers ctrl{false, true, false};
   const bool plain = widget_.kind == "text" || widget_.kind == "cell";
   if (Status opened = press_and_release(plain ? platform::Modifiers{} : ctrl); !opened) return opened;
@@ -125,8 +123,7 @@ Status UiDriver::drag_by(std::string_view path, float pixels) {
 }
 
 Status UiDriver::drag_to(std::string_view path, double value) {
-  if (Status reached = reach(path); !reached) return reached;
-  if (Status other = expect_kind(widget_, {"number", "slider", "plot"}, "number, slider or plot"); !other) return other;
+  if (Status reached = reach_a({"number", "slider", "plot"}, "number, slider or plot", path); !reached) return reached;
   if (Status down = frame({MouseButton{Button::left, true, {}}}); !down) return down;
   const float y = middle(widget_).y;
   float low = widget_.x, high = widget_.x + widget_.width;
@@ -148,8 +145,7 @@ Status UiDriver::drag_to(std::string_view path, double value) {
 }
 
 Status UiDriver::open(std::string_view path, bool open) {
-  if (Status reached = reach(path); !reached) return reached;
-  if (Status other = expect_kind(widget_, {"header", "combo", "menu"}, "header, combo or menu"); !other) return other;
+  if (Status reached = reach_a({"header", "combo", "menu"}, "header, combo or menu", path); !reached) return reached;
   if (widget_.kind == "header" && is_closed_header(widget_) != open) return {};
   return press_and_release({});
 }
@@ -157,8 +153,8 @@ Status UiDriver::open(std::string_view path, bool open) {
 // "Edit/Undo": the menu Edit opens as part of the path.
 Status UiDriver::menu(std::string_view path) {
   const std::string in_bar = path.starts_with("Menu/") ? std::string(path) : "Menu/" + std::string(path);
-  if (Status clicked = click(in_bar); !clicked) return clicked;
-  return expect_kind(widget_, {"menu", "item"}, "menu item");
+  if (Status reached = reach_a({"menu", "item"}, "menu item", in_bar); !reached) return reached;
+  return press_and_release({});
 }
 
 Status UiDriver::scroll(std::string_view path, double notches) {

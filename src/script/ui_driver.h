@@ -34,6 +34,8 @@ class UiDriver {
   Status scroll(std::string_view path, double notches);
 
  private:
+  // The same as reach(), for a widget of one of these kinds, which `expected` describes. Code::usage for another one.
+  Status reach_a(std::initializer_list<std::string_view> kinds, std::string_view expected, std::string_view path);
   Status frame(platform::Events events) { return frames_.frame(std::move(events)); }
   Status press_and_release(platform::Modifiers modifiers);
   Status key(platform::Key key, platform::Modifiers modifiers, bool release_can_wait = false);

@@ -12,7 +12,6 @@
 #include "platform/events.h"
 #include "query/query.h"
 #include "script/grammar.h"
-#include "script/help.h"
 #include "script/rows.h"
 #include "world/entity.h"
 

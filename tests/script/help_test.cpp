@@ -1,4 +1,5 @@
-#include "script/help.h"
+// The text of --help-script, and the tables of docs/script.md, which come from the same rows.
+#include "script/grammar.h"
 
 #include <algorithm>
 #include <fstream>
@@ -11,7 +12,6 @@
 #include "base/exit_codes.h"
 #include "edit/commands/codec.h"
 #include "query/query.h"
-#include "script/grammar.h"
 #include "script/rows.h"
 
 namespace coaster::script {
