@@ -45,6 +45,11 @@ TEST(rows, each_word_of_a_row_has_its_own_verb) {
     EXPECT_EQ(std::get<AimAction>(action_of(line)).verb, verb) << line;
 }
 
+TEST(rows, a_dump_is_named_with_or_without_the_folder) {
+  for (const char* const line : {"dump \"a/b\"", "dump \"$OUT/a/b\""})
+    EXPECT_EQ(std::get<Dump>(action_of(line)).name, "a/b") << line;
+}
+
 // Returns an event in words, for comparison.
 std::string text_of(const platform::Event& event) {
   const auto with = [](const platform::Modifiers& m) {
@@ -113,6 +118,8 @@ TEST(rows, errors_show_the_usage_of_the_form_that_was_begun_unless_they_suggest_
   EXPECT_TRUE(message("expect file").ends_with("; usage: expect file \"FILE\" exists | same \"FILE\""));
   EXPECT_TRUE(message("fault import").ends_with("; usage: fault import slow N"));
   EXPECT_TRUE(message("aim.drag @k1 to").ends_with(" TARGET to X Y Z|TARGET"));
+  EXPECT_TRUE(message("fault").ends_with("; usage: fault io.open|read|write|fsync|rename|close fail [N]"))
+      << "of forms that fit alike, the first";
   EXPECT_TRUE(message("repeat 2 3").ends_with("; usage: repeat N ... end"));
   EXPECT_EQ(message("env scal 2"),
             "expected size, seed, scale, density, msaa or home, found \"scal\"; did you mean "
