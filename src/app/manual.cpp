@@ -5,6 +5,7 @@
 
 #include "app/options.h"
 #include "app/version.h"
+#include "base/exit_codes.h"
 #include "exchange/formats.h"
 #include "world/settings.h"
 
@@ -48,7 +49,7 @@ std::string manual_page() {
       "rides them in memory, and scripts can do everything that a user can. The manual is in /usr/share/doc/coaster.\n";
   options_section(out);
   out += ".SH EXIT STATUS\n";
-  for (const ExitCodeRow& row : exit_code_rows())
+  for (const base::ExitCode& row : base::kExitCodes)
     out += fmt::format(".TP\n{}\n{}.\n", roff(row.code), roff(row.meaning));
   out +=
       ".SH ENVIRONMENT\n"

@@ -8,10 +8,11 @@
 #include <fmt/format.h>
 
 #include "app/version.h"
+#include "base/exit_codes.h"
 #include "base/words.h"
 #include "platform/sound.h"
 #include "platform/surface.h"
-#include "script/help.h"
+#include "script/grammar.h"
 #include "world/settings.h"
 
 namespace coaster::app {
@@ -69,24 +70,6 @@ constexpr OptionRow kRows[] = {
      kAnywhere},
 };
 
-constexpr ExitCodeRow kExitCodes[] = {{"0", "success"},
-                                      {"1", "failed expectation"},
-                                      {"2", "usage or script error"},
-                                      {"3", "bad file"},
-                                      {"4", "no graphics"},
-                                      {"5", "input or output"},
-                                      {"6", "timeout"},
-                                      {"70", "out of memory"},
-                                      {"77", "skipped"},
-                                      {"128+N", "ended by signal N"}};
-
-std::string exit_code_line() {
-  std::string line = "Exit codes:";
-  for (const ExitCodeRow& row : kExitCodes)
-    line += fmt::format("{} {} {}", row.code == "0" ? "" : ",", row.code, row.meaning);
-  return line + ". Options without an effect together are refused.";
-}
-
 CLI::Option* add(CLI::App& cli, const OptionRow& row, Options& options) {
   const std::string name(row.name), help(row.help);
   CLI::Option* const option = std::visit(
@@ -140,7 +123,6 @@ char mode_of(const Options& o) {
 }
 
 std::span<const OptionRow> option_rows() { return kRows; }
-std::span<const ExitCodeRow> exit_code_rows() { return kExitCodes; }
 
 std::string version_text() {
   return fmt::format("coaster {}\nwindow: {}; sound: {}\n", kVersion, platform::window_library(),
@@ -151,7 +133,7 @@ ParsedOptions parse_options(int argc, const char* const* argv) {
   ParsedOptions out;
   Options& o = out.options;
   CLI::App cli(std::string(kSummary), "coaster");
-  cli.footer(exit_code_line());
+  cli.footer(base::exit_codes_sentence() + " Options without an effect together are refused.");
   bool version = false;
   cli.add_flag("--version", version, "Print the version and exit");
   std::vector<std::pair<const OptionRow*, const CLI::Option*>> all;

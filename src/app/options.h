@@ -56,11 +56,6 @@ char mode_of(const Options& options);
 // Returns the options in the order of help, without --help and --version.
 std::span<const OptionRow> option_rows();
 
-struct ExitCodeRow {
-  std::string_view code, meaning;
-};
-std::span<const ExitCodeRow> exit_code_rows();
-
 inline constexpr std::string_view kSummary = "Builds and rides roller coasters made of cubic Bezier curves.";
 // Returns "coaster 0.1.0" and the libraries that the program was built with.
 std::string version_text();

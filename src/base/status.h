@@ -9,7 +9,7 @@
 
 namespace coaster::base {
 
-// The values are the program's exit codes (docs/script.md), except `refused`; base/memory_guard.h has one more.
+// The values are exit codes of the program, except `refused`; base/exit_codes.h has them all in words.
 enum class Code {
   ok = 0,
   expectation = 1,  // a script's expectation failed

@@ -7,18 +7,8 @@
 
 namespace coaster::script {
 
-base::Status FrameDriver::set_environment(const Environment& environment) {
-  picture_stale_ = panels_stale_ = true;
-  return host_.set_environment(environment);
-}
-
-base::Status FrameDriver::set_home(const std::filesystem::path& folder) {
-  picture_stale_ = panels_stale_ = true;
-  return host_.set_home(folder);
-}
-
 base::Status FrameDriver::apply(const edit::Command& command) {
-  picture_stale_ = panels_stale_ = true;  // a rejected command shows a notice
+  changed();  // a rejected command shows a notice
   return host_.apply(command);
 }
 

@@ -5,6 +5,12 @@
 
 namespace coaster::script {
 
+using base::Status;
+
+// Errors of statements that run: an expectation that does not hold or a target that cannot be used, and wrong use.
+inline Status failed(std::string message) { return {base::Code::expectation, std::move(message)}; }
+inline Status wrong(std::string message) { return {base::Code::usage, std::move(message)}; }
+
 // A frame of a script is 1/60 s.
 inline constexpr int kTicksPerFrame = 2;
 
@@ -13,8 +19,8 @@ class FrameDriver {
   explicit FrameDriver(Host& host) : host_(host) {}
 
   Host& host() const { return host_; }
-  base::Status set_environment(const Environment& environment);
-  base::Status set_home(const std::filesystem::path& folder);
+  // Takes note that the state changed otherwise than by the functions below.
+  void changed() { picture_stale_ = panels_stale_ = true; }
   base::Status apply(const edit::Command& command);
   // Draws one frame with these events and the postponed ones.
   base::Status frame(platform::Events events, int ticks = kTicksPerFrame);

@@ -1,4 +1,4 @@
-// Files, blocks and includes. lines.cpp reads the words of single lines.
+// Files, blocks and includes. rows.cpp reads single lines.
 #include "script/grammar.h"
 
 #include <algorithm>
@@ -7,12 +7,13 @@
 #include <fmt/format.h>
 
 #include "base/utf8.h"
-#include "base/words.h"
-#include "script/lines.h"
 #include "script/paths.h"
+#include "script/rows.h"
 
 namespace coaster::script {
 namespace {
+
+constexpr std::string_view kHeader = "\"coaster-script 1\"";
 
 // Parses files into one script; continues after an error.
 class Parser {
@@ -22,31 +23,160 @@ class Parser {
       : out_(out), files_(files), including_(std::move(including)), errors_(errors) {}
 
   void file(std::string_view text, const std::string& name, const std::filesystem::path& folder, bool header_required,
-            Block& block);
+            Block& block) {
+    source_ = static_cast<int>(out_.script.sources.size());
+    Source made{name, folder, {}, from_, from_line_};
+    out_.script.sources.push_back(made);
+    if (!split(text, made)) return;
+    out_.script.sources.back().lines = made.lines;
+    const std::vector<std::string> lines = made.lines;  // an include adds to the sources
+    block_ = &block;
+    header_required_ = header_required;
+    for (const std::string& one : lines) ++line_, line(one);
+    line_ = 1;
+    if (header_required && !header_seen_) error(1, fmt::format("expected {}", kHeader));
+    for (const Statement& open : open_) line_ = open.line, error(open.column, "no \"end\" for this block");
+  }
 
  private:
-  // An open block and where it began.
-  struct Open {
-    Statement opener;
-    Block body;
-  };
-
   using Tokens = std::span<const base::Token>;
-  void line(const std::string& text);
-  void unreadable(const std::string& text, const base::TextError& problem);
-  void statement(Tokens tokens);
-  void header(Tokens tokens);
-  void include(Tokens tokens);
-  void close(Tokens tokens);
-  bool split(std::string_view text, Source& made);
+
   const Source& source() const { return out_.script.sources[static_cast<std::size_t>(source_)]; }
-  void error(int column, const std::string& message);
   void add(Statement statement) { (open_.empty() ? *block_ : open_.back().body).push_back(std::move(statement)); }
+
+  void error(int column, const std::string& message) {
+    if (first_error_ == 0) first_error_ = line_;
+    if (++errors_ > kMaxErrors) return;
+    ScriptError found{source().name, line_, column, message, {}};
+    for (const Source* at = &source(); at->from >= 0; at = &out_.script.sources[static_cast<std::size_t>(at->from)])
+      found.from.push_back({out_.script.sources[static_cast<std::size_t>(at->from)].name, at->from_line});
+    out_.errors.push_back(describe_error(source(), found));
+    out_.problems.push_back(std::move(found));
+  }
+
+  void header(Tokens tokens) {
+    const auto version = tokens.size() == 2 ? base::parse_int(tokens[1].text) : std::nullopt;
+    const int column = tokens.size() > 1 ? tokens[1].column : tokens[0].column;
+    if (!version) return error(column, fmt::format("expected {}", kHeader));
+    if (*version > kScriptVersion)
+      return error(column, fmt::format("the script needs version {}; this program supports version 1", *version));
+    if (*version < 1) error(column, "expected version 1");
+  }
+
+  void include(Tokens tokens) {
+    if (tokens.size() != 2) return error(tokens[0].column, fmt::format("expected {}", usage("include")));
+    const std::filesystem::path path = find_input(source().folder, tokens[1].text, {});
+    std::error_code ignored;
+    const std::filesystem::path canonical = std::filesystem::weakly_canonical(path, ignored);
+    if (std::find(including_.begin(), including_.end(), canonical) != including_.end())
+      return error(tokens[1].column, fmt::format("the file {} includes itself", base::quoted_start(tokens[1].text)));
+    if (static_cast<int>(including_.size()) > kMaxIncludeDepth)
+      return error(tokens[1].column, fmt::format("includes are nested more than {} deep", kMaxIncludeDepth));
+    const auto text = files_.read(path);
+    if (!text) return error(tokens[1].column, text.status().message);
+    Statement statement{source_, line_, tokens[0].column, Include{}, {}};
+    std::vector<std::filesystem::path> including = including_;
+    including.push_back(canonical);
+    const std::size_t before = errors_;
+    Parser inner(out_, files_, std::move(including), errors_);
+    inner.from_ = source_, inner.from_line_ = line_;
+    inner.file(*text, path.string(), path.parent_path(), false, statement.body);
+    if (!inner.header_seen_ && inner.first_error_ != 0 && inner.first_error_ == inner.first_line_) {
+      out_.errors.resize(std::min(before, kMaxErrors)), out_.problems.resize(out_.errors.size());
+      errors_ = before;
+      return error(tokens[1].column, fmt::format("{} is not a script: its line {} is no statement; begin it with {} "
+                                                 "to see its errors",
+                                                 base::quoted_start(tokens[1].text), inner.first_line_, kHeader));
+    }
+    add(std::move(statement));
+  }
+
+  void close(Tokens tokens) {
+    if (tokens.size() > 1)
+      error(tokens[1].column, fmt::format("unexpected {} after end", base::quoted_start(tokens[1].text)));
+    if (too_deep_ > 0) return void(--too_deep_);
+    if (open_.empty()) return error(tokens[0].column, "\"end\" without repeat, gesture or lesson");
+    Statement closed = std::move(open_.back());
+    open_.pop_back();
+    add(std::move(closed));
+  }
+
+  void statement(Tokens tokens) {
+    const base::Token& first = tokens.front();
+    if (first.text == "end") return close(tokens);
+    if (first.text == "include") return include(tokens);
+    Statement made{source_, line_, first.column, {}, {}};
+    base::TextError problem;
+    const bool read = parse_line(tokens, problem, made.action);
+    if (!read) error(problem.column, problem.message);
+    if (!opens_block(first.text)) return read ? add(std::move(made)) : void();
+    // A block with an error in its first line still has its "end".
+    if (static_cast<int>(open_.size()) < kMaxBlockDepth) open_.push_back(std::move(made));
+    else if (too_deep_++ == 0) error(first.column, fmt::format("blocks are nested more than {} deep", kMaxBlockDepth));
+  }
+
+  // Reports a line that is not words. ctx.ItemClick("x") of another language is an unknown command, not a wrong quote.
+  void unreadable(const std::string& text, const base::TextError& problem) {
+    std::vector<base::Token> called;
+    base::TextError ignored;
+    const std::vector<std::string>& known = statement_words();
+    if (const std::size_t end = text.find('('); end != std::string::npos && static_cast<int>(end) < problem.column)
+      if (base::tokenise(std::string_view(text).substr(0, end), called, ignored) && !called.empty() &&
+          std::find(known.begin(), known.end(), called[0].text) == known.end())
+        return statement(called);
+    error(problem.column, problem.message);
+  }
+
+  void line(const std::string& text) {
+    std::vector<base::Token> tokens;
+    base::TextError problem;
+    const bool readable = base::tokenise(text, tokens, problem);
+    if (first_line_ == 0 && (!readable || !tokens.empty())) first_line_ = line_;
+    if (!readable) return unreadable(text, problem);
+    if (tokens.empty()) return;
+    if (tokens[0].text == "coaster-script") {
+      if (header_seen_) return error(tokens[0].column, "a second \"coaster-script\" line");
+      header_seen_ = true;
+      return header(tokens);
+    }
+    if (!header_seen_ && header_required_) {
+      header_seen_ = true;
+      error(tokens[0].column, fmt::format("expected {} before the first statement", kHeader));
+    }
+    statement(tokens);
+  }
+
+  // Splits a file into lines, which end in \n, \r\n or \r. Returns false after an error of the file as a whole; the
+  // source then has no lines, so that none is printed.
+  bool split(std::string_view text, Source& made) {
+    constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+    const auto refuse = [&](const std::string& message) {
+      made.lines.clear();
+      header_seen_ = true, line_ = 1;
+      error(1, message);
+      return false;
+    };
+    if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF") ||
+        text.substr(0, 2).find('\0') != std::string_view::npos)
+      return refuse("UTF-16 text: save it as UTF-8");
+    if (text.starts_with(kByteOrderMark)) text.remove_prefix(kByteOrderMark.size());
+    while (!text.empty()) {
+      if (++out_.lines > kMaxLines)
+        return refuse(fmt::format("more than the limit of {} lines with everything included", kMaxLines));
+      const std::size_t end = std::min(text.find_first_of("\r\n"), text.size());
+      std::string one(text.substr(0, end));
+      std::replace(one.begin(), one.end(), '\t', ' ');
+      made.lines.push_back(std::move(one));
+      text.remove_prefix(end);
+      text.remove_prefix(text.starts_with("\r\n") ? 2 : std::min<std::size_t>(text.size(), 1));
+    }
+    return true;
+  }
 
   ParsedScript& out_;
   base::Files& files_;
   std::vector<std::filesystem::path> including_;
-  std::vector<Open> open_;
+  std::vector<Statement> open_;  // blocks without their "end" yet
   Block* block_ = nullptr;
   std::size_t& errors_;
   int too_deep_ = 0;                                   // open blocks beyond the limit, which have their "end", too
@@ -57,180 +187,7 @@ class Parser {
   bool header_seen_ = false, header_required_ = true;  // an included file may have the header
 };
 
-void Parser::error(int column, const std::string& message) {
-  if (first_error_ == 0) first_error_ = line_;
-  if (++errors_ > kMaxErrors) return;
-  ScriptError found{source().name, line_, column, message, {}};
-  for (const Source* at = &source(); at->from >= 0; at = &out_.script.sources[static_cast<std::size_t>(at->from)])
-    found.from.push_back({out_.script.sources[static_cast<std::size_t>(at->from)].name, at->from_line});
-  out_.errors.push_back(describe_error(source(), found));
-  out_.problems.push_back(std::move(found));
-}
-
-void Parser::header(Tokens tokens) {
-  const auto version = tokens.size() == 2 ? base::parse_int(tokens[1].text) : std::nullopt;
-  const int column = tokens.size() > 1 ? tokens[1].column : tokens[0].column;
-  if (!version) return error(column, "expected \"coaster-script 1\"");
-  if (*version > kScriptVersion)
-    return error(column, fmt::format("the script needs version {}; this program supports version 1", *version));
-  if (*version < 1) error(column, "expected version 1");
-}
-
-void Parser::include(Tokens tokens) {
-  if (tokens.size() != 2) return error(tokens[0].column, "expected include \"FILE\"");
-  const std::filesystem::path path = find_input(source().folder, tokens[1].text, {});
-  std::error_code ignored;
-  const std::filesystem::path canonical = std::filesystem::weakly_canonical(path, ignored);
-  if (std::find(including_.begin(), including_.end(), canonical) != including_.end())
-    return error(tokens[1].column, fmt::format("the file {} includes itself", base::quoted_start(tokens[1].text)));
-  if (static_cast<int>(including_.size()) > kMaxIncludeDepth)
-    return error(tokens[1].column, fmt::format("includes are nested more than {} deep", kMaxIncludeDepth));
-  const auto text = files_.read(path);
-  if (!text) return error(tokens[1].column, text.status().message);
-  Statement statement{source_, line_, tokens[0].column, {}};
-  Include included;
-  std::vector<std::filesystem::path> including = including_;
-  including.push_back(canonical);
-  const std::size_t before = errors_;
-  Parser inner(out_, files_, std::move(including), errors_);
-  inner.from_ = source_, inner.from_line_ = line_;
-  inner.file(*text, path.string(), path.parent_path(), false, included.body);
-  if (!inner.header_seen_ && inner.first_error_ != 0 && inner.first_error_ == inner.first_line_) {
-    out_.errors.resize(std::min(before, kMaxErrors)), out_.problems.resize(out_.errors.size());
-    errors_ = before;
-    return error(tokens[1].column, fmt::format("{} is not a script: its line {} is no statement; begin it with "
-                                               "\"coaster-script 1\" to see its errors",
-                                               base::quoted_start(tokens[1].text), inner.first_line_));
-  }
-  statement.action = std::move(included);
-  add(std::move(statement));
-}
-
-void Parser::close(Tokens tokens) {
-  if (tokens.size() > 1)
-    error(tokens[1].column, fmt::format("unexpected {} after end", base::quoted_start(tokens[1].text)));
-  if (too_deep_ > 0) return void(--too_deep_);
-  if (open_.empty()) return error(tokens[0].column, "\"end\" without repeat, gesture or lesson");
-  Open closed = std::move(open_.back());
-  open_.pop_back();
-  if (Repeat* const repeat = std::get_if<Repeat>(&closed.opener.action)) repeat->body = std::move(closed.body);
-  if (Gesture* const gesture = std::get_if<Gesture>(&closed.opener.action)) gesture->body = std::move(closed.body);
-  if (Lesson* const lesson = std::get_if<Lesson>(&closed.opener.action)) lesson->body = std::move(closed.body);
-  add(std::move(closed.opener));
-}
-
-void Parser::statement(Tokens tokens) {
-  const base::Token& first = tokens.front();
-  Statement made{source_, line_, first.column, {}};
-  base::TextError problem;
-  base::Words words(tokens, problem);
-  words.take("a statement");
-  if (first.text == "end") return close(tokens);
-  if (first.text == "include") return include(tokens);
-  if (first.text == "repeat" || first.text == "gesture" || first.text == "lesson") {
-    if (first.text == "repeat") made.action = Repeat{words.whole("a count", 0, 1'000'000).value_or(1), {}};
-    else if (first.text == "gesture") made.action = Gesture{};
-    else if (!parse_lesson(words, made.action)) made.action = Lesson{};  // its end belongs to it all the same
-    const std::string_view last = tokens.back().text;
-    const bool marked = !tokens.back().quoted && (last.ends_with('{') || last.ends_with(':'));
-    if (!words.end())
-      error(problem.column, problem.message + (marked ? ": a block has no { or :, only an \"end\"" : ""));
-    if (static_cast<int>(open_.size()) >= kMaxBlockDepth) {
-      if (too_deep_++ == 0) error(first.column, fmt::format("blocks are nested more than {} deep", kMaxBlockDepth));
-      return;
-    }
-    open_.push_back({std::move(made), {}});
-    return;
-  }
-  if (!parse_line(tokens, problem, made.action)) return error(problem.column, problem.message);
-  add(std::move(made));
-}
-
-// Reports a line that is not words. ctx.ItemClick("x") of another language is an unknown command, not a wrong quote.
-void Parser::unreadable(const std::string& text, const base::TextError& problem) {
-  std::vector<base::Token> called;
-  base::TextError ignored;
-  const std::vector<std::string>& known = statement_words();
-  if (const std::size_t end = text.find('('); end != std::string::npos && static_cast<int>(end) < problem.column)
-    if (base::tokenise(std::string_view(text).substr(0, end), called, ignored) && !called.empty() &&
-        std::find(known.begin(), known.end(), called[0].text) == known.end())
-      return statement(called);
-  error(problem.column, problem.message);
-}
-
-void Parser::line(const std::string& text) {
-  std::vector<base::Token> tokens;
-  base::TextError problem;
-  const bool readable = base::tokenise(text, tokens, problem);
-  if (first_line_ == 0 && (!readable || !tokens.empty())) first_line_ = line_;
-  if (!readable) return unreadable(text, problem);
-  if (tokens.empty()) return;
-  if (tokens[0].text == "coaster-script") {
-    if (header_seen_) return error(tokens[0].column, "a second \"coaster-script\" line");
-    header_seen_ = true;
-    return header(tokens);
-  }
-  if (!header_seen_ && header_required_) {
-    header_seen_ = true;
-    error(tokens[0].column, "expected \"coaster-script 1\" before the first statement");
-  }
-  statement(tokens);
-}
-
-// Splits a file into lines, which end in \n, \r\n or \r. Returns false after an error of the file as a whole; the
-// source then has no lines, so that none is printed.
-bool Parser::split(std::string_view text, Source& made) {
-  constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
-  const auto refuse = [&](const std::string& message) {
-    made.lines.clear();
-    header_seen_ = true, line_ = 1;
-    error(1, message);
-    return false;
-  };
-  if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF") ||
-      text.substr(0, 2).find('\0') != std::string_view::npos)
-    return refuse("UTF-16 text: save it as UTF-8");
-  if (text.starts_with(kByteOrderMark)) text.remove_prefix(kByteOrderMark.size());
-  while (!text.empty()) {
-    if (++out_.lines > kMaxLines)
-      return refuse(fmt::format("more than the limit of {} lines with everything included", kMaxLines));
-    const std::size_t end = std::min(text.find_first_of("\r\n"), text.size());
-    std::string one(text.substr(0, end));
-    std::replace(one.begin(), one.end(), '\t', ' ');
-    made.lines.push_back(std::move(one));
-    text.remove_prefix(end);
-    text.remove_prefix(text.starts_with("\r\n") ? 2 : std::min<std::size_t>(text.size(), 1));
-  }
-  return true;
-}
-
-void Parser::file(std::string_view text, const std::string& name, const std::filesystem::path& folder,
-                  bool header_required, Block& block) {
-  source_ = static_cast<int>(out_.script.sources.size());
-  Source made{name, folder, {}, from_, from_line_};
-  out_.script.sources.push_back(made);
-  if (!split(text, made)) return;
-  out_.script.sources.back().lines = made.lines;
-  const std::vector<std::string> lines = made.lines;  // an include adds to the sources
-  block_ = &block;
-  header_required_ = header_required;
-  for (const std::string& one : lines) ++line_, line(one);
-  line_ = 1;
-  if (header_required && !header_seen_) error(1, "expected \"coaster-script 1\"");
-  for (const Open& open : open_) line_ = open.opener.line, error(open.opener.column, "no \"end\" for this block");
-}
-
 }  // namespace
-
-const std::vector<std::string>& statement_words() {
-  static const std::vector<std::string> kWords = [] {
-    std::vector<std::string> words = line_words();
-    for (const char* const word : {"coaster-script", "repeat", "gesture", "lesson", "end", "include"})
-      words.emplace_back(word);
-    return words;
-  }();
-  return kWords;
-}
 
 ParsedScript parse_script(std::string_view text, const std::string& name, const std::filesystem::path& folder,
                           base::Files& files) {

@@ -60,4 +60,7 @@ std::string describe_error(const Source& source, const ScriptError& error, const
 // Returns every first word of a line, commands included.
 const std::vector<std::string>& statement_words();
 
+// Returns the text of --help-script: statements, commands, queries with units, exit codes.
+std::string help();
+
 }  // namespace coaster::script

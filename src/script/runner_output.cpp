@@ -1,12 +1,9 @@
 // snap, shot, dump, log, and the evidence of a failure.
-#include <algorithm>
-#include <array>
-
 #include <fmt/format.h>
 
 #include "exchange/own/json_values.h"
 #include "exchange/own/track_file.h"
-#include "query/condition.h"
+#include "query/all_values.h"
 #include "query/context.h"
 #include "script/paths.h"
 #include "script/runner.h"
@@ -14,53 +11,10 @@
 namespace coaster::script {
 namespace {
 
-exchange::JsonValue to_json(const query::Value& value) {
-  struct Visitor {
-    exchange::JsonValue operator()(double v) const { return v; }
-    exchange::JsonValue operator()(const std::string& v) const { return v; }
-    exchange::JsonValue operator()(const query::Ranked& v) const { return v.text; }
-    exchange::JsonValue operator()(glm::dvec3 v) const { return std::array{v.x, v.y, v.z}; }
-    exchange::JsonValue operator()(const query::None&) const { return nullptr; }
-  };
-  return std::visit(Visitor{}, value);
-}
-
-// Returns the arguments of one part: words, knots, segments and trains.
-std::vector<std::string> arguments_of(query::Argument argument, const world::Document& document) {
-  if (argument.size() > 1) return {};
-  const query::ArgumentPart& part = argument.front();
-  std::vector<std::string> names;
-  if (part.words) names = part.words();
-  for (int i = 1; i <= part.most; ++i) names.push_back(std::to_string(i));
-  const auto add = [&](world::Kind kind, const std::vector<world::Entity>& entities) {
-    if (part.kind != kind) return;
-    for (const world::Entity e : entities) names.push_back("@" + world::label_of(document, e));
-  };
-  add(world::Kind::knot, document.track.knots);
-  add(world::Kind::segment, document.track.segments);
-  add(world::Kind::cart, document.entities.pool<world::Cart>().entities());
-  return names;
-}
-
-// Returns a JSON object of all queries; queries with an argument appear once per entity (document and motion for hash).
-// `error`: of the script, put before the values; null if there is none.
+// Returns a JSON object of the values of all queries. `error`: of the script, put before them; null if there is none.
 std::string state_json(const query::Context& context, const ScriptError* error) {
-  constexpr std::size_t kMostKnots = 1000;  // values of single knots are left out of larger tracks
-  exchange::JsonMembers all;
-  if (error != nullptr) all.emplace_back("error", exchange::JsonList{to_json(*error)});
-  for (const query::Query& query : query::queries()) {
-    const std::string name(query.name);
-    if (query.argument.empty()) {
-      const auto value = query.evaluate(context, "");
-      all.emplace_back(name, value ? to_json(*value) : nullptr);
-      continue;
-    }
-    if (context.session.document.track.knots.size() > kMostKnots) continue;
-    for (const std::string& argument : arguments_of(query.argument, context.session.document)) {
-      const auto value = query.evaluate(context, argument);
-      if (value) all.emplace_back(fmt::format("{} {}", name, argument), to_json(*value));
-    }
-  }
+  exchange::JsonMembers all = query::all_values(context);
+  if (error != nullptr) all.emplace(all.begin(), "error", exchange::JsonList{to_json(*error)});
   return exchange::json_members(all);
 }
 
@@ -85,8 +39,8 @@ std::string Runner::write_evidence(const ScriptError& error) {
   Host& host = frames_.host();
   const query::Context context = host.context();
   const std::filesystem::path& out = options_.out.folder();
-  const base::Status picture = host.screenshot(out / "frame.png");
-  base::Status texts = files_.write_atomic(out / "widgets.txt", widgets_text(host.widgets()));
+  const Status picture = host.screenshot(out / "frame.png");
+  Status texts = files_.write_atomic(out / "widgets.txt", widgets_text(host.widgets()));
   if (texts) texts = files_.write_atomic(out / "state.json", state_json(context, &error));
   std::string note = fmt::format("frame {}", context.stats.frame);
   if (picture) note += fmt::format("; {}", (out / "frame.png").string());
@@ -95,11 +49,11 @@ std::string Runner::write_evidence(const ScriptError& error) {
   return note;
 }
 
-Failure Runner::perform(const Snap& snap) {
-  if (const base::Status status = frames_.settle_panels(); !status) return failure(status);
+Status Runner::perform(const Snap& snap) {
+  if (const Status status = frames_.settle_panels(); !status) return status;
   const std::filesystem::path golden = source().folder / "golden" / (snap.name + ".png");
   const bool again = !snaps_.insert(golden).second, update = options_.update_goldens;
-  Failure result = failure(frames_.host().snap(snap.name, golden, options_.out.folder(), update && !again));
+  Status result = frames_.host().snap(snap.name, golden, options_.out.folder(), update && !again);
   if (again && update && result.code == base::Code::expectation)
     result.message = fmt::format("snap {} was taken before in this run, of another picture: give each its own name; {}",
                                  base::quoted_start(snap.name), result.message);
@@ -111,54 +65,52 @@ base::Result<std::filesystem::path> Runner::below_out(std::string_view written) 
                      files_.root());
 }
 
-Failure Runner::perform(const Shot& shot) {
+Status Runner::perform(const Shot& shot) {
   const auto path = below_out(shot.path.text);
-  if (!path) return failure(path.status(), shot.path.column);
-  if (const base::Status status = frames_.settle_panels(); !status) return failure(status);
-  return failure(frames_.host().screenshot(*path));
+  if (!path) return at(shot.path.column, path.status());
+  if (const Status status = frames_.settle_panels(); !status) return status;
+  return frames_.host().screenshot(*path);
 }
 
-Failure Runner::perform(const Sheet& sheet) {
+Status Runner::perform(const Sheet& sheet) {
   if (!frames_.host().sheet) return wrong("this run has no pictures");
   const auto path = below_out(sheet.path.text);
-  if (!path) return failure(path.status(), sheet.path.column);
+  if (!path) return at(sheet.path.column, path.status());
   std::vector<std::filesystem::path> pictures;
   for (const base::Token& token : sheet.pictures) {
     const auto picture = below_out(token.text);
-    if (!picture) return failure(picture.status(), token.column);
+    if (!picture) return at(token.column, picture.status());
     pictures.push_back(*picture);
   }
-  return failure(frames_.host().sheet(*path, sheet.columns, sheet.half, pictures));
+  return frames_.host().sheet(*path, sheet.columns, sheet.half, pictures);
 }
 
-Failure Runner::perform(const Dump& dump) {
-  if (const base::Status status = frames_.settle_panels(); !status) return failure(status);
+Status Runner::perform(const Dump& dump) {
+  if (const Status status = frames_.settle_panels(); !status) return status;
   const auto stem = find_output("$OUT/" + dump.name, files_.root());
-  if (!stem) return failure(stem.status());
+  if (!stem) return stem.status();
   const auto with = [&](const char* ending) { return std::filesystem::path(stem->string() + ending); };
   const query::Context context = frames_.host().context();
-  if (const base::Status s = frames_.host().screenshot(with(".frame.png")); !s) return failure(s);
-  if (const base::Status s = files_.write_atomic(with(".widgets.txt"), widgets_text(frames_.host().widgets())); !s)
-    return failure(s);
-  if (const base::Status s = files_.write_atomic(with(".state.json"), state_json(context, nullptr)); !s)
-    return failure(s);
-  return failure(files_.write_atomic(with(".json"), exchange::print_track(context.session.document)));
+  if (const Status s = frames_.host().screenshot(with(".frame.png")); !s) return s;
+  if (const Status s = files_.write_atomic(with(".widgets.txt"), widgets_text(frames_.host().widgets())); !s) return s;
+  if (const Status s = files_.write_atomic(with(".state.json"), state_json(context, nullptr)); !s) return s;
+  return files_.write_atomic(with(".json"), exchange::print_track(context.session.document));
 }
 
-Failure Runner::perform(const StartMovie& start) {
+Status Runner::perform(const StartMovie& start) {
   if (!frames_.host().start_movie) return wrong("this run has no pictures to record");
   const auto folder = find_output(start.folder.text, files_.root());
-  if (!folder) return failure(folder.status(), start.folder.column);
-  return failure(frames_.host().start_movie(*folder, start.fps, start.gif));
+  if (!folder) return at(start.folder.column, folder.status());
+  return frames_.host().start_movie(*folder, start.fps, start.gif);
 }
 
-Failure Runner::perform(const StopMovie&) {
+Status Runner::perform(const StopMovie&) {
   if (!frames_.host().stop_movie) return wrong("this run has no pictures to record");
-  return failure(frames_.host().stop_movie());
+  return frames_.host().stop_movie();
 }
 
-Failure Runner::perform(const Log& log) {
-  if (const base::Status status = frames_.settle(); !status) return failure(status);
+Status Runner::perform(const Log& log) {
+  if (const Status status = frames_.settle(); !status) return status;
   std::string line;
   for (const Log::Part& part : log.parts) {
     if (!line.empty()) line += " ";
@@ -167,7 +119,7 @@ Failure Runner::perform(const Log& log) {
       continue;
     }
     const auto value = value_of(part.query, part.argument);
-    if (!value) return failure(value.status(), part.column);
+    if (!value) return at(part.column, value.status());
     line += query::find_query(part.query)->words(*value);
   }
   frames_.host().print(line);

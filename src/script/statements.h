@@ -34,22 +34,15 @@ struct SetEnvironment {
   std::optional<float> scale, density;
   std::optional<base::Token> home;
 };
-struct Frames {
+struct Advance {
   std::int64_t count = 1;
-};
-struct Ticks {
-  std::int64_t count = 1;
+  bool frames = false;  // or ticks, which are not drawn
 };
 struct Repeat {
   std::int64_t count = 1;
-  Block body;
 };
-struct Gesture {
-  Block body;
-};
-struct Include {
-  Block body;
-};
+struct Gesture {};
+struct Include {};
 
 using query::Condition;
 
@@ -68,7 +61,6 @@ struct Lesson {
   std::string text;
   std::optional<base::Token> widget;
   Condition until;
-  Block body;
 };
 // exists, or same as another file byte by byte.
 struct ExpectFile {
@@ -84,19 +76,7 @@ struct ExpectError {
 };
 
 struct UiAction {
-  enum class Verb : std::uint8_t {
-    click,
-    doubleclick,
-    hover,
-    check,
-    type,
-    drag_by,
-    drag_to,
-    open,
-    close,
-    menu,
-    scroll
-  };
+  enum class Verb { click, doubleclick, hover, check, type, drag_by, drag_to, open, close, menu, scroll };
   Verb verb = Verb::click;
   base::Token path;
   std::string text;   // of type; the value of drag to
@@ -163,11 +143,6 @@ struct Fault {
   int nth = 1;
 };
 
-// Crashes the program the next time that it comes to a place.
-struct PlanCrash {
-  base::PlannedCrash plan;
-};
-
 // Ends the script as skipped if the driver cannot evaluate in that stage.
 struct Needs {
   curve::EvaluatedBy stage = curve::EvaluatedBy::processor;
@@ -178,14 +153,15 @@ struct SlowImport {
   int frames = 0;
 };
 
-using Action = std::variant<RunCommand, SetEnvironment, Frames, Ticks, Repeat, Gesture, Lesson, Include, Expect, Wait,
+using Action = std::variant<RunCommand, SetEnvironment, Advance, Repeat, Gesture, Lesson, Include, Expect, Wait,
                             ExpectFile, ExpectError, UiAction, Input, AimAction, FitCamera, Snap, Shot, Sheet, Dump,
-                            Log, StartMovie, StopMovie, Needs, Fault, PlanCrash, SlowImport>;
+                            Log, StartMovie, StopMovie, Needs, Fault, base::PlannedCrash, SlowImport>;
 
 struct Statement {
   int source = 0;  // index into Script::sources
   int line = 1, column = 1;
   Action action;
+  Block body;  // of a block, up to its "end", or of an include
 };
 
 struct Source {

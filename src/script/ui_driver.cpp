@@ -1,11 +1,14 @@
-// Operates widgets; ui_driver_find.cpp finds them. It never activates a widget by id: if a mouse cannot press it, that
-// is an error.
+// Operates widgets. It never activates a widget by id: if a mouse cannot press it, that is an error.
 #include "script/ui_driver.h"
 
 #include <algorithm>
 #include <cmath>
 
 #include <fmt/format.h>
+
+#include "edit/commands/set_setting.h"
+#include "query/context.h"
+#include "world/panels.h"
 
 namespace coaster::script {
 namespace {
@@ -23,77 +26,83 @@ std::optional<double> number_shown(const std::string& text) {
   return std::nullopt;
 }
 
-// Fails with the widget's kind if that is none of `kinds`.
-Failure expect_kind(const WidgetState& widget, std::initializer_list<std::string_view> kinds,
-                    std::string_view expected) {
-  if (std::find(kinds.begin(), kinds.end(), widget.kind) != kinds.end()) return {};
-  return wrong(fmt::format("{} is a {}, expected a {}", base::quoted_start(widget.path),
-                           widget.kind == "item" ? "menu item" : widget.kind, expected));
+constexpr int kMostScrolls = 80;
+
+// True for a menu inside another, which opens under the cursor.
+bool is_inner_menu(const WidgetState& w) {
+  const bool titled = w.value == "open" || w.value == "closed";
+  return w.kind == "menu" && titled && std::count(w.path.begin(), w.path.end(), '/') > 1;
 }
 
 }  // namespace
 
-Failure UiDriver::reach(std::string_view path) {
-  if (Failure found = find(path, widget_); !found) return found;
-  if (Failure sight = bring_into_sight(path, widget_); !sight) return sight;
-  if (Failure refused = refusal(widget_); !refused) return refused;
-  if (Failure moved = frame({middle(widget_)}); !moved) return moved;
+Status UiDriver::reach(std::string_view path) {
+  if (Status found = find(path, widget_); !found) return found;
+  if (Status sight = bring_into_sight(path, widget_); !sight) return sight;
+  if (Status refused = refusal(widget_); !refused) return refused;
+  if (Status moved = frame({middle(widget_)}); !moved) return moved;
   if (const WidgetState* const hovered = now(path)) widget_ = *hovered;  // hovering may change the layout
   return refusal(widget_);
 }
 
+Status UiDriver::reach_a(std::initializer_list<std::string_view> kinds, std::string_view expected,
+                         std::string_view path) {
+  if (Status reached = reach(path); !reached) return reached;
+  if (std::find(kinds.begin(), kinds.end(), widget_.kind) != kinds.end()) return {};
+  return wrong(fmt::format("{} is a {}, expected a {}", base::quoted_start(widget_.path),
+                           widget_.kind == "item" ? "menu item" : widget_.kind, expected));
+}
+
 // A press or key that takes effect at once may leave its release to the next frame, so that the last frame's numbers
 // show the effect.
-Failure UiDriver::release(platform::Event event, std::uint64_t commands_before, bool can_wait) {
+Status UiDriver::release(platform::Event event, std::uint64_t commands_before, bool can_wait) {
   if (can_wait && frames_.commands() != commands_before) {
     frames_.put_off({std::move(event)});
     return {};
   }
-  if (Failure up = frame({std::move(event)}); !up) return up;
+  if (Status up = frame({std::move(event)}); !up) return up;
   // Some widgets report their result one frame after the release.
-  return frames_.commands() == commands_before ? frame({}) : Failure{};
+  return frames_.commands() == commands_before ? frame({}) : Status{};
 }
 
-Failure UiDriver::press_and_release(platform::Modifiers modifiers) {
+Status UiDriver::press_and_release(platform::Modifiers modifiers) {
   const std::uint64_t before = frames_.commands();
-  if (Failure down = frame({MouseButton{Button::left, true, modifiers}}); !down) return down;
+  if (Status down = frame({MouseButton{Button::left, true, modifiers}}); !down) return down;
   return release(MouseButton{Button::left, false, modifiers}, before, false);
 }
 
-Failure UiDriver::key(Key which, platform::Modifiers modifiers, bool release_can_wait) {
+Status UiDriver::key(Key which, platform::Modifiers modifiers, bool release_can_wait) {
   const std::uint64_t before = frames_.commands();
-  if (Failure down = frame({KeyPress{which, true, false, modifiers}}); !down) return down;
+  if (Status down = frame({KeyPress{which, true, false, modifiers}}); !down) return down;
   return release(KeyPress{which, false, false, {}}, before, release_can_wait);
 }
 
-Failure UiDriver::click(std::string_view path, int clicks) {
-  if (Failure reached = reach(path); !reached) return reached;
+Status UiDriver::click(std::string_view path, int clicks) {
+  if (Status reached = reach(path); !reached) return reached;
   for (int i = 0; i < clicks; ++i)
-    if (Failure pressed = press_and_release({}); !pressed) return pressed;
+    if (Status pressed = press_and_release({}); !pressed) return pressed;
   return {};
 }
 
-Failure UiDriver::check(std::string_view path, bool on) {
-  if (Failure reached = reach(path); !reached) return reached;
-  if (Failure other = expect_kind(widget_, {"checkbox", "radio", "item", "header"}, "checkbox or radio button"); !other)
-    return other;
+Status UiDriver::check(std::string_view path, bool on) {
+  if (Status reached = reach_a({"checkbox", "radio", "item", "header"}, "checkbox or radio button", path); !reached)
+    return reached;
   if (is_on(widget_) == on) return {};
   if (!on && widget_.kind == "radio")
     return failed(base::quoted_start(widget_.path) + " is a radio button: it turns off when another one is selected");
   return press_and_release({});
 }
 
-Failure UiDriver::type(std::string_view path, std::string_view text) {
-  if (Failure reached = reach(path); !reached) return reached;
-  if (Failure other = expect_kind(widget_, {"text", "number", "slider", "cell"}, "field, slider or cell"); !other)
-    return other;
+Status UiDriver::type(std::string_view path, std::string_view text) {
+  if (Status reached = reach_a({"text", "number", "slider", "cell"}, "field, slider or cell", path); !reached)
+    return reached;
   const platform::Modifiers ctrl{false, true, false};
   const bool plain = widget_.kind == "text" || widget_.kind == "cell";
-  if (Failure opened = press_and_release(plain ? platform::Modifiers{} : ctrl); !opened) return opened;
+  if (Status opened = press_and_release(plain ? platform::Modifiers{} : ctrl); !opened) return opened;
   if (widget_.kind == "cell")  // a double click opens it, and its field takes the keyboard a frame later
-    if (Failure opened = press_and_release({}); !opened || !(opened = frame({}))) return opened;
-  if (Failure all = key(Key::a, ctrl); !all) return all;
-  if (Failure typed = frame(
+    if (Status opened = press_and_release({}); !opened || !(opened = frame({}))) return opened;
+  if (Status all = key(Key::a, ctrl); !all) return all;
+  if (Status typed = frame(
           text.empty() ? platform::Events{KeyPress{Key::del, true, false, {}}, KeyPress{Key::del, false, false, {}}}
                        : platform::Events{platform::TextInput{std::string(text)}});
       !typed)
@@ -101,58 +110,55 @@ Failure UiDriver::type(std::string_view path, std::string_view text) {
   return key(Key::enter, {}, true);
 }
 
-Failure UiDriver::drag_by(std::string_view path, float pixels) {
-  if (Failure reached = reach(path); !reached) return reached;
+Status UiDriver::drag_by(std::string_view path, float pixels) {
+  if (Status reached = reach(path); !reached) return reached;
   const MouseMove from = middle(widget_);
-  if (Failure down = frame({MouseButton{Button::left, true, {}}}); !down) return down;
+  if (Status down = frame({MouseButton{Button::left, true, {}}}); !down) return down;
   constexpr int kSteps = 4;
   for (int i = 1; i <= kSteps; ++i)
-    if (Failure moved = frame({MouseMove{from.x + pixels * static_cast<float>(i) / kSteps, from.y}}); !moved)
+    if (Status moved = frame({MouseMove{from.x + pixels * static_cast<float>(i) / kSteps, from.y}}); !moved)
       return moved;
   const std::uint64_t before = frames_.commands();
   return release(MouseButton{Button::left, false, {}}, before, false);
 }
 
-Failure UiDriver::drag_to(std::string_view path, double value) {
-  if (Failure reached = reach(path); !reached) return reached;
-  if (Failure other = expect_kind(widget_, {"number", "slider", "plot"}, "number, slider or plot"); !other)
-    return other;
-  if (Failure down = frame({MouseButton{Button::left, true, {}}}); !down) return down;
+Status UiDriver::drag_to(std::string_view path, double value) {
+  if (Status reached = reach_a({"number", "slider", "plot"}, "number, slider or plot", path); !reached) return reached;
+  if (Status down = frame({MouseButton{Button::left, true, {}}}); !down) return down;
   const float y = middle(widget_).y;
   float low = widget_.x, high = widget_.x + widget_.width;
   bool there = false;
   for (int i = 0; i < 16 && high - low > 0.5f && !there; ++i) {
     const float x = (low + high) / 2;
     // Two frames: a slider shows its value at the start of a frame.
-    if (Failure moved = frame({MouseMove{x, y}}); !moved) return moved;
-    if (Failure again = frame({}); !again) return again;
+    if (Status moved = frame({MouseMove{x, y}}); !moved) return moved;
+    if (Status again = frame({}); !again) return again;
     const WidgetState* const shown = now(path);
     const auto number = shown ? number_shown(shown->value) : std::nullopt;
     if (!number) break;
     there = *number == value;
     (*number < value ? low : high) = x;
   }
-  if (Failure up = release(MouseButton{Button::left, false, {}}, frames_.commands(), false); !up) return up;
+  if (Status up = release(MouseButton{Button::left, false, {}}, frames_.commands(), false); !up) return up;
   // A plot accepts no text, so the nearest pixel is used.
-  return there || widget_.kind == "plot" ? Failure{} : type(path, base::to_text(value));
+  return there || widget_.kind == "plot" ? Status{} : type(path, base::to_text(value));
 }
 
-Failure UiDriver::open(std::string_view path, bool open) {
-  if (Failure reached = reach(path); !reached) return reached;
-  if (Failure other = expect_kind(widget_, {"header", "combo", "menu"}, "header, combo or menu"); !other) return other;
+Status UiDriver::open(std::string_view path, bool open) {
+  if (Status reached = reach_a({"header", "combo", "menu"}, "header, combo or menu", path); !reached) return reached;
   if (widget_.kind == "header" && is_closed_header(widget_) != open) return {};
   return press_and_release({});
 }
 
 // "Edit/Undo": the menu Edit opens as part of the path.
-Failure UiDriver::menu(std::string_view path) {
+Status UiDriver::menu(std::string_view path) {
   const std::string in_bar = path.starts_with("Menu/") ? std::string(path) : "Menu/" + std::string(path);
-  if (Failure clicked = click(in_bar); !clicked) return clicked;
-  return expect_kind(widget_, {"menu", "item"}, "menu item");
+  if (Status reached = reach_a({"menu", "item"}, "menu item", in_bar); !reached) return reached;
+  return press_and_release({});
 }
 
-Failure UiDriver::scroll(std::string_view path, double notches) {
-  if (const base::Status settled = frames_.settle_panels(); !settled) return failure(settled);
+Status UiDriver::scroll(std::string_view path, double notches) {
+  if (const Status settled = frames_.settle_panels(); !settled) return settled;
   widgets_ = frames_.host().widgets();
   const WidgetState* over = nullptr;
   for (const WidgetState& widget : widgets_)
@@ -160,16 +166,164 @@ Failure UiDriver::scroll(std::string_view path, double notches) {
       over = &widget;
   if (!over) {
     const auto found = find_widget(widgets_, path);
-    if (!found) return failure(found.status());
+    if (!found) return found.status();
     over = &widgets_[*found];
-    if (Failure refused = refusal(*over); !refused) return refused;
+    if (Status refused = refusal(*over); !refused) return refused;
   }
-  if (Failure moved = frame({middle(*over)}); !moved) return moved;
+  if (Status moved = frame({middle(*over)}); !moved) return moved;
   const int whole = static_cast<int>(std::ceil(std::abs(notches)));
   for (int i = 0; i < whole; ++i) {
     const double part = std::min(1.0, std::abs(notches) - i);
-    if (Failure turned = frame({platform::Wheel{0, static_cast<float>(notches > 0 ? -part : part)}}); !turned)
+    if (Status turned = frame({platform::Wheel{0, static_cast<float>(notches > 0 ? -part : part)}}); !turned)
       return turned;
+  }
+  return {};
+}
+
+const WidgetState* UiDriver::now(std::string_view path) {
+  widgets_ = frames_.host().widgets();
+  const std::vector<std::size_t> found = find_widgets(widgets_, path);
+  return found.size() == 1 ? &widgets_[found[0]] : nullptr;
+}
+
+Status UiDriver::refusal(const WidgetState& widget) const {
+  if (!widget.visible) return failed(base::quoted_start(widget.path) + " is out of sight");
+  if (widget.covered) return failed(base::quoted_start(widget.path) + " is covered by another window");
+  if (!widget.enabled) return failed(base::quoted_start(widget.path) + " is disabled");
+  return {};
+}
+
+Status UiDriver::open_one(WidgetState widget) {
+  const std::string path = widget.path;
+  if (Status sight = bring_into_sight(path, widget); !sight) return sight;
+  if (Status refused = refusal(widget); !refused) return refused;
+  if (Status moved = frame({middle(widget)}); !moved) return moved;
+  if (!is_inner_menu(widget))
+    if (Status clicked = press_and_release({}); !clicked) return clicked;
+  return frames_.settle_panels();
+}
+
+// Opens headers, combos and menus on the path; then the closed headers of its panel, and the menus inside its menu.
+Status UiDriver::open_way_to(std::string_view path) {
+  if (path.size() > kMostPathBytes) return {};
+  const auto missing = [&] { return find_widgets(frames_.host().widgets(), path).empty(); };
+  for (std::size_t slash = path.find('/'); slash != std::string_view::npos && missing();
+       slash = path.find('/', slash + 1)) {
+    const WidgetState* const parent = now(path.substr(0, slash));
+    const bool opens =
+        parent && (is_closed_header(*parent) || parent->kind == "combo" || (parent->kind == "menu" && !is_on(*parent)));
+    if (!opens) continue;
+    if (Status opened = open_one(*parent); !opened) return opened;
+  }
+  const std::string panel(panel_of(path));
+  std::vector<std::string> tried;
+  for (bool again = true; again && missing();) {
+    again = false;
+    widgets_ = frames_.host().widgets();
+    for (const WidgetState& widget : widgets_) {
+      if (!is_closed_header(widget) || panel_of(widget.path) != panel) continue;
+      if (std::find(tried.begin(), tried.end(), widget.path) != tried.end()) continue;
+      tried.push_back(widget.path);
+      if (Status opened = open_one(widget); !opened) return opened;
+      again = true;
+      break;
+    }
+  }
+  return missing() ? open_inner_menu(path) : Status{};
+}
+
+// Looks for the path's end in the menus inside its menu, one after the other.
+Status UiDriver::open_inner_menu(std::string_view path) {
+  const std::string menu(path.substr(0, path.rfind('/')));
+  const WidgetState* const found = now(menu);
+  if (!found || !is_on(*found) || found->path.find('/') == std::string::npos || found->kind != "menu") return {};
+  const std::string outer = found->path;
+  missing_ = find_widget(widgets_, path).status();
+  std::vector<std::string> inner;
+  for (const WidgetState& widget : widgets_)
+    if (is_inner_menu(widget) && widget.enabled && widget.path.starts_with(outer + '/')) inner.push_back(widget.path);
+  for (const std::string& one : inner) {
+    if (const WidgetState* const title = now(outer); title && !is_on(*title))
+      if (Status opened = open_one(*title); !opened) return opened;
+    const WidgetState* const title = now(one);
+    if (!title) return {};
+    if (Status opened = open_one(*title); !opened) return opened;
+    if (!find_widgets(frames_.host().widgets(), path).empty()) return {};
+    // In a small window an open menu covers its neighbours. Escape closes the outer one, too.
+    if (Status closed = key(Key::escape, {}); !closed) return closed;
+    if (const Status settled = frames_.settle_panels(); !settled) return settled;
+  }
+  return {};
+}
+
+// Looks for a missing widget in each other workspace, and returns to the present one. Returns the refusal that names
+// the first workspace that has it; `missing` if none has.
+Status UiDriver::refuse_missing(std::string_view path, const Status& missing) {
+  using world::Workspace;
+  const Workspace here = frames_.host().context().session.settings.panels->workspace;
+  const auto go_to = [&](Workspace workspace) {
+    return frames_.apply(edit::Set<&world::Panels::workspace>{workspace}) && frames_.settle_panels();
+  };
+  std::string_view there;
+  for (const Workspace workspace : {Workspace::build, Workspace::ride, Workspace::laboratory}) {
+    if (workspace == here || !there.empty() || !go_to(workspace) || !open_way_to(path)) continue;
+    if (!find_widgets(frames_.host().widgets(), path).empty()) there = base::name_of(workspace);
+  }
+  if (!go_to(here) || there.empty()) return missing;
+  return failed(
+      fmt::format("{} is in the workspace {}: write \"workspace {}\" before", base::quoted_start(path), there, there));
+}
+
+Status UiDriver::find(std::string_view path, WidgetState& widget) {
+  if (const Status settled = frames_.settle_panels(); !settled) return settled;
+  missing_ = {};
+  if (Status opened = open_way_to(path); !opened) return opened;
+  widgets_ = frames_.host().widgets();
+  const auto found = find_widget(widgets_, path);
+  if (!found && path.size() <= kMostPathBytes && find_widgets(widgets_, path).empty()) {
+    const Status missing = missing_.ok() ? found.status() : missing_;  // the search changes missing_
+    return refuse_missing(path, missing);
+  }
+  if (!found) return found.status();
+  widget = widgets_[*found];
+  return {};
+}
+
+// Ranks how likely two widgets scroll together: same group, same panel, or neither.
+int kinship(std::string_view a, std::string_view b) {
+  if (a.substr(0, a.rfind('/')) == b.substr(0, b.rfind('/'))) return 2;
+  return panel_of(a) == panel_of(b) ? 1 : 0;
+}
+
+// True if the wheel over `other` may scroll `widget`: menus scroll by themselves, and so do lists.
+bool may_scroll_together(const WidgetState& widget, const WidgetState& other) {
+  if (kinship(widget.path, other.path) == 2) return true;
+  return panel_of(widget.path) != "Menu" && panel_of(other.path) != "Menu" && other.kind != "menu" &&
+         other.kind != "item";
+}
+
+// Turns the wheel over the widget's column: at a visible widget of it, preferably of the same group.
+Status UiDriver::bring_into_sight(std::string_view path, WidgetState& widget) {
+  std::vector<std::string> useless;  // widgets over which the wheel moved nothing
+  for (int i = 0; i < kMostScrolls && !widget.visible; ++i) {
+    const WidgetState* over = nullptr;
+    const float x = middle(widget).x;
+    for (const WidgetState& other : widgets_) {
+      if (!other.visible || other.covered || !may_scroll_together(widget, other)) continue;
+      if (x < other.x || x > other.x + other.width) continue;
+      if (std::find(useless.begin(), useless.end(), other.path) != useless.end()) continue;
+      if (!over || kinship(other.path, widget.path) > kinship(over->path, widget.path)) over = &other;
+    }
+    if (!over) break;
+    const MouseMove at{x, middle(*over).y};
+    const std::string turned_over = over->path;
+    const float notch = widget.y > at.y ? -1.0f : 1.0f;
+    if (Status turned = frame({at, platform::Wheel{0, notch}}); !turned) return turned;
+    if (const Status settled = frames_.settle_panels(); !settled) return settled;
+    const WidgetState* const moved = now(path);
+    if (!moved) break;
+    if (moved->y == widget.y) useless.push_back(turned_over);
+    widget = *moved;
   }
   return {};
 }

@@ -5,7 +5,6 @@
 #include <string>
 
 #include "script/frame_driver.h"
-#include "script/runner.h"
 #include "script/widgets.h"
 
 namespace coaster::script {
@@ -19,41 +18,43 @@ class UiDriver {
   // Moves the cursor onto the widget, which must be unique, visible, enabled and uncovered. Opens headers and menus on
   // the path. Errors: Code::usage if no or several widgets match the path; Code::expectation with the reason if it
   // cannot be reached, such as the workspace that shows it.
-  Failure reach(std::string_view path);
-  Failure click(std::string_view path, int clicks = 1);
+  Status reach(std::string_view path);
+  Status click(std::string_view path, int clicks = 1);
   // Clicks the widget if it is in the other state.
-  Failure check(std::string_view path, bool on);
+  Status check(std::string_view path, bool on);
   // Opens the field by Ctrl+click on a slider or number, or by a double click on a table's cell; then selects all,
   // types the text and presses Enter.
-  Failure type(std::string_view path, std::string_view text);
-  Failure drag_by(std::string_view path, float pixels);
+  Status type(std::string_view path, std::string_view text);
+  Status drag_by(std::string_view path, float pixels);
   // Drags along the slider until it shows the value; types the value if no pixel does.
-  Failure drag_to(std::string_view path, double value);
-  Failure open(std::string_view path, bool open);
-  Failure menu(std::string_view path);
+  Status drag_to(std::string_view path, double value);
+  Status open(std::string_view path, bool open);
+  Status menu(std::string_view path);
   // Scrolls; positive scrolls down. The path is that of a panel or of a widget in it.
-  Failure scroll(std::string_view path, double notches);
+  Status scroll(std::string_view path, double notches);
 
  private:
-  Failure frame(platform::Events events) { return failure(frames_.frame(std::move(events))); }
-  Failure press_and_release(platform::Modifiers modifiers);
-  Failure key(platform::Key key, platform::Modifiers modifiers, bool release_can_wait = false);
-  Failure release(platform::Event event, std::uint64_t commands_before, bool can_wait);
+  // The same as reach(), for a widget of one of these kinds, which `expected` describes. Code::usage for another one.
+  Status reach_a(std::initializer_list<std::string_view> kinds, std::string_view expected, std::string_view path);
+  Status frame(platform::Events events) { return frames_.frame(std::move(events)); }
+  Status press_and_release(platform::Modifiers modifiers);
+  Status key(platform::Key key, platform::Modifiers modifiers, bool release_can_wait = false);
+  Status release(platform::Event event, std::uint64_t commands_before, bool can_wait);
   // Finds the widget as last drawn, after opening headers on its path.
-  Failure find(std::string_view path, WidgetState& widget);
-  Failure refuse_missing(std::string_view path, const base::Status& missing);
-  Failure open_way_to(std::string_view path);
-  Failure open_inner_menu(std::string_view path);
-  Failure open_one(WidgetState widget);
-  Failure bring_into_sight(std::string_view path, WidgetState& widget);
+  Status find(std::string_view path, WidgetState& widget);
+  Status refuse_missing(std::string_view path, const Status& missing);
+  Status open_way_to(std::string_view path);
+  Status open_inner_menu(std::string_view path);
+  Status open_one(WidgetState widget);
+  Status bring_into_sight(std::string_view path, WidgetState& widget);
   // Returns why a widget cannot be used: out of sight, covered or disabled.
-  Failure refusal(const WidgetState& widget) const;
+  Status refusal(const WidgetState& widget) const;
   const WidgetState* now(std::string_view path);
 
   FrameDriver& frames_;
   WidgetState widget_;  // of the last reach()
   std::vector<WidgetState> widgets_;
-  base::Status missing_;  // why an open menu lacks the widget: ok if none was open
+  Status missing_;  // why an open menu lacks the widget: ok if none was open
 };
 
 }  // namespace coaster::script

@@ -8,6 +8,8 @@
 
 #include <fmt/ranges.h>
 
+#include "base/exit_codes.h"
+
 namespace coaster::app {
 namespace options_test {
 
@@ -179,8 +181,12 @@ TEST(Options, help_names_every_row_and_every_exit_code) {
   const ParsedOptions help = parse({"--help"});
   EXPECT_EQ(help.exit_code, 0);
   for (const OptionRow& row : option_rows()) EXPECT_NE(help.text.find(row.name), std::string::npos) << row.name;
-  for (const ExitCodeRow& row : exit_code_rows())
+  const std::string manual = manual_page();
+  for (const base::ExitCode& row : base::kExitCodes) {
     EXPECT_NE(help.text.find(std::string(row.code) + " " + std::string(row.meaning)), std::string::npos) << row.code;
+    const std::string entry = "\n" + std::string(row.code) + "\n" + std::string(row.meaning) + ".\n";
+    EXPECT_NE(manual.find(entry), std::string::npos) << row.code;
+  }
   EXPECT_EQ(parse({"--version"}).exit_code, 0);
   EXPECT_EQ(parse({"--version"}).text, version_text());
 }

@@ -233,7 +233,8 @@ TEST(grammar, blocks_nest_and_must_be_closed) {
   const ParsedScript parsed = parse_lines("repeat 2\nrepeat 3\nframes 1\nend\nticks 1\nend\n");
   ASSERT_TRUE(parsed.errors.empty());
   ASSERT_EQ(parsed.script.statements.size(), 1u);
-  const Repeat& outer = std::get<Repeat>(parsed.script.statements[0].action);
+  const Statement& outer = parsed.script.statements[0];
+  EXPECT_EQ(std::get<Repeat>(outer.action).count, 2);
   ASSERT_EQ(outer.body.size(), 2u);
   EXPECT_EQ(std::get<Repeat>(outer.body[0].action).count, 3);
   const ParsedScript open = parse_lines("repeat 2\nframes 1\n");

@@ -52,6 +52,12 @@ TEST(runner, a_gesture_that_a_command_inside_has_ended_fails_at_its_line) {
   }
 }
 
+TEST(runner, an_error_without_a_word_of_its_own_points_at_its_statement) {
+  FakeHost fake;
+  const base::Status status = run_lines(fake, "expect error aim.click @k9\n  split @s7 at 0.5\n");
+  EXPECT_TRUE(status.message.starts_with("test.coaster:3:3: error: ")) << status.message;
+}
+
 TEST(runner, a_signal_ends_ticks_and_waits_early) {
   for (const char* const line : {"ticks 10000000\n", "wait knots == 7 max 10000000 ticks\n"}) {
     FakeHost fake;

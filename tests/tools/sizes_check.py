@@ -1,13 +1,12 @@
 """The sizes that CONTRIBUTING.md names. Usage: sizes_check.py SOURCE_FOLDER
 
-Files of src/ have at most 600 lines, functions 60, folders 30 .cpp files. Lines have at most 120 columns; tool.format
-checks those of C++.
+Files of src/ have at most 600 lines, functions 60. Lines have at most 120 columns; tool.format checks those of C++.
 """
 import re
 import sys
 from pathlib import Path
 
-FILE, FUNCTION, FOLDER, LINE = 600, 60, 30, 120
+FILE, FUNCTION, LINE = 600, 60, 120
 # The folders whose lines are measured, besides the files at the top, and what is exempt there.
 FOLDERS = ("bench", "cmake", "packaging", "shaders", "tests", "third_party", "tools")
 EXEMPT = (
@@ -45,7 +44,6 @@ def long_lines(root):
 
 
 def wrong(source):
-    folders = {}
     for path in sorted(source.rglob("*")):
         if path.suffix not in (".h", ".cpp"):
             continue
@@ -54,11 +52,6 @@ def wrong(source):
             yield f"{name}: {len(lines)} lines, at most {FILE}"
         yield from (f"{name}:{start}: a function of {length} lines, at most {FUNCTION}"
                     for start, length in long_functions(lines))
-        if path.suffix == ".cpp":
-            folders[name.parent] = folders.get(name.parent, 0) + 1
-    for folder, count in folders.items():
-        if count > FOLDER:
-            yield f"{folder}: {count} .cpp files, at most {FOLDER}"
 
 
 if __name__ == "__main__":
