@@ -54,7 +54,7 @@ void start(Program& program, std::unique_ptr<LongJob> job, const edit::Command& 
 void begin_way(Program& program, const edit::Command& command, sim::WayChange change,
                std::span<const edit::Command> rest) {
   auto job = std::make_unique<LongJob>();
-  job->panel = "Search", job->title = "Planning the way home again";
+  job->panel = "Search", job->title = "Planning the closing section again";
   job->cancelled = "Cancelled the change";
   job->way = std::move(change);
   job->opened = std::make_unique<sim::OpenedTrack>(std::exchange(edit::opened_track_of(program.session), {}));

@@ -134,8 +134,8 @@ constexpr std::array kDocumentRows{
     Query{"datum", kNoArgument, "m", "Height at which potential energy is zero.", of_document<&world::Document::datum>},
     Query{"longest", kNoArgument, "", "The longest segment; none without a segment.", longest, or_none(kText)},
     Query{"conflicts", kNoArgument, "",
-          "Places where the track lacks clearance from itself: a train has too little room beside, below or above "
-          "another stretch.",
+          "Places where the track lacks clearance from itself: a train would be too close beside, below or above "
+          "other track.",
           conflicts},
     Query{"conflict.missing", kNoArgument, "m", "Clearance missing at the worst conflict; 0 if there is none.",
           conflict_missing},

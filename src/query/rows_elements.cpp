@@ -41,7 +41,7 @@ constexpr ArgumentPart kWay[]{{.usage = "N", .most = sim::kMostProposals}};
 template <class Function>
 Answer of_proposal(const Context& c, View argument, Function function) {
   const auto i = static_cast<std::size_t>(*base::parse_int(argument)) - 1;
-  return i < circuit(c).list.size() ? number(function(i)) : none("there is no such way home");
+  return i < circuit(c).list.size() ? number(function(i)) : none("there is no such closing section");
 }
 Answer circuit_length(const Context& c, View argument) {
   return of_proposal(c, argument, [&](std::size_t i) { return circuit(c).list[i].plan.length; });
@@ -53,7 +53,7 @@ Answer circuit_jolt(const Context& c, View argument) {
   return of_proposal(c, argument, [&](std::size_t i) { return c.find.way_jolt(i); });
 }
 Answer circuit_refusal(const Context& c, View) {
-  return circuit(c).refusal.empty() ? none("there is a way home") : text(circuit(c).refusal);
+  return circuit(c).refusal.empty() ? none("there is a closing section") : text(circuit(c).refusal);
 }
 
 constexpr ArgumentPart kParameter[]{{.words = parameter_names}};
@@ -78,22 +78,21 @@ constexpr std::array kElementRows{
     Query{"element.length", kNoArgument, "m", "Length of the palette's element with its lead-in.",
           of_plan<&sim::ElementPlan::length>, or_none()},
     Query{"element.lead", kNoArgument, "m",
-          "Length of its lead-in, which eases the curvature of the track's end and levels it.",
+          "Length of its lead-in, which eases the curvature of the open end and levels it.",
           of_plan<&sim::ElementPlan::lead>, or_none()},
     Query{"element.lowest", kNoArgument, "m", "Lowest height of its rails above the ground.",
           of_plan<&sim::ElementPlan::lowest>, or_none()},
     Query{"element.missing", kNoArgument, "m", "Clearance missing between it and other track; 0 if there is enough.",
           missing, or_none()},
     Query{"element.refusal", kNoArgument, "", "Why it cannot be placed; none if it can.", refusal, or_none(kText)},
-    Query{"complete.proposals", kNoArgument, "", "Number of ways from the open end to the first knot: 0 to 3.",
-          proposals},
-    Query{"complete.length", kWay, "m", "Length of a way home; none without it.", circuit_length, or_none()},
-    Query{"complete.worst_g", kWay, "g", "Largest vertical felt g on a way home, not low-passed; none without it.",
-          circuit_g, or_none()},
-    Query{"complete.jolt", kWay, "g", "Largest jolt at the joints of a way home on a whole ride; none without it.",
-          circuit_jolt, or_none()},
-    Query{"complete.refusal", kNoArgument, "", "Why there is no way home; none if there is one.", circuit_refusal,
-          or_none(kText)},
+    Query{"complete.proposals", kNoArgument, "", "Number of closing sections that are proposed: 0 to 3.", proposals},
+    Query{"complete.length", kWay, "m", "Length of a closing section; none without it.", circuit_length, or_none()},
+    Query{"complete.worst_g", kWay, "g",
+          "Largest vertical felt g on a closing section, not low-passed; none without it.", circuit_g, or_none()},
+    Query{"complete.jolt", kWay, "g",
+          "Largest jolt at the joints of a closing section on a whole ride; none without it.", circuit_jolt, or_none()},
+    Query{"complete.refusal", kNoArgument, "", "Why there is no closing section; none if there is one.",
+          circuit_refusal, or_none(kText)},
 };
 
 }  // namespace

@@ -71,8 +71,8 @@ std::vector<std::string> loss_sets() {
 }
 
 constexpr std::array kGhostRows{
-    Query{"ride.lap_time", kNoArgument, "s", "Lap time of the ghost; none if it does not complete the lap.", lap_time,
-          or_none()},
+    Query{"ride.lap_time", kNoArgument, "s", "Lap time of the simulated ride; none if it does not complete the lap.",
+          lap_time, or_none()},
     Query{"ride.g_up_max", kNoArgument, "g", "Largest vertical felt g of the whole ride, low-passed, of all cars.",
           extreme<&sim::Ratings::up_most>, or_none()},
     Query{"ride.g_up_min", kNoArgument, "g", "Smallest vertical felt g of the whole ride, low-passed.",
@@ -124,8 +124,8 @@ constexpr std::array kGhostRows{
     Query{"ride.inversions", kNoArgument, "", "Number of inversions in the whole ride.",
           rating<&sim::Ratings::inversions>, or_none()},
     Query{"ride.ghost_end", kNoArgument, "",
-          "Why the ghost does not complete the lap: none, stalled, rolled back, ran off the open end.", ghost_end,
-          or_none(kOneOf<world::FailureKind>)},
+          "Why the simulated ride does not complete the lap: none, stalled, rolled back, ran off the open end.",
+          ghost_end, or_none(kOneOf<world::FailureKind>)},
     Query{"ride.fail", kNoArgument, "",
           "Why the ride stopped by itself: none, stalled, rolled back, ran off the open end, collided.", fail,
           or_none(kOneOf<world::FailureKind>)},

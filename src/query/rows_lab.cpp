@@ -63,7 +63,7 @@ Answer measured(const Context& c, View word) {
 constexpr std::array kLabRows{
     Query{"shown", kWordOf<world::Layer>, "", "on if a layer of the laboratory is drawn.", shown, kSwitch},
     Query{"construction_point", kNoArgument, "m",
-          "Point at the picked position of the selected segment; none if none is selected.", construction_point,
+          "Point at the selected position of the selected segment; none if none is selected.", construction_point,
           or_none(kVector)},
     Query{"rounding", kNoArgument, "m", "Largest rounding error of the evaluator's vertices on the selected segment.",
           rounding<sim::largest>, or_none()},

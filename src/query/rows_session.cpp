@@ -83,7 +83,7 @@ Answer entities(const Context& c, View) {
 constexpr std::array kSessionRows{
     Query{"selected", kNoArgument, "", "The selection, such as k4; none if nothing is selected.", selected,
           or_none(kText)},
-    Query{"selected_t", kNoArgument, "", "Picked position on the selected segment, a parameter from 0 to 1.",
+    Query{"selected_t", kNoArgument, "", "Selected position on the selected segment, a parameter from 0 to 1.",
           selected_t, or_none()},
     Query{"selected_kind", kNoArgument, "", "knot, segment, cart or section: what is selected; none if nothing is.",
           selected_kind, or_none(kOneOf<world::Kind>)},

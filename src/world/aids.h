@@ -24,7 +24,8 @@ struct Aids {
       setting(&Aids::append_mode, "append_mode", "Whether a click on the ground appends a knot."),
       setting(&Aids::show_element, "element.preview", "Whether the palette's element is previewed at the open end."),
       setting(&Aids::circuit, "complete.choose",
-              "Way home that is previewed, from 1; complete takes the same numbers. 0: none.", {.low = 0, .high = 3})};
+              "Closing section that is previewed, from 1; complete takes the same numbers. 0: none.",
+              {.low = 0, .high = 3})};
 };
 
 }  // namespace coaster::world

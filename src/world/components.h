@@ -91,7 +91,7 @@ enum class SectionKind : std::uint8_t { free, element, complete, force };
 inline constexpr base::NameRow kSectionKinds[] = {
     {"free", "Hand-shaped", "Shaped knot by knot."},
     {"element", "Element", "Planned as an element of the palette."},
-    {"complete", "Complete circuit", "Planned as a way home, and again when track before it moves."},
+    {"complete", "Closing section", "Planned to close a circuit, and again when track before it moves."},
     {"force", "Forces", "Planned from what riders should feel, and again when the train's speed changes."}};
 constexpr std::span<const base::NameRow> rows_of(SectionKind) { return kSectionKinds; }
 

@@ -17,7 +17,7 @@ std::string words_of(const Section& section) {
   switch (section.kind) {
     case SectionKind::free: return "the hand-shaped section";
     case SectionKind::element: return "the " + words_of(section.element.kind);
-    case SectionKind::complete: return "the way home";
+    case SectionKind::complete: return "the closing section";
     case SectionKind::force: return "the force section";
   }
   return {};

@@ -15,7 +15,7 @@ TEST(section_words, name_a_section_inside_a_sentence) {
   EXPECT_EQ(words_of(element(ElementKind::immelmann)), "the Immelmann");
   EXPECT_EQ(words_of(element(ElementKind::s_bend)), "the S-bend");
   EXPECT_EQ(words_of(element(ElementKind::zero_g_roll)), "the zero-g roll");
-  EXPECT_EQ(words_of(Section{"", SectionKind::complete}), "the way home");
+  EXPECT_EQ(words_of(Section{"", SectionKind::complete}), "the closing section");
   EXPECT_EQ(words_of(Section{"", SectionKind::force}), "the force section");
 }
 

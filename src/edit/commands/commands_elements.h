@@ -24,7 +24,7 @@ struct ChooseElement {
 struct CompleteCircuit {
   int proposal = 1;
   COASTER_COMMAND(CompleteCircuit, "complete",
-                  "Close the track by a way from its open end to its first knot: one of up to three proposals.",
+                  "Close the track by a section from its open end to its first knot: one of up to three proposals.",
                   Effect::document, "Completed the circuit");
   COASTER_FIELDS(visit("", self.proposal))
 };

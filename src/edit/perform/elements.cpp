@@ -105,7 +105,7 @@ Status perform(Session& session, Change& change, const CompleteCircuit& command)
   const double jolt = Finder(session).way_jolt(static_cast<std::size_t>(command.proposal) - 1);
   change.select = sim::close_by(session.document, proposal);
   if (jolt > sim::kJoltLimit)
-    change.clamped.push_back(fmt::format("A joint of the way home jolts riders by {} g. Worst jolt finds it.",
+    change.clamped.push_back(fmt::format("A joint of the closing section jolts riders by {} g. Worst jolt finds it.",
                                          base::figure_text(jolt, 1, "g")));
   change.note = fmt::format(
       "Completed the circuit: {:.1f} m, {} {}, at most {:.1f} g.{}", proposal.plan.length, proposal.plan.spans(),

@@ -133,8 +133,7 @@ Status adopt(Session& session, Change& change, const Document& former, Document&
 
 Status may_move(const Document& document, std::size_t knot) {
   if (!document.track.closed || world::completing(document, knot)) return {};
-  return refused(
-      "the track is closed, and no Complete circuit section follows that can take up the change. Open it first");
+  return refused("the track is closed, and no closing section follows that can take up the change. Open it first");
 }
 
 Status carry_after(Document& document, std::size_t knot, const sim::Carry& carry) {

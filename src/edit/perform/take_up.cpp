@@ -89,9 +89,9 @@ Status take_up(Session& session, Change& change, const Document& former, Documen
   const SectionRun was = world::run_of(former, run->section);
   if (alike(ends_of(former, was), ends_of(next, *run))) return {};
   const std::optional<sim::ChangedWay> found = way_for(session, change_of(session, former, was, next, *run));
-  if (!found) return refused("the way home is not found yet");
+  if (!found) return refused("the closing section is not found yet");
   if (!found->refusal.empty()) return refused(found->refusal);
-  if (found->another) change.note = "Complete circuit takes another way home.";
+  if (found->another) change.note = "The closing section takes another route.";
   const std::size_t spans = found->fit.knots.size() - 1;
   if (const Status room = room_for(session, next.track.knots.size() + spans - run->count, count + spans - run->count);
       !room)

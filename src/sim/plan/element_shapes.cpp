@@ -126,7 +126,7 @@ void give_way(world::Element& element, std::string_view parameter, double limit,
 ElementShape element_shape(world::Element& element, const TrackEnd& end, std::vector<std::string>& lines) {
   ElementShape shape;
   if (const double k = glm::length(end.curvature); k > kSharpestEnd) {
-    shape.refusal = fmt::format("the track's end is too sharp for an element: its radius is {} m",
+    shape.refusal = fmt::format("the open end is too sharp for an element: its radius is {} m",
                                 base::to_text(std::round(1000.0 / k) / 1000.0));
     return shape;
   }
@@ -145,7 +145,7 @@ ElementShape element_shape(world::Element& element, const TrackEnd& end, std::ve
     return shape;
   }
   if (steep(end.forward) || steep(path.end().tangent)) {
-    shape.refusal = fmt::format("the track's end is steeper than {} degrees: only a straight can follow it",
+    shape.refusal = fmt::format("the open end is steeper than {} degrees: only a straight can follow it",
                                 base::to_text(kSteepestEnd_deg));
     return shape;
   }

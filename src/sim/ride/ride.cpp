@@ -52,7 +52,7 @@ world::CartMotion begin(const world::Document& document, const Derived& derived,
                         world::Entity entity, const world::Cart& design) {
   world::CartMotion motion;
   const auto index = order.of(design.segment);
-  COASTER_CHECK(index, "a cart starts on a segment of the track");
+  COASTER_CHECK(index, "a train starts on a segment of the track");
   settle_on(derived, {*index, design.fraction * derived.shape(design.segment).arc.length()}, motion);
   motion.speed = document.start_speed;
   set_reference(document, derived, entity, motion);
@@ -79,7 +79,7 @@ void follow_edit(const world::Document& document, const Derived& derived, const 
 
 TrackPlace front_place(const Derived& derived, const world::CartMotion& cart) {
   const std::size_t index = index_of_segment(derived, cart.segment, cart.track_distance);
-  COASTER_CHECK(index < derived.order.size(), "a cart is on a segment of the track");
+  COASTER_CHECK(index < derived.order.size(), "a train is on a segment of the track");
   return {index, cart.s};
 }
 

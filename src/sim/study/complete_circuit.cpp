@@ -44,8 +44,8 @@ struct Obstacles {
   std::string refusal() const {
     const auto& [tens, place] = *std::max_element(
         places.begin(), places.end(), [](const auto& a, const auto& b) { return a.second.count < b.second.count; });
-    if (tens < 0) return "the way itself is in the way: every way home would cross itself";
-    return fmt::format("other track is in the way: ways home come too close to it, most often at {} m",
+    if (tens < 0) return "every closing section would cross itself";
+    return fmt::format("other track is in the way: closing sections come too close to it, most often at {} m",
                        std::round(place.sum / place.count));
   }
 };
@@ -183,8 +183,8 @@ struct Search {
       return fmt::format("the train is too fast for the room there: {} m/s at the open end, and at least {:.1f} g",
                          base::to_text(std::round(candidates.task.speed * 10) / 10), least);
     }
-    if (buried_ones > 0 || losses.buried > 0) return "the ground is in the way: every way home runs below it";
-    if (losses.slow > 0) return "the train is too slow: it stops on every way home";
+    if (buried_ones > 0 || losses.buried > 0) return "the ground is in the way: every closing section runs below it";
+    if (losses.slow > 0) return "the train is too slow: it stops on every closing section";
     if (unfit > 0) return "the ends are too sharp or too far from the origin for a fit within 1 cm";
     const double rise = candidates.task.home.position.y - candidates.task.from.position.y;
     if (std::abs(rise) < 0.05) return "the slope is too steep: there is no room to level out before the first knot";

@@ -48,7 +48,7 @@ Erratum frozen(const Derived& derived, std::size_t index) {
           "m",
           way_from_rest(derived, index, from, named("rk4")),
           "m",
-          "A cart at rest on a slope never starts: with v = 0 it does not move. With s'' = -g T_y it rolls "
+          "A train at rest on a slope never starts: with v = 0 it does not move. With s'' = -g T_y it rolls "
           "off. Values: metres after half a second."};
 }
 
@@ -68,7 +68,7 @@ double curvature_jump(const Derived& derived, std::size_t index) {
 Erratum flip(const curve::Cubic& cubic) {
   const curve::FlipClaim claim = curve::flip_claim(cubic);
   return {"frenet_flip",
-          "The Frenet-Serret frame orients the cart.",
+          "The Frenet-Serret frame orients the train.",
           base::degrees(claim.frenet_angle),
           "deg",
           0.0,

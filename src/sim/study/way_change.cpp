@@ -18,7 +18,7 @@ double square_at_start(const WayChange& change) {
 }
 
 std::string out_of_reach(double risen) {
-  return fmt::format("the train does not reach the Complete circuit section, which would begin {} m higher",
+  return fmt::format("the train does not reach the closing section, which would begin {} m higher",
                      risen < 0.05 ? fmt::format("{:.1g}", risen) : fmt::format("{:.1f}", risen));
 }
 
@@ -33,8 +33,7 @@ ChangedWay changed_way(const WayChange& change, OpenedTrack& opened) {
   CircuitProposals found = complete_again({change.former, change.lengths}, task, opened.derived, opened.conflicts);
   const bool another = found.list.empty() && change.whole;
   if (another) found = complete_circuit(task, opened.derived, opened.conflicts);
-  if (found.list.empty())
-    return {.refusal = "the Complete circuit section cannot take up the change: " + found.refusal};
+  if (found.list.empty()) return {.refusal = "the closing section cannot take up the change: " + found.refusal};
   CircuitProposal& best = found.list.front();
   return {.fit = std::move(best.plan.fit), .way = best.way, .another = another};
 }

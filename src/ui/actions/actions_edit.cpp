@@ -168,11 +168,12 @@ constexpr Action kEditActions[] = {
     {"Append points", "Edit", key(Key::a), 0, "Click on the ground to append knots to an open track.",
      toggle<&Aids::append_mode>, kAppendable, on<&Aids::append_mode>},
     {"Place element", "Edit", key(Key::enter), 0,
-     "Place the previewed element at the open end of the track, or the previewed way home. Without a preview: type in "
+     "Place the previewed element at the open end of the track, or the previewed closing section. Without a preview: "
+     "type in "
      "the selected row of the table of sections.",
      place_element, kPlaceable, nullptr, key(Key::keypad_enter)},
-    {"Complete circuit", "Edit", shift(Key::c), 0, "Show ways from the open end of the track to its first knot.",
-     complete_circuit, kCompletable},
+    {"Complete circuit", "Edit", shift(Key::c), 0,
+     "Propose closing sections, from the open end of the track to its first knot.", complete_circuit, kCompletable},
     {"Next element", "Edit", key(Key::n), kRepeats, "Choose the next element of the palette and show its preview.",
      next_element},
     {"Previous element", "Edit", shift(Key::n), kRepeats,

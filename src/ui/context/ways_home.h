@@ -13,7 +13,7 @@ std::size_t shown_way_home(const world::Aids& aids, const sim::CircuitProposals&
 void show_ways_home(Ui& ui);
 void toggle_ways_home(Ui& ui);
 inline constexpr std::string_view kCircuitHelp =
-    "Show up to three ways from the open end of the track to its first knot.";
+    "Propose up to three closing sections, from the open end of the track to its first knot.";
 void next_way_home(Ui& ui);
 // Closes the track with the displayed proposal and ends the preview. Without one: a notice gives the reason.
 void place_way_home(Ui& ui);

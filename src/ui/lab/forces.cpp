@@ -102,7 +102,7 @@ void red_table(Ui& ui, std::span<const sim::RedSpan> red, float height, bool bri
     if (ui.lab.advised) advice_rows(ui);
     height -= (ui.lab.advised ? 3.0f : 1.0f) * ImGui::GetFrameHeightWithSpacing();
   }
-  if (!begin_table(ui, "Red spans", kRedColumns, height)) return;
+  if (!begin_table(ui, "Overloads###Red spans", kRedColumns, height)) return;
   for (std::size_t i = 0; i < red.size(); ++i) {
     const sim::RedSpan& span = red[i];
     const std::string from = digits(ui, span.from_distance, 1, "m"),
@@ -111,8 +111,8 @@ void red_table(Ui& ui, std::span<const sim::RedSpan> red, float height, bool bri
                           {std::string(base::row_of(span.axis).label), kPlainColour, true},
                           {worst, kBadColour},
                           {fixed(sim::signed_g(span.axis, span.allowed), 2)}};
-    if (!table_row(ui, fmt::format("Span {}", i + 1), cells, ui.lab.red_chosen == static_cast<int>(i), worst,
-                   "Click to move the train there."))
+    if (!table_row(ui, fmt::format("Overload {0}###Span {0}", i + 1), cells, ui.lab.red_chosen == static_cast<int>(i),
+                   worst, "Click to move the train there."))
       continue;
     ui.lab.red_chosen = static_cast<int>(i);
     ui.lab.advised = false;

@@ -52,8 +52,7 @@ void parameters(Ui& ui) {
 void outcome(Ui& ui, const sim::ElementPlan& plan) {
   read_query(ui, "Spans", "element.spans", "Cubic Bézier spans, as few as stay within 1 cm of the ideal curve.",
              {.decimals = 0});
-  read_query(ui, "Total length", "element.length", "Length including the transition from the track's end.",
-             {.decimals = 1});
+  read_query(ui, "Total length", "element.length", "Length including the lead-in from the open end.", {.decimals = 1});
   read_query(ui, "Fit error", "element.error", "Largest distance between the ideal curve and the spans.",
              {.decimals = 1, .unit = "mm", .factor = 1000});
   if (plan.lowest < 0)
@@ -75,25 +74,29 @@ void circuit_button(Ui& ui) {
 void ways_home(Ui& ui) {
   const world::Aids& aids = *ui.session().settings.aids;
   if (aids.circuit <= 0 || !completable(ui.session().document)) return;
-  if (ui.session().history.in_gesture) return tinted("The ways home show again after the drag.", palette().dim);
+  if (ui.session().history.in_gesture) return tinted("The proposals show again after the drag.", palette().dim);
   const float width = ImGui::GetContentRegionAvail().x;
   const sim::CircuitProposals& found = ui.find.circuit();
   if (!found.refusal.empty()) return tinted(in_units(ui, base::sentence(found.refusal)), palette().warning);
   const std::size_t at = shown_way_home(aids, found);
   const sim::CircuitProposal& way = found.list[at];
-  read_out(ui, "Way home", fmt::format("{} of {}", at + 1, found.list.size()), "",
+  read_out(ui, "Proposal###Way home", fmt::format("{} of {}", at + 1, found.list.size()), "",
            fmt::format("{} shows the next one.", ui.keys.shown("Panels")));
-  read_out(ui, "Length home", way.plan.length, 1, "m", "Length of this way home.");
-  read_out(ui, "Worst g", way.felt.most, 1, "g", "Largest vertical felt g on this way home, not low-passed.");
+  read_out(ui, "Total length###Length home", way.plan.length, 1, "m", "Length of this closing section.");
+  read_out(ui, "Worst g", way.felt.most, 1, "g", "Largest vertical felt g on this closing section, not low-passed.");
   const double jolt = ui.find.way_jolt(at);
   read_out(ui, "Worst jolt", jolt, 1, "g",
-           "Largest sudden change of felt g at the joints of this way home, low-passed.", jolt > sim::kJoltLimit);
+           "Largest sudden change of felt g at the joints of this closing section, low-passed.",
+           jolt > sim::kJoltLimit);
   if (found.assumed)
     tinted(in_units(ui, fmt::format("No train reaches the open end. Planned for {} m/s.", base::to_text(found.speed))),
            palette().warning);
-  const std::string help = fmt::format("Close the track by this way. {} hides it.", ui.keys.shown("Cancel"));
-  if (found.list.size() > 1 && button(ui, "Next way home", "Show the next way home.", true, width)) next_way_home(ui);
-  if (button(ui, "Place way home", with_keys(ui.keys, help, "Place element"), true, width)) place_way_home(ui);
+  const std::string help = fmt::format("Close the track by this section. {} hides it.", ui.keys.shown("Cancel"));
+  if (found.list.size() > 1 &&
+      button(ui, "Next proposal###Next way home", "Show the next closing section.", true, width))
+    next_way_home(ui);
+  if (button(ui, "Place proposal###Place way home", with_keys(ui.keys, help, "Place element"), true, width))
+    place_way_home(ui);
 }
 
 }  // namespace

@@ -186,7 +186,7 @@ void section_buttons(Ui& ui, const Chosen& chosen) {
               movable(end + 1) && chosen.single() && !last))
     ui.emit(edit::MoveSection{{chosen.name()}, edit::Neighbour::after});
   if (pressed("Copy", "Copy the sections.", "Copy section", true)) ui.out.commands.push_back(copying(session));
-  if (pressed("Paste", "Add the copied sections at the open end of the track, or before Complete circuit.",
+  if (pressed("Paste", "Add the copied sections at the open end of the track, or before the closing section.",
               "Paste section", movable(0)))
     ui.out.wants_paste = true;
   const bool of_forces = chosen.section().kind == world::SectionKind::force;

@@ -207,7 +207,7 @@ TEST_F(CompleteCircuitTest, says_what_is_in_the_way) {
   start_on(world::Document{});
   for (const char* const at : {"0 5 0", "60 5 0", "90 5 60", "60 5 95", "30 5 70", "30 5 40", "30 5 4"})
     good(std::string("append at ") + at);
-  refused("complete 1", "other track is in the way: ways home come too close to it, most often at 30 m");
+  refused("complete 1", "other track is in the way: closing sections come too close to it, most often at 30 m");
   good("closed on");
   refused("complete 1", "the track is closed");
 }

@@ -198,20 +198,20 @@ TEST_F(TakeUp, knots_moved_by_hand_free_it) {
   good("move @" + inside + " to 0 30 0");
   EXPECT_TRUE(world::is_free(session.document, run.section));
   EXPECT_EQ(world::section(session.document, run.section).way, world::WayHome{});
-  EXPECT_NE(session.notices.list.back().text.find("The way home is now hand-shaped."), std::string::npos);
-  refused("section.change @q2 to climb height 30", "no Complete circuit section follows");
+  EXPECT_NE(session.notices.list.back().text.find("The closing section is now hand-shaped."), std::string::npos);
+  refused("section.change @q2 to climb height 30", "no closing section follows");
 }
 
 TEST_F(TakeUp, what_no_way_home_can_take_up_is_refused) {
   circuit();
   good("section.change @q1 to straight length 2000 equipment station");
   refused("section.change @q5 to straight length 2000",
-          "the Complete circuit section cannot take up the change: the first knot is too far away");
-  refused("section.delete @q8", "no Complete circuit section follows");
-  refused("section.mirror @q8", "no Complete circuit section follows");
-  refused("section.move @q7 after", "no Complete circuit section follows");
-  refused("section.move @q8 before", "no Complete circuit section follows");
-  refused("section.change @q8 to loop", "no Complete circuit section follows");
+          "the closing section cannot take up the change: the first knot is too far away");
+  refused("section.delete @q8", "no closing section follows");
+  refused("section.mirror @q8", "no closing section follows");
+  refused("section.move @q7 after", "no closing section follows");
+  refused("section.move @q8 before", "no closing section follows");
+  refused("section.change @q8 to loop", "no closing section follows");
   good("closed off");
   EXPECT_TRUE(world::is_free(session.document, entity("q8")));
 }
@@ -234,14 +234,14 @@ TEST_F(TakeUp, what_is_pasted_comes_before_it) {
   good("undo"), good("undo");
   EXPECT_EQ(names(), were);
   good("closed off"), good("closed on");
-  refused("section.paste", "no Complete circuit section follows");
+  refused("section.paste", "no closing section follows");
 }
 
 TEST_F(TakeUp, its_copy_is_hand_shaped) {
   circuit();
   good("section.copy @q8"), good("new"), good("section.paste");
   EXPECT_EQ(world::kind_name(world::section(session.document, entity("q1"))), "free");
-  EXPECT_EQ(world::title_of(world::section(session.document, entity("q1"))), "Complete circuit");
+  EXPECT_EQ(world::title_of(world::section(session.document, entity("q1"))), "Closing section");
 }
 
 // The circuit begins with the lift: its former start is after the section that completes it.
@@ -255,7 +255,7 @@ TEST_F(TakeUp, sections_behind_it_stay) {
   start_on(turned);
   const world::SectionRun before = completing();
   const world::Knot start = knot_at(before.end() + 1), home = knot_at(before.end());
-  refused("section.change @q1 to straight length 35", "no Complete circuit section follows");
+  refused("section.change @q1 to straight length 35", "no closing section follows");
   good("section.change @q3 to dive height 20");
   const world::SectionRun now = completing();
   EXPECT_EQ(now.section, before.section);

@@ -161,7 +161,7 @@ TEST(element_shapes, an_end_that_bends_sharply_or_is_steep_is_refused_by_what_ne
     world::Element element = world::usual_element(static_cast<ElementKind>(kind));
     EXPECT_EQ(element_shape(element, steep, lines).refusal.empty(), element.kind == ElementKind::straight);
     EXPECT_EQ(element_shape(element, sharp, lines).refusal,
-              "the track's end is too sharp for an element: its radius is 1.667 m");
+              "the open end is too sharp for an element: its radius is 1.667 m");
   }
 }
 

@@ -58,7 +58,7 @@ TEST_F(PanelElementsTest, enter_on_an_element_that_does_not_fit_says_why) {
   const std::size_t before = knots();
   key(platform::Key::enter);
   frames(2);
-  EXPECT_NE(host_->toast().find("track's end is"), std::string::npos) << host_->toast();
+  EXPECT_NE(host_->toast().find("open end is"), std::string::npos) << host_->toast();
   EXPECT_EQ(knots(), before);
   EXPECT_TRUE(session_.settings.aids->show_element);
 }
@@ -67,7 +67,7 @@ TEST_F(PanelElementsTest, enter_without_a_way_home_says_why) {
   ASSERT_TRUE(edit::apply(session_, files_, edit::MoveKnot{{{world::Kind::knot, 1}}, {-17, 240, 7}}).ok());
   ASSERT_TRUE(edit::apply(session_, files_, edit::Set<&world::Aids::circuit>{1}).ok());
   frames(3);
-  ASSERT_EQ(find("Elements/Place way home"), nullptr);
+  ASSERT_EQ(find("Elements/Place proposal"), nullptr);
   key(platform::Key::enter);
   frames(2);
   EXPECT_NE(host_->toast().find("first knot is too sharp"), std::string::npos) << host_->toast();
