@@ -283,7 +283,9 @@ void Host::reset_layout() {
 const std::vector<Widget>& Host::widgets() const { return parts_->list.widgets(); }
 const view::View& Host::view() const { return parts_->view; }
 std::string Host::toast() const { return parts_->toasts.shown; }
-bool Host::input_waits() const { return parts_->input.clicks_wait() || parts_->order.waits(); }
+bool Host::input_waits() const {
+  return parts_->input.clicks_wait() || parts_->input.keys_wait() || parts_->order.waits();
+}
 
 double Host::still_for(double seconds) const {
   constexpr double kBlink = 0.1, kList = 1, kLong = 1e9;  // s

@@ -51,13 +51,27 @@ int popups_behind_lists() {
 
 }  // namespace
 
-void ImGuiInput::take_key(const platform::KeyPress& event, bool text_has_keyboard, Keys& shown) {
+bool ImGuiInput::keys_wait() const {
+  return std::ranges::any_of(presses_of_key_, [](int presses) { return presses > 0; });
+}
+
+void ImGuiInput::take_key(const platform::KeyPress& event, bool text_has_keyboard) {
   const auto* const row = std::ranges::find(kKeys, event.key, &std::pair<Key, ImGuiKey>::first);
   if (row == std::end(kKeys)) return;
   const auto key = static_cast<std::size_t>(row - kKeys);
   // Repeats come from ImGui's own timer.
   held_[key] = event.down && (text_has_keyboard || event.key != Key::tab);
-  shown[key] = shown[key] || held_[key];
+  if (held_[key] && !event.repeat) ++presses_of_key_[key];
+}
+
+// Passes the keys to ImGui. A press that comes before ImGui has seen the key released waits a frame.
+void ImGuiInput::show_keys() {
+  for (std::size_t i = 0; i < shown_.size(); ++i) {
+    const bool presses = presses_of_key_[i] > 0 && !shown_[i];
+    presses_of_key_[i] -= presses ? 1 : 0;
+    shown_[i] = presses || (presses_of_key_[i] == 0 && held_[i]);
+    set_key(kKeys[i].second, shown_[i]);
+  }
 }
 
 // Text of a frame that also has Ctrl down waits for the next frame, because ImGui would drop it.
@@ -120,7 +134,6 @@ void ImGuiInput::feed(const platform::Events& events, int width, int height, boo
   float seconds = 0;
   bool ctrl = false;
   ImVec2 wheel;
-  Keys keys = held_;
   if (!late_text_.empty()) take_text(std::exchange(late_text_, {}), false);
   for (const platform::Event& event : events)
     if (const auto* const tick = std::get_if<platform::Tick>(&event)) seconds += static_cast<float>(tick->dt);
@@ -138,19 +151,19 @@ void ImGuiInput::feed(const platform::Events& events, int width, int height, boo
     } else if (const auto* const key = std::get_if<platform::KeyPress>(&event)) {
       modifiers_ = key->modifiers;
       ctrl = ctrl || key->modifiers.ctrl;
-      take_key(*key, text_has_keyboard, keys);
+      take_key(*key, text_has_keyboard);
     } else if (const auto* const text = std::get_if<platform::TextInput>(&event)) {
       take_text(text->utf8, ctrl);
     } else if (const auto* const focus = std::get_if<platform::Focus>(&event); focus != nullptr && !focus->focused) {
       modifiers_ = {};
       waiting_.clear();
       down_ = {};
-      held_ = {};
+      held_ = {}, presses_of_key_ = {};
     }
   }
   wheel.y += scrolled_by_finger();
   show_mouse(wheel);
-  for (std::size_t i = 0; i < keys.size(); ++i) set_key(kKeys[i].second, keys[i]);
+  show_keys();
   set_modifiers(modifiers_.ctrl, modifiers_.shift, modifiers_.alt);
   const int behind = popups_behind_lists();
   listing_ = behind < ImGui::GetCurrentContext()->OpenPopupStack.Size;

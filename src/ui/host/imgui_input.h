@@ -22,13 +22,15 @@ class ImGuiInput {
   void feed(const platform::Events& events, int width, int height, bool text_has_keyboard,
             bool page_of_choices = false);
   bool clicks_wait() const { return !waiting_.empty(); }  // for the next frames: one takes a single change of a button
+  bool keys_wait() const;                                 // presses of a key that ImGui must see released first
   bool listing() const { return listing_; }               // a list or menu is open, which gets this frame's keys
   bool finger() const { return finger_; }                 // the mouse is a finger on a touch screen
 
  private:
   using Buttons = std::array<bool, 3>;
   using Keys = std::array<bool, 22>;  // one for each row of kKeys
-  void take_key(const platform::KeyPress& event, bool text_has_keyboard, Keys& shown);
+  void take_key(const platform::KeyPress& event, bool text_has_keyboard);
+  void show_keys();
   void take_text(const std::string& utf8, bool ctrl);
   void take_button(const platform::MouseButton& event);
   void show_mouse(ImVec2 wheel);
@@ -54,7 +56,8 @@ class ImGuiInput {
   ImVec2 mouse_{-FLT_MAX, -FLT_MAX};  // ImGui's value for "no mouse"
   Buttons down_{};
   bool finger_ = false, listing_ = false;
-  Keys held_{};
+  Keys held_{}, shown_{};                                      // now, and to ImGui in the last frame
+  std::array<int, std::tuple_size_v<Keys>> presses_of_key_{};  // not shown yet
   platform::Modifiers modifiers_;
   std::string late_text_;
 };

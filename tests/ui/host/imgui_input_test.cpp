@@ -57,6 +57,25 @@ TEST_F(ImGuiInputTest, a_chord_arrives_in_the_frame_of_its_key) {
   EXPECT_FALSE(ctrl || a_pressed);
 }
 
+TEST_F(ImGuiInputTest, every_press_of_a_key_counts_however_many_come_at_once) {
+  const platform::KeyPress press{Key::a, true, false, {}}, release{Key::a, false, false, {}},
+      repeat{Key::a, true, true, {}};
+  int presses = 0;
+  const auto play = [&](const platform::Events& events) {
+    frame(events);
+    presses += a_pressed ? 1 : 0;
+  };
+  play({press, release, press, release, press, release});
+  for (int i = 0; input.keys_wait() && i < 10; ++i) play({});
+  EXPECT_EQ(presses, 3);
+  play({}), play({press, release}), play({press, release});
+  for (int i = 0; i < 4; ++i) play({});
+  EXPECT_EQ(presses, 5) << "in frames one after the other";
+  play({press}), play({repeat}), play({repeat}), play({release}), play({});
+  EXPECT_EQ(presses, 6) << "a key that is held is pressed once";
+  EXPECT_FALSE(input.keys_wait());
+}
+
 TEST_F(ImGuiInputTest, a_frame_sees_its_move_wheel_and_click_together) {
   frame({platform::MouseMove{30, 40}, platform::Wheel{0, -1}, platform::Wheel{0, -0.5f},
          platform::MouseButton{Button::left, true, {.ctrl = true}}});
