@@ -132,7 +132,7 @@ TEST_F(Applying, a_command_that_is_cancelled_at_any_moment_changes_nothing_or_is
     }
     expect_settled(session);
   }
-  EXPECT_GT(cancelled, test::tries(20));
+  EXPECT_GT(cancelled, test::tries(12));
 }
 
 TEST_F(Applying, a_track_that_is_opened_is_complete_however_late_it_is_cancelled) {
