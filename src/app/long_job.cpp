@@ -109,18 +109,24 @@ void end_job(Program& program, LongJob& job) {
   session.way_search.found.reset();
 }
 
-// Shows the last picture with a card while a command works. Input is for the track as it will be, so presses are left
-// out; what ends earlier ones is kept for the panels.
+// True for input that begins something on the track: it is for the track as it will be.
+bool begins_something(const platform::Event& event) {
+  const auto* const button = std::get_if<platform::MouseButton>(&event);
+  const auto* const key = std::get_if<platform::KeyPress>(&event);
+  const auto* const pad = std::get_if<platform::GamepadButton>(&event);
+  return (button && button->down) || (key && key->down) || (pad && pad->down) ||
+         std::holds_alternative<platform::TextInput>(event) || std::holds_alternative<platform::Wheel>(event) ||
+         std::holds_alternative<platform::Drop>(event);
+}
+
+// Shows the last picture with a card while a command works. Input that begins something is left out; the rest waits for
+// the panels.
 void wait_a_moment(Program& program, ui::WaitCard& card, const std::string& title, base::Progress& progress) {
   platform::Events events;
   program.surface->poll(events, 0);
   for (const platform::Event& event : events) {
-    const auto* const button = std::get_if<platform::MouseButton>(&event);
-    const auto* const key = std::get_if<platform::KeyPress>(&event);
     if (const auto* const tick = std::get_if<platform::Tick>(&event)) program.time.seconds += tick->dt;
-    else if (std::holds_alternative<platform::CloseRequest>(event)) program.held_input.push_back(event);
-    else if (button ? !button->down : key ? !key->down : std::holds_alternative<platform::MouseMove>(event))
-      program.held_input.push_back(event);
+    else if (!begins_something(event)) program.held_input.push_back(event);
   }
   const platform::Size size{program.stats.width, program.stats.height};
   if (program.surface->size() != size || size.width < 1 || size.height < 1)

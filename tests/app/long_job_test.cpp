@@ -249,15 +249,21 @@ class SlowCommands : public LongJobs {
 TEST_F(SlowCommands, show_a_card_and_do_the_same_as_without) {
   const edit::Command command = edit::MakeAllG2{};
   platform::Events& input = surface(*program_).next;
-  input = {platform::KeyPress{platform::Key::d}, platform::MouseMove{5, 6}, platform::MouseButton{.down = false},
-           platform::CloseRequest{}, platform::Tick{3}};
+  input = {platform::KeyPress{platform::Key::d},
+           platform::MouseMove{5, 6},
+           platform::MouseButton{.down = false},
+           platform::CloseRequest{},
+           platform::Wheel{0, 1},
+           platform::TextInput{"d"},
+           platform::Focus{false},
+           platform::Tick{3}};
   apply_by_hand(*program_, {command});
   EXPECT_GT(surface(*program_).presented, 0);
   const std::uint64_t after = world::hash(program_->session.document);
   EXPECT_NE(after, before_);
   EXPECT_EQ(program_->session.history.undo.size(), 1u);
   EXPECT_EQ(program_->time.seconds, 3.01) << "notices fade";
-  EXPECT_EQ(take_input(*program_, {}).size(), 3u) << "presses are for another track";
+  EXPECT_EQ(take_input(*program_, {}).size(), 4u) << "presses are for another track";
   ASSERT_TRUE(apply(*program_, edit::Undo{}).ok());
   program_->by_hand = false;
   const int shown = surface(*program_).presented;
