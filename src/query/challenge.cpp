@@ -18,11 +18,6 @@ namespace {
 
 using exchange::RuleList;
 
-// Queries of track and ride that depend on settings, on the view or on the machine.
-constexpr std::array<std::string_view, 11> kOfTheView{"length",  "segment_length", "vertices",    "ride.cost",
-                                                      "longest", "curvature",      "torsion",     "frenet",
-                                                      "cart_up", "hash",           "frenet_flips"};
-
 bool named(std::span<const Query> rows, std::string_view name) {
   return std::any_of(rows.begin(), rows.end(), [&](const Query& row) { return row.name == name; });
 }
@@ -157,7 +152,7 @@ std::string unridden(const edit::ActiveChallenge& challenge, const edit::RideRes
 
 bool may_judge(const Query& query) {
   if (query.name == "challenge.deviation") return true;
-  if (std::find(kOfTheView.begin(), kOfTheView.end(), query.name) != kOfTheView.end()) return false;
+  if (query.values.of_view) return false;
   return named(document_rows(), query.name) || named(ride_rows(), query.name) || named(ghost_rows(), query.name) ||
          named(joint_rows(), query.name);
 }

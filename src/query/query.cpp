@@ -74,8 +74,8 @@ std::optional<int> rank_of(const Query& query, std::string_view word) {
 
 // A parameter has the same choices in each element that has it.
 ValuesNow values_with(const Query& query, std::string_view argument) {
-  const auto& [type, words, may_be_none] = query.values;
-  if (type != Type::parameter) return {type, words ? words() : std::vector<std::string>()};
+  const Values& all = query.values;
+  if (all.type != Type::parameter) return {all.type, all.words ? all.words() : std::vector<std::string>()};
   const std::string_view name = argument.substr(argument.rfind('.') + 1);
   ValuesNow values;
   for (const world::ElementRow& row : world::rows_of(world::ElementKind{}))

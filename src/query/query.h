@@ -40,6 +40,7 @@ struct Values {
   Type type = Type::number;
   std::vector<std::string> (*words)() = nullptr;  // all texts, or null for any text; all ranks, ascending
   bool may_be_none = false;                       // there is no value in some states
+  bool of_view = false;  // follows from selection, settings or this machine, too: rules and goals may not use it
 };
 
 struct Query {

@@ -80,6 +80,10 @@ constexpr Values or_none(Values values = {}) {
   values.may_be_none = true;
   return values;
 }
+constexpr Values of_view(Values values = {}) {
+  values.of_view = true;
+  return values;
+}
 template <class T>
 constexpr Values values_of() {
   if constexpr (std::is_same_v<T, bool>) return kSwitch;

@@ -124,7 +124,7 @@ constexpr std::array kDocumentRows{
     Query{"segments", kNoArgument, "", "Number of segments.", segments},
     Query{"closed", kNoArgument, "", "on if the track is closed.",
           of_document<&world::Document::track, &world::Track::closed>, kSwitch},
-    Query{"length", kNoArgument, "m", "Length of the track by the chosen arc-length method.", length},
+    Query{"length", kNoArgument, "m", "Length of the track by the chosen arc-length method.", length, of_view()},
     Query{"exact_length", kNoArgument, "m", "Length of the track by adaptive Gauss-Legendre.", exact_length},
     Query{"name", kNoArgument, "", "The track's name.", of_document<&world::Document::name>, kText},
     Query{"start_speed", kNoArgument, "m/s", "Start speed of trains.", of_document<&world::Document::start_speed>},
@@ -132,7 +132,7 @@ constexpr std::array kDocumentRows{
           "Distance of the last knot from the first one in space; 0 on a closed track, none below two knots.",
           open_end_distance, or_none()},
     Query{"datum", kNoArgument, "m", "Height at which potential energy is zero.", of_document<&world::Document::datum>},
-    Query{"longest", kNoArgument, "", "The longest segment; none without a segment.", longest, or_none(kText)},
+    Query{"longest", kNoArgument, "", "The longest segment; none without a segment.", longest, of_view(or_none(kText))},
     Query{"conflicts", kNoArgument, "",
           "Places where the track lacks clearance from itself: a train would be too close beside, below or above "
           "other track.",
@@ -157,7 +157,7 @@ constexpr std::array kDocumentRows{
     Query{"least_radius", kNoArgument, "m",
           "Least radius of the curve, found exactly: 0 where it reverses its direction, none for a straight track.",
           least_radius, or_none()},
-    Query{"hash", kHashed, "", "Hash of the document or of the motion, 16 hexadecimal digits.", hash, kText},
+    Query{"hash", kHashed, "", "Hash of the document or of the motion, 16 hexadecimal digits.", hash, of_view(kText)},
     Query{"position", kKnot, "m", "A knot's position.", of_knot<&world::Knot::position>, kVector},
     Query{"tangent", kKnot, "", "A knot's direction of travel, a unit vector.", of_knot<&world::Knot::tangent>,
           kVector},
@@ -183,7 +183,8 @@ constexpr std::array kDocumentRows{
           "Length of the difference of the curvature vectors at a knot; none at the end of an open track.",
           of_joint<&curve::Joint::curvature_jump>, or_none()},
     Query{"turns", kSegment, "", "Whole turns of roll within a segment.", turns},
-    Query{"segment_length", kSegment, "m", "A segment's length by the chosen arc-length method.", segment_length},
+    Query{"segment_length", kSegment, "m", "A segment's length by the chosen arc-length method.", segment_length,
+          of_view()},
     Query{"twist", kSegment, "deg", "Roll over a segment, relative to its rotation-minimising frame; none over a cusp.",
           twist, or_none()},
     Query{"import.max_error", kNoArgument, "m",
@@ -202,7 +203,7 @@ constexpr std::array kDocumentRows{
           "As import.frame_error, within 0.5 m of where rows jump; 0 without a jump.",
           of_import<&exchange::ImportReport::jump_error>, or_none()},
     Query{"import.knots", kNoArgument, "", "Number of knots of the fitted track; 0 without an import.", import_knots},
-    Query{"vertices", kNoArgument, "", "Number of vertices of all polylines.", vertices},
+    Query{"vertices", kNoArgument, "", "Number of vertices of all polylines.", vertices, of_view()},
 };
 
 }  // namespace

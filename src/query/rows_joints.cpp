@@ -248,16 +248,16 @@ constexpr std::array kJointRows{
     Query{"curvature", kNoArgument, "1/m",
           "Curvature at the selected position, on a segment, at a knot or a train; none at a cusp, where it is "
           "unbounded.",
-          curvature, or_none()},
+          curvature, of_view(or_none())},
     Query{"torsion", kNoArgument, "1/m", "Torsion at the selected position; none where Frenet-Serret is undefined.",
-          torsion, or_none()},
+          torsion, of_view(or_none())},
     Query{"frenet", kNoArgument, "", "on if the Frenet-Serret frame is defined at the selected position.", frenet,
-          kSwitch},
+          of_view(kSwitch)},
     Query{"frenet_flips", kNoArgument, "",
           "Number of places where the Frenet-Serret normal is undefined or flips: by over 90 degrees at a joint or "
           "within "
           "1/32 of a segment around an inflection or a place close to one.",
-          frenet_flips},
+          frenet_flips, of_view()},
     Query{
         "loop_twist", kNoArgument, "deg",
         "Remaining twist of the rotation-minimising frame on a closed track, which is spread over it; none on an open "
@@ -265,7 +265,7 @@ constexpr std::array kJointRows{
         loop_twist, or_none()},
     Query{"cart_up", kNoArgument, "",
           "Up of the selected train, else the first, by the chosen frame method; a unit vector.", cart_up,
-          or_none(kVector)},
+          of_view(or_none(kVector))},
     Query{"erratum", kErratum, "",
           "Correct value of an erratum: gravesen (m), line (m), frozen (m), g_step (g), frenet_flip (deg), pen (m).",
           erratum, or_none()},

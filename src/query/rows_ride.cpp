@@ -101,7 +101,7 @@ constexpr std::array kRideRows{
     Query{"ride.energy", kNoArgument, "J/kg", "v^2/2 + g (y - datum).", energy<sim::energy>, or_none()},
     Query{"ride.cost", kNoArgument, "ns",
           "Time of a tick of the live ride on this machine, all trains together; none before the first tick.", cost,
-          or_none()},
+          of_view(or_none())},
     Query{"ride.energy_drift", kNoArgument, "", "|energy - energy at the start| / largest kinetic energy.",
           energy<sim::energy_drift>, or_none()},
     Query{"ride.g_up", kNoArgument, "g", "Felt g towards the rider's head, not low-passed; 1 at rest on level track.",
