@@ -111,7 +111,7 @@ void build_force_graph(Ui& ui, const view::Viewport& area) {
     ImGui::SameLine(0, 0);
     fold_button(ui, "Sections", "The table of sections.", "Table of sections", bar, true);
     ImGui::SameLine(0, std::floor(16 * ui.scale));
-    if (edited.valid()) force_channels(ui, bar);
+    if (edited.valid()) force_channels(ui, edited, bar);
     for (std::size_t i = 0; !edited.valid() && i < kValues.size(); ++i)
       legend_item(ui, kValues[i], plots ? plots->shown(ui, kValues[i]) : "--", ui.lab.graph_hidden[i], bar);
     if (!edited.valid() && plots) early_end(ui, plots->ride(), bar);

@@ -166,8 +166,7 @@ Entity edited_forces(const Ui& ui) {
   return ui.drawers.graph.open && !ui.drawers.table ? selected_forces(ui) : world::kNone;
 }
 
-void force_channels(Ui& ui, float bar) {
-  const Entity section = edited_forces(ui);
+void force_channels(Ui& ui, Entity section, float bar) {
   ForceKeys& state = state_of(ui, section);
   const TabBar look{.height = bar, .pad = std::floor(12 * ui.scale) / 2, .rgb = ink(kForceColour), .least_line = 1};
   const auto rows = world::channels_of(program_of(ui, section).of);
