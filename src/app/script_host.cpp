@@ -55,13 +55,6 @@ base::Status frame(Program& program, platform::Events events, int ticks) {
   return {};
 }
 
-std::vector<script::WidgetState> widgets(const Program& program) {
-  std::vector<script::WidgetState> states;
-  for (const ui::Widget& w : program.ui->widgets())
-    states.push_back({w.path, w.kind, w.value, w.x, w.y, w.width, w.height, w.visible, w.enabled, w.covered, w.alias});
-  return states;
-}
-
 base::Result<glm::vec3> position_of(const Program& program, const AimPoint& aim) {
   const edit::Session& session = program.session;
   if (aim.kind == view::PickKind::none) return aim.position;
@@ -131,7 +124,7 @@ void progress(int line, int lines) { base::print_progress(fmt::format("line {} o
 std::string answer(Program& program, std::string_view question) {
   constexpr std::string_view kWidget = "widget ";
   if (question.starts_with(kWidget)) {
-    const auto all = widgets(program);
+    const std::vector<query::Widget>& all = program.ui->widgets();
     const auto found = script::find_widget(all, question.substr(kWidget.size()));
     if (!found || !all[*found].visible || !all[*found].enabled || all[*found].covered) return {};
     return fmt::format("{} {}", all[*found].x + all[*found].width / 2, all[*found].y + all[*found].height / 2);
@@ -160,7 +153,7 @@ script::Host make_script_host(Program& program) {
     return finish_movie(*p);
   };
   host.context = [p]() -> query::Context { return context_of(*p); };
-  host.widgets = [p] { return widgets(*p); };
+  host.widgets = [p] { return p->ui->widgets(); };
   host.pixel_of = [p](const AimPoint& aim) { return pixel_of(*p, aim); };
   host.position_of = [p](const AimPoint& aim) { return position_of(*p, aim); };
   host.screenshot = [p](const std::filesystem::path& path) { return write_picture(*p, path); };

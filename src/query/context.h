@@ -2,19 +2,13 @@
 #pragma once
 
 #include <functional>
-#include <string>
 #include <string_view>
 
 #include "edit/session/session.h"
 #include "query/frame_stats.h"
+#include "query/widget.h"
 
 namespace coaster::query {
-
-// What scripts check of a widget.
-struct Widget {
-  std::string text;  // what it shows
-  bool visible = true, covered = false, enabled = true;
-};
 
 struct Context {
   edit::Finder find;

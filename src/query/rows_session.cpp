@@ -41,7 +41,7 @@ base::Result<Widget> widget(const Context& c, View path) {
 }
 Answer widget_text(const Context& c, View path) {
   const auto found = widget(c, path);
-  return found ? Answer(text(found->text)) : found.status();
+  return found ? Answer(text(found->text())) : found.status();
 }
 Answer enabled(const Context& c, View path) {
   const auto found = widget(c, path);

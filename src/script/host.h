@@ -16,16 +16,10 @@
 #include "platform/events.h"
 #include "query/lesson.h"
 #include "query/query.h"
+#include "query/widget.h"
 #include "view/pick.h"
 
 namespace coaster::script {
-
-struct WidgetState {
-  std::string path, kind, value;
-  float x = 0, y = 0, width = 0, height = 0;
-  bool visible = true, enabled = true, covered = false;
-  std::string alias = {};  // the path before a label changed; empty: unchanged
-};
 
 // A target in the viewport, which the app projects to a pixel.
 struct AimPoint {
@@ -47,10 +41,10 @@ struct Host {
   std::function<base::Status(const Environment&)> set_environment;
   std::function<base::Status(const edit::Command&)> apply;  // immediately, between frames
   std::function<base::Status(const platform::Events&, int ticks)>
-      frame;                                          // one whole frame: events, UI, commands, ticks, drawing
-  std::function<void(int ticks)> advance;             // ticks without drawing
-  std::function<const query::Context()> context;      // the last frame and the present state
-  std::function<std::vector<WidgetState>()> widgets;  // widgets of the last frame
+      frame;                                            // one whole frame: events, UI, commands, ticks, drawing
+  std::function<void(int ticks)> advance;               // ticks without drawing
+  std::function<const query::Context()> context;        // the last frame and the present state
+  std::function<std::vector<query::Widget>()> widgets;  // widgets of the last frame
   std::function<base::Result<glm::vec2>(const AimPoint&)> pixel_of;  // in the last frame's view; an error if off screen
   std::function<base::Result<glm::vec3>(const AimPoint&)> position_of;
   std::function<base::Status(const std::filesystem::path&)> screenshot;  // PNG of the last frame

@@ -386,14 +386,13 @@ base::Result<query::Value> Runner::value_of(std::string_view query, const std::s
   query::Context context = frames_.host().context();
   context.widget = [this](std::string_view path) -> base::Result<query::Widget> {
     if (const Status status = frames_.settle_panels(); !status) return status;
-    const std::vector<WidgetState> widgets = frames_.host().widgets();
+    const std::vector<query::Widget> widgets = frames_.host().widgets();
     const base::Result<std::size_t> found = find_widget(widgets, path);
     if (!found) {
       const bool absent = find_widgets(widgets, path).empty();
       return Status{absent ? base::Code::refused : base::Code::usage, found.status().message};
     }
-    const WidgetState& widget = widgets[*found];
-    return query::Widget{text_of(widget), widget.visible, widget.covered, widget.enabled};
+    return widgets[*found];
   };
   return row->evaluate(context, argument);
 }

@@ -19,9 +19,9 @@ std::string state_json(const query::Context& context, const ScriptError* error) 
 }
 
 // Returns one line per widget: path, kind, position, size, value, state.
-std::string widgets_text(std::span<const WidgetState> widgets) {
+std::string widgets_text(std::span<const query::Widget> widgets) {
   std::string text;
-  for (const WidgetState& w : widgets) {
+  for (const query::Widget& w : widgets) {
     text += fmt::format("{} {} {},{} {}x{}", base::quoted(w.path), w.kind, base::to_text(w.x), base::to_text(w.y),
                         base::to_text(w.width), base::to_text(w.height));
     if (!w.value.empty()) text += " value " + base::quoted(w.value);

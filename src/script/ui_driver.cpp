@@ -29,7 +29,7 @@ std::optional<double> number_shown(const std::string& text) {
 constexpr int kMostScrolls = 80;
 
 // True for a menu inside another, which opens under the cursor.
-bool is_inner_menu(const WidgetState& w) {
+bool is_inner_menu(const query::Widget& w) {
   const bool titled = w.value == "open" || w.value == "closed";
   return w.kind == "menu" && titled && std::count(w.path.begin(), w.path.end(), '/') > 1;
 }
@@ -41,7 +41,7 @@ Status UiDriver::reach(std::string_view path) {
   if (Status sight = bring_into_sight(path, widget_); !sight) return sight;
   if (Status refused = refusal(widget_); !refused) return refused;
   if (Status moved = frame({middle(widget_)}); !moved) return moved;
-  if (const WidgetState* const hovered = now(path)) widget_ = *hovered;  // hovering may change the layout
+  if (const query::Widget* const hovered = now(path)) widget_ = *hovered;  // hovering may change the layout
   return refusal(widget_);
 }
 
@@ -133,7 +133,7 @@ Status UiDriver::drag_to(std::string_view path, double value) {
     // Two frames: a slider shows its value at the start of a frame.
     if (Status moved = frame({MouseMove{x, y}}); !moved) return moved;
     if (Status again = frame({}); !again) return again;
-    const WidgetState* const shown = now(path);
+    const query::Widget* const shown = now(path);
     const auto number = shown ? number_shown(shown->value) : std::nullopt;
     if (!number) break;
     there = *number == value;
@@ -160,8 +160,8 @@ Status UiDriver::menu(std::string_view path) {
 Status UiDriver::scroll(std::string_view path, double notches) {
   if (const Status settled = frames_.settle_panels(); !settled) return settled;
   widgets_ = frames_.host().widgets();
-  const WidgetState* over = nullptr;
-  for (const WidgetState& widget : widgets_)
+  const query::Widget* over = nullptr;
+  for (const query::Widget& widget : widgets_)
     if (!over && widget.visible && !widget.covered && (panel_of(widget.path) == path || widget.path == path))
       over = &widget;
   if (!over) {
@@ -180,20 +180,20 @@ Status UiDriver::scroll(std::string_view path, double notches) {
   return {};
 }
 
-const WidgetState* UiDriver::now(std::string_view path) {
+const query::Widget* UiDriver::now(std::string_view path) {
   widgets_ = frames_.host().widgets();
   const std::vector<std::size_t> found = find_widgets(widgets_, path);
   return found.size() == 1 ? &widgets_[found[0]] : nullptr;
 }
 
-Status UiDriver::refusal(const WidgetState& widget) const {
+Status UiDriver::refusal(const query::Widget& widget) const {
   if (!widget.visible) return failed(base::quoted_start(widget.path) + " is out of sight");
   if (widget.covered) return failed(base::quoted_start(widget.path) + " is covered by another window");
   if (!widget.enabled) return failed(base::quoted_start(widget.path) + " is disabled");
   return {};
 }
 
-Status UiDriver::open_one(WidgetState widget) {
+Status UiDriver::open_one(query::Widget widget) {
   const std::string path = widget.path;
   if (Status sight = bring_into_sight(path, widget); !sight) return sight;
   if (Status refused = refusal(widget); !refused) return refused;
@@ -209,7 +209,7 @@ Status UiDriver::open_way_to(std::string_view path) {
   const auto missing = [&] { return find_widgets(frames_.host().widgets(), path).empty(); };
   for (std::size_t slash = path.find('/'); slash != std::string_view::npos && missing();
        slash = path.find('/', slash + 1)) {
-    const WidgetState* const parent = now(path.substr(0, slash));
+    const query::Widget* const parent = now(path.substr(0, slash));
     const bool opens =
         parent && (is_closed_header(*parent) || parent->kind == "combo" || (parent->kind == "menu" && !is_on(*parent)));
     if (!opens) continue;
@@ -220,7 +220,7 @@ Status UiDriver::open_way_to(std::string_view path) {
   for (bool again = true; again && missing();) {
     again = false;
     widgets_ = frames_.host().widgets();
-    for (const WidgetState& widget : widgets_) {
+    for (const query::Widget& widget : widgets_) {
       if (!is_closed_header(widget) || panel_of(widget.path) != panel) continue;
       if (std::find(tried.begin(), tried.end(), widget.path) != tried.end()) continue;
       tried.push_back(widget.path);
@@ -235,17 +235,17 @@ Status UiDriver::open_way_to(std::string_view path) {
 // Looks for the path's end in the menus inside its menu, one after the other.
 Status UiDriver::open_inner_menu(std::string_view path) {
   const std::string menu(path.substr(0, path.rfind('/')));
-  const WidgetState* const found = now(menu);
+  const query::Widget* const found = now(menu);
   if (!found || !is_on(*found) || found->path.find('/') == std::string::npos || found->kind != "menu") return {};
   const std::string outer = found->path;
   missing_ = find_widget(widgets_, path).status();
   std::vector<std::string> inner;
-  for (const WidgetState& widget : widgets_)
+  for (const query::Widget& widget : widgets_)
     if (is_inner_menu(widget) && widget.enabled && widget.path.starts_with(outer + '/')) inner.push_back(widget.path);
   for (const std::string& one : inner) {
-    if (const WidgetState* const title = now(outer); title && !is_on(*title))
+    if (const query::Widget* const title = now(outer); title && !is_on(*title))
       if (Status opened = open_one(*title); !opened) return opened;
-    const WidgetState* const title = now(one);
+    const query::Widget* const title = now(one);
     if (!title) return {};
     if (Status opened = open_one(*title); !opened) return opened;
     if (!find_widgets(frames_.host().widgets(), path).empty()) return {};
@@ -274,7 +274,7 @@ Status UiDriver::refuse_missing(std::string_view path, const Status& missing) {
       fmt::format("{} is in the workspace {}: write \"workspace {}\" before", base::quoted_start(path), there, there));
 }
 
-Status UiDriver::find(std::string_view path, WidgetState& widget) {
+Status UiDriver::find(std::string_view path, query::Widget& widget) {
   if (const Status settled = frames_.settle_panels(); !settled) return settled;
   missing_ = {};
   if (Status opened = open_way_to(path); !opened) return opened;
@@ -296,19 +296,19 @@ int kinship(std::string_view a, std::string_view b) {
 }
 
 // True if the wheel over `other` may scroll `widget`: menus scroll by themselves, and so do lists.
-bool may_scroll_together(const WidgetState& widget, const WidgetState& other) {
+bool may_scroll_together(const query::Widget& widget, const query::Widget& other) {
   if (kinship(widget.path, other.path) == 2) return true;
   return panel_of(widget.path) != "Menu" && panel_of(other.path) != "Menu" && other.kind != "menu" &&
          other.kind != "item";
 }
 
 // Turns the wheel over the widget's column: at a visible widget of it, preferably of the same group.
-Status UiDriver::bring_into_sight(std::string_view path, WidgetState& widget) {
+Status UiDriver::bring_into_sight(std::string_view path, query::Widget& widget) {
   std::vector<std::string> useless;  // widgets over which the wheel moved nothing
   for (int i = 0; i < kMostScrolls && !widget.visible; ++i) {
-    const WidgetState* over = nullptr;
+    const query::Widget* over = nullptr;
     const float x = middle(widget).x;
-    for (const WidgetState& other : widgets_) {
+    for (const query::Widget& other : widgets_) {
       if (!other.visible || other.covered || !may_scroll_together(widget, other)) continue;
       if (x < other.x || x > other.x + other.width) continue;
       if (std::find(useless.begin(), useless.end(), other.path) != useless.end()) continue;
@@ -320,7 +320,7 @@ Status UiDriver::bring_into_sight(std::string_view path, WidgetState& widget) {
     const float notch = widget.y > at.y ? -1.0f : 1.0f;
     if (Status turned = frame({at, platform::Wheel{0, notch}}); !turned) return turned;
     if (const Status settled = frames_.settle_panels(); !settled) return settled;
-    const WidgetState* const moved = now(path);
+    const query::Widget* const moved = now(path);
     if (!moved) break;
     if (moved->y == widget.y) useless.push_back(turned_over);
     widget = *moved;

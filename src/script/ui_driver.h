@@ -9,7 +9,7 @@
 
 namespace coaster::script {
 
-inline platform::MouseMove middle(const WidgetState& w) { return {w.x + w.width / 2, w.y + w.height / 2}; }
+inline platform::MouseMove middle(const query::Widget& w) { return {w.x + w.width / 2, w.y + w.height / 2}; }
 
 class UiDriver {
  public:
@@ -41,19 +41,19 @@ class UiDriver {
   Status key(platform::Key key, platform::Modifiers modifiers, bool release_can_wait = false);
   Status release(platform::Event event, std::uint64_t commands_before, bool can_wait);
   // Finds the widget as last drawn, after opening headers on its path.
-  Status find(std::string_view path, WidgetState& widget);
+  Status find(std::string_view path, query::Widget& widget);
   Status refuse_missing(std::string_view path, const Status& missing);
   Status open_way_to(std::string_view path);
   Status open_inner_menu(std::string_view path);
-  Status open_one(WidgetState widget);
-  Status bring_into_sight(std::string_view path, WidgetState& widget);
+  Status open_one(query::Widget widget);
+  Status bring_into_sight(std::string_view path, query::Widget& widget);
   // Returns why a widget cannot be used: out of sight, covered or disabled.
-  Status refusal(const WidgetState& widget) const;
-  const WidgetState* now(std::string_view path);
+  Status refusal(const query::Widget& widget) const;
+  const query::Widget* now(std::string_view path);
 
   FrameDriver& frames_;
-  WidgetState widget_;  // of the last reach()
-  std::vector<WidgetState> widgets_;
+  query::Widget widget_;  // of the last reach()
+  std::vector<query::Widget> widgets_;
   Status missing_;  // why an open menu lacks the widget: ok if none was open
 };
 

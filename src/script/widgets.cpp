@@ -35,7 +35,7 @@ bool has_parts(std::string_view path, const std::vector<std::string>& want) {
 }
 
 template <class Fits>
-std::vector<std::size_t> all(std::span<const WidgetState> widgets, Fits fits) {
+std::vector<std::size_t> all(std::span<const query::Widget> widgets, Fits fits) {
   std::vector<std::size_t> found, labels;
   for (std::size_t i = 0; i < widgets.size(); ++i)
     if (fits(widgets[i].path) || (!widgets[i].alias.empty() && fits(widgets[i].alias)))
@@ -45,12 +45,12 @@ std::vector<std::size_t> all(std::span<const WidgetState> widgets, Fits fits) {
 
 std::string last_part(std::string_view path) { return std::string(path.substr(path.rfind('/') + 1)); }
 
-std::string nearest_path(std::span<const WidgetState> widgets, std::string_view path) {
+std::string nearest_path(std::span<const query::Widget> widgets, std::string_view path) {
   std::vector<std::string> paths;
-  for (const WidgetState& widget : widgets) paths.push_back(widget.path);
+  for (const query::Widget& widget : widgets) paths.push_back(widget.path);
   if (std::string hint = base::suggestion(path, paths); !hint.empty()) return hint;
   std::vector<std::string> ends;
-  for (const WidgetState& widget : widgets) ends.push_back(last_part(widget.path));
+  for (const query::Widget& widget : widgets) ends.push_back(last_part(widget.path));
   const auto near = base::nearest(last_part(path), ends);
   if (!near) return {};
   const auto at = std::find(ends.begin(), ends.end(), *near) - ends.begin();
@@ -59,7 +59,7 @@ std::string nearest_path(std::span<const WidgetState> widgets, std::string_view 
 
 }  // namespace
 
-std::vector<std::size_t> find_widgets(std::span<const WidgetState> widgets, std::string_view path) {
+std::vector<std::size_t> find_widgets(std::span<const query::Widget> widgets, std::string_view path) {
   if (path.size() > kMostPathBytes) return {};
   auto found = all(widgets, [&](std::string_view p) { return p == path; });
   if (found.empty()) found = all(widgets, [&](std::string_view p) { return ends_in(p, path); });
@@ -70,7 +70,7 @@ std::vector<std::size_t> find_widgets(std::span<const WidgetState> widgets, std:
   return found;
 }
 
-base::Result<std::size_t> find_widget(std::span<const WidgetState> widgets, std::string_view path) {
+base::Result<std::size_t> find_widget(std::span<const query::Widget> widgets, std::string_view path) {
   if (path.size() > kMostPathBytes)
     return base::Status{base::Code::usage, fmt::format("expected a widget's path of at most {} bytes, found {}",
                                                        kMostPathBytes, path.size())};
@@ -87,14 +87,9 @@ base::Result<std::size_t> find_widget(std::span<const WidgetState> widgets, std:
 
 std::string_view panel_of(std::string_view path) { return path.substr(0, path.find('/')); }
 
-bool is_on(const WidgetState& widget) { return widget.value == "on" || widget.value == "open"; }
+bool is_on(const query::Widget& widget) { return widget.value == "on" || widget.value == "open"; }
 
-std::string text_of(const WidgetState& widget) {
-  const bool labelled = widget.kind == "button" || widget.kind == "label";
-  return widget.value.empty() && labelled ? widget.path.substr(widget.path.rfind('/') + 1) : widget.value;
-}
-
-bool is_closed_header(const WidgetState& widget) {
+bool is_closed_header(const query::Widget& widget) {
   return widget.kind == "header" && (widget.value == "off" || widget.value == "closed");
 }
 

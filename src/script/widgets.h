@@ -16,19 +16,16 @@ inline constexpr std::size_t kMostPathBytes = 1000;  // of a widget's path; long
 // slash ("Insert point" for "Track/Insert point"); both ignoring case; its parts in order with others in between
 // ("Inspector/x" for "Inspector/Position/x"). Widgets that can be operated take precedence over plain labels.
 // A widget's alias counts as its path.
-std::vector<std::size_t> find_widgets(std::span<const WidgetState> widgets, std::string_view path);
+std::vector<std::size_t> find_widgets(std::span<const query::Widget> widgets, std::string_view path);
 
 // Returns the one widget of that path. Code::usage if there is none (with a suggestion) or several (with a list).
-base::Result<std::size_t> find_widget(std::span<const WidgetState> widgets, std::string_view path);
+base::Result<std::size_t> find_widget(std::span<const query::Widget> widgets, std::string_view path);
 
 // Returns the path's part before the first slash.
 std::string_view panel_of(std::string_view path);
 
-// Returns what the widget shows: its value; of a button or a text without a value, its label.
-std::string text_of(const WidgetState& widget);
-
 // True for a header whose contents are hidden.
-bool is_closed_header(const WidgetState& widget);
-bool is_on(const WidgetState& widget);
+bool is_closed_header(const query::Widget& widget);
+bool is_on(const query::Widget& widget);
 
 }  // namespace coaster::script

@@ -113,7 +113,7 @@ TEST_F(TutorialTest, hasty_clicks_do_not_disturb_a_lesson) {
   };
   const auto click = [&](int times) {
     const auto& widgets = program.ui->widgets();
-    const auto button = std::ranges::find_if(widgets, [](const ui::Widget& w) { return w.is("Lesson/Show me"); });
+    const auto button = std::ranges::find_if(widgets, [](const query::Widget& w) { return w.is("Lesson/Show me"); });
     ASSERT_NE(button, widgets.end());
     const platform::MouseMove there{button->x + button->width / 2, button->y + button->height / 2};
     platform::Events events{there};

@@ -20,9 +20,9 @@ struct FakeHost {
   edit::Session session = edit::make_session({});
   base::Files files;
   query::FrameStats stats;
-  std::vector<WidgetState> widgets;
+  std::vector<query::Widget> widgets;
   world::Workspace elsewhere = world::Workspace::ride;  // has other widgets
-  std::vector<WidgetState> elsewhere_widgets;
+  std::vector<query::Widget> elsewhere_widgets;
   std::vector<std::pair<platform::Events, int>> frames;  // what each frame was given
   std::vector<edit::Command> at_release;                 // applied in frames where the left button goes up over them
   std::vector<std::string> printed, reported;

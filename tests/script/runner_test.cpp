@@ -98,7 +98,7 @@ TEST(runner, wait_goes_on_while_the_widget_or_entity_of_its_condition_is_missing
   // A widget that comes in the third frame.
   Host host = fake.host();
   host.widgets = [&] {
-    std::vector<WidgetState> shown;
+    std::vector<query::Widget> shown;
     if (fake.frames.size() >= 3) shown.push_back({.path = "Track/Length", .kind = "label", .value = "7 m"});
     return shown;
   };

@@ -13,15 +13,15 @@
 namespace coaster::script {
 namespace ui_driver_test {
 
-WidgetState widget(const std::string& path, const std::string& kind = "button", const std::string& value = "") {
-  WidgetState w;
+query::Widget widget(const std::string& path, const std::string& kind = "button", const std::string& value = "") {
+  query::Widget w;
   w.path = path, w.kind = kind, w.value = value;
   w.x = 11, w.y = 23, w.width = 40, w.height = 10;
   return w;
 }
 
 TEST(widgets, a_path_is_found_whole_by_its_end_in_any_case_or_by_its_parts) {
-  const std::vector<WidgetState> all{
+  const std::vector<query::Widget> all{
       widget("Track/Insert point"), widget("Track/Delete"), widget("Inspector/Position/x", "number"),
       widget("Inspector/Delete"),   widget("Ride/Start"),   widget("Track/Start", "label")};
   EXPECT_EQ(*find_widget(all, "Track/Insert point"), 0u);
@@ -39,7 +39,7 @@ TEST(widgets, a_path_is_found_whole_by_its_end_in_any_case_or_by_its_parts) {
 
 TEST(widgets, a_path_over_the_limit_matches_nothing) {
   const auto named = [](std::size_t bytes) {
-    return std::vector<WidgetState>{{"Panel/" + std::string(bytes - 6, 'a')}};
+    return std::vector<query::Widget>{{"Panel/" + std::string(bytes - 6, 'a')}};
   };
   EXPECT_TRUE(find_widget(named(kMostPathBytes), named(kMostPathBytes)[0].path));
   const auto longer = find_widget(named(kMostPathBytes + 1), named(kMostPathBytes + 1)[0].path);
@@ -47,7 +47,7 @@ TEST(widgets, a_path_over_the_limit_matches_nothing) {
 }
 
 TEST(widgets, a_path_of_former_labels_finds_the_same_widget) {
-  std::vector<WidgetState> all{widget("Forces/Suggest a fix"), widget("Forces/What is it")};
+  std::vector<query::Widget> all{widget("Forces/Suggest a fix"), widget("Forces/What is it")};
   all[0].alias = "Forces/What helps?";
   for (const char* path : {"Forces/Suggest a fix", "Suggest a fix", "Forces/What helps?", "What helps?", "what HELPS?"})
     EXPECT_EQ(*find_widget(all, path), 0u) << path;
@@ -109,7 +109,7 @@ TEST(ui_driver, a_wait_for_a_widget_ends_when_it_shows_and_else_suggests_the_nea
   FakeHost later;
   Host host = later.host();
   host.widgets = [&later] {
-    std::vector<WidgetState> shown{widget("A/later")};
+    std::vector<query::Widget> shown{widget("A/later")};
     shown[0].enabled = later.frames.size() >= 5;
     return shown;
   };

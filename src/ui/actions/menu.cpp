@@ -111,25 +111,13 @@ constexpr Tab kTabs[] = {{world::Workspace::build, "Build workspace"},
 // A tab for each workspace except `all`, which is in the menu Window; the selected one is underlined.
 void build_tabs(Ui& ui) {
   const world::Workspace now = ui.session().settings.panels->workspace;
-  const float pad = std::floor(10 * ui.scale), height = ImGui::GetWindowHeight(), y = ImGui::GetCursorPosY();
+  const float pad = std::floor(10 * ui.scale), y = ImGui::GetCursorPosY();
+  const TabBar bar{.height = ImGui::GetWindowHeight(), .pad = pad, .rgb = palette().accent};
   ImGui::SetCursorPosX(ImGui::GetCursorPosX() + pad);
   for (const auto& [workspace, action] : kTabs) {
     const base::NameRow& row = base::row_of(workspace);
-    const std::string label(row.label);
-    const ImVec2 words = text_size(label), low(ImGui::GetCursorScreenPos().x, ImGui::GetWindowPos().y);
-    const ImVec2 size(std::floor(words.x + 2 * pad), height), high(low.x + size.x, low.y + height);
-    ImGui::SetCursorScreenPos(low);
-    const bool pressed = ImGui::InvisibleButton(hidden(label).c_str(), sized(size));
-    ImDrawList& list = *ImGui::GetWindowDrawList();
-    const bool on = workspace == now;
-    if (on || ImGui::IsItemHovered()) list.AddRectFilled(low, high, packed(palette().field, on ? 1.0f : 0.7f));
-    const float thick = std::max(2.0f, std::floor(2 * ui.scale));
-    if (on) list.AddRectFilled({low.x, high.y - thick}, high, packed(palette().accent));
-    draw_text(list, {low.x + pad, std::floor(low.y + (height - words.y) * 0.5f)}, on ? palette().text : palette().dim,
-              label);
-    note(ui, "Workspace/" + label, "radio", with_keys(ui.keys, row.help, action), true, on ? "on" : "off", low, high);
-    ImGui::SameLine(0, 0);
-    if (pressed) choose_workspace(ui, workspace);
+    const std::string help = with_keys(ui.keys, row.help, action);
+    if (tab(ui, fmt::format("Workspace/{}", row.label), help, workspace == now, bar)) choose_workspace(ui, workspace);
   }
   ImGui::SetCursorPosY(y);
 }

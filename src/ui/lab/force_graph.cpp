@@ -31,17 +31,10 @@ static_assert(kValues.size() == std::tuple_size_v<decltype(LabCache::graph_hidde
 void fold_button(Ui& ui, std::string_view name, std::string_view help, std::string_view action, float bar,
                  bool of_table) {
   const bool open = ui.drawers.graph.open && ui.drawers.table == of_table;
-  const ImVec2 low = ImGui::GetCursorScreenPos();
-  const ImVec2 high(low.x + bar + text_size(name).x + std::floor(12 * ui.scale), low.y + bar);
-  const bool pressed = ImGui::InvisibleButton(hidden(name).c_str(), sized({high.x - low.x, bar}));
-  ImDrawList& list = *ImGui::GetWindowDrawList();
-  if (open || ImGui::IsItemHovered()) list.AddRectFilled(low, high, packed(palette().field, open ? 1.0f : 0.7f));
-  draw_fold_mark(list, {low.x + bar * 0.5f, low.y + bar * 0.5f}, ui.scale, open);
-  draw_text(list, {low.x + bar, std::floor(low.y + (bar - text_size(name).y) * 0.5f)}, palette().text, name);
+  const ImVec2 size(bar + text_size(name).x + std::floor(12 * ui.scale), bar);
   const std::string panel = std::exchange(ui.panel, std::string(name));
-  note(ui, "", "header", with_keys(ui.keys, help, action), true, open ? "open" : "closed", low, high);
+  if (fold(ui, name, open, with_keys(ui.keys, help, action), size, true)) ui.drawers.press(of_table);
   ui.panel = panel;
-  if (pressed) ui.drawers.press(of_table);
 }
 
 // Shows the value of a curve and whether it is drawn: a square in the curve's colour, empty while it is hidden.
@@ -118,7 +111,7 @@ void build_force_graph(Ui& ui, const view::Viewport& area) {
     ImGui::SameLine(0, 0);
     fold_button(ui, "Sections", "The table of sections.", "Table of sections", bar, true);
     ImGui::SameLine(0, std::floor(16 * ui.scale));
-    if (edited.valid()) force_channels(ui, bar);
+    if (edited.valid()) force_channels(ui, edited, bar);
     for (std::size_t i = 0; !edited.valid() && i < kValues.size(); ++i)
       legend_item(ui, kValues[i], plots ? plots->shown(ui, kValues[i]) : "--", ui.lab.graph_hidden[i], bar);
     if (!edited.valid() && plots) early_end(ui, plots->ride(), bar);

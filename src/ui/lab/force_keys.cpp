@@ -166,25 +166,15 @@ Entity edited_forces(const Ui& ui) {
   return ui.drawers.graph.open && !ui.drawers.table ? selected_forces(ui) : world::kNone;
 }
 
-void force_channels(Ui& ui, float bar) {
-  const Entity section = edited_forces(ui);
+void force_channels(Ui& ui, Entity section, float bar) {
   ForceKeys& state = state_of(ui, section);
+  const TabBar look{.height = bar, .pad = std::floor(12 * ui.scale) / 2, .rgb = ink(kForceColour), .least_line = 1};
   const auto rows = world::channels_of(program_of(ui, section).of);
   for (const world::ForceChannelRow& row : rows) {
     const auto channel = static_cast<ForceChannel>(&row - rows.data());
-    const bool on = channel == state.channel;
-    const ImVec2 low = ImGui::GetCursorScreenPos();
-    const ImVec2 high(low.x + text_size(row.label).x + std::floor(12 * ui.scale), low.y + bar);
-    if (ImGui::InvisibleButton(hidden(row.label).c_str(), sized({high.x - low.x, bar})))
+    const std::string help = fmt::format("{} Shows and edits these keys.", row.help);
+    if (tab(ui, fmt::format("Keys/{}", row.label), help, channel == state.channel, look))
       state.channel = channel, state.key.reset();
-    ImDrawList& list = *ImGui::GetWindowDrawList();
-    if (on || ImGui::IsItemHovered()) list.AddRectFilled(low, high, packed(palette().field, on ? 1.0f : 0.7f));
-    if (on) list.AddRectFilled({low.x, high.y - std::floor(2 * ui.scale)}, high, packed(ink(kForceColour)));
-    draw_text(list, {low.x + std::floor(6 * ui.scale), std::floor(low.y + (bar - text_size(row.label).y) * 0.5f)},
-              on ? palette().text : palette().dim, row.label);
-    note(ui, fmt::format("Keys/{}", row.label), "radio", fmt::format("{} Shows and edits these keys.", row.help), true,
-         on ? "on" : "off", low, high);
-    ImGui::SameLine(0, 0);
   }
 }
 

@@ -11,8 +11,8 @@ namespace coaster::ui {
 // Returns the force section that the graph edits: the only selected one, in Build, with the graph open; kNone for none.
 world::Entity edited_forces(const Ui& ui);
 
-// Shows the channels as buttons in the graph's bar.
-void force_channels(Ui& ui, float bar);
+// Shows the section's channels as tabs in the graph's bar.
+void force_channels(Ui& ui, world::Entity section, float bar);
 
 // Plots the section's part of the ride: keys and target curve of the selected channel over the actual values, with the
 // limits. Dragging a key or a handle of the selected key is one undo step and snaps (Ctrl: not); a double click inserts

@@ -37,45 +37,17 @@ world::LabPage chosen_page(const Ui& ui) { return ui.session().settings.lab->pag
 void show(Ui& ui, bool on) { ui.emit(edit::Set<&world::Panels::show_laboratory>{on}); }
 
 // Shows the fold button, with the strip's name if there is space.
-void fold_button(Ui& ui, float bar, bool named, ImFont* font) {
-  const ImVec2 low = ImGui::GetCursorScreenPos();
-  ImGui::PushFont(font);
-  const float text = named ? text_size("Laboratory").x + std::floor(8 * ui.scale) : 0;
-  const float width = bar + text;
-  const bool pressed = ImGui::InvisibleButton("##fold", sized({width, bar}));
-  if (ImGui::IsItemHovered())
-    ImGui::GetWindowDrawList()->AddRectFilled(low, {low.x + width, low.y + bar}, packed(palette().field));
-  draw_fold_mark(*ImGui::GetWindowDrawList(), {low.x + bar * 0.5f, low.y + bar * 0.5f}, ui.scale, is_open(ui));
-  if (named)
-    draw_text(*ImGui::GetWindowDrawList(), {low.x + bar, low.y + (bar - ImGui::GetTextLineHeight()) * 0.5f},
-              palette().text, "Laboratory");
-  ImGui::PopFont();
-  note(ui, "", "header", with_keys(ui.keys, kTooltip, "Laboratory"), true, is_open(ui) ? "open" : "closed", low,
-       {low.x + width, low.y + bar});
-  if (pressed) show(ui, !is_open(ui));
+void fold_button(Ui& ui, float bar, bool named) {
+  const std::string_view name = named ? "Laboratory" : "";
+  const float width = bar + (named ? text_size(name).x + std::floor(8 * ui.scale) : 0);
+  if (fold(ui, name, is_open(ui), with_keys(ui.keys, kTooltip, "Laboratory"), {width, bar})) show(ui, !is_open(ui));
+  ImGui::SameLine(0, 0);
 }
 
 // Selects a page and opens the strip.
 void open_page(Ui& ui, world::LabPage page) {
   ui.emit(edit::Set<&world::LabView::page>{page});
   if (!is_open(ui)) show(ui, true);
-}
-
-void tab(Ui& ui, world::LabPage index, float bar, float pad, ImFont* font) {
-  const base::NameRow& page = base::row_of(index);
-  ImGui::PushFont(font);
-  const ImVec2 low = ImGui::GetCursorScreenPos(), size = text_size(page.label);
-  const ImVec2 high(std::floor(low.x + size.x + 2 * pad), low.y + bar);
-  const bool on = is_open(ui) && chosen_page(ui) == index;
-  const bool pressed = ImGui::InvisibleButton(page.name.data(), sized({high.x - low.x, bar}));
-  ImDrawList& list = *ImGui::GetWindowDrawList();
-  if (ImGui::IsItemHovered() || on) list.AddRectFilled(low, high, packed(palette().field, on ? 1.0f : 0.7f));
-  if (on) list.AddRectFilled(low, {high.x, low.y + std::max(2.0f, std::floor(2 * ui.scale))}, packed(palette().accent));
-  draw_text(list, {low.x + pad, std::floor(low.y + (bar - size.y) * 0.5f)}, on ? palette().text : palette().dim,
-            page.label);
-  ImGui::PopFont();
-  note(ui, page.label, "radio", page.help, true, on ? "on" : "off", low, high);
-  if (pressed && !on) open_page(ui, index);
 }
 
 float width_in(ImFont* font, std::string_view text) {
@@ -91,6 +63,7 @@ float width_of_tabs(float pad, ImFont* font) {
 void build_bar(Ui& ui, float width, float bar) {
   ImFont* const large = ImGui::GetFont();
   ImFont* const small = small_font();
+  const world::LabPage now = chosen_page(ui);
   const float name = width_in(large, "Laboratory") + std::floor(20 * ui.scale);
   struct Fit {
     ImFont* font;
@@ -101,18 +74,18 @@ void build_bar(Ui& ui, float width, float bar) {
   for (const Fit& fit : fits) {
     const float pad = std::floor(fit.pad * ui.scale);
     if (bar + (fit.named ? name : 0) + width_of_tabs(pad, fit.font) > width) continue;
-    fold_button(ui, bar, fit.named, large);
+    fold_button(ui, bar, fit.named);
+    const TabBar look{.height = bar, .pad = pad, .rgb = palette().accent, .font = fit.font, .line_above = true};
     for (std::size_t i = 0; i < std::size(world::kLabPages); ++i) {
-      ImGui::SameLine(0, 0);
-      tab(ui, static_cast<world::LabPage>(i), bar, pad, fit.font);
+      const auto page = static_cast<world::LabPage>(i);
+      const bool on = is_open(ui) && now == page;
+      if (tab(ui, world::kLabPages[i].label, world::kLabPages[i].help, on, look) && !on) open_page(ui, page);
     }
     return;
   }
   // The names do not fit side by side.
-  fold_button(ui, bar, 2 * (bar + name) <= width, large);
-  ImGui::SameLine(0, 0);
-  if (const auto page = combo_of(ui, "Page", chosen_page(ui), "Page of the laboratory.", ComboPlace::beside))
-    open_page(ui, *page);
+  fold_button(ui, bar, 2 * (bar + name) <= width);
+  if (const auto page = combo_of(ui, "Page", now, "Page of the laboratory.", ComboPlace::beside)) open_page(ui, *page);
 }
 
 }  // namespace

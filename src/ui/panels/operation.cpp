@@ -2,7 +2,7 @@
 #include <fmt/format.h>
 
 #include "edit/commands/commands_operation.h"
-#include "ui/panels/equipment_rows.h"
+#include "ui/panels/equipment_form.h"
 #include "world/selection.h"
 
 namespace coaster::ui {
@@ -38,21 +38,13 @@ void equipment(Ui& ui) {
   heading(ui, "Equipment",
           segments.empty() ? "Select a segment to place a station, lift, launch, brake or block."
                            : "Equipment on the selected segments.");
-  const Equipped now = equipped(document, segments);
-  world::Equipment to = now.equipment ? *now.equipment : world::Equipment{};
-  const auto equip = [&] {
-    ui.emit_each(segments, [&](world::Entity e) { ui.emit(edit::SetEquipment{{world::name_of(document, e)}, to}); });
-  };
-  constexpr std::string_view kEquips = edit::SetEquipment::kInfo.name;
-  if (const auto chosen = equipment_buttons(ui, now, !segments.empty(), kEquips)) {
-    if (chosen->kind) to.kind = *chosen->kind, equip();
-    else
-      ui.emit_each(segments, [&](world::Entity e) {
-        if (document.entities.find<world::Equipment>(e)) ui.emit(edit::RemoveEquipment{{world::name_of(document, e)}});
-      });
-  }
-  if (!now.equipment) return;
-  if (const auto changed = equipment_rows(ui, *now.equipment, kEquips)) to = *changed, equip();
+  equipment_form(ui, segments, edit::SetEquipment::kInfo.name, [&](const std::optional<world::Equipment>& to) {
+    ui.emit_each(segments, [&](world::Entity e) {
+      const world::Name name = world::name_of(document, e);
+      if (to) ui.emit(edit::SetEquipment{{name}, *to});
+      else if (document.entities.find<world::Equipment>(e)) ui.emit(edit::RemoveEquipment{{name}});
+    });
+  });
 }
 
 void train(Ui& ui) {

@@ -154,18 +154,10 @@ void build_drawer(Ui& ui, const view::Viewport& area) {
   if (begin_area("##drawer", {area.x, area.y}, {area.width, area.height})) {
     ui.panel = "Parameters";
     const bool open = ui.drawers.parameters.open;
-    const ImVec2 low(area.x, area.y), high(area.x + area.width, area.y + area.height);
-    const bool pressed = ImGui::InvisibleButton("##fold", sized({area.width, area.height}));
-    ImDrawList& list = *ImGui::GetWindowDrawList();
-    if (ImGui::IsItemHovered()) list.AddRectFilled(low, high, packed(palette().field));
-    draw_fold_mark(list, {low.x + area.height * 0.5f, low.y + area.height * 0.5f}, ui.scale, open);
-    const float left = low.x + area.height, top = std::floor(low.y + (area.height - ImGui::GetTextLineHeight()) * 0.5f);
-    const std::string_view name = left + text_size("Parameters").x <= high.x ? "Parameters" : "Values";
-    draw_text(list, {left, top}, palette().text, name);
-    note(ui, "", "header",
-         with_keys(ui.keys, "Parameters of the chosen element, of the selection, or of the track.", "Parameters"), true,
-         open ? "open" : "closed", low, high);
-    if (pressed) ui.drawers.parameters.toggle();
+    const bool fits = area.height + text_size("Parameters").x <= area.width;
+    const std::string help =
+        with_keys(ui.keys, "Parameters of the chosen element, of the selection, or of the track.", "Parameters");
+    if (fold(ui, fits ? "Parameters" : "Values", open, help, {area.width, area.height})) ui.drawers.parameters.toggle();
     ui.panel.clear();
   }
   ImGui::End();

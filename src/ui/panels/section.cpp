@@ -13,7 +13,7 @@
 #include "sim/study/section_figures.h"
 #include "ui/context/rows.h"
 #include "ui/panels/element_fields.h"
-#include "ui/panels/equipment_rows.h"
+#include "ui/panels/equipment_form.h"
 #include "ui/panels/section_changes.h"
 #include "ui/tools/selecting.h"
 #include "ui/widgets/button_rows.h"
@@ -127,22 +127,12 @@ void section_equipment(Ui& ui, const Chosen& chosen) {
   for (const world::SectionRun& run : chosen.runs)
     for (std::size_t i = run.first; i < run.end(); ++i) segments.push_back(all[i]);
   heading(ui, "Equipment", "Equipment of the whole section.");
-  const Equipped now = equipped(chosen.document, segments);
-  world::Equipment to = now.equipment ? *now.equipment : world::Equipment{};
-  const auto equip = [&] {
+  equipment_form(ui, segments, edit::EquipSection::kInfo.name, [&](const std::optional<world::Equipment>& to) {
     ui.emit_each(chosen.runs, [&](const world::SectionRun& run) {
-      ui.emit(edit::EquipSection{{chosen.name(run)}, to});
+      if (to) ui.emit(edit::EquipSection{{chosen.name(run)}, *to});
+      else ui.emit(edit::UnequipSection{{chosen.name(run)}});
     });
-  };
-  constexpr std::string_view kEquips = edit::EquipSection::kInfo.name;
-  if (const auto button = equipment_buttons(ui, now, true, kEquips)) {
-    if (button->kind) to.kind = *button->kind, equip();
-    else
-      ui.emit_each(chosen.runs,
-                   [&](const world::SectionRun& run) { ui.emit(edit::UnequipSection{{chosen.name(run)}}); });
-  }
-  if (!now.equipment) return;
-  if (const auto changed = equipment_rows(ui, *now.equipment, kEquips)) to = *changed, equip();
+  });
 }
 
 // True if the selected sections are neighbours.

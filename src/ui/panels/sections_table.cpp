@@ -11,7 +11,7 @@
 #include <fmt/format.h>
 
 #include "edit/commands/set_setting.h"
-#include "ui/panels/equipment_rows.h"
+#include "ui/panels/equipment_form.h"
 #include "ui/panels/section_cells.h"
 #include "ui/panels/section_changes.h"
 #include "ui/tools/selecting.h"

@@ -7,6 +7,8 @@
 
 #include <glm/glm.hpp>
 
+#include "query/widget.h"
+
 struct ImGuiWindow;
 
 namespace coaster::ui {
@@ -16,20 +18,7 @@ namespace coaster::ui {
 std::string_view shown(std::string_view label);
 std::string_view id_of(std::string_view label);
 
-// A widget as last drawn, for scripts: path "Panel/Label" or "Panel/Group/Label".
-struct Widget {
-  std::string path;   // made of the visible parts of labels
-  std::string alias;  // made of the ids, if different: the path before a label changed
-  std::string kind;   // button, radio, checkbox, slider, number, text, cell, combo, header, menu, item, label
-  float x = 0, y = 0, width = 0, height = 0;  // px
-  bool visible = true;                        // inside its clip rectangle
-  bool enabled = true;
-  bool covered = false;  // another window lies over its middle
-  bool cut = false;      // its label does not fit
-  std::string value;     // shown value or "on"/"off"
-
-  bool is(std::string_view name) const { return path == name || (!alias.empty() && alias == name); }
-};
+using query::Widget;
 
 // The widgets of a frame, in drawing order.
 class WidgetList {

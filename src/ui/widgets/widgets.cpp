@@ -190,6 +190,39 @@ bool header(WidgetFrame& ui, std::string_view name, std::string_view tooltip, bo
   return open;
 }
 
+bool fold(WidgetFrame& ui, std::string_view name, bool open, std::string_view tooltip, ImVec2 size, bool lit) {
+  const ImVec2 low = ImGui::GetCursorScreenPos(), high(low.x + size.x, low.y + size.y);
+  const bool pressed = ImGui::InvisibleButton(hidden(name).c_str(), sized(size)), shines = lit && open;
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  if (shines || ImGui::IsItemHovered())
+    list.AddRectFilled(low, high, packed(palette().field, shines || !lit ? 1.0f : 0.7f));
+  draw_fold_mark(list, {low.x + size.y * 0.5f, low.y + size.y * 0.5f}, ui.scale, open);
+  draw_text(list, {low.x + size.y, std::floor(low.y + (size.y - ImGui::GetTextLineHeight()) * 0.5f)}, palette().text,
+            name);
+  note(ui, "", "header", tooltip, true, open ? "open" : "closed", low, high);
+  return pressed;
+}
+
+bool tab(WidgetFrame& ui, std::string_view path, std::string_view tooltip, bool selected, const TabBar& bar) {
+  const std::string_view label = path.substr(path.rfind('/') + 1);
+  ImGui::PushFont(bar.font);
+  const ImVec2 words = text_size(label), low(ImGui::GetCursorScreenPos().x, ImGui::GetWindowPos().y);
+  const ImVec2 high(std::floor(low.x + words.x + 2 * bar.pad), low.y + bar.height);
+  ImGui::SetCursorScreenPos(low);  // items of a menu bar are lower
+  const bool pressed = ImGui::InvisibleButton(hidden(label).c_str(), sized({high.x - low.x, bar.height}));
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  if (selected || ImGui::IsItemHovered())
+    list.AddRectFilled(low, high, packed(palette().field, selected ? 1.0f : 0.7f));
+  const float line = std::max(bar.least_line, std::floor(2 * ui.scale)), top = bar.line_above ? low.y : high.y - line;
+  if (selected) list.AddRectFilled({low.x, top}, {high.x, top + line}, packed(bar.rgb));
+  draw_text(list, {low.x + bar.pad, std::floor(low.y + (bar.height - words.y) * 0.5f)},
+            selected ? palette().text : palette().dim, label);
+  ImGui::PopFont();
+  note(ui, path, "radio", tooltip, true, selected ? "on" : "off", low, high);
+  ImGui::SameLine(0, 0);
+  return pressed;
+}
+
 void heading(WidgetFrame& ui, std::string_view label, std::string_view tooltip) {
   const std::string words = in_units(ui, shown(label));
   tinted_line(words, palette().dim);

@@ -122,6 +122,19 @@ float build_card(WidgetFrame& ui, const Card& card, const std::function<void()>&
 
 // Labels may be "Shown###Id" (widget_list.h). Returns true while open. `open`: initial state.
 bool header(WidgetFrame& ui, std::string_view name, std::string_view tooltip, bool open = true, bool open_now = false);
+// Shows a button that folds what it is the header of: ui.panel, or a part of it. The mark has the name behind it, if
+// any. `lit`: it is highlighted while that is open, like a tab. Returns true if pressed.
+bool fold(WidgetFrame& ui, std::string_view name, bool open, std::string_view tooltip, ImVec2 size, bool lit = false);
+struct TabBar {
+  float height, pad;  // px; `pad` on both sides of a label
+  std::uint32_t rgb;  // of the line at the selected tab
+  ImFont* font = ImGui::GetFont();
+  bool line_above = false;
+  float least_line = 2;  // px; its least height
+};
+// Shows a tab in a bar at the top of the window, and lets the next item follow beside it. Its label is the last part of
+// the path. Returns true if pressed.
+bool tab(WidgetFrame& ui, std::string_view path, std::string_view tooltip, bool selected, const TabBar& bar);
 void heading(WidgetFrame& ui, std::string_view label, std::string_view tooltip);
 // Draw text of a colour 0xRRGGBB: one line, wrapped, or wrapped and registered.
 void tinted_line(std::string_view words, std::uint32_t rgb);

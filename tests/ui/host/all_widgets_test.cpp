@@ -303,9 +303,8 @@ TEST_F(AllWidgetsTest, at_twice_the_scale_every_shape_is_twice_as_large) {
     for (std::size_t i = 0; i < sizes.size(); ++i) {
       const Shape &one = sizes[i], &two = other->second[i];
       ++compared;
-      const auto expect_twice = [&](float small_one, float large_one) {
-        EXPECT_NEAR(large_one, 2 * small_one, 5 + 0.05f * small_one)
-            << i << " in " << place.second << ", " << place.first;
+      const auto expect_twice = [&, &at = place](float small_one, float large_one) {
+        EXPECT_NEAR(large_one, 2 * small_one, 5 + 0.05f * small_one) << i << " in " << at.second << ", " << at.first;
       };
       if (one.is_piece() || two.is_piece()) expect_twice(one.thickness, two.thickness);
       else expect_twice(one.size.x, two.size.x), expect_twice(one.size.y, two.size.y);

@@ -62,6 +62,19 @@ TEST_F(ForceKeysTest, a_double_click_inserts_a_key_that_snaps) {
   EXPECT_EQ(keys().size(), 1u) << "not on a key";
 }
 
+TEST_F(ForceKeysTest, the_table_opens_and_the_graph_folds_over_the_edited_section) {
+  ASSERT_NE(find("Forces/Keys/Vertical"), nullptr);
+  click("Sections");
+  EXPECT_EQ(find("Sections")->value, "open");
+  EXPECT_EQ(find("Forces/Plot"), nullptr);
+  click("Forces");
+  EXPECT_NE(find("Forces/Keys/Vertical"), nullptr);
+  EXPECT_NE(find("Forces/Plot"), nullptr);
+  click("Forces");
+  EXPECT_EQ(find("Forces")->value, "closed");
+  EXPECT_EQ(find("Forces/Keys/Vertical"), nullptr);
+}
+
 TEST_F(ForceKeysTest, a_drag_bends_the_track_in_each_of_its_frames_and_is_one_step) {
   good(edit::SetForceKey{{{world::Kind::section, 2}}, false, ForceChannel::vertical, 1, 20});
   frames(3);

@@ -1,4 +1,4 @@
-#include "ui/panels/equipment_rows.h"
+#include "ui/panels/equipment_form.h"
 
 #include <imgui.h>
 
@@ -23,7 +23,14 @@ Equipped equipped(const world::Document& document, const std::vector<world::Enti
   return found;
 }
 
-std::optional<EquipmentChoice> equipment_buttons(Ui& ui, const Equipped& now, bool enabled, std::string_view command) {
+namespace {
+
+using world::Equipment;
+using world::EquipmentKind;
+
+// The current one has a frame. `choose` gets the kind of the pressed one; nothing: plain track.
+void equipment_buttons(Ui& ui, const Equipped& now, bool enabled, std::string_view command,
+                       const std::function<void(std::optional<EquipmentKind>)>& choose) {
   constexpr int kColumns = 3;
   const float gap = ImGui::GetStyle().ItemSpacing.x, room = ImGui::GetContentRegionAvail().x;
   const float width = std::floor((room - gap * (kColumns - 1)) / kColumns);
@@ -43,18 +50,17 @@ std::optional<EquipmentChoice> equipment_buttons(Ui& ui, const Equipped& now, bo
     note_if_cut(ui, label);
     return pressed && enabled && !lit;
   };
-  std::optional<EquipmentChoice> chosen;
   for (const base::NameRow& row : world::kEquipmentKinds) {
     const LockedWidgets locked(ui, command);
-    const auto kind = static_cast<world::EquipmentKind>(place);
-    if (choice(row.label, row.help, now.equipment && now.equipment->kind == kind)) chosen = EquipmentChoice{kind};
+    const auto kind = static_cast<EquipmentKind>(place);
+    if (choice(row.label, row.help, now.equipment && now.equipment->kind == kind)) choose(kind);
   }
   const bool none = enabled && !now.mixed && !now.equipment;
-  if (choice("None###Plain track", "Plain track.", none)) chosen = EquipmentChoice{};
-  return chosen;
+  if (choice("None###Plain track", "Plain track.", none)) choose(std::nullopt);
 }
 
-std::optional<world::Equipment> equipment_rows(Ui& ui, world::Equipment now, std::string_view command) {
+// Shows the numbers of the kind. Returns the equipment with the number that the user changed.
+std::optional<Equipment> equipment_rows(Ui& ui, Equipment now, std::string_view command) {
   const LockedWidgets locked(ui, command);
   bool changed = false;
   const auto field = [&](const char* label, float& value, const char* unit, double low, double high,
@@ -66,12 +72,27 @@ std::optional<world::Equipment> equipment_rows(Ui& ui, world::Equipment now, std
         "Target speed of a lift, launch or brake, and exit speed of a station.");
   field("Acceleration", now.acceleration, "m/s\u00B2", world::kMinAcceleration, world::kMaxAcceleration,
         "Largest acceleration or deceleration.");
-  if (now.kind == world::EquipmentKind::brake || now.kind == world::EquipmentKind::block)
+  if (now.kind == EquipmentKind::brake || now.kind == EquipmentKind::block)
     field("Hysteresis", now.hysteresis, "m/s", 0, world::kMaxSpeed,
           "The brake switches on above speed + hysteresis and off below speed - hysteresis.");
-  if (now.kind == world::EquipmentKind::station)
+  if (now.kind == EquipmentKind::station)
     field("Wait", now.seconds, "s", 0, world::kMaxDwell, "Time that a train waits in the station.");
   return changed ? std::optional(now) : std::nullopt;
+}
+
+}  // namespace
+
+void equipment_form(Ui& ui, const std::vector<world::Entity>& segments, std::string_view command,
+                    const std::function<void(const std::optional<Equipment>& to)>& equip) {
+  const Equipped now = equipped(ui.session().document, segments);
+  equipment_buttons(ui, now, !segments.empty(), command, [&](std::optional<EquipmentKind> kind) {
+    if (!kind) return equip(std::nullopt);
+    Equipment to = now.equipment ? *now.equipment : Equipment{};
+    to.kind = *kind;
+    equip(to);
+  });
+  if (!now.equipment) return;
+  if (const auto changed = equipment_rows(ui, *now.equipment, command)) equip(changed);
 }
 
 }  // namespace coaster::ui
