@@ -132,7 +132,7 @@ constexpr std::array kDocumentRows{
           "Distance of the last knot from the first one in space; 0 on a closed track, none below two knots.",
           open_end_distance, or_none()},
     Query{"datum", kNoArgument, "m", "Height at which potential energy is zero.", of_document<&world::Document::datum>},
-    Query{"longest", kNoArgument, "", "The longest segment; none without a segment.", longest, of_view(or_none(kText))},
+    Query{"longest", kNoArgument, "", "The longest segment; none without one.", longest, of_view(or_none(kText))},
     Query{"conflicts", kNoArgument, "",
           "Places where the track lacks clearance from itself: a train would be too close beside, below or above "
           "other track.",
