@@ -129,11 +129,10 @@ void wait_a_moment(Program& program, ui::WaitCard& card, const std::string& titl
     else if (!begins_something(event)) program.held_input.push_back(event);
   }
   const platform::Size size{program.stats.width, program.stats.height};
-  if (program.surface->size() != size || size.width < 1 || size.height < 1)
-    return;  // a picture of that size is missing
+  if (size.width < 1 || size.height < 1) return;  // there is no picture
   program.gl.BindFramebuffer(GL_FRAMEBUFFER, program.renderer->framebuffer());
   if (card.show(events, {&progress, "Command", title}, size.width, size.height)) progress.cancelled = true;
-  program.surface->present(program.renderer->framebuffer());
+  if (program.surface->size() == size) program.surface->present(program.renderer->framebuffer());
 }
 
 // Returns "Make joints G2" of "Make joints G2, where that is possible."

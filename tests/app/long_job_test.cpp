@@ -282,6 +282,15 @@ TEST_F(SlowCommands, change_nothing_when_escape_cancels_them) {
   run_frame(*program_, {platform::Tick{0.01}}, 0);
 }
 
+TEST_F(SlowCommands, can_be_cancelled_in_a_window_that_has_another_size_than_its_picture) {
+  surface(*program_).resize({200, 90});
+  surface(*program_).next = {platform::KeyPress{platform::Key::escape}, platform::Tick{0.01}};
+  const int shown = surface(*program_).presented;
+  apply_by_hand(*program_, {edit::MakeAllG2{}});
+  EXPECT_EQ(world::hash(program_->session.document), before_);
+  EXPECT_EQ(surface(*program_).presented, shown) << "a picture of that size is missing";
+}
+
 TEST_F(SlowCommands, show_their_card_in_windows_of_any_size) {
   for (const platform::Size size : {platform::Size{1, 1}, platform::Size{3, 700}, platform::Size{640, 480}}) {
     surface(*program_).resize(size);
