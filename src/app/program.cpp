@@ -183,10 +183,7 @@ base::Status apply(Program& program, const edit::Command& command) {
       if (!file.empty()) program.surface->offer(file.string());
   if (applied && command.is<edit::Share>())
     program.surface->set_clipboard(program.options.address + program.session.shared);
-  if (!applied || edit::info(command).effect != edit::Effect::session || edit::output_path(command) ||
-      command.is<edit::LoadEnvelope>() || edit::opens_link(command))
-    return applied;
-  // For another track: frames the whole track.
+  if (!applied || !edit::info(command).traits.replaces || edit::opens_link(command)) return applied;
   const edit::Session& session = program.session;
   const world::Camera camera = ui::framed_all(session, program.picture.view.viewport, program.picture.free);
   (void)apply_one(program, edit::set_camera(camera));

@@ -78,15 +78,22 @@ struct CommandKind {
   std::string_view target;
   Command (*make)();
   void (*fields)(Command& command, Fields& fields);
+  std::string* (*path)(Command& command);  // null: it uses no file
 };
 template <class C>
 constexpr CommandKind kind() {
-  return {&C::kInfo, target_usage<C>(), []() -> Command { return C{}; },
-          [](Command& command, Fields& fields) {
-            C::fields(*command.as<C>(), [&]<class T>(std::string_view name, T& value) {
-              fields.push_back({Keyword(name), &value, &kFieldType<T>});
-            });
-          }};
+  constexpr bool uses_file = requires(C c) { c.path; };
+  static_assert(uses_file == (C::kInfo.traits.path != PathUse::none),
+                "a command with a member `path` says in its traits whether it opens or writes that file");
+  CommandKind kind{&C::kInfo, target_usage<C>(), []() -> Command { return C{}; },
+                   [](Command& command, Fields& fields) {
+                     C::fields(*command.as<C>(), [&]<class T>(std::string_view name, T& value) {
+                       fields.push_back({Keyword(name), &value, &kFieldType<T>});
+                     });
+                   },
+                   nullptr};
+  if constexpr (uses_file) kind.path = [](Command& command) { return &command.as<C>()->path; };
+  return kind;
 }
 constexpr auto kKinds = Commands::table([]<class C>() { return kind<C>(); });
 
@@ -148,19 +155,13 @@ bool opens_link(const Command& command) {
   return load != nullptr && exchange::is_link(load->path);
 }
 
-const std::string* output_path(const Command& command) {
-  if (const Save* const save = command.as<Save>()) return &save->path;
-  if (const SaveMeasurements* const save = command.as<SaveMeasurements>()) return &save->path;
-  if (const SaveReport* const save = command.as<SaveReport>()) return &save->path;
-  if (const SaveSections* const save = command.as<SaveSections>()) return &save->path;
-  return nullptr;
+std::string* path_of(Command& command) {
+  const CommandKind& kind = kKinds[index_of(command)];
+  return kind.path ? kind.path(command) : nullptr;
 }
 
-void set_output_path(Command& command, std::string path) {
-  if (Save* const save = command.as<Save>()) save->path = std::move(path);
-  else if (SaveMeasurements* const table = command.as<SaveMeasurements>()) table->path = std::move(path);
-  else if (SaveReport* const report = command.as<SaveReport>()) report->path = std::move(path);
-  else if (SaveSections* const sections = command.as<SaveSections>()) sections->path = std::move(path);
+const std::string* output_path(const Command& command) {
+  return info(command).traits.path == PathUse::writes ? path_of(const_cast<Command&>(command)) : nullptr;
 }
 
 std::string print(const Command& command) {
