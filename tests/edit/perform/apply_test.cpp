@@ -306,6 +306,32 @@ bool too_costly(Command& command, test::RandomCommands& random) {
   return (command.is<AutoBank>() || timetable) && random.below(8) != 0;
 }
 
+// A command derives each segment of the track once; only sections that it plans again are derived as they are planned.
+TEST_F(Applying, a_command_derives_the_track_at_most_once) {
+  int derived = 0;
+  for (int i = 0; i < test::tries(60); ++i) {
+    const auto seed = static_cast<std::uint32_t>(i);
+    test::RandomCommands random(seed);
+    if (i % 3 == 0) circuit();
+    else start_on(test::random_document(seed));
+    for (int k = 0; k < 40; ++k) {
+      Command c = random.of_kind(random.below(Commands::size));
+      if (info(c).effect == Effect::session || too_costly(c, random)) continue;
+      const auto most = [&] { return session.document.track.segments.size(); };
+      const std::size_t before = most();
+      session.evaluated = {};
+      (void)apply(c);
+      std::size_t planned = 0;
+      for (const auto& section : session.document.entities.pool<world::Section>().items())
+        if (section.kind == world::SectionKind::force) planned = most();
+      const auto rebuilds = static_cast<std::size_t>(session.evaluated.rebuilds);
+      ASSERT_LE(rebuilds, std::max(before, most()) + planned) << print(c) << " on " << before << " segments";
+      derived += session.evaluated.rebuilds > 0;
+    }
+  }
+  EXPECT_GT(derived, test::tries(200));
+}
+
 // Whole sessions of any commands, files excepted, with the ride going on: nothing breaks, and the same
 // commands give the same state.
 RC_GTEST_PROP(apply, any_session_keeps_every_invariant_and_repeats_to_the_bit, ()) {

@@ -1,4 +1,4 @@
-#include "edit/perform/motion_follow.h"
+#include "edit/perform/follow.h"
 
 #include "edit/commands/commands_document.h"
 #include "edit/session_fixture.h"

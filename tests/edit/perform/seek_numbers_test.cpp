@@ -1,4 +1,4 @@
-#include "edit/perform/seek_numbers.h"
+#include "edit/perform/seek.h"
 
 #include "edit/force_fixture.h"
 #include "world/element.h"
