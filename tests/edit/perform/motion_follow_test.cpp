@@ -1,3 +1,4 @@
+// Tests how trains stay on their rails while segments come and go (edit/perform/follow.h).
 #include "edit/perform/follow.h"
 
 #include "edit/commands/commands_document.h"

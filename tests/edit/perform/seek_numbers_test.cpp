@@ -1,3 +1,4 @@
+// Tests which numbers a search may change (edit/perform/seek.h).
 #include "edit/perform/seek.h"
 
 #include "edit/force_fixture.h"
