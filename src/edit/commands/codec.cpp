@@ -15,14 +15,17 @@
 namespace coaster::edit {
 namespace {
 
-// "at?" is the keyword "at" of an optional field, "at?|by" one whose former name was "by". A command that takes
-// entities of any kind works only on segments, and help shows a segment.
+// "at?" is the keyword "at" of an optional field, "at?|by" one whose former name was "by". ":at" is a place on the
+// segment before it, "@s3:0.5", which was written "@s3 at 0.5". A command that takes entities of any kind works only on
+// segments, and help shows a segment.
 struct Keyword {
   std::string word, former;
-  bool optional = false;
-  explicit Keyword(std::string_view text) : word(text.substr(0, text.find('|'))), optional(word.ends_with('?')) {
+  bool optional = false, place = false;
+  explicit Keyword(std::string_view text)
+      : word(text.substr(0, text.find('|'))), optional(word.ends_with('?')), place(word.starts_with(':')) {
     if (const std::size_t bar = text.find('|'); bar != std::string_view::npos) former = text.substr(bar + 1);
     if (optional) word.pop_back();
+    if (place) word.erase(0, 1);
   }
   bool is(std::string_view text) const { return text == word || (!former.empty() && text == former); }
 };
@@ -113,10 +116,12 @@ std::string usage(const CommandKind& row) {
   Command command = row.make();
   std::string text(row.info->name);
   for (const Field& field : fields_of(command)) {
-    std::string part = field.keyword.word;
-    if (!part.empty() && !field.flag()) part += ' ';
-    part += field.is_target() ? std::string(row.target) : field.type->usage(field.value);
-    text += field.keyword.optional ? " [" + part + "]" : " " + part;
+    const bool place = field.keyword.place;
+    std::string part = place ? ":" : field.keyword.word;
+    if (!part.empty() && !place && !field.flag()) part += ' ';
+    part += field.is_target() ? std::string(row.target) : place ? "T" : field.type->usage(field.value);
+    if (field.keyword.optional) part = "[" + part + "]";
+    text += place ? part : " " + part;
   }
   return text;
 }
@@ -128,7 +133,8 @@ bool read_field(base::Words& words, const Field& field) {
     const bool here = words.peek() && keyword.is(words.peek()->text);
     if (keyword.optional && !here) return true;
     const Names one{here ? words.peek()->text : keyword.word};
-    if (!words.one_of(fmt::format("\"{}\"", keyword.word), one)) return false;
+    if (!words.one_of(keyword.place ? "a place such as @s3:0.5" : fmt::format("\"{}\"", keyword.word), one))
+      return false;
   }
   return field.type->read(words, field.value);
 }
@@ -144,6 +150,23 @@ std::string done_part(const Fields& fields, std::string_view part, const world::
   if (choice == std::string_view::npos) return words;
   const std::size_t other = part.find('|', choice);
   return std::string(words == "on" ? part.substr(choice + 1, other - choice - 1) : part.substr(other + 1));
+}
+
+// Returns the words with "@s3:0.5" as the three of its former form, "@s3", "at" and "0.5".
+std::vector<base::Token> apart(std::span<const base::Token> tokens, const std::string& at) {
+  std::vector<base::Token> all;
+  for (const base::Token& token : tokens) {
+    const std::size_t colon = token.quoted || token.text.starts_with(':') ? std::string::npos : token.text.find(':');
+    if (colon == std::string::npos) {
+      all.push_back(token);
+      continue;
+    }
+    const int column = token.column + static_cast<int>(colon);
+    all.push_back({token.text.substr(0, colon), token.column});
+    all.push_back({at, column});
+    if (colon + 1 < token.text.size()) all.push_back({token.text.substr(colon + 1), column + 1});
+  }
+  return all;
 }
 
 }  // namespace
@@ -179,8 +202,13 @@ std::string print(const Command& command) {
     if (field.keyword.optional && of_anything && !on_segment) continue;
     const Flag* const flag = field.flag();
     if (flag && !flag->set) continue;
+    const std::string value = field.type->print(field.value);
+    if (field.keyword.place) {
+      text += ":" + value;
+      continue;
+    }
     if (!field.keyword.word.empty()) text += " " + field.keyword.word;
-    if (const std::string value = field.type->print(field.value); !value.empty()) text += " " + value;
+    if (!value.empty()) text += " " + value;
   }
   return text;
 }
@@ -228,10 +256,13 @@ base::Result<Command> parse(std::span<const base::Token> tokens, base::TextError
                                            base::suggestion(tokens[0].text, command_names()))};
     return failed();
   }
-  base::Words words(tokens, error);
-  words.take("a command");
   Command result = row->make();
   const Fields fields = fields_of(result);
+  const auto place = std::ranges::find_if(fields, [](const Field& field) { return field.keyword.place; });
+  std::vector<base::Token> former;
+  if (place != fields.end()) tokens = former = apart(tokens, place->keyword.word);
+  base::Words words(tokens, error);
+  words.take("a command");
   const bool read =
       std::all_of(fields.begin(), fields.end(), [&](const Field& field) { return read_field(words, field); });
   if (read && words.at_end()) return result;
