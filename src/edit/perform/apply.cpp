@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <type_traits>
 #include <utility>
 
 #include <fmt/format.h>
@@ -28,10 +30,48 @@ namespace {
 
 using base::Status;
 
+template <class T>
+bool finite(const T& value) {
+  if constexpr (std::is_floating_point_v<T>) return std::isfinite(value);
+  else if constexpr (std::is_same_v<T, glm::vec3>) return finite(value.x) && finite(value.y) && finite(value.z);
+  else if constexpr (std::is_same_v<T, world::Element>) return std::ranges::all_of(value.values, finite<double>);
+  else if constexpr (requires { value.has_value(); }) return !value || finite(*value);
+  else if constexpr (requires { T::fields(value, [](std::string_view, const auto&) {}); }) {
+    bool all = true;
+    T::fields(value, [&](std::string_view, const auto& part) { all = all && finite(part); });
+    return all;
+  } else return true;
+}
+
+// Returns the kind of the entity that a command names in a field of that name; nothing where several kinds may be.
+template <class C>
+constexpr std::optional<world::Kind> named_kind(const C&) {
+  if constexpr (std::is_same_v<C, RemoveKnot>) return std::nullopt;
+  else if constexpr (requires(C c) { c.segment.name; }) return world::Kind::segment;
+  else if constexpr (requires(C c) { c.cart.name; }) return world::Kind::cart;
+  else if constexpr (requires(C c) { c.section.name; }) return world::Kind::section;
+  else if constexpr (requires(C c) { c.knot.name; }) return world::Kind::knot;
+  else return std::nullopt;
+}
+
+// Refuses a command whose entity does not exist, or whose numbers are not finite.
+template <class C>
+Status checked(const Session& session, const C& command) {
+  Status status;
+  C::fields(command, [&]<class T>(std::string_view, const T& value) {
+    if constexpr (std::is_same_v<T, Target>)
+      if (const auto kind = named_kind(command); kind && status) status = require(session, value, *kind).status();
+    if (status && !finite(value)) status = refused("expected finite numbers");
+  });
+  return status;
+}
+
 using Perform = Status (*)(Session&, Change&, const Command&);
 constexpr auto kPerform = Commands::table([]<class C>() -> Perform {
   return [](Session& session, Change& change, const Command& command) -> Status {
-    return perform(session, change, *command.as<C>());
+    const C& one = *command.as<C>();
+    const Status status = checked(session, one);
+    return status ? perform(session, change, one) : status;
   };
 });
 

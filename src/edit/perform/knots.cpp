@@ -35,17 +35,14 @@ void shaped_by_hand(Knot& knot) {
 }  // namespace
 
 Status perform(Session& session, Change& change, const MoveKnot& command) {
-  const auto e = require(session, command.knot, Kind::knot);
-  if (!e) return e.status();
-  if (!finite(command.to)) return refused("expected 3 finite numbers");
-  knot_at(session, *e).position = change.clamp_position("position", command.to);
+  const world::Entity e = entity_of(session, command.knot);
+  knot_at(session, e).position = change.clamp_position("position", command.to);
   return {};
 }
 
 Status perform(Session& session, Change& change, const MoveHandle& command) {
   const auto e = require(session, {command.handle.knot}, Kind::knot);
   if (!e) return e.status();
-  if (!finite(command.to)) return refused("expected 3 finite numbers");
   Knot& knot = knot_at(session, *e);
   const bool in = command.handle.end == HandleEnd::in;
   glm::dvec3 arm = glm::dvec3(command.to) - glm::dvec3(knot.position);
@@ -64,7 +61,6 @@ Status perform(Session& session, Change& change, const MoveHandle& command) {
 Status perform(Session& session, Change&, const SetDirection& command) {
   const auto knots = knots_of(session, command.knots);
   if (!knots) return knots.status();
-  if (!finite(command.to)) return refused("expected 3 finite numbers");
   if (!(glm::length(glm::dvec3(command.to)) >= kShortDirection)) return refused("expected a direction longer than 0");
   for (const world::Entity e : *knots) {
     Knot& knot = knot_at(session, e);
@@ -77,7 +73,6 @@ Status perform(Session& session, Change&, const SetDirection& command) {
 Status perform(Session& session, Change& change, const SetLengths& command) {
   const auto knots = knots_of(session, command.knots);
   if (!knots) return knots.status();
-  if (!std::isfinite(command.in) || !std::isfinite(command.out)) return refused("expected finite lengths");
   const float in = change.clamp("handle length", command.in, world::kMinHandle, world::kMaxHandle, "m");
   const float out = change.clamp("handle length", command.out, world::kMinHandle, world::kMaxHandle, "m");
   for (const world::Entity e : *knots) {
@@ -92,7 +87,6 @@ Status perform(Session& session, Change& change, const SetLengths& command) {
 Status perform(Session& session, Change& change, const SetRoll& command) {
   const auto knots = knots_of(session, command.knots);
   if (!knots) return knots.status();
-  if (!std::isfinite(command.to)) return refused("expected a finite angle");
   for (const world::Entity e : *knots)
     world::set_roll(knot_at(session, e), command.to);  // any angle is valid: it wraps
   change.respun = with_neighbours(session.document, *knots);
@@ -102,7 +96,6 @@ Status perform(Session& session, Change& change, const SetRoll& command) {
 Status perform(Session& session, Change& change, const SetSpin& command) {
   const auto knots = knots_of(session, command.knots);
   if (!knots) return knots.status();
-  if (!std::isfinite(command.to)) return refused("expected a finite rate");
   const double most = base::degrees(double{world::kMaxSpin});
   const auto spin = static_cast<float>(base::radians(change.clamp("spin", command.to, -most, most, "deg/m")));
   for (const world::Entity e : *knots) {
@@ -133,11 +126,10 @@ Status perform(Session& session, Change&, const SetJoint& command) {
 }
 
 Status perform(Session& session, Change& change, const SetTurns& command) {
-  const auto e = require(session, command.segment, Kind::segment);
-  if (!e) return e.status();
-  session.document.entities.get<world::Segment>(*e).turns =
+  const world::Entity e = entity_of(session, command.segment);
+  session.document.entities.get<world::Segment>(e).turns =
       change.clamp("turns", command.to, -world::kMaxTurns, world::kMaxTurns);
-  const world::Segment& segment = world::segment(session.document, *e);
+  const world::Segment& segment = world::segment(session.document, e);
   change.respun = {segment.from, segment.to};
   return {};
 }
@@ -173,9 +165,8 @@ std::string told(std::string_view what, std::optional<double> before, std::optio
 }  // namespace
 
 Status perform(Session& session, Change& change, const MakeG2& command) {
-  const auto e = require(session, command.knot, world::Kind::knot);
-  if (!e) return e.status();
-  const std::size_t index = *world::index_of(session.document.track.knots, *e);
+  const world::Entity e = entity_of(session, command.knot);
+  const std::size_t index = *world::index_of(session.document.track.knots, e);
   double movement = 0;
   const std::span<const sim::Jolt> jolts = Finder(session).jolts();  // of the ride before
   const world::Document before = session.document;
@@ -283,13 +274,10 @@ Status transform(Session& session, Change& change, const Knots& which, const Map
 }  // namespace
 
 Status perform(Session& session, Change& change, const Translate& command) {
-  if (!finite(command.by)) return refused("expected 3 finite numbers");
   return transform(session, change, command.knots, {.by = dvec3(command.by), .rigid_shift = true}, command.from_start);
 }
 
 Status perform(Session& session, Change& change, const Rotate& command) {
-  if (!finite(command.about) || !finite(command.axis) || !std::isfinite(command.by))
-    return refused("expected finite numbers");
   const dvec3 axis(command.axis);
   if (!(glm::length(axis) >= kShortAxis)) return refused("expected an axis longer than 0");
   const dvec3 unit = axis / glm::length(axis);
@@ -301,7 +289,6 @@ Status perform(Session& session, Change& change, const Rotate& command) {
 }
 
 Status perform(Session& session, Change& change, const Scale& command) {
-  if (!finite(command.about) || !finite(command.by)) return refused("expected finite numbers");
   dmat3 linear(1.0);
   for (int i = 0; i < 3; ++i) {
     if (!(std::abs(double{command.by[i]}) >= kLeastFactor))
@@ -313,7 +300,6 @@ Status perform(Session& session, Change& change, const Scale& command) {
 }
 
 Status perform(Session& session, Change& change, const Mirror& command) {
-  if (!finite(command.about) || !finite(command.across)) return refused("expected finite numbers");
   const dvec3 across(command.across);
   if (!(glm::length(across) >= kShortAxis)) return refused("expected a normal longer than 0");
   const dvec3 n = across / glm::length(across);
@@ -324,7 +310,6 @@ Status perform(Session& session, Change& change, const Mirror& command) {
 Status perform(Session& session, Change& change, const Align& command) {
   const auto knots = knots_of(session, command.knots);
   if (!knots) return knots.status();
-  if (!std::isfinite(command.to)) return refused("expected a finite coordinate");
   const int axis = static_cast<int>(command.axis);
   const std::string what = fmt::format("position.{}", base::name_of(command.axis));
   const double to = change.clamp(what, command.to, -double{world::kMaxCoordinate}, double{world::kMaxCoordinate}, "m");

@@ -213,15 +213,14 @@ Status replan_element(Session& session, Change& change, Document& document, Enti
 }
 
 Status perform(Session& session, Change& change, const ChangeSection& command) {
-  const auto section = require(session, command.section, world::Kind::section);
-  if (!section) return section.status();
+  const world::Entity section = entity_of(session, command.section);
   if (const Status good = well_formed(command.to); !good) return good;
   const Document& start = session.history.gesture_start;
   const bool from_start =
-      command.from_start && session.history.in_gesture && start.entities.find<world::Section>(*section);
+      command.from_start && session.history.in_gesture && start.entities.find<world::Section>(section);
   const Document& former = from_start ? start : session.document;
   Document next = former;
-  if (const Status planned = replan_element(session, change, next, *section, command.to); !planned) return planned;
+  if (const Status planned = replan_element(session, change, next, section, command.to); !planned) return planned;
   return adopt(session, change, former, std::move(next));
 }
 

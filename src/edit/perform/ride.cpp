@@ -71,7 +71,6 @@ Status perform(Session& session, Change& change, const RideStep& command) {
 Status perform(Session& session, Change&, const RideSeek& command) {
   const Status status = rideable(session);
   if (!status) return status;
-  if (!std::isfinite(command.to)) return refused("expected a finite distance");
   const double length = session.derived.length, end = std::max(length, double{static_cast<float>(length)});
   if (const Status on = within("a distance along the track", command.to, 0, end, "m"); !session.derived.closed && !on)
     return on;

@@ -51,70 +51,64 @@ Status perform(Session& session, Change& change, const MakeSection& command) {
 }
 
 Status perform(Session& session, Change& change, const SplitSection& command) {
-  const auto knot = require(session, command.knot, Kind::knot);
-  if (!knot) return knot.status();
+  const world::Entity knot = entity_of(session, command.knot);
   world::Document& document = session.document;
-  const std::size_t at = *world::index_of(document.track.knots, *knot);
+  const std::size_t at = *world::index_of(document.track.knots, knot);
   const auto section_at = [&](std::size_t i) {
     return i < document.track.segments.size() ? world::segment(document, document.track.segments[i]).section
                                               : world::kNone;
   };
   const Entity section = section_at(at);
   if (at == 0 || !section.valid() || section_at(at - 1) != section)
-    return refused(fmt::format("@{} is not inside a section", world::label_of(document, *knot)));
+    return refused(fmt::format("@{} is not inside a section", world::label_of(document, knot)));
   const SectionRun run = world::run_of(document, section);
   change.select = world::make_section(document, at, run.end() - at, {});
   return {};
 }
 
 Status perform(Session& session, Change& change, const JoinSections& command) {
-  const auto section = require(session, command.section, Kind::section);
-  if (!section) return section.status();
+  const world::Entity section = entity_of(session, command.section);
   world::Document& document = session.document;
   const std::vector<SectionRun> runs = world::sections_of(document);
-  const SectionRun run = world::run_of(document, *section);
+  const SectionRun run = world::run_of(document, section);
   if (run.end() == document.track.segments.size())
-    return refused("there is no section after " + world::words_of(world::section(document, *section)));
+    return refused("there is no section after " + world::words_of(world::section(document, section)));
   const SectionRun next = world::run_of(document, world::segment(document, document.track.segments[run.end()]).section);
-  std::string title = world::section(document, *section).title;
+  std::string title = world::section(document, section).title;
   if (title.empty()) title = world::section(document, next.section).title;
   change.select = world::make_section(document, run.first, run.count + next.count, {std::move(title), {}, {}});
   return {};
 }
 
 Status perform(Session& session, Change&, const SetSectionTitle& command) {
-  const auto section = require(session, command.section, Kind::section);
-  if (!section) return section.status();
+  const world::Entity section = entity_of(session, command.section);
   if (command.to.size() > world::kMaxNameBytes)
     return refused(fmt::format("the title is over the limit of {} bytes", world::kMaxNameBytes));
   if (!base::is_printable_utf8(command.to)) return refused("expected a title in UTF-8 without control characters");
-  session.document.entities.get<world::Section>(*section).title = command.to;
+  session.document.entities.get<world::Section>(section).title = command.to;
   return {};
 }
 
 Status perform(Session& session, Change& change, const EquipSection& command) {
-  const auto section = require(session, command.section, Kind::section);
-  if (!section) return section.status();
-  base::Result<world::Equipment> equipment = equipment_of(command.to, change);
-  if (!equipment) return equipment.status();
-  const SectionRun run = world::run_of(session.document, *section);
-  auto& kept = session.document.entities.get<world::Section>(*section);
+  const world::Entity section = entity_of(session, command.section);
+  const world::Equipment equipment = equipment_of(command.to, change);
+  const SectionRun run = world::run_of(session.document, section);
+  auto& kept = session.document.entities.get<world::Section>(section);
   const std::span<const Entity> segments = session.document.track.segments;
-  equip(session.document, change, segments.subspan(run.first, run.count), *equipment, world::words_of(kept));
-  name_equipment(kept, &*equipment);
+  equip(session.document, change, segments.subspan(run.first, run.count), equipment, world::words_of(kept));
+  name_equipment(kept, &equipment);
   return {};
 }
 
 Status perform(Session& session, Change& change, const UnequipSection& command) {
-  const auto section = require(session, command.section, Kind::section);
-  if (!section) return section.status();
-  const SectionRun run = world::run_of(session.document, *section);
+  const world::Entity section = entity_of(session, command.section);
+  const SectionRun run = world::run_of(session.document, section);
   auto& equipment = session.document.entities.pool<world::Equipment>();
   const std::size_t before = equipment.size();
   for (std::size_t i = run.first; i < run.end(); ++i) equipment.erase(session.document.track.segments[i]);
   if (equipment.size() == before)
-    return refused("there is no equipment on " + world::words_of(world::section(session.document, *section)));
-  auto& kept = session.document.entities.get<world::Section>(*section);
+    return refused("there is no equipment on " + world::words_of(world::section(session.document, section)));
+  auto& kept = session.document.entities.get<world::Section>(section);
   name_equipment(kept, nullptr);
   change.note = fmt::format("Removed the equipment of {}.", world::words_of(kept));
   return {};
@@ -214,13 +208,12 @@ Status swap_runs(Document& document, const SectionRun& run, const SectionRun& ne
 }  // namespace
 
 Status perform(Session& session, Change& change, const DeleteSection& command) {
-  const auto section = require(session, command.section, world::Kind::section);
-  if (!section) return section.status();
+  const world::Entity section = entity_of(session, command.section);
   Document next = session.document;
-  const SectionRun run = world::run_of(next, *section);
+  const SectionRun run = world::run_of(next, section);
   if (const Status may = may_move(next, run.end()); !may) return may;
   const bool closes_gap = run.first > 0 && run.end() < next.track.segments.size();
-  const std::string title = world::words_of(world::section(next, *section));
+  const std::string title = world::words_of(world::section(next, section));
   if (closes_gap) {
     const Knot start = nth_knot(next, run.first), end = nth_knot(next, run.end());
     const auto carry = sim::carry_between(end, start);
@@ -228,7 +221,7 @@ Status perform(Session& session, Change& change, const DeleteSection& command) {
     if (const Status carried = carry_after(next, run.end(), *carry); !carried) return carried;
     begin_there(knot_to_change(next, run.first), end.out_length);
   }
-  world::remove_section(next, *section);
+  world::remove_section(next, section);
   const auto trains = [](const Document& document) { return document.entities.pool<world::Cart>().size(); };
   const std::size_t lost = trains(session.document) - trains(next);
   change.note = fmt::format("Deleted {}{}.{}", title,
@@ -240,28 +233,26 @@ Status perform(Session& session, Change& change, const DeleteSection& command) {
 }
 
 Status perform(Session& session, Change& change, const MirrorSection& command) {
-  const auto section = require(session, command.section, world::Kind::section);
-  if (!section) return section.status();
+  const world::Entity section = entity_of(session, command.section);
   Document next = session.document;
-  world::Section& value = next.entities.get<world::Section>(*section);
+  world::Section& value = next.entities.get<world::Section>(section);
   const bool same = value.kind == world::SectionKind::element && mirrored(value.element) == value.element;
   if (value.kind == world::SectionKind::force) value.force = mirrored(value.force);
   const Status done = value.kind == world::SectionKind::element
-                          ? replan_element(session, change, next, *section, mirrored(value.element))
-                      : value.kind == world::SectionKind::force ? replan_force(session, change, next, *section)
-                                                                : mirror_knots(next, world::run_of(next, *section));
+                          ? replan_element(session, change, next, section, mirrored(value.element))
+                      : value.kind == world::SectionKind::force ? replan_force(session, change, next, section)
+                                                                : mirror_knots(next, world::run_of(next, section));
   if (!done) return done;
-  const std::string title = world::words_of(world::section(next, *section));
+  const std::string title = world::words_of(world::section(next, section));
   change.note = same ? base::sentence(title + " is the same to both sides") : fmt::format("Mirrored {}.", title);
   return adopt(session, change, session.document, std::move(next));
 }
 
 Status perform(Session& session, Change& change, const MoveSection& command) {
-  const auto section = require(session, command.section, world::Kind::section);
-  if (!section) return section.status();
+  const world::Entity section = entity_of(session, command.section);
   Document next = session.document;
   const std::vector<SectionRun> runs = world::sections_of(next);
-  const auto at = std::find(runs.begin(), runs.end(), world::run_of(next, *section));
+  const auto at = std::find(runs.begin(), runs.end(), world::run_of(next, section));
   const bool earlier = command.to == Neighbour::before;
   const auto title = [&](const SectionRun& run) { return world::words_of(world::section(next, run.section)); };
   if (earlier ? at == runs.begin() : at + 1 == runs.end())

@@ -26,9 +26,6 @@ std::string noun_of(std::string_view word) {
 
 Status perform(Session& session, Change& change, const SetCamera& command) {
   world::Camera camera = changed(session.settings.camera, command);
-  if (!finite(camera.target) || !std::isfinite(camera.yaw_deg) || !std::isfinite(camera.pitch_deg) ||
-      !std::isfinite(camera.distance))
-    return refused("expected finite numbers");
   camera.target = change.clamp_position("target", camera.target);
   camera.yaw_deg = std::remainder(camera.yaw_deg, 360.0f);
   camera.pitch_deg = change.clamp("pitch", camera.pitch_deg, -world::kMaxPitch, world::kMaxPitch, "degrees");
@@ -39,8 +36,6 @@ Status perform(Session& session, Change& change, const SetCamera& command) {
 
 Status perform(Session& session, Change& change, const SetFly& command) {
   world::FlyCamera fly = command.to;
-  if (!finite(fly.eye) || !std::isfinite(fly.yaw_deg) || !std::isfinite(fly.pitch_deg))
-    return refused("expected finite numbers");
   fly.eye = change.clamp_position("eye", fly.eye);
   fly.eye.y = change.clamp("height", fly.eye.y, world::kLowestFlight, world::kMaxCoordinate, "m");
   fly.yaw_deg = std::remainder(fly.yaw_deg, 360.0f);
@@ -111,7 +106,6 @@ Status perform(Session& session, Change&, const SelectSections& command) {
 }
 
 Status perform(Session& session, Change& change, const SetSnapping& command) {
-  if (!std::isfinite(command.step) || !std::isfinite(command.angle)) return refused("expected finite numbers");
   session.settings.snapping = {command.to, change.clamp("step", command.step, 0.001, 1000.0, "m"),
                                change.clamp("angle", command.angle, 0.1, 180.0, "degrees")};
   return {};

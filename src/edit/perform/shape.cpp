@@ -152,7 +152,6 @@ Status perform(Session& session, Change& change, const SetRadius& command) {
   constexpr int kSweeps = 30;                  // adjacent changed knots affect each other
   const auto knots = knots_of(session, command.knots);
   if (!knots) return knots.status();
-  if (!std::isfinite(command.to)) return refused("expected a finite radius");
   const double radius = change.clamp("radius", command.to, kLeast, kMost, "m");
   world::Document next = session.document;
   const Places at{next};
@@ -184,7 +183,6 @@ Status perform(Session& session, Change& change, const SetRadius& command) {
 Status perform(Session& session, Change& change, const DropToGround& command) {
   const auto knots = knots_of(session, command.knots);
   if (!knots) return knots.status();
-  if (!std::isfinite(command.to)) return refused("expected a finite height");
   const float to = static_cast<float>(
       change.clamp("height", command.to, -double{world::kMaxCoordinate}, double{world::kMaxCoordinate}, "m"));
   for (const Entity e : *knots) {
@@ -195,40 +193,25 @@ Status perform(Session& session, Change& change, const DropToGround& command) {
   return {};
 }
 
-namespace {
-
-bool finite(std::initializer_list<double> values) {
-  for (const double value : values)
-    if (!std::isfinite(value)) return false;
-  return true;
-}
-
-}  // namespace
-
 Status perform(Session& session, Change& change, const SetEquipment& command) {
-  const auto segment = require(session, command.segment, world::Kind::segment);
-  if (!segment) return segment.status();
-  const base::Result<world::Equipment> equipment = equipment_of(command.to, change);
-  if (!equipment) return equipment.status();
-  equip(session.document, change, {&*segment, 1}, *equipment, world::label_of(session.document, *segment));
+  const world::Entity segment = entity_of(session, command.segment);
+  const world::Equipment equipment = equipment_of(command.to, change);
+  equip(session.document, change, {&segment, 1}, equipment, world::label_of(session.document, segment));
   return {};
 }
 
 Status perform(Session& session, Change& change, const RemoveEquipment& command) {
-  const auto segment = require(session, command.segment, world::Kind::segment);
-  if (!segment) return segment.status();
-  if (!session.document.entities.find<world::Equipment>(*segment))
-    return refused("there is no equipment on @" + world::label_of(session.document, *segment));
-  session.document.entities.pool<world::Equipment>().erase(*segment);
-  change.note = fmt::format("Removed the equipment of {}.", world::label_of(session.document, *segment));
+  const world::Entity segment = entity_of(session, command.segment);
+  if (!session.document.entities.find<world::Equipment>(segment))
+    return refused("there is no equipment on @" + world::label_of(session.document, segment));
+  session.document.entities.pool<world::Equipment>().erase(segment);
+  change.note = fmt::format("Removed the equipment of {}.", world::label_of(session.document, segment));
   return {};
 }
 
 Status perform(Session& session, Change& change, const SetTrain& command) {
-  const auto cart = require(session, command.cart, world::Kind::cart);
-  if (!cart) return cart.status();
-  if (!finite({command.spacing, command.length, command.mass})) return refused("expected finite numbers");
-  world::Cart& design = session.document.entities.get<world::Cart>(*cart);
+  const world::Entity cart = entity_of(session, command.cart);
+  world::Cart& design = session.document.entities.get<world::Cart>(cart);
   design.cars = change.clamp("cars", command.cars, 1, world::kMaxCars);
   if (command.spacing != 0)
     design.spacing = change.clamp("spacing", command.spacing, world::kMinSpacing, world::kMaxSpacing, "m");
@@ -239,7 +222,6 @@ Status perform(Session& session, Change& change, const SetTrain& command) {
 }
 
 Status perform(Session& session, Change& change, const SetLosses& command) {
-  if (!finite({command.rolling, command.drag})) return refused("expected finite numbers");
   session.document.resistance.rolling = change.clamp("rolling friction", command.rolling, 0.0f, world::kMaxRolling);
   session.document.resistance.drag = change.clamp("drag", command.drag, 0.0f, world::kMaxDrag, "1/m");
   return {};
@@ -251,7 +233,6 @@ Status perform(Session& session, Change&, const SetLossSet& command) {
 }
 
 Status perform(Session& session, Change& change, const SetHeartline& command) {
-  if (!std::isfinite(command.to)) return refused("expected a finite height");
   session.document.heartline = change.clamp("heartline", command.to, -world::kMaxHeartline, world::kMaxHeartline, "m");
   return {};
 }

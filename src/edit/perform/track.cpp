@@ -65,11 +65,10 @@ Entity longest_segment(const sim::Derived& derived) {
 }  // namespace
 
 Status perform(Session& session, Change& change, const SplitSegment& command) {
-  const auto e = require(session, command.segment, Kind::segment);
-  if (!e) return e.status();
+  const world::Entity e = entity_of(session, command.segment);
   if (!(command.at > 0 && command.at < 1))
     return refused(fmt::format("expected a parameter t between 0 and 1, found {:.6g}", command.at));
-  return split_at(session, change, *e, command.at);
+  return split_at(session, change, e, command.at);
 }
 
 Status perform(Session& session, Change& change, const AddCurve&) {
@@ -85,7 +84,6 @@ Status perform(Session& session, Change& change, const AddCurve&) {
 }
 
 Status perform(Session& session, Change& change, const AppendKnot& command) {
-  if (!finite(command.at)) return refused("expected 3 finite numbers");
   return append_at(session, change, change.clamp_position("position", command.at));
 }
 
@@ -127,12 +125,11 @@ Status perform(Session& session, Change& change, const SetClosed& command) {
 }
 
 Status perform(Session& session, Change& change, const AddCart& command) {
-  const auto e = require(session, command.segment, Kind::segment);
-  if (!e) return e.status();
+  const world::Entity e = entity_of(session, command.segment);
   if (const Status on = within("a fraction of the length", command.at, 0, 1); !on) return on;
   if (session.document.entities.pool<world::Cart>().size() >= world::kMaxCarts)
     return refused(fmt::format("a track has at most {} trains", world::kMaxCarts));
-  change.select = world::add_cart(session.document, *e, command.at);
+  change.select = world::add_cart(session.document, e, command.at);
   warn_of_deadlock(session);
   return {};
 }
@@ -146,13 +143,11 @@ Status perform(Session& session, Change&, const SetName& command) {
 }
 
 Status perform(Session& session, Change& change, const SetStartSpeed& command) {
-  if (!std::isfinite(command.to)) return refused("expected a finite speed");
   session.document.start_speed = change.clamp("start speed", command.to, -world::kMaxSpeed, world::kMaxSpeed, "m/s");
   return {};
 }
 
 Status perform(Session& session, Change& change, const SetDatum& command) {
-  if (!std::isfinite(command.to)) return refused("expected a finite height");
   session.document.datum =
       change.clamp("datum", command.to, -double{world::kMaxCoordinate}, double{world::kMaxCoordinate}, "m");
   return {};
@@ -255,7 +250,7 @@ Status perform(Session& session, Change& change, const CloseExactly& command) {
   const world::Track& track = document.track;
   if (track.closed) return refused("the track is closed already");
   if (track.knots.size() < 2) return refused("a closed track needs at least 2 knots");
-  if (!std::isfinite(command.within) || command.within < 0) return refused("expected a distance of 0 m or more");
+  if (command.within < 0) return refused("expected a distance of 0 m or more");
   const Entity first = track.knots.front(), last = track.knots.back();
   const double gap =
       glm::length(dvec3(world::knot(document, last).position) - dvec3(world::knot(document, first).position));
