@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "curve/frames.h"
-#include "sim/fit/fit_handles.h"
+#include "sim/fit/fit_span.h"
 #include "world/components.h"
 
 namespace coaster::exchange {

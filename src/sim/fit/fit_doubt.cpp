@@ -4,7 +4,6 @@
 #include <cmath>
 #include <numbers>
 
-#include "sim/fit/row_quintic.h"
 #include "world/motion.h"
 
 namespace coaster::sim {

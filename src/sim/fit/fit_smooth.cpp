@@ -7,7 +7,6 @@
 
 #include "base/portable_math.h"
 #include "curve/natural_spline.h"
-#include "sim/fit/row_quintic.h"
 #include "sim/shape/roll.h"
 
 namespace coaster::sim {

@@ -1,15 +1,62 @@
-// Fits one cubic to the rows between two knots: handle lengths, and the allowed rolls of the knots. Used by
-// fit_track.cpp.
+// One span of a fit to rows: its handles, and the rolls of its two knots with which it keeps the rows' frames within a
+// bound.
 #pragma once
 
 #include <span>
 #include <vector>
 
-#include "sim/fit/fit_handles.h"
+#include <glm/glm.hpp>
+
+#include "curve/cubic.h"
 #include "sim/fit/fit_rows.h"
-#include "sim/fit/roll_window.h"
 
 namespace coaster::sim {
+
+// The additional rolls (a, b) of the first and the second knot, radians, that keep all frames within the bound: a
+// convex polygon, empty if there are none.
+using RollWindow = std::vector<glm::dvec2>;
+
+// Keeps the part of the polygon with normal . x <= limit. A corner that is off by rounding stays: otherwise each row of
+// a straight, whose lines all meet in two corners, would add corners there. `spare` is memory that is reused.
+void clip(RollWindow& polygon, glm::dvec2 normal, double limit, RollWindow& spare);
+
+// The smallest and largest roll of the second knot within a window; low > high if it is empty.
+struct RollRange {
+  double low = 1, high = -1;
+};
+RollRange second_rolls(const RollWindow& window);
+
+// Returns the roll nearest to `wanted` that the window allows the first knot when the second has `second`.
+double first_roll(const RollWindow& window, double second, double wanted);
+
+struct Handles {
+  double out, in;  // m
+};
+// Of the rows' length: curvature changes quickly beside shorter handles.
+inline constexpr double kLeastHandle = 0.25;
+struct SpanEnds {
+  glm::dvec3 p0, t0, p3, t3;           // positions and unit tangents
+  double least_handle = kLeastHandle;  // of the rows' length
+};
+
+curve::CoefficientsD curve_of(const SpanEnds& ends, Handles handles);
+
+// Returns the parameter nearest to `target` by Newton's method from t, kept in [0,1].
+double nearer(const curve::CoefficientsD& c, glm::dvec3 target, double t, int steps);
+
+// Returns the curvature vector, 1/m.
+glm::dvec3 bend_of(const curve::CoefficientsD& c, double t);
+
+// Returns the handles with the smallest distances of the rows between `first` and `last`, by Gauss-Newton on the
+// distances perpendicular to the curve: a row's position along it is ignored, so sliding parameters do not slow it
+// down. Sets the parameters of some of the rows, and their fractions of the length.
+Handles fit_handles(std::span<const FitRow> rows, std::span<const double> distances, std::size_t first,
+                    std::size_t last, const SpanEnds& ends, std::vector<double>& parameters,
+                    std::vector<double>& stations);
+
+// Returns the handles with which a short span has curvatures closest to `from` and `to` at its
+// ends, while its curvature stays within `limit` if possible. Searches from `start` in decreasing steps.
+Handles most_alike(const SpanEnds& ends, double length, glm::dvec3 from, glm::dvec3 to, double limit, Handles start);
 
 // The tolerances of a fit, and the rows whose frames are ignored.
 struct SpanBounds {

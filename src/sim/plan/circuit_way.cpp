@@ -1,18 +1,283 @@
 #include "sim/plan/circuit_way.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
 #include "base/portable_math.h"
-#include "sim/plan/circuit_fade.h"
+#include "sim/plan/circuit_heights.h"
 #include "world/motion.h"
 
 namespace coaster::sim {
 namespace {
 
+using base::kPi;
 using glm::dvec2;
+
+constexpr int kGrid = 144;  // steps of a whole turn
+constexpr double kGridStep = 2.0 * kPi / kGrid;
+constexpr double kUnit = 1000;  // m, a radius at which no bend is too short
+
+dvec2 along(double heading) {
+  const auto [sin, cos] = base::sin_cos(heading);
+  return {cos, sin};
+}
+dvec2 swung(dvec2 v, double heading) {
+  const dvec2 e = along(heading);
+  return {v.x * e.x - v.y * e.y, v.x * e.y + v.y * e.x};
+}
+
+// Returns the bend with soft ramps: the roll follows the curvature, whose second derivative must not jump.
+Bend soft(Bend bend) {
+  bend.soft = true;
+  return bend;
+}
+
+// Displacements of bends by their angle, up to two whole turns, for a radius of 1 m and the heading 0.
+struct TurnTable {
+  std::array<dvec2, 2 * kGrid + 1> moved{};
+  std::array<double, 2 * kGrid + 1> length{};
+  TurnTable() {
+    for (std::size_t i = 1; i < moved.size(); ++i) {
+      const Bend bend = soft({0, static_cast<double>(i) * kGridStep, kUnit});
+      moved[i] = bend.run_and_rise() / kUnit, length[i] = bend.length() / kUnit;
+    }
+  }
+  dvec2 at(double angle, double radius, double shortest) const {
+    const double place = angle / kGridStep;
+    const auto i = std::min(static_cast<std::size_t>(place), moved.size() - 2);
+    const double share = place - static_cast<double>(i);
+    const double whole = length[i] + share * (length[i + 1] - length[i]);
+    const double real = radius * whole < shortest && whole > 0 ? shortest / whole : radius;
+    return real * (moved[i] + share * (moved[i + 1] - moved[i]));
+  }
+};
+
+Bend turn_of(const TurnChoice& c, double from, double to) { return soft({from, to, c.radius, 0, c.shortest}); }
+
+// The remaining displacement after a first turn by `turn`, along and across the heading between the turns.
+struct Rest {
+  double ahead = 0, aside = 0;  // m
+  double second = 0;            // rad, the second turn
+};
+
+template <class Moved>
+Rest rest_after(const PlanPose& from, const PlanPose& to, const TurnChoice& c, double turn, const Moved& moved) {
+  const double heading = from.heading + c.first * turn;
+  double second = c.second * (to.heading - heading) / (2.0 * kPi);
+  second = (second - std::floor(second) + c.more_second) * 2.0 * kPi;
+  const auto shift = [&](double angle, int side, double at) {
+    const dvec2 m = moved(angle, c);
+    return swung({m.x, side * m.y}, at);
+  };
+  const dvec2 rest = to.place - from.place - c.before * along(from.heading) - c.after * along(to.heading) -
+                     shift(turn, c.first, from.heading) - shift(second, c.second, heading);
+  const dvec2 e = along(heading);
+  return {glm::dot(rest, e), rest.y * e.x - rest.x * e.y, second};
+}
+
+Turns turns_of(const PlanPose& from, const TurnChoice& c, double turn, const Rest& rest) {
+  const double heading = from.heading + c.first * turn;
+  return {c.before, std::max(0.0, rest.ahead), c.after, turn_of(c, from.heading, heading),
+          turn_of(c, heading, heading + c.second * rest.second)};
+}
+
+// Adds the roots of the rest's `aside` as a function of the first turn's angle.
+void add_roots(const PlanPose& from, const PlanPose& to, TurnChoice c, std::vector<TurnChoice>& out) {
+  static const TurnTable kTable;
+  const auto moved = [](double angle, const TurnChoice& choice) {
+    return kTable.at(angle, choice.radius, choice.shortest);
+  };
+  const int begin = c.more_first * kGrid;
+  Rest last = rest_after(from, to, c, begin * kGridStep, moved);
+  const auto take = [&](double low, double high, double turn) {
+    const Rest rest = rest_after(from, to, c, turn, moved);
+    if (rest.ahead < -0.05) return;
+    c.low = low, c.high = high, c.rough = turns_of(from, c, turn, rest);
+    out.push_back(c);
+  };
+  if (last.aside == 0) take(begin * kGridStep, begin * kGridStep, begin * kGridStep);
+  for (int i = begin + 1; i <= begin + kGrid; ++i) {
+    const Rest next = rest_after(from, to, c, i * kGridStep, moved);
+    if ((last.aside < 0) != (next.aside < 0) && std::abs(last.second - next.second) < kPi)
+      take((i - 1) * kGridStep, i * kGridStep, (i - 1 + last.aside / (last.aside - next.aside)) * kGridStep);
+    last = next;
+  }
+}
+
+}  // namespace
+
+std::vector<double> Turns::breaks() const {
+  std::vector<double> at{before};
+  const auto add = [&](const Bend& bend, double straight) {
+    const double begin = at.back();
+    if (bend.length() > 0) at.insert(at.end(), {begin, begin + bend.ramp(), begin + bend.ramp() + bend.arc()});
+    at.push_back(begin + bend.length());
+    at.push_back(at.back() + straight);
+  };
+  add(first, between), add(second, after);
+  return at;
+}
+
+Turns::At Turns::at(double u) const {
+  double begin = 0, end = before;
+  if (u <= end) return {first.from, 0};
+  begin = end, end = begin + first.length();
+  if (u <= end) return {first.angle(u - begin), first.bend(u - begin)};
+  begin = end, end = begin + between;
+  if (u <= end) return {first.to, 0};
+  begin = end, end = begin + second.length();
+  if (u <= end) return {second.angle(u - begin), second.bend(u - begin)};
+  return {second.to, 0};
+}
+
+std::vector<TurnChoice> turn_choices(const PlanPose& from, const PlanPose& to, std::span<const double> radii,
+                                     std::span<const double> straights, double shortest) {
+  std::vector<TurnChoice> choices;
+  const auto add_sides = [&](TurnChoice c) {
+    for (c.first = -1; c.first <= 1; c.first += 2)
+      for (c.second = -1; c.second <= 1; c.second += 2) add_roots(from, to, c, choices);
+  };
+  TurnChoice c;
+  c.shortest = shortest;
+  for (const double radius : radii) {
+    c.radius = radius;
+    for (const double before : straights)
+      for (const double after : straights) c.before = before, c.after = after, add_sides(c);
+    c.before = c.after = 0;
+    c.more_first = 1, add_sides(c), c.more_first = 0;
+    c.more_second = 1, add_sides(c), c.more_second = 0;
+  }
+  return choices;
+}
+
+// By regula falsi (Illinois): a few steps from a bracket of 2.5 degrees.
+std::optional<Turns> exact_turns(const PlanPose& from, const PlanPose& to, const TurnChoice& choice) {
+  constexpr int kSteps = 60;
+  constexpr double kDone = 1e-11;  // m
+  const auto moved = [](double angle, const TurnChoice& c) { return turn_of(c, 0, angle).run_and_rise(); };
+  const auto rest = [&](double turn) { return rest_after(from, to, choice, turn, moved); };
+  // The interpolated root may lie just outside the exact bracket.
+  double low = std::max(0.0, choice.low - 0.01), high = choice.high + 0.01;
+  if (choice.low == choice.high) low = high = choice.low;
+  const Rest at_low = rest(low), at_high = rest(high);
+  Rest here = at_low;
+  double turn = low, aside_low = at_low.aside, aside_high = at_high.aside;
+  if (low < high && ((aside_low < 0) == (aside_high < 0) || std::abs(at_low.second - at_high.second) > kPi))
+    return std::nullopt;
+  int side = 0;  // of the last two steps
+  for (int i = 0; i < kSteps && low < high; ++i) {
+    turn = (low * aside_high - high * aside_low) / (aside_high - aside_low);
+    here = rest(turn);
+    if (std::abs(here.aside) < kDone) break;
+    const bool above = (here.aside < 0) == (aside_high < 0);
+    (above ? high : low) = turn, (above ? aside_high : aside_low) = here.aside;
+    if (side == (above ? 1 : -1)) (above ? aside_low : aside_high) *= 0.5;
+    side = above ? 1 : -1;
+  }
+  if (!(std::abs(here.aside) < 1e-8) || here.ahead < 0) return std::nullopt;
+  return turns_of(from, choice, turn, here);
+}
+
+namespace {
+
 using glm::dvec3;
+
+// Returns the piece in which the curvature falls from k towards `towards` to 0, as 1 - soft_step().
+LeadPiece ease_piece(dvec3 forward, dvec3 towards, double k) {
+  LeadPiece piece{forward, towards, glm::cross(forward, towards), 0, {}};
+  const double length = std::min(kLongestEase, 2.0 * kEaseAngle / k);
+  piece.length = length;
+  piece.rate = [k, length](double u) {
+    const double v = u / length, angle = k * length * (v - soft_step_integral(v));
+    const double rate = k * (1.0 - soft_step(v));
+    const auto [sin, cos] = base::sin_cos(angle);
+    return ElementRate{{cos, sin, 0}, {-sin * rate, cos * rate, 0}, dvec3(0), 0};
+  };
+  return piece;
+}
+
+// Sets the up of the ease so that it is `after` (in the world) at its end.
+void carry_up(LeadPiece& ease, dvec3 after) {
+  const dvec3 local(glm::dot(after, ease.forward), glm::dot(after, ease.up), glm::dot(after, ease.left));
+  const double k = ease.rate(0).d2.y, length = ease.length, whole = 0.5 * k * length;
+  ease.rate = [rate = ease.rate, local, k, length, whole](double u) {
+    ElementRate r = rate(u);
+    const double v = u / length, angle = k * length * (v - soft_step_integral(v));
+    r.up = curve::rotate(local, {0, 0, 1}, angle - whole);
+    return r;
+  };
+}
+
+// Returns the level direction in which a track bends upright: its own, but a steep track turns towards its riders'
+// heads if it points down, and away from them if it points up.
+dvec3 ahead_of(dvec3 forward, dvec3 up) {
+  constexpr double kVertical = 1e-6, kSteep = 0.87, kSure = 0.2;
+  const dvec3 level(forward.x, 0, forward.z), wish = (forward.y < 0 ? 1.0 : -1.0) * dvec3(up.x, 0, up.z);
+  if (glm::length(level) < kVertical) return curve::perpendicular({0, 1, 0}, wish);
+  const dvec3 ahead = glm::normalize(level);
+  return std::abs(forward.y) > kSteep && glm::dot(ahead, wish) < -kSure ? -ahead : ahead;
+}
+
+}  // namespace
+
+Lead lead_from(const TrackEnd& end, double radius) {
+  Lead lead;
+  const double k = glm::length(end.curvature);
+  const bool bent = k >= kStraightEnd;
+  ElementPath path(end.position, end.forward, bent ? end.curvature : dvec3(0), end.up);
+  const auto add = [&] {
+    const LeadPiece& piece = lead.pieces.back();
+    path.set_axes(piece.forward, piece.up, piece.left);
+    path.add(piece.length, piece.rate);
+  };
+  if (bent) lead.pieces.push_back(ease_piece(end.forward, curve::perpendicular(end.forward, end.curvature), k)), add();
+  const dvec3 forward = path.end().tangent, ahead = ahead_of(forward, end.up);
+  const double angle = base::arc_tangent(forward.y, glm::dot(forward, ahead)), gentle = base::radians(kGentle_deg);
+  if (std::abs(angle) > gentle) {
+    lead.steep = true;
+    const Bend bend{angle, angle < 0 ? -0.75 * gentle : 0.75 * gentle, radius};
+    const dvec3 up(0, 1, 0), left = glm::cross(up, ahead);
+    if (bent) {
+      const auto [sin, cos] = base::sin_cos(angle);
+      carry_up(lead.pieces.back(), -sin * ahead + cos * up);
+    }
+    lead.pieces.push_back(
+        {ahead, up, left, bend.length(), [bend](double u) { return upright_rate(bend.angle(u), bend.bend(u)); }});
+    add();
+  }
+  const ElementPoint& last = path.end();
+  lead.pose = {{last.position.x, last.position.z}, base::arc_tangent(last.tangent.z, last.tangent.x)};
+  lead.height = last.position.y;
+  lead.slope = last.tangent.y / std::sqrt(last.tangent.x * last.tangent.x + last.tangent.z * last.tangent.z);
+  lead.length = last.s;
+  return lead;
+}
+
+Lead lead_to(TrackEnd home, double radius) {
+  home.forward = -home.forward;
+  Lead lead = lead_from(home, radius);
+  std::reverse(lead.pieces.begin(), lead.pieces.end());
+  for (LeadPiece& piece : lead.pieces)
+    piece.rate = [rate = piece.rate, length = piece.length](double u) {
+      ElementRate r = rate(length - u);
+      r.d1 = -r.d1;
+      return r;
+    };
+  lead.pose.heading += base::kPi;
+  lead.slope = -lead.slope;
+  return lead;
+}
+
+void add_lead(const Lead& lead, ElementPath& path) {
+  for (const LeadPiece& piece : lead.pieces) {
+    path.set_axes(piece.forward, piece.up, piece.left);
+    path.add(piece.length, piece.rate);
+  }
+}
+
+namespace {
 
 constexpr double kLeastWeight = 0.25;  // g: if less presses riders down, banking no longer follows it
 constexpr double kMostFade = 0.45;     // of the whole length

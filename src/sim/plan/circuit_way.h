@@ -1,15 +1,81 @@
-// A way home: leads, turns and heights, what riders feel on it, and its ideal curve.
+// Ways home in plan: straight, turn, straight, turn, straight. They are Dubins' paths whose turns have ramps of
+// curvature (Bend), so the curvature is continuous; what the open end and the first knot ask of them; and the curve of
+// one in space.
 #pragma once
 
 #include <algorithm>
 #include <optional>
+#include <span>
+#include <string>
 #include <vector>
 
-#include "sim/plan/circuit_ends.h"
 #include "sim/plan/circuit_heights.h"
+#include "sim/plan/element_path.h"
+#include "sim/plan/element_shapes.h"
 #include "world/components.h"
 
 namespace coaster::sim {
+
+struct PlanPose {
+  glm::dvec2 place{0};  // m, (x, z)
+  double heading = 0;   // rad from +X towards +Z: rises to the right
+};
+
+struct Turns {
+  double before = 0, between = 0, after = 0;  // m, of the straights
+  Bend first{0, 0, 1}, second{0, 0, 1};       // turns of the heading
+  double length() const { return before + first.length() + between + second.length() + after; }
+  // Ends of the pieces, and of the parts of each turn: m from the start, ascending.
+  std::vector<double> breaks() const;
+  struct At {
+    double angle, bend;  // rad, heading; 1/m, its derivative
+  };
+  At at(double u) const;  // u in [0, length()]
+};
+
+// A choice of turns; the first turn's angle lies between `low` and `high`.
+struct TurnChoice {
+  int first = 1, second = 1;                 // 1: to the right, -1: to the left
+  int more_first = 0, more_second = 0;       // additional whole turns
+  double radius = 1, before = 0, after = 0;  // m
+  double shortest = Bend::kShortest;         // m, of a turn
+  double low = 0, high = 0;                  // rad
+  // The turns, accurate to about a centimetre, from interpolated displacements.
+  Turns rough;
+};
+
+// Returns every way from one pose to the other with one of these radii and lengths of the outer straights, with up to
+// one additional whole turn. Turns are at least `shortest` m long. About 0.1 ms per radius and pair of lengths.
+std::vector<TurnChoice> turn_choices(const PlanPose& from, const PlanPose& to, std::span<const double> radii,
+                                     std::span<const double> straights, double shortest = Bend::kShortest);
+// Returns the turns of a choice, exact to rounding; nothing if the straight between them would be negative.
+std::optional<Turns> exact_turns(const PlanPose& from, const PlanPose& to, const TurnChoice& choice);
+
+inline constexpr double kGentle_deg = 32;
+
+// A piece of curve in its own axes, as ElementPath adds it.
+struct LeadPiece {
+  glm::dvec3 forward, up, left;
+  double length;  // m
+  ElementPiece rate;
+};
+
+struct Lead {
+  std::vector<LeadPiece> pieces;
+  PlanPose pose;                 // where the pieces end; for the first knot: where they begin, in the train's direction
+  double height = 0, slope = 0;  // m; m per metre in plan
+  double length = 0;             // m, along the track
+  bool steep = false;            // up follows the pieces instead of the felt direction
+};
+
+// Returns the pieces after an end: its curvature falls to 0, then a steep end bends to a gentler slope with that
+// radius, m. A vertical end bends towards the riders' heads if it points down, away from them if it points up, so that
+// the track becomes upright.
+Lead lead_from(const TrackEnd& end, double radius);
+// Returns the pieces before the first knot, `home`, whose direction is the train's.
+Lead lead_to(TrackEnd home, double radius);
+
+void add_lead(const Lead& lead, ElementPath& path);
 
 // The ends between which a track is to be completed, and the train.
 struct CircuitTask {
@@ -63,7 +129,7 @@ struct WayPlace {
 std::vector<WayPlace> rough_line(const CircuitTask& task, const CircuitWay& way, double step);
 
 // Returns the ideal curve. Its up is the felt direction, so lateral g is 0 on the curve itself; the roll of both ends,
-// with its rate and the slope of that, fades into it (circuit_fade.h). Its last point is exactly `task.home`.
+// with its rate and the slope of that, fades into it (circuit_heights.h). Its last point is exactly `task.home`.
 ElementCurve way_curve(const CircuitTask& task, const CircuitWay& way);
 // Returns what riders feel on it, without the lateral g caused by the roll of both ends.
 FeltRange felt_on(const CircuitTask& task, const ElementCurve& curve);

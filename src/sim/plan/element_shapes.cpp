@@ -1,15 +1,18 @@
-// The lead-in from the track's end to an element, the straight, and the functions of the other elements by row.
+// The lead-in from the track's end to an element, and the shapes of the elements that stay upright.
 #include "sim/plan/element_shapes.h"
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <optional>
 
 #include <fmt/format.h>
 
 #include "base/portable_math.h"
 #include "base/text.h"
+#include "sim/plan/element_path.h"
 #include "world/element_rows.h"
+#include "world/motion.h"
 
 namespace coaster::sim {
 namespace {
@@ -162,6 +165,282 @@ ElementShape element_shape(world::Element& element, const TrackEnd& end, std::ve
   keep_end_slopes(shape.curve);
   equip(element, shape);
   return shape;
+}
+
+namespace {
+
+constexpr double kMostHelixSlope = 0.6;    // m per m in plan
+constexpr double kLongestHelix = 14'000;   // m, in plan, without the ramps
+constexpr double kLeastRamp = 3;           // m
+constexpr double kMostCurveRoll_deg = 30;  // per metre of a ramp
+
+struct Slope {
+  double rise, change;  // dy/du and its derivative
+};
+
+// Returns a point of a turn over the length u in plan. `heading`: rad, positive to the right, with its derivative
+// `bend`.
+ElementRate plan_rate(double heading, double bend, Slope slope, double roll) {
+  const auto [sin, cos] = base::sin_cos(heading);
+  return {{cos, slope.rise, -sin}, {-sin * bend, slope.change, -cos * bend}, glm::dvec3(0), roll};
+}
+
+// A turn in plan: ramp, circle, ramp, to one side.
+struct Round {
+  Bend bend;    // of the heading, positive to the right
+  double bank;  // rad where the curvature is largest; proportional to the curvature elsewhere
+  double roll(double u) const { return bank * bend.bend(u) * bend.radius; }
+};
+
+void add_round(ElementPath& path, const Round& round, const std::function<Slope(double)>& slope) {
+  const double ramp = round.bend.ramp();
+  path.add({ramp, round.bend.arc(), ramp},
+           [&](double u) { return plan_rate(round.bend.angle(u), round.bend.bend(u), slope(u), round.roll(u)); });
+}
+
+double turn_side(const world::Element& element) { return element.right ? 1.0 : -1.0; }
+
+// Returns the bank for a speed: gravity and the turn together press straight into the seat.
+double bank_of(const world::Element& element) {
+  const double radius = world::value_of(element, "radius"), speed = world::value_of(element, "speed");
+  return speed > 0 ? base::arc_tangent(speed * speed / radius, world::kGravity)
+                   : base::radians(world::value_of(element, "bank"));
+}
+
+Round round_of(const world::Element& element, double angle, double ramp = 0) {
+  return {{0, turn_side(element) * angle, world::value_of(element, "radius"), ramp}, bank_of(element)};
+}
+
+void widen(ShapeTask& task, double angle) {
+  const double least = Bend{0, angle, 1e-3}.radius;
+  if (world::value_of(task.element, "radius") < least)
+    give_way(task.element, "radius", least, "a turn of this angle would be too short", task.lines);
+}
+
+// Two turns with one crossing of curvature between them. The second is the point reflection of the first about the
+// middle, so the heading is symmetric about it.
+class SBend {
+ public:
+  SBend(double angle, double radius) : first_{0, angle, radius} {
+    // Over half the crossing the heading turns by 5/16 of its length, over the radius.
+    crossing_ = 2 * first_.ramp();
+    arc_ = first_.radius * (angle - first_.ramp_angle() * 2.25);
+  }
+  double ramp() const { return first_.ramp(); }
+  double arc() const { return arc_; }
+  double crossing() const { return crossing_; }
+  double length() const { return 2 * (ramp() + arc_) + crossing_; }
+  // Returns the curvature in units of 1/radius, positive in the first turn.
+  double share(double u) const {
+    const double middle = 0.5 * length(), off = std::abs(u - middle);
+    const double size = off < 0.5 * crossing_ ? 2 * smooth_step(0.5 + off / crossing_) - 1
+                                              : smooth_step(std::clamp((middle - off) / ramp(), 0.0, 1.0));
+    return u < middle ? size : -size;
+  }
+  double bend(double u) const { return share(u) / first_.radius; }
+  double heading(double u) const {
+    const double from_end = std::min(u, length() - u);
+    if (from_end < ramp() + arc_) return first_angle(from_end);
+    const double v = (from_end - ramp() - arc_) / crossing_;
+    return first_angle(ramp() + arc_) + crossing_ / first_.radius * v * (1 - v * v * (2 - v));
+  }
+
+ private:
+  double first_angle(double u) const {
+    if (u <= ramp()) return first_.angle(u);
+    return first_.ramp_angle() + (u - ramp()) / first_.radius;
+  }
+  Bend first_;  // only its ramp is used
+  double crossing_ = 0, arc_ = 0;
+};
+
+}  // namespace
+
+void add_curve(ShapeTask& task) {
+  const double angle = base::radians(world::value_of(task.element, "angle"));
+  widen(task, angle);
+  if (const double ramp = world::value_of(task.element, "ramp"); ramp > 0) {
+    const double most = angle * world::value_of(task.element, "radius"),
+                 least = std::min(
+                     most, std::max(kLeastRamp, base::degrees(std::abs(bank_of(task.element))) / kMostCurveRoll_deg));
+    if (ramp > most) give_way(task.element, "ramp", most, "the curve has no room for longer ones", task.lines);
+    if (ramp < least) give_way(task.element, "ramp", least, "a shorter one would roll too fast", task.lines);
+  }
+  const auto [sin, cos] = base::sin_cos(task.slope);
+  const double rise = sin / cos;
+  add_round(task.path, round_of(task.element, angle, world::value_of(task.element, "ramp")), [rise](double) {
+    return Slope{rise, 0};
+  });
+}
+
+// Over the first ramp the slope changes smoothly (3v^2 - 2v^3, with derivative 0 at both ends) from the end's to the
+// helix's, and over the last to 0, so the derivative of the slope is 0 at both ends of each.
+void add_helix(ShapeTask& task) {
+  const double most = kLongestHelix / (2.0 * kPi * world::value_of(task.element, "radius"));
+  if (world::value_of(task.element, "turns") > most)
+    give_way(task.element, "turns", most, "a helix of this radius would be longer than 15 km", task.lines);
+  const double angle = 2.0 * kPi * world::value_of(task.element, "turns");
+  const Round round = round_of(task.element, angle);
+  const double ramp = round.bend.ramp(), whole = round.bend.length(), room = whole - ramp;
+  const auto [sin, cos] = base::sin_cos(task.slope);
+  const double first = sin / cos;
+  const auto slope_for = [&](double height) { return (height - 0.5 * ramp * first) / room; };
+  double steady = slope_for(world::value_of(task.element, "height"));
+  if (std::abs(steady) > kMostHelixSlope) {
+    steady = std::clamp(steady, -kMostHelixSlope, kMostHelixSlope);
+    give_way(task.element, "height", steady * room + 0.5 * ramp * first, "a helix of this radius would be too steep",
+             task.lines);
+  }
+  add_round(task.path, round, [=](double u) {
+    const bool late = u > 0.5 * whole;
+    const double v = std::clamp((late ? whole - u : u) / ramp, 0.0, 1.0);
+    const double share = smooth_step(v), rate = 6.0 * v * (1.0 - v) / ramp;
+    return late ? Slope{steady * share, -steady * rate}
+                : Slope{first + (steady - first) * share, (steady - first) * rate};
+  });
+}
+
+void add_s_bend(ShapeTask& task) {
+  const double angle = base::radians(world::value_of(task.element, "angle"));
+  widen(task, angle);
+  const SBend s(angle, world::value_of(task.element, "radius"));
+  const double side = turn_side(task.element), bank = side * bank_of(task.element), rise = tangent_of(task.slope);
+  task.path.add({s.ramp(), s.arc(), s.crossing(), s.arc(), s.ramp()}, [&](double u) {
+    return plan_rate(side * s.heading(u), side * s.bend(u), {rise, 0}, bank * s.share(u));
+  });
+}
+
+// Its height is h 64 (v (1 - v))^3 over the fraction v of its length in plan: slope and its rate are 0 at both ends.
+// The slope is largest where 5 v (1 - v) = 1: h / length times 192 / (25 sqrt(5)).
+void add_overbanked_turn(ShapeTask& task) {
+  constexpr double kLeastRest = 1.15;  // least entry energy, relative to that of the top
+  constexpr double kMostSlope = 1;     // m per m in plan
+  constexpr double kMostCrest = 1.5;   // curvature of the crest, 24 h / length^2, relative to that of the plan
+  const double angle = base::radians(world::value_of(task.element, "angle")), g = world::kGravity;
+  widen(task, angle);
+  const Round round = round_of(task.element, angle);
+  const double side = turn_side(task.element), ramp = round.bend.ramp(), length = round.bend.length();
+  if (const double most = std::min(kMostSlope * length * 25 * std::sqrt(5.0) / 192,
+                                   kMostCrest * length * length / (24 * round.bend.radius));
+      world::value_of(task.element, "height") > most)
+    give_way(task.element, "height", most, "a turn of this radius and angle would be too steep", task.lines);
+  const double height = world::value_of(task.element, "height"), least = std::sqrt(2 * kLeastRest * g * height);
+  if (const double given = world::value_of(task.element, "speed"); given > 0 && given < least)
+    give_way(task.element, "speed", least, "a slower train cannot pass the top", task.lines);
+  const double speed = world::value_of(task.element, "speed"),
+               bank = base::radians(world::value_of(task.element, "bank"));
+  task.path.add({ramp, round.bend.arc(), ramp}, [&](double u) {
+    const double v = u / length, w = v * (1 - v), odd = 1 - 2 * v, bend = round.bend.bend(u);
+    const Slope slope{192 * height * w * w * odd / length, 384 * height * w * (odd * odd - w) / (length * length)};
+    double roll = side * bank * smooth_step(1 - std::abs(odd));
+    if (speed > 0) {
+      // Gravity and the path's acceleration across the track, to the right and upwards.
+      const double square = 1 + slope.rise * slope.rise, root_of_square = std::sqrt(square),
+                   energy = speed * speed - 128 * g * height * w * w * w;
+      roll = base::arc_tangent(energy * bend / square, (g + energy * slope.change / square) / root_of_square);
+    }
+    return plan_rate(round.bend.angle(u), bend, slope, roll);
+  });
+}
+
+namespace {
+
+// A crest between two feet. A train with speed v at the foot has v^2 - 2 g h at the crest, h higher. A body thrown from
+// there would follow the parabola of parameter p = (v^2 - 2 g h) / g, y = -x^2 / (2 p); on rails of that shape riders
+// float.
+struct Hill {
+  double p = 0;  // m
+  Foot foot;
+  double edge = 0;  // m, half the parabola's width
+};
+
+// `least_rest`: least entry energy, relative to that of the crest.
+Hill hill_of(ShapeTask& task, double least_rest = 1.15) {
+  const double height = world::value_of(task.element, "height"), g = world::kGravity;
+  const double least = std::sqrt(2 * least_rest * g * height);
+  if (world::value_of(task.element, "speed") < least)
+    give_way(task.element, "speed", least, "a slower train cannot pass the crest", task.lines);
+  const double speed = world::value_of(task.element, "speed"), p = speed * speed / g - 2 * height,
+               radius = world::value_of(task.element, "radius");
+  const auto rise = [&](double angle) {
+    const double tangent = tangent_of(angle);
+    return Foot(angle, radius, p).rise() + 0.5 * p * tangent * tangent;
+  };
+  const double angle = root(base::radians(0.5), base::radians(78), [&](double a) { return rise(a) - height; });
+  return {p, Foot(angle, radius, p), p * tangent_of(angle)};
+}
+
+// The valley between two equal hills: like both feet, without the clothoids at level track.
+void add_valley(ElementPath& path, const Foot& foot) {
+  const double arc = foot.radius * (foot.angle - foot.second_angle), half = arc + foot.second;  // m
+  path.add({foot.second, 2 * arc, foot.second}, [&](double u) {
+    const double off = std::abs(u - half), on_foot = foot.first + foot.arc + off - arc;
+    const double angle = off < arc ? off / foot.radius : foot.angle_at(on_foot);
+    return upright_rate(u < half ? -angle : angle, off < arc ? 1 / foot.radius : foot.bend(on_foot));
+  });
+}
+
+}  // namespace
+
+void add_climb_or_dive(ShapeTask& task) {
+  const double side = task.element.kind == world::ElementKind::climb ? 1.0 : -1.0,
+               radius = world::value_of(task.element, "radius");
+  const double steepest = base::radians(world::value_of(task.element, "angle"));
+  const auto bends = [&](double angle) {
+    const double to = side * angle;
+    return side * (Bend{task.slope, to, radius}.run_and_rise().y + Bend{to, 0, radius}.run_and_rise().y);
+  };
+  double height = world::value_of(task.element, "height"), angle = steepest;
+  if (const double least = bends(0); height < least) {
+    give_way(task.element, "height", least, "a smaller one cannot level out", task.lines);
+    height = least, angle = 0;
+  } else if (bends(steepest) > height) {
+    angle = root(0, steepest, [&](double a) { return bends(a) - height; });
+  }
+  const double to = side * angle, sin = base::sin_cos(angle).sin, missing = height - bends(angle);
+  task.path.add(Bend{task.slope, to, radius});
+  if (angle > 0 && missing > 0) task.path.add(missing / sin, [to](double) { return upright_rate(to, 0); });
+  task.path.add(Bend{to, 0, radius});
+}
+
+void add_camelback(ShapeTask& task) {
+  const Hill hill = hill_of(task);
+  add_foot_up(task.path, hill.foot);
+  add_parabola(task.path, hill.p, hill.edge);
+  add_foot_down(task.path, hill.foot);
+}
+
+void add_bunny_hops(ShapeTask& task) {
+  const double hops = std::floor(world::value_of(task.element, "hops"));
+  if (hops != world::value_of(task.element, "hops"))
+    give_way(task.element, "hops", hops, "only whole hops can be placed", task.lines);
+  const Hill hill = hill_of(task);
+  add_foot_up(task.path, hill.foot);
+  for (int hop = 1; hop <= static_cast<int>(hops); ++hop) {
+    if (hop > 1) add_valley(task.path, hill.foot);
+    add_parabola(task.path, hill.p, hill.edge);
+  }
+  add_foot_down(task.path, hill.foot);
+}
+
+// The faster the train on the crest, the longer the parabola on which it is rolled.
+void add_zero_g_roll(ShapeTask& task) {
+  const Hill hill = hill_of(task, 1.5);
+  add_foot_up(task.path, hill.foot);
+  add_parabola(task.path, hill.p, hill.edge, 1, 0, task.element.right ? 2 * base::kPi : -2 * base::kPi);
+  add_foot_down(task.path, hill.foot);
+}
+
+void add_brake_run(ShapeTask& task) {
+  const auto add = [&](std::string_view length, const world::Equipment& equipment) {
+    task.path.add(world::value_of(task.element, length), [](double) { return upright_rate(0, 0); });
+    task.equipped.push_back({task.path.curve().points.size() - 1, equipment});
+  };
+  world::Equipment brakes{world::EquipmentKind::brake};
+  brakes.speed = static_cast<float>(world::value_of(task.element, "speed"));
+  brakes.acceleration = static_cast<float>(world::value_of(task.element, "acceleration"));
+  add("brakes", brakes);
+  add("station", {world::EquipmentKind::station});
 }
 
 }  // namespace coaster::sim

@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "base/portable_math.h"
-#include "sim/plan/element_arcs.h"
+#include "sim/plan/element_path.h"
 #include "sim/plan/element_shapes.h"
 #include "world/motion.h"
 

@@ -1,5 +1,5 @@
-// The curvature and roll that a force section's program requires of the track: those of its keys, or those with which
-// riders feel what its keys say. For force_path.h, which integrates them. Formulas: docs/forces.md.
+// What the keys of a force section ask for along it: the curves of its channels, cubic Bézier pieces between the keys,
+// and curvature and roll that follow from them for a train of a given speed.
 #pragma once
 
 #include <array>
@@ -7,10 +7,34 @@
 #include <vector>
 
 #include "sim/plan/element_shapes.h"
-#include "sim/plan/force_curve.h"
+#include "world/force.h"
 #include "world/motion.h"
 
 namespace coaster::sim {
+
+// One channel of a program as a function of the position.
+class ForceCurve {
+ public:
+  struct Value {
+    double value = 0, slope = 0;  // in the channel's unit; the same per metre or second
+  };
+  ForceCurve(const world::ForceProgram& program, world::ForceChannel channel);
+  // Returns the value at x m or s; error below 1e-10 of the largest value. The same bits everywhere.
+  Value at(double x) const;
+  // Returns the second derivative there.
+  double bend_at(double x) const;
+
+ private:
+  using Piece = std::array<glm::dvec2, 4>;
+  // Returns the piece that holds x; null before the first and behind the last.
+  const Piece* piece_at(double x) const;
+
+  double before_, after_;  // the values before and after the pieces
+  std::vector<Piece> pieces_;
+};
+
+// Adds a key at a position of the section on the channel's curve; the curve keeps its shape (de Casteljau).
+void insert_on_curve(world::ForceProgram& program, world::ForceChannel channel, double at);
 
 // Where and how a force section begins, and the train that it is planned for: the mass of its first car.
 struct ForceTask {

@@ -1,4 +1,5 @@
-#include "sim/fit/fit_handles.h"
+// Tests the handles of a span (sim/fit/fit_span.h).
+#include "sim/fit/fit_span.h"
 
 #include <random>
 

@@ -1,5 +1,5 @@
 // The fade of an end's roll, compared with sums of small steps of its slope.
-#include "sim/plan/circuit_fade.h"
+#include "sim/plan/circuit_heights.h"
 
 #include <algorithm>
 #include <cmath>

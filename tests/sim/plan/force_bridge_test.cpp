@@ -1,4 +1,5 @@
-#include "sim/plan/force_bridge.h"
+// Tests the bridge to a held end (sim/plan/force_hold.h).
+#include "sim/plan/force_hold.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,5 @@
-#include "sim/plan/force_curve.h"
+// Tests the curves of channels (sim/plan/force_law.h).
+#include "sim/plan/force_law.h"
 
 #include <gtest/gtest.h>
 

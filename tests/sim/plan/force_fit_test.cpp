@@ -9,7 +9,7 @@
 #include "curve/continuity.h"
 #include "curve/frames.h"
 #include "sim/force_oracle.h"
-#include "sim/plan/element_spans.h"
+#include "sim/plan/element_fit.h"
 #include "sim/plan/force_plan.h"
 #include "sim/shape/rail_tables.h"
 #include "world/topology.h"

@@ -1,3 +1,4 @@
+// Tests turns and rolls of forces (sim/plan/force_elements.h).
 #include <gtest/gtest.h>
 
 #include "base/portable_math.h"
