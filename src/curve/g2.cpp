@@ -4,6 +4,7 @@
 
 #include <numeric>
 
+#include "base/numerics.h"
 #include "curve/g2_repair.h"
 
 namespace coaster::curve {
@@ -30,7 +31,8 @@ double dot(const std::array<double, N>& a, const std::array<double, N>& b) {
 // decrease.
 Repair::Step Repair::step(const Conditions& now, const Vector& gradient, const Matrix& hessian) const {
   constexpr int kMost = kUnknowns + kMostConditions;
-  std::array<std::array<double, kMost + 1>, kMost> m{};
+  std::array<std::array<double, kMost>, kMost> m{};
+  std::array<double, kMost> x{};
   const int n = kUnknowns + now.count;
   for (int i = 0; i < kUnknowns; ++i) {
     if (frozen(i)) {
@@ -38,31 +40,14 @@ Repair::Step Repair::step(const Conditions& now, const Vector& gradient, const M
       continue;
     }
     for (int j = 0; j < kUnknowns; ++j) m[i][j] = frozen(j) ? 0.0 : hessian[i][j];
-    m[i][n] = -gradient[i];
+    x[i] = -gradient[i];
     for (int k = 0; k < now.count; ++k) m[i][kUnknowns + k] = m[kUnknowns + k][i] = now.rows[k][i];
   }
   for (int k = 0; k < now.count; ++k) {
     m[kUnknowns + k][kUnknowns + k] = -1e-13;
-    m[kUnknowns + k][n] = -now.c[k];
+    x[kUnknowns + k] = -now.c[k];
   }
-  for (int column = 0; column < n; ++column) {
-    int pivot = column;
-    for (int row = column + 1; row < n; ++row)
-      if (std::abs(m[row][column]) > std::abs(m[pivot][column])) pivot = row;
-    std::swap(m[column], m[pivot]);
-    if (!(std::abs(m[column][column]) > 0.0)) return {};
-    for (int row = column + 1; row < n; ++row) {
-      const double factor = m[row][column] / m[column][column];
-      if (factor == 0.0) continue;
-      for (int k = column; k <= n; ++k) m[row][k] -= factor * m[column][k];
-    }
-  }
-  std::array<double, kMost> x{};
-  for (int row = n - 1; row >= 0; --row) {
-    double sum = m[row][n];
-    for (int k = row + 1; k < n; ++k) sum -= m[row][k] * x[k];
-    x[row] = sum / m[row][row];
-  }
+  if (!base::solve_linear(m, x, static_cast<std::size_t>(n), 0.0)) return {};
   Step out;
   out.finite = true;
   for (int i = 0; i < n; ++i) {

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "base/numerics.h"
 #include "curve/carried_frame.h"
 #include "curve/polynomial_roots.h"
 
@@ -24,11 +25,7 @@ std::array<double, 4> slope_of_square(const std::array<dvec3, 3>& h) {
 template <std::size_t N, class Value, class Found>
 void each_root_of(const std::array<double, N>& c, const Value& value, const Found& found) {
   each_crossing(c, 0, 1, [&](Bracket at, bool rising) {
-    for (int i = 0; i < 60; ++i) {
-      const double middle = 0.5 * (at.low + at.high);
-      ((value(middle) < 0) == rising ? at.low : at.high) = middle;
-    }
-    found(0.5 * (at.low + at.high));
+    found(base::bisect({at.low, at.high}, 60, [&](double t) { return (value(t) < 0) == rising; }).middle());
   });
 }
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/numerics.h"
+
 namespace coaster::sim {
 namespace {
 
@@ -110,11 +112,8 @@ ToLevel to_level(double slope, double rise, const HeightLimits& limits) {
     way.steady = steady;
     return way;
   }
-  for (int i = 0; i < kSteps; ++i) {
-    const double middle = 0.5 * (low + high);
-    (risen(bends(middle)) < rise ? low : high) = middle;
-  }
-  ToLevel way = bends(0.5 * (low + high));
+  ToLevel way =
+      bends(base::bisect({low, high}, kSteps, [&](double middle) { return risen(bends(middle)) < rise; }).middle());
   // The remainder that bisection leaves where the rise jumps becomes a steady part.
   const double left = rise - risen(way);
   if (std::abs(left) > 1e-9 && way.slope != 0) way.steady = left / way.slope;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/numerics.h"
 #include "base/portable_math.h"
 #include "sim/shape/roll.h"
 
@@ -200,12 +201,7 @@ using base::kPi;
 }  // namespace
 
 double root(double low, double high, const std::function<double(double)>& f) {
-  constexpr int kBisections = 60;
-  for (int i = 0; i < kBisections; ++i) {
-    const double middle = 0.5 * (low + high);
-    (f(middle) < 0 ? low : high) = middle;
-  }
-  return 0.5 * (low + high);
+  return base::bisect({low, high}, 60, [&](double x) { return f(x) < 0; }).middle();
 }
 
 double tangent_of(double angle) {

@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 
+#include "base/numerics.h"
 #include "base/portable_math.h"
 #include "curve/frames.h"
 #include "sim/plan/force_slopes.h"
@@ -158,28 +159,6 @@ std::optional<dvec3> turn_between(const TrackEnd& from, const ForceState& to) {
                sin = glm::length(twice) / 2;
   if (!(cos > kOpposite)) return std::nullopt;
   return sin > 0 ? base::arc_tangent(sin, cos) / (2 * sin) * twice : dvec3(0);
-}
-
-// Solves A x = b by Gauss's elimination with row pivots; false where A is singular. b becomes x.
-template <std::size_t n>
-bool solve_linear(std::array<std::array<double, n>, n> a, std::array<double, n>& b) {
-  for (std::size_t k = 0; k < n; ++k) {
-    std::size_t pivot = k;
-    for (std::size_t i = k + 1; i < n; ++i)
-      if (std::abs(a[i][k]) > std::abs(a[pivot][k])) pivot = i;
-    if (!(std::abs(a[pivot][k]) > 1e-13)) return false;
-    std::swap(a[k], a[pivot]), std::swap(b[k], b[pivot]);
-    for (std::size_t i = k + 1; i < n; ++i) {
-      const double by = a[i][k] / a[k][k];
-      for (std::size_t j = k; j < n; ++j) a[i][j] -= by * a[k][j];
-      b[i] -= by * b[k];
-    }
-  }
-  for (std::size_t k = n; k-- > 0;) {
-    for (std::size_t j = k + 1; j < n; ++j) b[k] -= a[k][j] * b[j];
-    b[k] /= a[k][k];
-  }
-  return true;
 }
 
 double metres_per_unit(const world::ForceProgram& program) {
@@ -378,7 +357,7 @@ class Holding {
       }
       a[e][kEnd] = a[kEnd][e] = slopes_.back()[e];
     }
-    if (!solve_linear(a, b)) return std::nullopt;
+    if (!base::solve_linear(a, b)) return std::nullopt;
     Additions by{towards, b[kEnd]};
     for (std::size_t k = 0; k < 3 * nodes_; ++k) {
       by.nodes[k] -= now.nodes[k];

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/numerics.h"
 #include "base/parallel.h"
 #include "base/portable_math.h"
 
@@ -147,22 +148,9 @@ class LeastSquares {
   // Returns the change of the unknowns with that damping, by a Cholesky factorisation.
   std::vector<double> solved(double damping) const {
     const std::size_t n = units_.size();
-    std::vector<double> a = normal_, x = right_;
+    std::vector<double> a = normal_;
     for (std::size_t i = 0; i < n; ++i) a[i * n + i] += damping * (1 + 1e-9 * a[i * n + i]);
-    for (std::size_t i = 0; i < n; ++i)
-      for (std::size_t j = 0; j <= i; ++j) {
-        double sum = a[i * n + j];
-        for (std::size_t k = 0; k < j; ++k) sum -= a[i * n + k] * a[j * n + k];
-        a[i * n + j] = i == j ? std::sqrt(std::max(sum, 1e-12)) : sum / a[j * n + j];
-      }
-    for (std::size_t i = 0; i < n; ++i) {
-      for (std::size_t k = 0; k < i; ++k) x[i] -= a[i * n + k] * x[k];
-      x[i] /= a[i * n + i];
-    }
-    for (std::size_t i = n; i-- > 0;) {
-      for (std::size_t k = i + 1; k < n; ++k) x[i] -= a[k * n + i] * x[k];
-      x[i] /= a[i * n + i];
-    }
+    std::vector<double> x = base::solve_positive(std::move(a), right_);
     for (std::size_t i = 0; i < n; ++i) x[i] *= units_[i];
     return x;
   }

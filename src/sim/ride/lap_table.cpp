@@ -5,6 +5,7 @@
 #include <cstdint>
 
 #include "base/check.h"
+#include "base/numerics.h"
 #include "sim/ride/ghost.h"
 
 namespace coaster::sim {
@@ -90,13 +91,7 @@ LapTable::LapTable(const Ghost& ghost) {
 }
 
 double LapTable::phase_at(double along) const {
-  double low = 0, high = period_;
-  for (int i = 0; i < 80; ++i) {
-    const double middle = 0.5 * (low + high);
-    if (!(middle > low && middle < high)) break;
-    (look_up(*this, middle).along < along ? low : high) = middle;
-  }
-  return high;
+  return base::bisect({0, period_}, 80, [&](double phase) { return look_up(*this, phase).along < along; }).high;
 }
 
 LapCart lap_cart(const LapTable& table, double phase) {

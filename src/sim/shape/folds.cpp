@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "base/bits.h"
+#include "base/numerics.h"
 #include "curve/continuity.h"
 #include "sim/shape/rails.h"
 
@@ -36,11 +37,7 @@ double least_between(const Line& line, double a, double b) {
 
 // Returns the border between a position that folds and one that does not.
 double border(const Line& line, double folds, double clear) {
-  for (int i = 0; i < 30; ++i) {
-    const double middle = 0.5 * (folds + clear);
-    (line.along(middle) <= 0 ? folds : clear) = middle;
-  }
-  return folds;
+  return base::bisect({folds, clear}, 30, [&](double t) { return line.along(t) <= 0; }).low;
 }
 
 bool gentle(const Line& line) {
