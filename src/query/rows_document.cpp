@@ -6,7 +6,7 @@
 #include "base/hash.h"
 #include "base/portable_math.h"
 #include "query/rows.h"
-#include "sim/shape/tight_bends.h"
+#include "sim/shape/folds.h"
 #include "sim/solids/conflict.h"
 
 namespace coaster::query {

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "query/rows.h"
-#include "sim/study/seat.h"
+#include "sim/study/riders.h"
 #include "world/losses.h"
 
 namespace coaster::query {

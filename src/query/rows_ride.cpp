@@ -2,7 +2,7 @@
 #include <array>
 
 #include "query/rows.h"
-#include "sim/study/seat.h"
+#include "sim/study/riders.h"
 #include "sim/study/wheel_loads.h"
 
 namespace coaster::query {

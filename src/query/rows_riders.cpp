@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "query/rows.h"
-#include "sim/study/seat.h"
+#include "sim/study/riders.h"
 #include "world/lab_view.h"
 
 namespace coaster::query {

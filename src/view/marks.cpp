@@ -5,7 +5,7 @@
 #include <glm/common.hpp>
 #include <glm/vector_relational.hpp>
 
-#include "view/spin_ring.h"
+#include "view/gizmo.h"
 
 namespace coaster::view {
 namespace {

@@ -3,7 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "view/workspace.h"
+#include "base/portable_math.h"
+#include "curve/frames.h"
+#include "sim/shape/rails.h"
+#include "view/overlay.h"
 #include "world/sections.h"
 
 namespace coaster::view {
@@ -71,6 +74,100 @@ void add_section_handle(const SectionHandle& handle, float scale, bool hovered, 
   overlay.lines.push_back({foot, at, kWidth * scale, kThread});
   overlay.marks.push_back(
       {at, kSectionHandleHalf * scale * (hovered ? 1.35f : 1.0f), hovered ? kBright : kColour, MarkShape::square});
+}
+
+namespace {
+
+constexpr dvec3 kUp{0, 1, 0};
+constexpr double kTurnShare = 0.6;  // radius of a turn's ring relative to that of the turn: clear of the rails
+constexpr double kBankShare = 0.08, kLeastBank = 3,
+                 kMostBank = 9;  // radius of a bank's ring relative to the length; m, m
+
+AngleHandle turn_handle(const world::Element& element, const sim::Derived& derived, const world::SectionRun& run,
+                        std::string_view parameter) {
+  const curve::Cubic& first = derived.shape_at(run.first).key.cubic;
+  const double side = element.right ? -1.0 : 1.0, radius = world::value_of(element, "radius");
+  const dvec3 forward = curve::unit_tangent(first, 0.0);
+  const dvec3 inside = side * glm::normalize(glm::cross(kUp, forward));
+  const double whole = parameter == "turns" ? 1.0 / 360 : 1.0;
+  return {PickKind::turn, {},
+          parameter,      world::value_of(element, parameter) / whole,
+          whole,          dvec3(first.p0) + radius * inside,
+          side * kUp,     -kTurnShare * radius * inside};
+}
+
+// Returns the bank's handle: for an S-bend where its first turn is steepest, for others in the middle.
+AngleHandle bank_handle(const world::Element& element, const sim::Derived& derived, const world::SectionRun& run) {
+  const double from = derived.starts[run.first], length = derived.starts[run.end()] - from;
+  const double share = element.kind == world::ElementKind::s_bend ? 0.25 : 0.5;
+  const sim::TrackPlace place = sim::place_at(derived, from + share * length);
+  const sim::SegmentShape& shape = derived.shape_at(place.index);
+  const double t = shape.arc.parameter(place.s);
+  const dvec3 forward = curve::unit_tangent(shape.key.cubic, t);
+  return {PickKind::bank,
+          {},
+          "bank",
+          world::value_of(element, "bank"),
+          1,
+          sim::rails_point(shape, t),
+          element.right ? forward : -forward,
+          std::clamp(kBankShare * length, kLeastBank, kMostBank) * curve::perpendicular(forward, kUp)};
+}
+
+void add_arc(const AngleHandle& handle, double from, double to, float width, std::uint32_t colour, Overlay& overlay) {
+  constexpr double kStep = 7.5;  // deg
+  const int steps = std::max(1, static_cast<int>(std::ceil(std::abs(to - from) / kStep)));
+  for (int i = 0; i < steps; ++i)
+    overlay.lines.push_back({glm::vec3(handle.at(from + (to - from) * i / steps)),
+                             glm::vec3(handle.at(from + (to - from) * (i + 1) / steps)), width, colour});
+}
+
+}  // namespace
+
+dvec3 AngleHandle::at(double deg) const { return centre + curve::rotate(zero, axis, base::radians(deg)); }
+
+std::vector<AngleHandle> angle_handles(const world::Document& document, const sim::Derived& derived,
+                                       world::Entity section) {
+  std::vector<AngleHandle> handles;
+  const world::Section* const value = document.entities.find<world::Section>(section);
+  if (!value || value->kind != world::SectionKind::element) return handles;
+  const world::Element& element = value->element;
+  const world::SectionRun run = world::run_of(document, section);
+  const bool turns = world::found_value(element, "turns").has_value();
+  const bool bends = element.kind == world::ElementKind::curve || element.kind == world::ElementKind::overbanked_turn;
+  if (turns || bends) handles.push_back(turn_handle(element, derived, run, turns ? "turns" : "angle"));
+  if (world::found_value(element, "bank") && world::found_value(element, "speed") == 0.0)
+    handles.push_back(bank_handle(element, derived, run));
+  for (AngleHandle& handle : handles) handle.section = section;
+  return handles;
+}
+
+std::optional<AngleHandle> angle_handle(const world::Document& document, const sim::Derived& derived,
+                                        world::Entity section, PickKind kind) {
+  for (const AngleHandle& handle : angle_handles(document, derived, section))
+    if (handle.kind == kind) return handle;
+  return std::nullopt;
+}
+
+std::optional<double> angle_under(const AngleHandle& handle, const Ray& ray, double near) {
+  constexpr double kEdgeOn = 0.05;  // cosine between the ray and the axis
+  if (std::abs(glm::dot(glm::normalize(dvec3(ray.direction)), handle.axis)) < kEdgeOn) return std::nullopt;
+  const auto hit = meet_plane(ray, glm::vec3(handle.centre), glm::vec3(handle.axis));
+  if (!hit) return std::nullopt;
+  const dvec3 to = dvec3(*hit) - handle.centre;
+  if (!(glm::length(to) > 1e-3 * glm::length(handle.zero))) return std::nullopt;
+  const double angle = base::degrees(curve::signed_angle(handle.zero, to, handle.axis));
+  return angle + 360 * std::round((near - angle) / 360);
+}
+
+void add_angle_handle(const AngleHandle& handle, float scale, bool hovered, Overlay& overlay) {
+  constexpr std::uint32_t kRing = 0xff8a1f60, kArc = 0xff8a1fff, kBright = 0xffc08aff;
+  const dvec3 at = handle.at(handle.angle);
+  add_arc(handle, 0, 360, 1.5f * scale, kRing, overlay);
+  add_arc(handle, 0, std::fmod(handle.angle, 360.0), 3 * scale, kArc, overlay);
+  overlay.lines.push_back({glm::vec3(handle.centre), glm::vec3(at), 1.5f * scale, kRing});
+  overlay.marks.push_back({glm::vec3(at), kSectionHandleHalf * scale * (hovered ? 1.35f : 1.0f),
+                           hovered ? kBright : kArc, MarkShape::disc});
 }
 
 }  // namespace coaster::view

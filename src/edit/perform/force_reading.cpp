@@ -5,7 +5,6 @@
 #include "edit/perform/knot_runs.h"
 #include "edit/perform/replan.h"
 #include "sim/plan/force_reading.h"
-#include "world/section_words.h"
 #include "world/sections.h"
 #include "world/topology.h"
 

@@ -10,7 +10,7 @@
 #include "curve/frames.h"
 #include "edit/perform/placing.h"
 #include "edit/perform/replan.h"
-#include "world/section_words.h"
+#include "world/sections.h"
 #include "world/topology.h"
 
 namespace coaster::edit {

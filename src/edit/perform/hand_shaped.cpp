@@ -8,7 +8,7 @@
 
 #include "base/text.h"
 #include "sim/plan/carry.h"
-#include "world/section_words.h"
+#include "world/sections.h"
 
 namespace coaster::edit {
 namespace {

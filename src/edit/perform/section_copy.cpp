@@ -7,7 +7,6 @@
 #include "edit/perform/replan.h"
 #include "exchange/formats.h"
 #include "exchange/own/track_file.h"
-#include "world/section_words.h"
 #include "world/sections.h"
 #include "world/topology.h"
 

@@ -9,7 +9,6 @@
 #include "edit/perform/force_replan.h"
 #include "edit/perform/replan.h"
 #include "world/element_rows.h"
-#include "world/section_words.h"
 #include "world/sections.h"
 #include "world/topology.h"
 

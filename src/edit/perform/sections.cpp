@@ -6,7 +6,6 @@
 #include "edit/perform/equipping.h"
 #include "edit/perform/knot_runs.h"
 #include "world/element_rows.h"
-#include "world/section_words.h"
 #include "world/sections.h"
 #include "world/topology.h"
 

@@ -14,7 +14,6 @@
 #include "world/element.h"
 #include "world/element_rows.h"
 #include "world/force_steps.h"
-#include "world/section_words.h"
 #include "world/sections.h"
 #include "world/selection.h"
 #include "world/topology.h"

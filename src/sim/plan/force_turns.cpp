@@ -7,7 +7,7 @@
 #include "base/portable_math.h"
 #include "base/text.h"
 #include "sim/plan/force_maker.h"
-#include "sim/ride/ride_rules.h"
+#include "sim/ride/train.h"
 
 namespace coaster::sim {
 namespace {

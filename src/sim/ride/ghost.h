@@ -5,12 +5,14 @@
 #include <algorithm>
 #include <cstdint>
 #include <deque>
+#include <optional>
 #include <span>
 #include <vector>
 
 #include "sim/ride/equipment.h"
 #include "sim/ride/lap_table.h"
 #include "sim/shape/rail_tables.h"
+#include "world/document.h"
 
 namespace coaster::sim {
 
@@ -165,5 +167,35 @@ class GhostMemo {
   static constexpr std::size_t kMostEntries = 16;
   std::size_t most_ = kMostEntries;
 };
+
+struct Passing {
+  double speed = 0, along = 0;  // m/s, negative backwards; m/s^2 along the track
+};
+
+// Returns true if a ride goes farther backwards than forwards.
+bool runs_backwards(const Ghost& ride);
+
+// Looks up many positions of one ride. Valid as long as the ghost.
+class Passings {
+ public:
+  explicit Passings(const Ghost& ride);
+  // Returns the state when the point `back` m behind the first car first passes `distance` m from the track's start;
+  // nothing if it does not. v^2 between two samples, or a sample and an instant where equipment switches, is the cubic
+  // of the way with their speeds and accelerations: within 2e-6 m/s of the energy's.
+  std::optional<Passing> at(double distance, double back = 0) const;
+
+ private:
+  const Ghost& ride_;
+  bool backwards_;
+  std::vector<double> furthest_;  // by sample: how far it has been until then, in that direction
+};
+
+// Returns the state at the first car's first pass; nothing if the ride does not reach the position.
+inline std::optional<Passing> passing(const Ghost& ride, double distance) { return Passings(ride).at(distance); }
+
+// Returns a start speed (m/s) with which the first train completes its lap, or reaches the end of an open track: the
+// smallest whole number that does, plus 1 so that no top is passed too slowly; at most world::kMaxSpeed. Nothing if
+// none does, or without a train. Bisects, because higher speeds also complete the ride. Takes about 9 simulations.
+std::optional<double> completing_speed(world::Document document);
 
 }  // namespace coaster::sim

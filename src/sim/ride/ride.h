@@ -94,6 +94,12 @@ struct Rolling {
 Rolling rolling(const world::Document& document, const Derived& derived, world::Entity entity,
                 const world::CartMotion& cart, int car = 0);
 
+// Returns the poses of the cars of all trains, each as car_poses() does. Beyond the `exact` cars nearest to the eye and
+// by the frame method `knots`, they are approximate, at a tenth of the cost: at most max |B''| / 8192 m from their
+// place on the curve B, and turned by less than a 32nd of the segment's turn.
+std::vector<Pose> shown_cars(const world::Document& document, const Derived& derived, const world::Motion& motion,
+                             world::FrameMethod method, glm::dvec3 eye, std::size_t exact);
+
 }  // namespace coaster::sim
 
 namespace coaster::world {

@@ -2,12 +2,15 @@
 // ride, so that nothing is simulated twice.
 #pragma once
 
+#include <array>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string_view>
 #include <vector>
 
 #include "sim/ride/ghost.h"
+#include "world/laboratory.h"
 
 namespace coaster::sim {
 
@@ -97,5 +100,36 @@ class Riders {
   double cutoff_ = 0;
   std::vector<std::vector<RiderSample>> samples_;  // by car; empty: not computed
 };
+
+// Returns the cars of a seat in a train of `cars` cars. `own`: the car of Seat::car, from 1; beyond the last car it is
+// the last one.
+CarRange cars_of(world::Seat seat, int own, int cars);
+
+// Curves along a ride. For several cars: the smallest and the largest value; for one car `most` is empty.
+struct SeatCurves {
+  std::vector<double> place, time;  // position of the middle car: m as by Rider::place, s since the start
+  std::array<std::vector<double>, kRideValueCount> least, most;
+};
+// Returns the curves by position: each car's value when it first reaches the position, so `place` ascends even if the
+// train stops, rolls back or starts backwards. Positions one lap apart on a closed track are equal. A car that does not
+// reach a position does not count there.
+SeatCurves curves_by_place(std::span<const Rider> riders);
+// Returns the curves by time: all cars at the same moment. `time` ascends.
+SeatCurves curves_by_time(std::span<const Rider> riders);
+
+// Returns the car's value when it first reaches a distance along the track (m), linear between entries but for the
+// speed (Passings); nothing if it does not reach it.
+std::optional<double> value_at(const Rider& rider, double distance, RideValue value);
+
+// An extreme value, its time and its position.
+struct Extreme {
+  double value = 0;
+  double seconds = 0;   // since the start
+  double distance = 0;  // m along the track, of that car
+  int car = 0;
+};
+
+// Returns the value with the largest magnitude of all these cars, with its sign.
+Extreme most_of(std::span<const Rider> riders, RideValue value);
 
 }  // namespace coaster::sim

@@ -1,4 +1,5 @@
-#include "sim/study/seat.h"
+// Curves and values of a seat along a ride.
+#include "sim/study/riders.h"
 
 #include <gtest/gtest.h>
 
