@@ -47,10 +47,10 @@ Answer energy(const Context& c, View) {
     return function(c.session.document, c.session.derived, e, cart);
   });
 }
-template <double sim::Felt::*axis>
+template <float sim::Felt::*axis>
 Answer felt(const Context& c, View) {
   return of_cart(c, [&](world::Entity e, const world::CartMotion& cart) {
-    return sim::felt(c.session.document, c.session.derived, e, cart).*axis;
+    return double{sim::felt(c.session.document, c.session.derived, e, cart).*axis};
   });
 }
 template <double sim::Wheels::*kind>

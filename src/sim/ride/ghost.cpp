@@ -170,9 +170,9 @@ std::vector<const SegmentTable*> segments_of(const RailTables& tables) {
   return segments;
 }
 
-Force force_of(glm::dvec3 g) { return {static_cast<float>(g.x), static_cast<float>(g.y), static_cast<float>(g.z)}; }
+Felt force_of(glm::dvec3 g) { return {static_cast<float>(g.x), static_cast<float>(g.y), static_cast<float>(g.z)}; }
 
-glm::dvec3 seat_vector(const Force& force) { return {force.forward, force.left, force.up}; }
+glm::dvec3 seat_vector(const Felt& force) { return {force.forward, force.left, force.up}; }
 
 // Returns the passage from the end of one segment's entries to the start of the next's, or backwards.
 Passage passage(std::span<const FeltEntry> from, std::span<const FeltEntry> to, bool back, double speed,
@@ -202,21 +202,16 @@ class Simulation {
 
   // Runs the simulation and reuses the memory of `ghost`.
   Ghost run(const GhostLimits& limits, Ghost ghost) {
-    std::vector<GhostSample> samples = std::move(ghost.samples);
-    std::vector<Force> forces = std::move(ghost.forces);
-    std::vector<Passage> passages = std::move(ghost.passages);
-    std::vector<BendPassage> bends = std::move(ghost.bends);
-    std::vector<GhostSwitch> switches = std::move(ghost.switches);
-    samples.clear(), switches.clear(), forces.clear(), passages.clear(), bends.clear();
-    ghost = Ghost{start_,
-                  rails_.length,
-                  rails_.closed,
-                  document_.heartline,
-                  std::move(samples),
-                  std::move(switches),
-                  std::move(forces),
-                  std::move(passages),
-                  std::move(bends)};
+    ghost.samples.clear(), ghost.switches.clear(), ghost.forces.clear(), ghost.passages.clear(), ghost.bends.clear();
+    ghost = {.start = start_,
+             .track_length = rails_.length,
+             .closed = rails_.closed,
+             .heartline = document_.heartline,
+             .samples = std::move(ghost.samples),
+             .switches = std::move(ghost.switches),
+             .forces = std::move(ghost.forces),
+             .passages = std::move(ghost.passages),
+             .bends = std::move(ghost.bends)};
     const auto most = static_cast<std::size_t>(std::max(0.0, limits.seconds) * world::kTicksPerSecond);
     const std::size_t usual = std::min<std::size_t>(most + 1, 20'000);
     ghost.samples.reserve(usual), ghost.forces.reserve(usual / kForceEvery * static_cast<std::size_t>(start_.cars));
@@ -229,7 +224,9 @@ class Simulation {
         ghost.switches.push_back(at);
       }
       add_sample(ghost);
-      if (ghost.end == world::FailureKind::none) ghost.end = failure(ghost);
+      if (ghost.end == world::FailureKind::none)
+        ghost.end = end_of_ride(document_, train_.state().speed, ghost.samples.back().travelled, train_.held(),
+                                furthest_, still_);
       const double after = train_.state().x - start_.front;
       if (rails_.closed && !ghost.lap && after >= rails_.length) {
         const double part = after > before ? (rails_.length - before) / (after - before) : 1.0;
@@ -243,15 +240,6 @@ class Simulation {
   }
 
  private:
-  world::FailureKind failure(const Ghost& ghost) {
-    const double speed = train_.state().speed;
-    const double travelled = ghost.samples.back().travelled;
-    furthest_ = std::max(furthest_, travelled);
-    if (rolls_back(document_, speed, travelled, furthest_)) return world::FailureKind::rollback;
-    still_ = std::abs(speed) < kStillSpeed && !train_.held() ? still_ + 1 : 0;
-    return still_ >= kStillTicks ? world::FailureKind::stall : world::FailureKind::none;
-  }
-
   void add_sample(Ghost& ghost) {
     const TrainState& now = train_.state();
     ghost.samples.push_back({now.x - start_.front, now.speed, train_.acceleration(), now.work});
@@ -293,7 +281,7 @@ class Simulation {
     const std::size_t count = segments_.size(), entry = ghost.forces.size() / cars_.size() - 1;
     const auto speed = [&](double share) { return std::lerp(then.speed, now.speed, share); };
     const auto acceleration = [&](double share) { return std::lerp(then.acceleration, now.acceleration, share); };
-    const Force* const felt = &ghost.forces[entry * cars_.size() + static_cast<std::size_t>(car)];
+    const Felt* const felt = &ghost.forces[entry * cars_.size() + static_cast<std::size_t>(car)];
     glm::dvec3 missed = -0.5 * time * (seat_vector(felt[0]) + seat_vector(*(felt - cars_.size())));
     double done = 0;  // of the way between the entries
     // Adds the integral of felt g on one segment's part of the way, from `done` on, by Simpson's rule.
@@ -351,7 +339,7 @@ class Simulation {
       if (from == to) break;
       from = next;
     }
-    const Force* const felt = &ghost.forces[entry * cars_.size() + static_cast<std::size_t>(car)];
+    const Felt* const felt = &ghost.forces[entry * cars_.size() + static_cast<std::size_t>(car)];
     if (!way.is_needed(seat_vector(*(felt - cars_.size())), seat_vector(felt[0]), joint)) return;
     for (auto it = ghost.passages.rbegin(); it != ghost.passages.rend() && it->car == car && it->entry == entry; ++it)
       it->missed = {0, 0, 0};  // the integrals are whole
@@ -369,7 +357,7 @@ class Simulation {
   GhostTrain train_;
   Rails rails_;
   double furthest_ = 0;
-  int still_ = 0;
+  std::int32_t still_ = 0;
   std::size_t between_ = kForceEvery;  // ticks, of the last two entries of the forces
   struct CarPlace {
     double back;                          // m behind the first car

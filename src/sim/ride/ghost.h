@@ -43,7 +43,7 @@ struct GhostSwitch {
 };
 
 // Felt acceleration in g on the seat's axes, for riders on the heartline.
-struct Force {
+struct Felt {
   float forward = 0, left = 0, up = 1;
 };
 // Ticks between two entries of Ghost::forces: 60 a second. The last one may be nearer to the one before.
@@ -55,15 +55,15 @@ inline constexpr int kForceEvery = 2;
 struct Passage {
   std::size_t knot = 0;  // index in the track
   int car = 0;
-  std::size_t entry = 0;   // the first of the forces after it, per car
-  double time = 0;         // s since the start
-  double speed = 0;        // m/s there
-  Force impulse{0, 0, 0};  // g s: the step of velocity by g
-  Force before{0, 0, 0};   // g, felt just before it
-  Force step{0, 0, 0};     // g
+  std::size_t entry = 0;  // the first of the forces after it, per car
+  double time = 0;        // s since the start
+  double speed = 0;       // m/s there
+  Felt impulse{0, 0, 0};  // g s: the step of velocity by g
+  Felt before{0, 0, 0};   // g, felt just before it
+  Felt step{0, 0, 0};     // g
   // g s: the integral of felt g from the entry before to that after it, without impulses, less the mean of both entries
   // over that time: what happens between them. Of several passages between the same entries the last has it.
-  Force missed{0, 0, 0};
+  Felt missed{0, 0, 0};
 };
 
 // A car's way through a tight bend or a reversal (FeltCell) from the entry before to that of `peak`: instead of the two
@@ -72,7 +72,7 @@ struct Passage {
 // straight line between felt g at both ends of that time; it is part of the integrals.
 struct BendPassage {
   Passage peak;  // of the sharpest place; no knot
-  Force for_before{0, 0, 0}, for_entry{0, 0, 0};
+  Felt for_before{0, 0, 0}, for_entry{0, 0, 0};
 };
 inline constexpr double kSharpSeconds = 0.05;
 
@@ -83,7 +83,7 @@ struct Ghost {
   double heartline = 0;                               // m, of the riders above the rails
   std::vector<GhostSample> samples;                   // one per tick of 1/120 s, the first at the start
   std::vector<GhostSwitch> switches;                  // in order
-  std::vector<Force> forces;                          // entry k of car c at [k * cars + c], at sample_of(k)
+  std::vector<Felt> forces;                           // entry k of car c at [k * cars + c], at sample_of(k)
   std::vector<Passage> passages;                      // of all cars over all joints, in order
   std::vector<BendPassage> bends;                     // of all cars, in order
   world::FailureKind end = world::FailureKind::none;  // none: a whole lap, or the time limit was reached

@@ -61,7 +61,7 @@ namespace {
 
 using glm::dvec3;
 
-Force force_from(dvec3 g) { return {static_cast<float>(g.x), static_cast<float>(g.y), static_cast<float>(g.z)}; }
+Felt force_from(dvec3 g) { return {static_cast<float>(g.x), static_cast<float>(g.y), static_cast<float>(g.z)}; }
 
 // A piece of the rails in or between cells, or half of one around a Gauss node.
 struct FeltPiece {

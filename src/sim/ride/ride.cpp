@@ -1,4 +1,4 @@
-// Position and orientation of cars, and the forces on their riders.
+// Trains at their start, after edits and after seek, their energy, and the poses of cars. Ticks are in ride_step.cpp.
 #include "sim/ride/ride.h"
 
 #include <algorithm>
@@ -13,6 +13,16 @@
 namespace coaster::sim {
 namespace {
 
+// Returns the positions of a moving train's cars, first to last.
+std::vector<TrackPlace> places_of(const world::Document& document, const Derived& derived, world::Entity entity,
+                                  const world::CartMotion& motion) {
+  const world::Cart* const design = document.entities.find<world::Cart>(entity);
+  std::vector<TrackPlace> places;
+  place_cars(derived, front_place(derived, motion), design ? cars_on(derived, *design) : 1,
+             design ? design->spacing : 1.0, places);
+  return places;
+}
+
 // Returns a train's acceleration along the rails, m/s^2, with losses and the last tick's equipment.
 double along_rails(const world::Document& document, const Derived& derived, world::Entity entity,
                    const world::CartMotion& cart, std::span<const TrackPlace> places) {
@@ -22,15 +32,6 @@ double along_rails(const world::Document& document, const Derived& derived, worl
 }
 
 }  // namespace
-
-std::vector<TrackPlace> places_of(const world::Document& document, const Derived& derived, world::Entity entity,
-                                  const world::CartMotion& motion) {
-  const world::Cart* const design = document.entities.find<world::Cart>(entity);
-  std::vector<TrackPlace> places;
-  place_cars(derived, front_place(derived, motion), design ? cars_on(derived, *design) : 1,
-             design ? design->spacing : 1.0, places);
-  return places;
-}
 
 double acceleration_of(TrainContext context, double speed) {
   context.direction = speed > 0 ? 1.0 : speed < 0 ? -1.0 : 0.0;
@@ -73,7 +74,7 @@ Felt felt(const world::Document& document, const Derived& derived, world::Entity
   const double along = along_rails(document, derived, entity, cart, places);
   const glm::vec3 g = here.felt(static_cast<float>(along / world::kGravity),
                                 static_cast<float>(cart.speed * cart.speed / world::kGravity));
-  return {g.z, g.y, g.x};
+  return {g.x, g.y, g.z};
 }
 
 Rolling rolling(const world::Document& document, const Derived& derived, world::Entity entity,

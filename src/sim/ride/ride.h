@@ -79,9 +79,6 @@ std::vector<Pose> car_poses(const world::Document& document, const Derived& deri
 
 // Felt acceleration in g of riders on the document's heartline, in one car of a train, on the seat's axes: +1 up at
 // rest on level track. Includes losses and equipment of the last tick.
-struct Felt {
-  double up = 1, left = 0, forward = 0;
-};
 Felt felt(const world::Document& document, const Derived& derived, world::Entity entity, const world::CartMotion& cart,
           int car = 0);
 

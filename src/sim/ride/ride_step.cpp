@@ -1,9 +1,8 @@
-// The integrator table. Stepped rows work in arc length on a train between two joints; ride_step.cpp splits ticks
-// there.
+// The integrators, and the ticks of trains. Stepped rows work in arc length on a train between two joints: ticks are
+// split there.
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <optional>
 
 #include "sim/ride/ride.h"
 #include "sim/ride/ride_detail.h"
@@ -64,6 +63,22 @@ constexpr std::array<Integrator, 6> kIntegrators{{
 std::span<const Integrator> integrators() { return kIntegrators; }
 
 namespace {
+
+// What equipment needs to know of a train during a tick.
+struct Control {
+  TrainContacts contacts;
+  ControlState state;
+  bool way_free = true;
+  Drive drive;  // the last one
+};
+
+struct TickContext {
+  const RideInput& input;
+  const Integrator& row;
+  world::Resistance resistance;  // of the current train
+  TrainPlace train;              // its cars
+  Control& control;
+};
 
 // A tick that crosses more joints per car than this (segments of zero length) is cut short: the train waits for the
 // next tick.
@@ -165,8 +180,7 @@ bool near_equipment(const TickContext& tick, const Contacts& contacts, const wor
   return !contacts.on.empty() || cart.travelled + reach > next.ahead() || cart.travelled - reach < next.behind();
 }
 
-}  // namespace
-
+// Updates the drive of a train in its present state. Returns the equipment that it is on.
 const Contacts& update_drive(const TickContext& tick, const TrainContext& context, const world::CartMotion& cart) {
   Control& control = tick.control;
   const Rails rails{tick.input.derived.length, tick.input.derived.closed};
@@ -178,6 +192,8 @@ const Contacts& update_drive(const TickContext& tick, const TrainContext& contex
   return contacts;
 }
 
+// Advances a train by `dt` in parts that end at joints, where equipment switches and where losses stop it. Returns
+// false at an open end.
 bool advance_stepped(const TickContext& tick, double dt, std::vector<TrackPlace>& places, world::CartMotion& cart) {
   const Derived& derived = tick.input.derived;
   const world::Document& document = tick.input.document;
@@ -227,7 +243,80 @@ bool advance_stepped(const TickContext& tick, double dt, std::vector<TrackPlace>
   return true;
 }
 
-namespace {
+// The data of a train for integrators without a TrainContext.
+struct TrainLoad {
+  int cars = 1;
+  double spacing = 3;            // m
+  world::Resistance resistance;  // for this train's mass
+  double drive = 0;              // m/s^2 by equipment
+};
+
+// Returns the speed by the energy, with the first car at height `height` m (of a vertex: not exactly on the curve) and
+// the others behind it on the curve.
+double speed_at(const RideInput& input, const TrainLoad& load, const world::CartMotion& cart, TrackPlace front,
+                double height) {
+  if (load.cars > 1) {
+    std::vector<TrackPlace> places;
+    place_cars(input.derived, front, load.cars, load.spacing, places);
+    for (std::size_t i = 1; i < places.size(); ++i)
+      height += rail_point(input.derived.shape_at(places[i].index), places[i].s).height;
+    height /= load.cars;
+  }
+  const double kinetic = cart.reference_energy + cart.work - world::kGravity * (height - input.document.datum);
+  return kinetic > 0 ? std::sqrt(2.0 * kinetic) : 0.0;
+}
+
+// Advances by the paper's conclusion: from vertex to vertex of the polyline, each chord / speed after the last. The
+// speed follows from the energy at the vertex, with the cars' mean height, losses and equipment. A train at rest stays,
+// as in the paper, unless equipment pushes it. The remaining time is kept in cart.carry. Returns false at an open end.
+bool advance_by_vertices(const RideInput& input, const TrainLoad& load, double dt, world::CartMotion& cart) {
+  const Derived& derived = input.derived;
+  constexpr int kMostVertices = 100'000;  // per tick
+  double time = cart.carry + dt;
+  const bool forward = cart.speed > 0 || (cart.speed == 0 && load.drive >= 0);
+  const double sign = forward ? 1.0 : -1.0;
+  std::size_t index = front_place(derived, cart).index;
+  Polyline polyline;  // of that segment; empty: not yet evaluated
+  for (int n = 0; n < kMostVertices; ++n) {
+    const SegmentShape& shape = derived.shape_at(index);
+    if (polyline.points.empty()) evaluate_polyline(shape, polyline);
+    // A GPU evaluator has no polyline here: use as many steps of the exact curve.
+    const int count = derived.steps + 1;
+    const auto vertex = [&](int i) {
+      return polyline.points.empty() ? curve::point(shape.key.cubic, static_cast<double>(i) / (count - 1))
+                                     : glm::dvec3(polyline.points[static_cast<std::size_t>(i)]);
+    };
+    const double at = shape.arc.parameter(cart.s) * (count - 1);
+    constexpr double kOnVertex = 1e-6;  // of a step
+    const int from = std::clamp(static_cast<int>(std::lround(at)), 0, count - 1);
+    const int here =
+        std::abs(at - from) < kOnVertex ? from : static_cast<int>(forward ? std::floor(at) : std::ceil(at));
+    const int to = here + (forward ? 1 : -1);
+    if (to < 0 || to >= count) {
+      const bool at_end = forward ? index + 1 == derived.order.size() : index == 0;
+      if (at_end && !derived.closed) return false;
+      if (at_end) cart.laps += forward ? 1 : -1;
+      index = forward ? (index + 1) % derived.order.size() : (index + derived.order.size() - 1) % derived.order.size();
+      settle_on(derived, {index, forward ? 0.0 : derived.shape_at(index).arc.length()}, cart);
+      polyline.points.clear();
+      continue;
+    }
+    const glm::dvec3 a = vertex(here), b = vertex(to);
+    const double chord = glm::length(b - a), s = shape.arc.distance(static_cast<double>(to) / (count - 1));
+    cart.speed = sign * speed_at(input, load, cart, {index, cart.s}, a.y);
+    // From rest, equipment moves it over the first chord with v^2 = 2 a s, at half of that speed on average.
+    const double pace =
+        cart.speed != 0 ? std::abs(cart.speed) : 0.5 * std::sqrt(std::max(0.0, 2.0 * sign * load.drive * chord));
+    if (!(pace > 0) || !(time >= chord / pace)) break;
+    time -= chord / pace;
+    cart.work += (sign * load.drive - loss(load.resistance, pace)) * std::abs(s - cart.s);
+    cart.travelled += s - cart.s;
+    settle_on(derived, {index, s}, cart);
+    cart.speed = sign * speed_at(input, load, cart, {index, s}, b.y);
+  }
+  cart.carry = cart.speed != 0 || load.drive != 0 ? time : 0.0;
+  return true;
+}
 
 bool way_free(const RideInput& input, std::span<const TrainPlace> trains, std::size_t train) {
   const Rails rails{input.derived.length, input.derived.closed};
@@ -235,19 +324,11 @@ bool way_free(const RideInput& input, std::span<const TrainPlace> trains, std::s
          section_free(input.equipment, rails, trains[train], trains.subspan(train + 1));
 }
 
-// Returns how a train's tick ended the ride, if it did.
-std::optional<world::FailureKind> failure_of(const TickContext& tick, bool held, bool on_track, double arrival,
-                                             world::CartMotion& cart) {
+// Returns whether a train ran off an open end with this speed. One that never moved was pulled out at its start.
+world::FailureKind end_of_track(double arrival, world::CartMotion& cart) {
   cart.furthest = std::max(cart.furthest, cart.travelled);
-  // A train that never moved was pulled out at its start.
-  if (!on_track)
-    return std::abs(arrival) > kStillSpeed || cart.travelled == 0 ? std::optional(world::FailureKind::off_end)
-                                                                  : std::nullopt;
-  if (rolls_back(tick.input.document, cart.speed, cart.travelled, cart.furthest)) return world::FailureKind::rollback;
-  const bool still = std::abs(cart.speed) < kStillSpeed && !held;
-  cart.still = still ? cart.still + 1 : 0;
-  if (cart.still >= kStillTicks) return world::FailureKind::stall;
-  return std::nullopt;
+  return std::abs(arrival) > kStillSpeed || cart.travelled == 0 ? world::FailureKind::off_end
+                                                                : world::FailureKind::none;
 }
 
 bool at_open_end(const Derived& derived, const world::CartMotion& cart) {
@@ -354,8 +435,10 @@ void step_trains(const RideInput& input, const Integrator& row, int ticks, world
       any |= on_track;
       if (waits && control.state.dwell == 1 && waiting == nullptr) waiting = &trains[i];
       all_wait = all_wait && (!on_track || (waits && control.state.dwell == 1));
-      if (const auto failure = failure_of(tick, on_track && control.drive.held, on_track, arrival, cart))
-        fail(*failure, trains[i], arrival);
+      const world::FailureKind end = on_track ? end_of_ride(input.document, cart.speed, cart.travelled,
+                                                            control.drive.held, cart.furthest, cart.still)
+                                              : end_of_track(arrival, cart);
+      if (end != world::FailureKind::none) fail(end, trains[i], arrival);
       places[i].front = cart.track_distance;
     }
     if (motion.state == world::RideState::running && trains.size() > 1) {

@@ -86,8 +86,7 @@ void follow_block(const RideInput& input, const LapTable& table, std::span<const
   }
 }
 
-}  // namespace
-
+// Returns the start of a train's timetable at its present motion.
 world::TimetablePlace timetable_from(const world::CartMotion& cart) {
   return {true, cart.track_distance, cart.speed, cart.dwell, cart.braking, 0, 0};
 }
@@ -97,20 +96,32 @@ GhostStart start_of(const RideInput& input, world::Entity entity, const world::T
                   {table.dwell, table.braking});
 }
 
-const LapTable& LapTables::of(world::Entity entity, const world::TimetablePlace& place) {
-  const GhostStart start = start_of(input_, entity, place);
-  for (const auto& [known, table] : tables_)
-    if (known == start) return *table;
-  tables_.emplace_back(start, &memo_.lap(input_.document, input_.derived, start));
-  return *tables_.back().second;
-}
+// The tables of one lap for many trains, each looked up in the memo once.
+class LapTables {
+ public:
+  LapTables(const RideInput& input, GhostMemo& memo) : input_(input), memo_(memo) {}
+  const LapTable& of(world::Entity entity, const world::TimetablePlace& place) {
+    const GhostStart start = start_of(input_, entity, place);
+    for (const auto& [known, table] : tables_)
+      if (known == start) return *table;
+    tables_.emplace_back(start, &memo_.lap(input_.document, input_.derived, start));
+    return *tables_.back().second;
+  }
+  // Returns that of each train, in the order of the items.
+  std::vector<const LapTable*> of(const world::Pool<world::CartMotion>& carts) {
+    std::vector<const LapTable*> tables(carts.size());
+    for (std::size_t i = 0; i < carts.size(); ++i) tables[i] = &of(carts.entities()[i], carts.items()[i].timetable);
+    return tables;
+  }
 
-std::vector<const LapTable*> LapTables::of(const world::Pool<world::CartMotion>& carts) {
-  std::vector<const LapTable*> tables(carts.size());
-  for (std::size_t i = 0; i < carts.size(); ++i) tables[i] = &of(carts.entities()[i], carts.items()[i].timetable);
-  return tables;
-}
+ private:
+  const RideInput& input_;
+  GhostMemo& memo_;
+  std::vector<std::pair<GhostStart, const LapTable*>> tables_;  // at most kMostTimetables
+};
 
+// If a train is without a timetable, gives each the one of its kind and energy. Returns false if there are too many, or
+// if a train may not complete a lap.
 bool share_timetables(const RideInput& input, GhostMemo& memo, world::Motion& motion) {
   constexpr double kSame = 1e-8;  // of the energy
   if (!input.derived.closed || !input.equipment.empty() || input.document.resistance != world::Resistance{})
@@ -148,6 +159,7 @@ bool share_timetables(const RideInput& input, GhostMemo& memo, world::Motion& mo
   return true;
 }
 
+// Runs all ticks of those `trains` (indices of `carts` and of their tables) whose laps repeat.
 void follow_laps(const RideInput& input, std::span<const LapTable* const> table_of, std::span<const std::size_t> trains,
                  int ticks, std::vector<world::CartMotion>& carts) {
   LapCarts on;
@@ -157,8 +169,6 @@ void follow_laps(const RideInput& input, std::span<const LapTable* const> table_
     follow_block(input, table, trains.subspan(from, to - from), ticks, carts, on);
   }
 }
-
-namespace {
 
 // Applies the next tick's entry. Returns false if the timetable ends the ride.
 bool follow_timetable(const RideInput& input, GhostMemo& memo, world::Entity entity, world::CartMotion& cart,
@@ -188,21 +198,6 @@ bool follow_timetable(const RideInput& input, GhostMemo& memo, world::Entity ent
   settle_on(input.derived, place_at(input.derived, ghost->distance(next)), cart);
   cart.timetable.tick = static_cast<std::int64_t>(next);
   return true;
-}
-
-// Returns the speed by the energy, with the first car at height `height` m (of a vertex: not exactly on the curve) and
-// the others behind it on the curve.
-double speed_at(const RideInput& input, const TrainLoad& load, const world::CartMotion& cart, TrackPlace front,
-                double height) {
-  if (load.cars > 1) {
-    std::vector<TrackPlace> places;
-    place_cars(input.derived, front, load.cars, load.spacing, places);
-    for (std::size_t i = 1; i < places.size(); ++i)
-      height += rail_point(input.derived.shape_at(places[i].index), places[i].s).height;
-    height /= load.cars;
-  }
-  const double kinetic = cart.reference_energy + cart.work - world::kGravity * (height - input.document.datum);
-  return kinetic > 0 ? std::sqrt(2.0 * kinetic) : 0.0;
 }
 
 bool begin_timetables(world::Motion& motion) {
@@ -244,55 +239,6 @@ bool step_by_timetable(const RideInput& input, int ticks, GhostMemo& memo, world
   if (others.empty()) done = ticks;
   else table_of = LapTables(input, memo).of(motion.carts);  // the others may have evicted tables
   follow_laps(input, table_of, rounds, done, motion.carts.items());
-  return true;
-}
-
-bool advance_by_vertices(const RideInput& input, const TrainLoad& load, double dt, world::CartMotion& cart) {
-  const Derived& derived = input.derived;
-  constexpr int kMostVertices = 100'000;  // per tick
-  double time = cart.carry + dt;
-  const bool forward = cart.speed > 0 || (cart.speed == 0 && load.drive >= 0);
-  const double sign = forward ? 1.0 : -1.0;
-  std::size_t index = front_place(derived, cart).index;
-  Polyline polyline;  // of that segment; empty: not yet evaluated
-  for (int n = 0; n < kMostVertices; ++n) {
-    const SegmentShape& shape = derived.shape_at(index);
-    if (polyline.points.empty()) evaluate_polyline(shape, polyline);
-    // A GPU evaluator has no polyline here: use as many steps of the exact curve.
-    const int count = derived.steps + 1;
-    const auto vertex = [&](int i) {
-      return polyline.points.empty() ? curve::point(shape.key.cubic, static_cast<double>(i) / (count - 1))
-                                     : glm::dvec3(polyline.points[static_cast<std::size_t>(i)]);
-    };
-    const double at = shape.arc.parameter(cart.s) * (count - 1);
-    constexpr double kOnVertex = 1e-6;  // of a step
-    const int from = std::clamp(static_cast<int>(std::lround(at)), 0, count - 1);
-    const int here =
-        std::abs(at - from) < kOnVertex ? from : static_cast<int>(forward ? std::floor(at) : std::ceil(at));
-    const int to = here + (forward ? 1 : -1);
-    if (to < 0 || to >= count) {
-      const bool at_end = forward ? index + 1 == derived.order.size() : index == 0;
-      if (at_end && !derived.closed) return false;
-      if (at_end) cart.laps += forward ? 1 : -1;
-      index = forward ? (index + 1) % derived.order.size() : (index + derived.order.size() - 1) % derived.order.size();
-      settle_on(derived, {index, forward ? 0.0 : derived.shape_at(index).arc.length()}, cart);
-      polyline.points.clear();
-      continue;
-    }
-    const glm::dvec3 a = vertex(here), b = vertex(to);
-    const double chord = glm::length(b - a), s = shape.arc.distance(static_cast<double>(to) / (count - 1));
-    cart.speed = sign * speed_at(input, load, cart, {index, cart.s}, a.y);
-    // From rest, equipment moves it over the first chord with v^2 = 2 a s, at half of that speed on average.
-    const double pace =
-        cart.speed != 0 ? std::abs(cart.speed) : 0.5 * std::sqrt(std::max(0.0, 2.0 * sign * load.drive * chord));
-    if (!(pace > 0) || !(time >= chord / pace)) break;
-    time -= chord / pace;
-    cart.work += (sign * load.drive - loss(load.resistance, pace)) * std::abs(s - cart.s);
-    cart.travelled += s - cart.s;
-    settle_on(derived, {index, s}, cart);
-    cart.speed = sign * speed_at(input, load, cart, {index, s}, b.y);
-  }
-  cart.carry = cart.speed != 0 || load.drive != 0 ? time : 0.0;
   return true;
 }
 

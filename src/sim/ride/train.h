@@ -30,9 +30,14 @@ double direction_of(double speed, const world::Resistance& resistance, const Pul
   return acceleration > 0 ? 1.0 : -1.0;
 }
 
-// Returns true if a train has rolled back too far from the farthest point that it reached.
-inline bool rolls_back(const world::Document& document, double speed, double travelled, double furthest) {
-  return document.rollback_fails && furthest > kRollback && speed < 0 && travelled < furthest - kRollback;
+// Returns how a ride ends by itself after a tick, if it does. Updates `furthest` (m) and `still`, the ticks at rest.
+inline world::FailureKind end_of_ride(const world::Document& document, double speed, double travelled, bool held,
+                                      double& furthest, std::int32_t& still) {
+  furthest = std::max(furthest, travelled);
+  if (document.rollback_fails && furthest > kRollback && speed < 0 && travelled < furthest - kRollback)
+    return world::FailureKind::rollback;
+  still = std::abs(speed) < kStillSpeed && !held ? still + 1 : 0;
+  return still >= kStillTicks ? world::FailureKind::stall : world::FailureKind::none;
 }
 
 // Returns the rails at arc length s of a segment; beyond its ends the rails continue straight.

@@ -28,15 +28,15 @@ struct Section {
 };
 
 // Returns the seat's axis of a limit.
-float Force::*seat_axis(ForceAxis axis) {
+float Felt::*seat_axis(ForceAxis axis) {
   switch (axis) {
     case ForceAxis::down:
-    case ForceAxis::lift: return &Force::up;
-    case ForceAxis::side: return &Force::left;
+    case ForceAxis::lift: return &Felt::up;
+    case ForceAxis::side: return &Felt::left;
     case ForceAxis::forward:
-    case ForceAxis::back: return &Force::forward;
+    case ForceAxis::back: return &Felt::forward;
   }
-  return &Force::up;
+  return &Felt::up;
 }
 
 // For each entry the longest run around it with no value below its own: [first, last].
@@ -131,7 +131,7 @@ namespace {
 
 // Returns low-passed felt g of a car that passes tight bends: what happens between two entries counts when it happens,
 // at kFiner times their rate. An entry shows the peak next to it, if there is one.
-std::vector<float> low_passed_finely(const Ghost& ghost, int car, float Force::*axis, double cutoff,
+std::vector<float> low_passed_finely(const Ghost& ghost, int car, float Felt::*axis, double cutoff,
                                      std::span<const float> entries) {
   constexpr std::size_t kFiner = 8;
   constexpr double kRate = kFiner * kForceRate;
@@ -179,7 +179,7 @@ std::vector<float> low_passed_finely(const Ghost& ghost, int car, float Force::*
 
 }  // namespace
 
-std::vector<float> low_passed_g(const Ghost& ghost, int car, float Force::*axis, double cutoff) {
+std::vector<float> low_passed_g(const Ghost& ghost, int car, float Felt::*axis, double cutoff) {
   const auto cars = static_cast<std::size_t>(ghost.start.cars);
   std::vector<float> values;
   values.reserve(ghost.forces.size() / cars);

@@ -163,7 +163,7 @@ void take_wheels(const Ghost& ghost, double cutoff, Ratings& r) {
                              side = pressed(ghost, car, ForceAxis::side, cutoff),
                              forward = pressed(ghost, car, ForceAxis::forward, cutoff);
     for (std::size_t i = 0; i < up.size(); ++i) {
-      const Wheels all = wheel_loads(Felt{up[i], side[i], forward[i]}, body).of(WheelSet::car);
+      const Wheels all = wheel_loads(Felt{forward[i], side[i], up[i]}, body).of(WheelSet::car);
       const bool first = car == 0 && i == 0;
       take(r.road_most, all.road, first, true, ghost.sample_of(i), car, ghost);
       take(r.up_stop_most, all.up_stop, first, true, ghost.sample_of(i), car, ghost);
@@ -339,7 +339,7 @@ std::string report_csv(const Ghost& ghost, std::span<const Rider> riders) {
     add(out, "{:.6f},{:.4f},{:.4f},{:.4f},{:.4f}", static_cast<double>(sample) * world::kTick, ghost.distance(sample),
         ghost.samples[sample].speed, riders[0].samples[k].height, ghost.samples[sample].acceleration);
     for (std::size_t car = 0; car < cars; ++car) {
-      const Force& f = ghost.forces[k * cars + car];
+      const Felt& f = ghost.forces[k * cars + car];
       const WheelLoads loads = wheel_loads(ghost, k, static_cast<int>(car));
       const Wheels front = loads.of(WheelSet::front), rear = loads.of(WheelSet::rear);
       for (const double g : {f.up, f.left, f.forward}) add(out, ",{:.4f}", base::limited_figure(g, "g"));

@@ -15,12 +15,12 @@ namespace {
 constexpr double kRate = static_cast<double>(world::kTicksPerSecond) / kForceEvery;  // entries per second
 constexpr double kDegrees = 180.0 / base::kPi;
 
-double magnitude(const Force& force) {
+double magnitude(const Felt& force) {
   const double up = force.up, left = force.left, forward = force.forward;
   return std::sqrt(up * up + left * left + forward * forward);
 }
 
-void fill_jerk(const Ghost& ghost, int car, float Force::*axis, double cutoff, std::vector<RiderSample>& samples) {
+void fill_jerk(const Ghost& ghost, int car, float Felt::*axis, double cutoff, std::vector<RiderSample>& samples) {
   const std::vector<float> felt = low_passed_g(ghost, car, axis, cutoff);
   for (std::size_t k = 0; k < felt.size(); ++k) {
     const std::size_t before = k > 0 ? k - 1 : k, after = std::min(k + 1, felt.size() - 1);
@@ -49,7 +49,7 @@ void fill_roll_and_height(const Ghost& ghost, int car, const RailTables& tables,
 }  // namespace
 
 double Rider::value(std::size_t k, RideValue value) const {
-  const Force& force = ghost->forces[k * static_cast<std::size_t>(ghost->start.cars) + static_cast<std::size_t>(car)];
+  const Felt& force = ghost->forces[k * static_cast<std::size_t>(ghost->start.cars) + static_cast<std::size_t>(car)];
   switch (value) {
     case RideValue::vertical: return force.up;
     case RideValue::lateral: return force.left;
@@ -75,7 +75,7 @@ void Riders::update(const Ghost& ghost, const RailTables& tables, const Derived&
     std::vector<RiderSample>& samples = samples_[static_cast<std::size_t>(car)];
     if (!samples.empty()) continue;
     samples.resize(Rider{&ghost}.entries());
-    for (float Force::*const axis : {&Force::up, &Force::left, &Force::forward})
+    for (float Felt::*const axis : {&Felt::up, &Felt::left, &Felt::forward})
       fill_jerk(ghost, car, axis, cutoff, samples);
     fill_roll_and_height(ghost, car, tables, derived, samples);
   }

@@ -49,7 +49,7 @@ constexpr std::span<const RideValueRow> rows_of(RideValue) { return kRideValues;
 inline constexpr std::size_t kRideValueCount = std::size(kRideValues);
 
 struct RiderSample {
-  Force jerk{0, 0, 0};          // g/s on the seat's axes
+  Felt jerk{0, 0, 0};          // g/s on the seat's axes
   float roll_rate = 0;          // deg/s
   float roll_acceleration = 0;  // deg/s^2
   float height = 0;             // m, of the rails
