@@ -36,6 +36,15 @@ void add_chunk(std::string& png, const std::string& name_and_data) {
   png += big_endian(crc32(0, bytes, static_cast<uInt>(name_and_data.size())));
 }
 
+constexpr int kBlock = 8;
+
+// Returns the largest difference of a channel.
+int between(const std::uint8_t* a, const std::uint8_t* b) {
+  int most = 0;
+  for (int c = 0; c < 4; ++c) most = std::max(most, std::abs(int(a[c]) - int(b[c])));
+  return most;
+}
+
 }  // namespace
 
 // Row by row: a large picture is in memory only once.
@@ -82,19 +91,6 @@ base::Result<Image> decode_png(std::string_view bytes, std::string_view name) {
   stbi_image_free(pixels);
   return image;
 }
-
-namespace {
-
-constexpr int kBlock = 8;
-
-// Returns the largest difference of a channel.
-int between(const std::uint8_t* a, const std::uint8_t* b) {
-  int most = 0;
-  for (int c = 0; c < 4; ++c) most = std::max(most, std::abs(int(a[c]) - int(b[c])));
-  return most;
-}
-
-}  // namespace
 
 Difference compare(const Image& picture, const Image& golden, Tolerance tolerance) {
   Difference result;

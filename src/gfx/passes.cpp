@@ -42,22 +42,6 @@ base::Result<Program> make_scene_program(const Gl& gl, std::size_t index) {
   return make_program(gl, {.name = row.name, .common = common, .vertex = row.vertex, .fragment = row.fragment});
 }
 
-}  // namespace
-
-const Program& ScenePrograms::use(SceneProgram name) {
-  const auto index = static_cast<std::size_t>(name);
-  std::optional<Program>& program = programs_[index];
-  if (!program) {
-    auto made = make_scene_program(*gl_, index);
-    if (!made && failure_) failure_ = made.status();
-    program = made ? std::move(*made) : Program{};
-  }
-  gl_->UseProgram(program->object.id());
-  return *program;
-}
-
-namespace {
-
 // A convex part of the viewport, -1 to 1, with the number of corners that the shader expects.
 struct Part {
   std::array<glm::vec2, 6> corners{};
@@ -149,26 +133,6 @@ void draw_parallel_backdrop(const Pass& pass, const SunShadows& shadows) {
   draw_sky(pass, under, part_of_viewport(-middle, 0, -1));
 }
 
-}  // namespace
-
-void draw_backdrop(const Pass& pass, const SunShadows& shadows) {
-  const view::View& view = pass.scene.view;
-  blend(pass.gl, false);
-  pass.gl.Disable(GL_DEPTH_TEST);
-  pass.gl.BindVertexArray(pass.no_attributes);
-  if (view.parallel > 0) return draw_parallel_backdrop(pass, shadows);
-  // Rows of the view matrix are the camera's axes in the world; the projection is symmetric.
-  const glm::mat3 axes = glm::transpose(glm::mat3(view.view));
-  const Rays rays{-axes[2], axes[0] / view.projection[0][0], axes[1] / view.projection[1][1], view.eye};
-  const bool buried = view.eye.y <= 0;  // below the ground: earth all around
-  const Part above = buried ? part_of_viewport(1, 0, 0) : part_of_viewport(rays.forward.y, rays.right.y, rays.up.y);
-  const Part below = buried ? Part{} : part_of_viewport(-rays.forward.y, -rays.right.y, -rays.up.y);
-  draw_sky(pass, rays, above);
-  if (below.count > 2) draw_ground(pass, shadows, rays, below);
-}
-
-namespace {
-
 constexpr float kOutline = 0.9f;    // px, outline of solids in the blueprint style
 constexpr float kLeastTube = 1.6f;  // px, smallest half width of distant coloured rails
 
@@ -235,7 +199,59 @@ void draw_all(const Pass& pass, SceneProgram name, GLenum hidden, const TrackCac
   draw_carts(pass, instances);
 }
 
+constexpr float kPolylineWidth = 1.75f;  // points
+constexpr glm::vec4 kPolylineColour{1, 1, 1, 0.9f};
+
+// Draws the polyline's quads: from cached vertices, or from control points by the stage that evaluates them.
+void draw_lines(const Pass& pass, const TrackCache& track, GpuCurves& curves) {
+  const view::View& view = pass.scene.view;
+  const PolylinePen pen{pass.view_projection,
+                        view.eye,
+                        {view.viewport.width, view.viewport.height},
+                        kPolylineWidth * view.density,
+                        kPolylineColour};
+  if (pass.stats.drawn_by != curve::EvaluatedBy::processor) {
+    for (const CurveSlots& run : track.control_runs()) {
+      pass.count(2LL * run.count * run.steps);
+      if (!pass.scene.unseen) curves.draw(pass.stats.drawn_by, run, pen);
+    }
+    return;
+  }
+  pen.set(pass.use(SceneProgram::polyline));
+  track.bind_lines();
+  if (!pass.scene.unseen) pass.gl.DrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, track.line_count());
+  pass.count(2LL * track.line_count());
+}
+
 }  // namespace
+
+const Program& ScenePrograms::use(SceneProgram name) {
+  const auto index = static_cast<std::size_t>(name);
+  std::optional<Program>& program = programs_[index];
+  if (!program) {
+    auto made = make_scene_program(*gl_, index);
+    if (!made && failure_) failure_ = made.status();
+    program = made ? std::move(*made) : Program{};
+  }
+  gl_->UseProgram(program->object.id());
+  return *program;
+}
+
+void draw_backdrop(const Pass& pass, const SunShadows& shadows) {
+  const view::View& view = pass.scene.view;
+  blend(pass.gl, false);
+  pass.gl.Disable(GL_DEPTH_TEST);
+  pass.gl.BindVertexArray(pass.no_attributes);
+  if (view.parallel > 0) return draw_parallel_backdrop(pass, shadows);
+  // Rows of the view matrix are the camera's axes in the world; the projection is symmetric.
+  const glm::mat3 axes = glm::transpose(glm::mat3(view.view));
+  const Rays rays{-axes[2], axes[0] / view.projection[0][0], axes[1] / view.projection[1][1], view.eye};
+  const bool buried = view.eye.y <= 0;  // below the ground: earth all around
+  const Part above = buried ? part_of_viewport(1, 0, 0) : part_of_viewport(rays.forward.y, rays.right.y, rays.up.y);
+  const Part below = buried ? Part{} : part_of_viewport(-rays.forward.y, -rays.right.y, -rays.up.y);
+  draw_sky(pass, rays, above);
+  if (below.count > 2) draw_ground(pass, shadows, rays, below);
+}
 
 sim::Surroundings surroundings_of(const view::View& view) { return {view.eye, reach_of(view, 1).ties}; }
 
@@ -279,34 +295,6 @@ void draw_solids(const Pass& pass, const TrackCache& track, const Instances& ins
   draw_all(pass, SceneProgram::solid, GL_BACK, track, instances, shadows);
   pass.gl.Disable(GL_CULL_FACE);
 }
-
-namespace {
-
-constexpr float kPolylineWidth = 1.75f;  // points
-constexpr glm::vec4 kPolylineColour{1, 1, 1, 0.9f};
-
-// Draws the polyline's quads: from cached vertices, or from control points by the stage that evaluates them.
-void draw_lines(const Pass& pass, const TrackCache& track, GpuCurves& curves) {
-  const view::View& view = pass.scene.view;
-  const PolylinePen pen{pass.view_projection,
-                        view.eye,
-                        {view.viewport.width, view.viewport.height},
-                        kPolylineWidth * view.density,
-                        kPolylineColour};
-  if (pass.stats.drawn_by != curve::EvaluatedBy::processor) {
-    for (const CurveSlots& run : track.control_runs()) {
-      pass.count(2LL * run.count * run.steps);
-      if (!pass.scene.unseen) curves.draw(pass.stats.drawn_by, run, pen);
-    }
-    return;
-  }
-  pen.set(pass.use(SceneProgram::polyline));
-  track.bind_lines();
-  if (!pass.scene.unseen) pass.gl.DrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, track.line_count());
-  pass.count(2LL * track.line_count());
-}
-
-}  // namespace
 
 void draw_polyline(const Pass& pass, const TrackCache& track, GpuCurves& curves, GpuTimer& timer) {
   if (!pass.scene.show_polyline || pass.scene.derived.order.empty()) return;

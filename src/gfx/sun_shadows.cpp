@@ -42,6 +42,21 @@ LightBox box_of(const SunAxes& axes, const sim::SegmentShape& shape) {
 
 LightBox both(const LightBox& a, const LightBox& b) { return {glm::min(a.low, b.low), glm::max(a.high, b.high)}; }
 
+constexpr float kTrackSide = 256, kTrainSide = 16;  // m, the smallest squares
+
+// Returns the texels per side: no more than the picture can show, which matters for small pictures, but so many that
+// one is smaller than the track is wide: wider ones shade the track itself where the light grazes it.
+int texels_for(const view::Viewport& viewport) {
+  int size = 1024;
+  while (size < 2048 && static_cast<float>(size) < 2 * std::max(viewport.width, viewport.height)) size *= 2;
+  return size;
+}
+
+bool same(const sim::Pose& a, const sim::Pose& b) {
+  return a.position == b.position && a.frame.forward == b.frame.forward && a.frame.up == b.frame.up &&
+         a.length == b.length && a.leads == b.leads;
+}
+
 }  // namespace
 
 SunAxes::SunAxes(glm::vec3 towards_sun) : sun(glm::normalize(towards_sun)) {
@@ -193,25 +208,6 @@ void ShadowMap::bind(const Program& program, const char* prefix, int unit) const
   program.set((name + "_texel").c_str(),
               drawn_.fit.side > 0 ? glm::vec2(drawn_.fit.side * part, part) : glm::vec2(1, part));
 }
-
-namespace {
-
-constexpr float kTrackSide = 256, kTrainSide = 16;  // m, the smallest squares
-
-// Returns the texels per side: no more than the picture can show, which matters for small pictures, but so many that
-// one is smaller than the track is wide: wider ones shade the track itself where the light grazes it.
-int texels_for(const view::Viewport& viewport) {
-  int size = 1024;
-  while (size < 2048 && static_cast<float>(size) < 2 * std::max(viewport.width, viewport.height)) size *= 2;
-  return size;
-}
-
-bool same(const sim::Pose& a, const sim::Pose& b) {
-  return a.position == b.position && a.frame.forward == b.frame.forward && a.frame.up == b.frame.up &&
-         a.length == b.length && a.leads == b.leads;
-}
-
-}  // namespace
 
 void SunShadows::update(const Pass& pass, TrackCache& track, const Instances& instances) {
   const Scene& scene = pass.scene;

@@ -11,6 +11,53 @@ namespace {
 
 constexpr std::size_t kMostRunsOfKind = 96;  // of one kind
 
+static_assert(sizeof(Piece) == 96, "pieces are uploaded with their memory layout");
+
+// An edit changes the number of pieces: spare capacity keeps a segment in its range during a drag.
+std::uint32_t room_for(std::size_t count) { return static_cast<std::uint32_t>(count + count / 4); }
+bool has_room(Range range, std::size_t count) { return count <= range.size && range.size <= room_for(count) + 2; }
+
+Piece piece_between(const sim::Ring& from, const sim::Ring& to, std::uint32_t segment) {
+  const glm::dvec3 right = -from.frame.left(), next_right = -to.frame.left();
+  return {.x = from.frame.forward,
+          .y = from.frame.up,
+          .z = right,
+          .origin = from.position,
+          .along = from.along,
+          .segment = static_cast<float>(segment),
+          .next_y = to.frame.up,
+          .next_z = next_right,
+          .next_origin = to.position,
+          .next_along = to.along};
+}
+
+// Returns the piece at a ring, extended by `half` metres to both sides.
+Piece piece_at(const sim::Ring& at, double half, std::uint32_t segment) {
+  sim::Ring from = at, to = at;
+  from.position -= half * at.frame.forward, to.position += half * at.frame.forward;
+  return piece_between(from, to, segment);
+}
+
+// Returns the same ring seen in the opposite direction.
+sim::Ring turned(sim::Ring ring) {
+  ring.frame.forward = -ring.frame.forward;
+  return ring;
+}
+
+// Sets the attributes of an instance from the bound buffer, beginning with a piece.
+void piece_attributes(const Gl& gl, std::uint32_t first) {
+  constexpr std::size_t kStride = sizeof(Piece);
+  constexpr struct {
+    int components;
+    std::size_t offset;
+  } kAttributes[] = {{3, offsetof(Piece, x)},      {3, offsetof(Piece, y)},           {3, offsetof(Piece, z)},
+                     {3, offsetof(Piece, origin)}, {2, offsetof(Piece, along)},       {3, offsetof(Piece, next_y)},
+                     {3, offsetof(Piece, next_z)}, {3, offsetof(Piece, next_origin)}, {1, offsetof(Piece, next_along)}};
+  GLuint location = 3;
+  for (const auto& attribute : kAttributes)
+    float_attribute(gl, location++, attribute.components, kStride, first * kStride + attribute.offset, 1);
+}
+
 }  // namespace
 
 void SweptTrack::sort() {
@@ -128,57 +175,6 @@ Cast SweptTrack::cast(const glm::mat4& light, float texel_metres, bool unseen) {
   if (!unseen) draw(cast_);
   return {draw_calls(cast_), triangles(cast_)};
 }
-
-namespace {
-
-static_assert(sizeof(Piece) == 96, "pieces are uploaded with their memory layout");
-
-// An edit changes the number of pieces: spare capacity keeps a segment in its range during a drag.
-std::uint32_t room_for(std::size_t count) { return static_cast<std::uint32_t>(count + count / 4); }
-bool has_room(Range range, std::size_t count) { return count <= range.size && range.size <= room_for(count) + 2; }
-
-Piece piece_between(const sim::Ring& from, const sim::Ring& to, std::uint32_t segment) {
-  const glm::dvec3 right = -from.frame.left(), next_right = -to.frame.left();
-  return {.x = from.frame.forward,
-          .y = from.frame.up,
-          .z = right,
-          .origin = from.position,
-          .along = from.along,
-          .segment = static_cast<float>(segment),
-          .next_y = to.frame.up,
-          .next_z = next_right,
-          .next_origin = to.position,
-          .next_along = to.along};
-}
-
-// Returns the piece at a ring, extended by `half` metres to both sides.
-Piece piece_at(const sim::Ring& at, double half, std::uint32_t segment) {
-  sim::Ring from = at, to = at;
-  from.position -= half * at.frame.forward, to.position += half * at.frame.forward;
-  return piece_between(from, to, segment);
-}
-
-// Returns the same ring seen in the opposite direction.
-sim::Ring turned(sim::Ring ring) {
-  ring.frame.forward = -ring.frame.forward;
-  return ring;
-}
-
-// Sets the attributes of an instance from the bound buffer, beginning with a piece.
-void piece_attributes(const Gl& gl, std::uint32_t first) {
-  constexpr std::size_t kStride = sizeof(Piece);
-  constexpr struct {
-    int components;
-    std::size_t offset;
-  } kAttributes[] = {{3, offsetof(Piece, x)},      {3, offsetof(Piece, y)},           {3, offsetof(Piece, z)},
-                     {3, offsetof(Piece, origin)}, {2, offsetof(Piece, along)},       {3, offsetof(Piece, next_y)},
-                     {3, offsetof(Piece, next_z)}, {3, offsetof(Piece, next_origin)}, {1, offsetof(Piece, next_along)}};
-  GLuint location = 3;
-  for (const auto& attribute : kAttributes)
-    float_attribute(gl, location++, attribute.components, kStride, first * kStride + attribute.offset, 1);
-}
-
-}  // namespace
 
 SweptTrack::Row::Row(const Gl& gl, const sim::Mesh& mesh, const std::vector<std::uint32_t>& corners)
     : vertices(gl), indices(gl), pieces(gl), array(make_vertex_array(gl)), index_count(GLsizei(corners.size())) {

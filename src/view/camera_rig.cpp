@@ -81,58 +81,6 @@ double squared_distance_to_box(const curve::Box& box, const dvec3& p) {
   return glm::dot(outside, outside);
 }
 
-}  // namespace
-
-NearTrack nearest_track(const sim::Derived& derived, dvec3 from, double reach) {
-  NearTrack best{kInfinity, from};
-  double best_squared = reach * reach;
-  for (const world::Entity e : derived.order) {
-    const sim::SegmentShape& shape = derived.shape(e);
-    const auto [low, high] = curve::control_box(shape.key.cubic);
-    const auto off_curve = static_cast<float>(std::abs(shape.key.rails));
-    if (squared_distance_to_box({low - off_curve, high + off_curve}, from) >= best_squared) continue;
-    // Chords of at most half a metre: less than a centimetre from a curve of 5 m radius.
-    const int steps = std::clamp(static_cast<int>(shape.arc.length() * 2), 8, 512);
-    dvec3 last = sim::rails_point(shape, 0.0);
-    for (int i = 1; i <= steps; ++i) {
-      const dvec3 next = sim::rails_point(shape, static_cast<double>(i) / steps), chord = next - last;
-      const double square = glm::dot(chord, chord),
-                   t = square > 0 ? std::clamp(glm::dot(from - last, chord) / square, 0.0, 1.0) : 0.0;
-      const dvec3 point = last + t * chord, off = from - point;
-      if (const double squared = glm::dot(off, off); squared < best_squared)
-        best_squared = squared, best = {std::sqrt(squared), point};
-      last = next;
-    }
-  }
-  return best;
-}
-
-void settle_chase(CameraRig& rig, const Watched& w, const Ridden& ridden) {
-  rig.elevation.settle(elevation_of(ridden));
-  rig.beside.settle(beside_of(ridden));
-  rig.aside.settle(way_out(w, place(rig, w, ridden), dvec3(0), looked_at(ridden)));
-}
-
-Eye chase(CameraRig& rig, const Watched& w, const Ridden& ridden, double dt) {
-  rig.heading.follow(ridden.middle.frame, kChaseHeadingLag, dt);
-  rig.elevation.approach(elevation_of(ridden), kElevationLag, dt);
-  rig.beside.approach(beside_of(ridden), kElevationLag, dt);
-  const dvec3 wanted = place(rig, w, ridden);
-  rig.aside.approach(way_out(w, wanted, rig.aside.value, looked_at(ridden)), kAsideLag, dt);
-  Eye eye;
-  eye.position = wanted + rig.aside.value;
-  eye.position.y = std::max(eye.position.y, kOverGround);
-  const dvec3 to = looked_at(ridden) - eye.position;
-  const double distance = glm::length(to);
-  eye.forward = distance > 0.1 ? to / distance : rig.heading.direction();
-  eye.up = {0, 1, 0};
-  if (std::abs(eye.forward.y) > 0.9999) eye.up = rig.heading.direction();
-  eye.field_of_view_deg = w.settings.camera.field_of_view_deg;
-  return eye;
-}
-
-namespace {
-
 constexpr double kRiderHeadingLag = 0.5;  // s
 constexpr double kWideningLag = 0.8;      // s
 constexpr double kWideSpeed = 30;         // m/s, where the view has widened by the full setting
@@ -170,66 +118,6 @@ void roll_after(CameraRig& rig, const curve::Frame& frame, double lag, double dt
   rig.up = curve::rotate(up, frame.forward, roll.value + rig.roll_lag);
   rig.roll_lag = -roll.value, rig.roll_rate = roll.rate;
 }
-
-}  // namespace
-
-void Heading::settle(const curve::Frame& frame) {
-  // On vertical track the rider's left defines the heading.
-  const dvec3 left = frame.left();
-  dvec3 flat(frame.forward.x, 0, frame.forward.z);
-  if (glm::length(flat) < 0.3) flat = {-left.z, 0, left.x};
-  yaw = glm::length(flat) > 1e-6 ? std::atan2(-flat.x, -flat.z) : 0.0;
-  rate = 0;
-}
-
-void Heading::follow(const curve::Frame& frame, double lag, double dt) {
-  constexpr double kUpright = 0.2;               // of up's height
-  constexpr double kVague = 0.15, kClear = 0.6;  // of the tangent's horizontal length
-  const dvec3 f = frame.forward;
-  const double flat = std::sqrt(f.x * f.x + f.z * f.z),
-               part = std::clamp((flat - kVague) / (kClear - kVague), 0.0, 1.0);
-  double off = flat > 1e-9 ? wrapped(std::atan2(-f.x, -f.z) - yaw) : 0.0;
-  if (frame.up.y < kUpright && std::cos(off) < 0) off = wrapped(off + base::kPi);
-  const double k = 2 / lag;
-  for (double rest = dt; rest > 1e-9; rest -= world::kTick) {  // small steps, because the pull changes with the angle
-    const double step = std::min(rest, world::kTick);
-    rate += step * (k * k * part * off - 2 * k * rate);
-    yaw += step * rate, off -= step * rate;
-  }
-  yaw = wrapped(yaw);
-}
-
-void settle_ride(CameraRig& rig, const Watched& w, const Ridden& ridden) {
-  rig.forward = ridden.front.frame.forward, rig.up = ridden.front.frame.up;
-  rig.roll_lag = rig.roll_rate = 0;
-  rig.widening.settle(w.settings.feel->widening_deg * std::min(1.5, std::abs(ridden.motion.speed) / kWideSpeed));
-  rig.bob.settle(w.settings.feel->head_bob ? bob_of(w, ridden) : dvec3(0));
-}
-
-Eye ride(CameraRig& rig, const Watched& w, const Ridden& ridden, double dt) {
-  const world::CameraFeel& feel = *w.settings.feel;
-  const curve::Frame& frame = ridden.front.frame;
-  roll_after(rig, frame, feel.roll_damping, dt);
-  rig.heading.follow(frame, kRiderHeadingLag, dt);
-  rig.widening.approach(
-      feel.reduced_motion ? 0.0 : feel.widening_deg * std::min(1.5, std::abs(ridden.motion.speed) / kWideSpeed),
-      kWideningLag, dt);
-  rig.bob.approach(feel.head_bob && !feel.reduced_motion ? bob_of(w, ridden) : dvec3(0), kBobLag, dt);
-  Eye eye;
-  eye.position = ridden.front.position + (kRiderEye + rig.bob.value.y) * frame.up + rig.bob.value.z * frame.left();
-  eye.position.y = std::max(eye.position.y, static_cast<double>(kLowestEye));
-  eye.field_of_view_deg =
-      std::min<double>(world::kMaxFieldOfView, feel.ride_view_deg + (feel.reduced_motion ? 0.0 : rig.widening.value));
-  eye.forward = frame.forward, eye.up = rig.up;
-  if (feel.reduced_motion) {
-    const double pitch = std::clamp(std::asin(std::clamp(frame.forward.y, -1.0, 1.0)), -kSteepest, kSteepest);
-    eye.forward = std::cos(pitch) * rig.heading.direction() + dvec3(0, std::sin(pitch), 0);
-    eye.up = {0, 1, 0};
-  }
-  return eye;
-}
-
-namespace {
 
 using glm::dquat;
 using world::CameraMode;
@@ -319,6 +207,110 @@ Eye eased(const CameraRig& rig, const Eye& to) {
 }
 
 }  // namespace
+
+NearTrack nearest_track(const sim::Derived& derived, dvec3 from, double reach) {
+  NearTrack best{kInfinity, from};
+  double best_squared = reach * reach;
+  for (const world::Entity e : derived.order) {
+    const sim::SegmentShape& shape = derived.shape(e);
+    const auto [low, high] = curve::control_box(shape.key.cubic);
+    const auto off_curve = static_cast<float>(std::abs(shape.key.rails));
+    if (squared_distance_to_box({low - off_curve, high + off_curve}, from) >= best_squared) continue;
+    // Chords of at most half a metre: less than a centimetre from a curve of 5 m radius.
+    const int steps = std::clamp(static_cast<int>(shape.arc.length() * 2), 8, 512);
+    dvec3 last = sim::rails_point(shape, 0.0);
+    for (int i = 1; i <= steps; ++i) {
+      const dvec3 next = sim::rails_point(shape, static_cast<double>(i) / steps), chord = next - last;
+      const double square = glm::dot(chord, chord),
+                   t = square > 0 ? std::clamp(glm::dot(from - last, chord) / square, 0.0, 1.0) : 0.0;
+      const dvec3 point = last + t * chord, off = from - point;
+      if (const double squared = glm::dot(off, off); squared < best_squared)
+        best_squared = squared, best = {std::sqrt(squared), point};
+      last = next;
+    }
+  }
+  return best;
+}
+
+void settle_chase(CameraRig& rig, const Watched& w, const Ridden& ridden) {
+  rig.elevation.settle(elevation_of(ridden));
+  rig.beside.settle(beside_of(ridden));
+  rig.aside.settle(way_out(w, place(rig, w, ridden), dvec3(0), looked_at(ridden)));
+}
+
+Eye chase(CameraRig& rig, const Watched& w, const Ridden& ridden, double dt) {
+  rig.heading.follow(ridden.middle.frame, kChaseHeadingLag, dt);
+  rig.elevation.approach(elevation_of(ridden), kElevationLag, dt);
+  rig.beside.approach(beside_of(ridden), kElevationLag, dt);
+  const dvec3 wanted = place(rig, w, ridden);
+  rig.aside.approach(way_out(w, wanted, rig.aside.value, looked_at(ridden)), kAsideLag, dt);
+  Eye eye;
+  eye.position = wanted + rig.aside.value;
+  eye.position.y = std::max(eye.position.y, kOverGround);
+  const dvec3 to = looked_at(ridden) - eye.position;
+  const double distance = glm::length(to);
+  eye.forward = distance > 0.1 ? to / distance : rig.heading.direction();
+  eye.up = {0, 1, 0};
+  if (std::abs(eye.forward.y) > 0.9999) eye.up = rig.heading.direction();
+  eye.field_of_view_deg = w.settings.camera.field_of_view_deg;
+  return eye;
+}
+
+void Heading::settle(const curve::Frame& frame) {
+  // On vertical track the rider's left defines the heading.
+  const dvec3 left = frame.left();
+  dvec3 flat(frame.forward.x, 0, frame.forward.z);
+  if (glm::length(flat) < 0.3) flat = {-left.z, 0, left.x};
+  yaw = glm::length(flat) > 1e-6 ? std::atan2(-flat.x, -flat.z) : 0.0;
+  rate = 0;
+}
+
+void Heading::follow(const curve::Frame& frame, double lag, double dt) {
+  constexpr double kUpright = 0.2;               // of up's height
+  constexpr double kVague = 0.15, kClear = 0.6;  // of the tangent's horizontal length
+  const dvec3 f = frame.forward;
+  const double flat = std::sqrt(f.x * f.x + f.z * f.z),
+               part = std::clamp((flat - kVague) / (kClear - kVague), 0.0, 1.0);
+  double off = flat > 1e-9 ? wrapped(std::atan2(-f.x, -f.z) - yaw) : 0.0;
+  if (frame.up.y < kUpright && std::cos(off) < 0) off = wrapped(off + base::kPi);
+  const double k = 2 / lag;
+  for (double rest = dt; rest > 1e-9; rest -= world::kTick) {  // small steps, because the pull changes with the angle
+    const double step = std::min(rest, world::kTick);
+    rate += step * (k * k * part * off - 2 * k * rate);
+    yaw += step * rate, off -= step * rate;
+  }
+  yaw = wrapped(yaw);
+}
+
+void settle_ride(CameraRig& rig, const Watched& w, const Ridden& ridden) {
+  rig.forward = ridden.front.frame.forward, rig.up = ridden.front.frame.up;
+  rig.roll_lag = rig.roll_rate = 0;
+  rig.widening.settle(w.settings.feel->widening_deg * std::min(1.5, std::abs(ridden.motion.speed) / kWideSpeed));
+  rig.bob.settle(w.settings.feel->head_bob ? bob_of(w, ridden) : dvec3(0));
+}
+
+Eye ride(CameraRig& rig, const Watched& w, const Ridden& ridden, double dt) {
+  const world::CameraFeel& feel = *w.settings.feel;
+  const curve::Frame& frame = ridden.front.frame;
+  roll_after(rig, frame, feel.roll_damping, dt);
+  rig.heading.follow(frame, kRiderHeadingLag, dt);
+  rig.widening.approach(
+      feel.reduced_motion ? 0.0 : feel.widening_deg * std::min(1.5, std::abs(ridden.motion.speed) / kWideSpeed),
+      kWideningLag, dt);
+  rig.bob.approach(feel.head_bob && !feel.reduced_motion ? bob_of(w, ridden) : dvec3(0), kBobLag, dt);
+  Eye eye;
+  eye.position = ridden.front.position + (kRiderEye + rig.bob.value.y) * frame.up + rig.bob.value.z * frame.left();
+  eye.position.y = std::max(eye.position.y, static_cast<double>(kLowestEye));
+  eye.field_of_view_deg =
+      std::min<double>(world::kMaxFieldOfView, feel.ride_view_deg + (feel.reduced_motion ? 0.0 : rig.widening.value));
+  eye.forward = frame.forward, eye.up = rig.up;
+  if (feel.reduced_motion) {
+    const double pitch = std::clamp(std::asin(std::clamp(frame.forward.y, -1.0, 1.0)), -kSteepest, kSteepest);
+    eye.forward = std::cos(pitch) * rig.heading.direction() + dvec3(0, std::sin(pitch), 0);
+    eye.up = {0, 1, 0};
+  }
+  return eye;
+}
 
 CameraMode shown_mode(const Watched& w) {
   const CameraMode chosen = w.settings.camera_mode;

@@ -61,6 +61,22 @@ double area(const std::array<dvec2, 4>& c) {
 PickKind axis_kind(int i) { return static_cast<PickKind>(static_cast<int>(PickKind::axis_x) + i); }
 PickKind plane_kind(int i) { return static_cast<PickKind>(static_cast<int>(PickKind::plane_x) + i); }
 
+constexpr std::uint32_t kRingColour = 0xb58cf07a, kArcColour = 0xc9a6ffff;
+constexpr double kStep = base::radians(7.5);
+constexpr double kEdgeOn = 0.05;  // cosine between the ray and the tangent
+
+double angle_of(double spin) {
+  const double most = base::radians(kSpinMost_deg);
+  return std::clamp(spin, -most, most) * kSpinAhead;
+}
+
+void add_arc(const SpinRing& ring, double from, double to, float width, std::uint32_t colour, Overlay& overlay) {
+  const int steps = std::max(1, static_cast<int>(std::ceil(std::abs(to - from) / kStep)));
+  for (int i = 0; i < steps; ++i)
+    overlay.lines.push_back({glm::vec3(ring.at(from + (to - from) * i / steps)),
+                             glm::vec3(ring.at(from + (to - from) * (i + 1) / steps)), width, colour});
+}
+
 }  // namespace
 
 std::optional<Gizmo> gizmo_of(const world::Document& document, const world::Settings& settings, const View& view) {
@@ -134,26 +150,6 @@ void add_gizmo(const Gizmo& gizmo, const View& view, float scale, PickKind hover
     overlay.marks.push_back({to, (chosen ? kHeadHalf + 1 : kHeadHalf) * scale, colour, MarkShape::square});
   }
 }
-
-namespace {
-
-constexpr std::uint32_t kRingColour = 0xb58cf07a, kArcColour = 0xc9a6ffff;
-constexpr double kStep = base::radians(7.5);
-constexpr double kEdgeOn = 0.05;  // cosine between the ray and the tangent
-
-double angle_of(double spin) {
-  const double most = base::radians(kSpinMost_deg);
-  return std::clamp(spin, -most, most) * kSpinAhead;
-}
-
-void add_arc(const SpinRing& ring, double from, double to, float width, std::uint32_t colour, Overlay& overlay) {
-  const int steps = std::max(1, static_cast<int>(std::ceil(std::abs(to - from) / kStep)));
-  for (int i = 0; i < steps; ++i)
-    overlay.lines.push_back({glm::vec3(ring.at(from + (to - from) * i / steps)),
-                             glm::vec3(ring.at(from + (to - from) * (i + 1) / steps)), width, colour});
-}
-
-}  // namespace
 
 glm::dvec3 SpinRing::at(double angle) const { return centre + radius * curve::rotate(up, tangent, angle); }
 glm::dvec3 SpinRing::handle() const { return at(angle_of(spin)); }

@@ -11,7 +11,6 @@
 #include "view/gizmo.h"
 #include "view/marks.h"
 #include "view/overlay_detail.h"
-#include "view/overlay_lab.h"
 #include "view/section_handle.h"
 #include "world/lab_view.h"
 #include "world/panels.h"
@@ -127,27 +126,6 @@ void add_dashes(const Sketch& sketch, const View& view) {
   }
 }
 
-}  // namespace
-
-void add_element(const sim::ElementPlan& plan, std::span<const sim::Narrow> narrow, double rails, const View& view,
-                 float scale, Overlay& overlay) {
-  if (!plan.refusal.empty() || plan.ideal.points.size() < 2) return;
-  const Sketch sketch{plan, narrow, rails, overlay, scale};
-  add_rails(sketch);
-  add_dashes(sketch, view);
-  const ElementPoint& end = plan.ideal.points.back();
-  add_arrow(end.position, end.tangent, std::clamp(0.05 * plan.length, 3.0, 12.0), view, 3.0f * scale, kElementColour,
-            overlay);
-  constexpr std::size_t kMostKnots = 400;
-  const std::vector<world::Knot>& knots = plan.fit.knots;
-  for (std::size_t k = 1; k < knots.size() && knots.size() <= kMostKnots; ++k) {
-    add_disc(knots[k].position, 4.0f * scale, 0x1b1f27ff, overlay);
-    add_disc(knots[k].position, 3.0f * scale, kElementColour, overlay);
-  }
-}
-
-namespace {
-
 using world::Entity;
 
 struct LineLook {
@@ -180,24 +158,6 @@ Entity hovered_section(const world::Document& document, const world::Settings& s
     return world::kNone;
   return section;
 }
-
-}  // namespace
-
-void add_sections(const world::Document& document, const sim::Derived& derived, const world::Settings& settings,
-                  const View& view, const Pick& hovered, Overlay& overlay) {
-  const float scale = mark_scale(settings, view);
-  if (const Entity section = hovered_section(document, settings, hovered); section.valid())
-    add_run(derived, world::run_of(document, section), kMaxSectionLines, kHoveredLine, scale, overlay);
-  std::vector<Entity> selected = world::selected_sections(document, settings);
-  if (selected.empty()) return;
-  const auto before = [](Entity a, Entity b) { return a.index < b.index; };
-  std::sort(selected.begin(), selected.end(), before);
-  for (const world::SectionRun& run : world::sections_of(document))
-    if (std::binary_search(selected.begin(), selected.end(), run.section, before))
-      add_run(derived, run, kMaxSectionLines / selected.size(), kSelectedLine, scale, overlay);
-}
-
-namespace {
 
 constexpr std::uint32_t kKnotColour = 0xffffffff, kSelectedColour = 0xff8a1fff, kAlsoColour = 0xffc08aff,
                         kHandleColour = 0xf2b84bff, kHandleHovered = 0xffdc96ff, kSpinColour = 0xb07affff,
@@ -267,6 +227,37 @@ void add_failure(const sim::Derived& derived, const world::Failure& failure, con
 }
 
 }  // namespace
+
+void add_element(const sim::ElementPlan& plan, std::span<const sim::Narrow> narrow, double rails, const View& view,
+                 float scale, Overlay& overlay) {
+  if (!plan.refusal.empty() || plan.ideal.points.size() < 2) return;
+  const Sketch sketch{plan, narrow, rails, overlay, scale};
+  add_rails(sketch);
+  add_dashes(sketch, view);
+  const ElementPoint& end = plan.ideal.points.back();
+  add_arrow(end.position, end.tangent, std::clamp(0.05 * plan.length, 3.0, 12.0), view, 3.0f * scale, kElementColour,
+            overlay);
+  constexpr std::size_t kMostKnots = 400;
+  const std::vector<world::Knot>& knots = plan.fit.knots;
+  for (std::size_t k = 1; k < knots.size() && knots.size() <= kMostKnots; ++k) {
+    add_disc(knots[k].position, 4.0f * scale, 0x1b1f27ff, overlay);
+    add_disc(knots[k].position, 3.0f * scale, kElementColour, overlay);
+  }
+}
+
+void add_sections(const world::Document& document, const sim::Derived& derived, const world::Settings& settings,
+                  const View& view, const Pick& hovered, Overlay& overlay) {
+  const float scale = mark_scale(settings, view);
+  if (const Entity section = hovered_section(document, settings, hovered); section.valid())
+    add_run(derived, world::run_of(document, section), kMaxSectionLines, kHoveredLine, scale, overlay);
+  std::vector<Entity> selected = world::selected_sections(document, settings);
+  if (selected.empty()) return;
+  const auto before = [](Entity a, Entity b) { return a.index < b.index; };
+  std::sort(selected.begin(), selected.end(), before);
+  for (const world::SectionRun& run : world::sections_of(document))
+    if (std::binary_search(selected.begin(), selected.end(), run.section, before))
+      add_run(derived, run, kMaxSectionLines / selected.size(), kSelectedLine, scale, overlay);
+}
 
 Overlay build_overlay(const world::Document& document, const sim::Derived& derived, const world::Settings& settings,
                       const View& view, const Pick& hovered, const Findings& findings) {

@@ -1,10 +1,12 @@
-// Shared parts of the laboratory's pictures: lines and arrows of constant size on screen, and the track that is close
-// enough for detail.
+// Parts of the overlay: lines and arrows of constant size on screen, the track that is close enough for detail, and the
+// laboratory's pictures over the scene. Rebuilt each frame. Each layer stays within its limit for every track size,
+// with less detail at a distance.
 #pragma once
 
 #include <span>
 #include <vector>
 
+#include "sim/shape/frame_methods.h"
 #include "view/overlay.h"
 
 namespace coaster::view {
@@ -58,5 +60,70 @@ struct SeenSegment {
   double length_px = 0;
 };
 std::vector<SeenSegment> seen_segments(const sim::Derived& derived, const View& view);
+
+// 0xRRGGBBAA.
+inline constexpr std::uint32_t kConstructionColour = 0x7fd1b9ff, kCombColour = 0xb39ddbff, kCircleColour = 0xf4e9a6ff;
+inline constexpr std::uint32_t kTangentColour = 0xe5534bff, kNormalColour = 0x4fb477ff, kBinormalColour = 0x4c9affff;
+inline constexpr std::uint32_t kRoundingColour = 0xff8ac4ff, kLimitColour = 0xff3b30ff, kSeamColour = 0xe5534bff,
+                               kBreakColour = 0xf2b84bff;
+inline constexpr std::uint32_t kConflictColour = 0xffdd33ff;
+
+inline constexpr int kMaxFrames = 200;  // three arrows each
+inline constexpr int kMaxTeeth = 3000;
+inline constexpr int kMaxRoundingVertices = 8200;  // two segments at the highest resolution
+inline constexpr int kMaxBreaks = 500;
+inline constexpr int kMaxSpanPieces = 4000;  // for all overloads
+inline constexpr int kMaxConflicts = 300;
+inline constexpr int kMaxJolts = 300;
+inline constexpr int kCircleSides = 96;
+inline constexpr double kMaxRadius = 1e4;  // m; flatter curves get no circle
+inline constexpr double kMaxTooth = 1e3;   // m; curvature is unbounded at a cusp
+
+// Adds de Casteljau's construction on a segment at t: 3, 2 and 1 points, the lines between them, and the tangent as an
+// arrow of length |B'|/3. Lines, in this order: the two of the first level, the one of the second, the arrow.
+void add_construction(const sim::SegmentShape& shape, double t, const View& view, float scale, Overlay& overlay);
+
+// Adds the osculating circle at t, a polygon that touches the curve with a corner, with its centre and radius. Adds
+// nothing where curve::frenet gives no normal or the radius exceeds kMaxRadius.
+void add_circle(const sim::SegmentShape& shape, double t, float scale, Overlay& overlay);
+
+// Adds teeth from the curve along -kappa N, kappa * comb_scale long (at most kMaxTooth), joined at their ends within
+// each segment. The envelope breaks at a joint that is not G2.
+void add_comb(const sim::Derived& derived, const world::Settings& settings, const View& view, Overlay& overlay);
+
+// Adds tangent, normal (the method's up) and binormal (T x N) of the chosen frame method, as arrows of one length on
+// screen, at multiples of a power of two metres along the track. Where the method is undefined, its substitute is drawn
+// faintly.
+void add_frames(const sim::Derived& derived, const world::Settings& settings, const View& view, Overlay& overlay);
+
+// Adds the polyline of the selected segment, of the segments at a selected knot, or else of the first segments within
+// the limit, each vertex moved by (vertex - exact) * magnification. The last step, from the evaluator's accumulated
+// error to the pinned end, is the seam: red.
+void add_rounding(const world::Document& document, const sim::Derived& derived, const world::Settings& settings,
+                  const View& view, Overlay& overlay);
+
+// Adds a cross and the normals on both sides of a flip, and a broad line where the curvature is 0.
+void add_breaks(const sim::Derived& derived, std::span<const sim::FrenetBreak> breaks, const View& view, float scale,
+                Overlay& overlay);
+
+// Adds overloads: a broad line over the rails, each span at the car that feels it.
+void add_spans(const sim::Derived& derived, std::span<const sim::RedSpan> spans, float scale, Overlay& overlay);
+
+// Adds folds of the rails, or tight bends: a broad line and a sign over each.
+void add_folds(const sim::Derived& derived, std::span<const sim::Fold> folds, const View& view, float scale,
+               Overlay& overlay);
+
+// Adds a sign with a peak above each joint whose jolt exceeds sim::kJoltLimit.
+void add_jolts(const sim::Derived& derived, std::span<const sim::Jolt> jolts, const View& view, float scale,
+               Overlay& overlay);
+
+// Adds conflicts: a broad line over both stretches, and a sign between their narrowest points.
+void add_conflicts(const sim::Derived& derived, std::span<const sim::Conflict> conflicts, const View& view, float scale,
+                   Overlay& overlay);
+
+// Adds the visible layers, the most extensive ones first, over dark rims. Each layer reads `findings` only while it is
+// visible.
+void add_laboratory(const world::Document& document, const sim::Derived& derived, const world::Settings& settings,
+                    const View& view, const Findings& findings, Overlay& overlay);
 
 }  // namespace coaster::view

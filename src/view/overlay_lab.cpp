@@ -1,6 +1,6 @@
 // The pictures along the whole track: frames, comb, Frenet failures. Only visible track is processed, in steps of a few
 // pixels, so the work does not grow with invisible detail.
-#include "view/overlay_lab.h"
+#include "view/overlay_detail.h"
 
 #include <algorithm>
 #include <array>
@@ -11,7 +11,6 @@
 #include "curve/bernstein.h"
 #include "sim/shape/rails.h"
 #include "sim/study/rounding.h"
-#include "view/overlay_detail.h"
 #include "world/evaluation.h"
 #include "world/lab_view.h"
 
@@ -161,6 +160,52 @@ std::optional<glm::dvec3> tooth_at(const curve::Cubic& cubic, double t, double s
   return std::isfinite(length) ? tooth * (kMaxTooth / length) : glm::dvec3(0);
 }
 
+constexpr double kMaxOffset = 1e4;  // m, limit of a magnified error
+
+// Returns the segments whose rounding is shown, with at most kMaxRoundingVertices together.
+std::vector<world::Entity> rounded_segments(const world::Document& document, const sim::Derived& derived,
+                                            const world::Settings& settings) {
+  const std::vector<world::Entity> selected = selected_segments(document, settings.selected);
+  if (!selected.empty()) return selected;
+  const auto most = static_cast<std::size_t>(kMaxRoundingVertices / (settings.evaluation->steps + 1));
+  return {derived.order.begin(),
+          derived.order.begin() + static_cast<std::ptrdiff_t>(std::min(most, derived.order.size()))};
+}
+
+void add_rounding(const sim::SegmentShape& shape, const world::Settings& settings, float scale, Overlay& overlay) {
+  constexpr std::size_t kWhiskers = 64;
+  const sim::Rounding r =
+      sim::rounding(shape.curve, base::row_of(settings.evaluation->evaluator), settings.evaluation->steps);
+  const std::size_t last = r.exact.size() - 1;
+  std::vector<glm::dvec3> moved(r.exact.size());
+  for (std::size_t i = 0; i <= last; ++i) {
+    glm::dvec3 offset = settings.lab->magnification * r.error[i];
+    const double size = glm::length(offset);
+    if (size > kMaxOffset) offset *= kMaxOffset / size;
+    moved[i] = r.exact[i] + offset;
+  }
+  const std::size_t every = last / kWhiskers + 1;
+  for (std::size_t i = every; i < last; i += every)
+    add_line(r.exact[i], moved[i], 1.0f * scale, faded(kRoundingColour, 0x60), overlay);
+  for (std::size_t i = 0; i + 1 < last; ++i) add_line(moved[i], moved[i + 1], 1.75f * scale, kRoundingColour, overlay);
+  add_line(moved[last - 1], moved[last], 3.0f * scale, kSeamColour, overlay);
+  if (last > 1) add_disc(moved[last - 1], 3.5f * scale, kSeamColour, overlay);
+}
+
+// Appends a layer's lines, each over a dark rim, so that they read on sky, ground and rails. Layers with thousands of
+// lines have no rims.
+void append_rimmed(const Overlay& layer, float scale, Overlay& overlay) {
+  constexpr std::size_t kFew = 2500;
+  constexpr std::uint32_t kDiscRimColour = 0x1b1f2778;
+  constexpr float kThin = 1.5f, kDiscRim = 2.0f;  // px at scale 1: lines are rimmed from this width on; rim of discs
+  if (layer.lines.size() <= kFew)
+    for (const Line& one : layer.lines)
+      if (one.width_px >= kThin * scale && (one.rgba & 0xffu) == 0xffu)
+        overlay.lines.push_back({one.from, one.to, one.width_px + kDiscRim * scale, kDiscRimColour});
+  overlay.lines.insert(overlay.lines.end(), layer.lines.begin(), layer.lines.end());
+  overlay.marks.insert(overlay.marks.end(), layer.marks.begin(), layer.marks.end());
+}
+
 }  // namespace
 
 void add_comb(const sim::Derived& derived, const world::Settings& settings, const View& view, Overlay& overlay) {
@@ -303,56 +348,6 @@ void add_conflicts(const sim::Derived& derived, std::span<const sim::Conflict> c
     add_sign(0.5 * (glm::dvec3(conflict.at_place) + glm::dvec3(conflict.other_place)) + glm::dvec3(0, kOver, 0),
              kConflictColour, kExclamation, view, scale, overlay);
 }
-
-namespace {
-
-constexpr double kMaxOffset = 1e4;  // m, limit of a magnified error
-
-// Returns the segments whose rounding is shown, with at most kMaxRoundingVertices together.
-std::vector<world::Entity> rounded_segments(const world::Document& document, const sim::Derived& derived,
-                                            const world::Settings& settings) {
-  const std::vector<world::Entity> selected = selected_segments(document, settings.selected);
-  if (!selected.empty()) return selected;
-  const auto most = static_cast<std::size_t>(kMaxRoundingVertices / (settings.evaluation->steps + 1));
-  return {derived.order.begin(),
-          derived.order.begin() + static_cast<std::ptrdiff_t>(std::min(most, derived.order.size()))};
-}
-
-void add_rounding(const sim::SegmentShape& shape, const world::Settings& settings, float scale, Overlay& overlay) {
-  constexpr std::size_t kWhiskers = 64;
-  const sim::Rounding r =
-      sim::rounding(shape.curve, base::row_of(settings.evaluation->evaluator), settings.evaluation->steps);
-  const std::size_t last = r.exact.size() - 1;
-  std::vector<glm::dvec3> moved(r.exact.size());
-  for (std::size_t i = 0; i <= last; ++i) {
-    glm::dvec3 offset = settings.lab->magnification * r.error[i];
-    const double size = glm::length(offset);
-    if (size > kMaxOffset) offset *= kMaxOffset / size;
-    moved[i] = r.exact[i] + offset;
-  }
-  const std::size_t every = last / kWhiskers + 1;
-  for (std::size_t i = every; i < last; i += every)
-    add_line(r.exact[i], moved[i], 1.0f * scale, faded(kRoundingColour, 0x60), overlay);
-  for (std::size_t i = 0; i + 1 < last; ++i) add_line(moved[i], moved[i + 1], 1.75f * scale, kRoundingColour, overlay);
-  add_line(moved[last - 1], moved[last], 3.0f * scale, kSeamColour, overlay);
-  if (last > 1) add_disc(moved[last - 1], 3.5f * scale, kSeamColour, overlay);
-}
-
-// Appends a layer's lines, each over a dark rim, so that they read on sky, ground and rails. Layers with thousands of
-// lines have no rims.
-void append_rimmed(const Overlay& layer, float scale, Overlay& overlay) {
-  constexpr std::size_t kFew = 2500;
-  constexpr std::uint32_t kDiscRimColour = 0x1b1f2778;
-  constexpr float kThin = 1.5f, kDiscRim = 2.0f;  // px at scale 1: lines are rimmed from this width on; rim of discs
-  if (layer.lines.size() <= kFew)
-    for (const Line& one : layer.lines)
-      if (one.width_px >= kThin * scale && (one.rgba & 0xffu) == 0xffu)
-        overlay.lines.push_back({one.from, one.to, one.width_px + kDiscRim * scale, kDiscRimColour});
-  overlay.lines.insert(overlay.lines.end(), layer.lines.begin(), layer.lines.end());
-  overlay.marks.insert(overlay.marks.end(), layer.marks.begin(), layer.marks.end());
-}
-
-}  // namespace
 
 void add_construction(const sim::SegmentShape& shape, double t, const View& view, float scale, Overlay& overlay) {
   const curve::Construction c = curve::construction(shape.key.cubic, t);

@@ -192,54 +192,6 @@ std::optional<Pick> pick_section_handle(const world::Document& document, const s
   return std::nullopt;
 }
 
-}  // namespace
-
-float mark_scale(const world::Settings& settings, const View& view) { return settings.look->ui_scale * view.density; }
-
-Pick pick(const world::Document& document, const sim::Derived& derived, const world::Motion& motion,
-          const world::Settings& settings, const View& view, glm::vec2 pixel) {
-  if (!view.viewport.contains(pixel)) return {};
-  if (const auto handle = pick_section_handle(document, derived, settings, view, pixel)) return *handle;
-  if (const auto mark = pick_mark(document, derived, settings, view, pixel)) return *mark;
-  if (const auto gizmo = gizmo_of(document, settings, view))
-    if (const PickKind part = pick_gizmo(*gizmo, view, mark_scale(settings, view), pixel); part != PickKind::none)
-      return {part, world::kNone, 0, gizmo->at};
-  if (const auto cart = pick_cart(document, derived, motion, settings, view, pixel)) return *cart;
-  if (const auto place = pick_place(derived, settings, view, pixel)) return *place;
-  return pick_curve(derived, view, pixel, kCurveReach * target_scale(settings, view)).value_or(Pick{});
-}
-
-std::optional<glm::vec3> position_of(const world::Document& document, const sim::Derived& derived,
-                                     const world::Motion& motion, PickKind kind, world::Entity entity, double t) {
-  const world::Knot* const knot = document.entities.find<world::Knot>(entity);
-  switch (kind) {
-    case PickKind::knot: return knot ? std::optional(knot->position) : std::nullopt;
-    case PickKind::handle_in: return knot ? std::optional(world::in_handle(*knot)) : std::nullopt;
-    case PickKind::handle_out: return knot ? std::optional(world::out_handle(*knot)) : std::nullopt;
-    case PickKind::cart: {
-      const world::CartMotion* const cart = motion.carts.find(entity);
-      if (!cart || !derived.segments.contains(cart->segment)) return std::nullopt;
-      return cart_middle(sim::pose(derived, *cart, world::FrameMethod::knots));
-    }
-    case PickKind::curve: {
-      const sim::SegmentShape* const shape = derived.segments.find(entity);
-      return shape ? std::optional(glm::vec3(curve::point(shape->key.cubic, t))) : std::nullopt;
-    }
-    case PickKind::section: {
-      const auto handle = section_handle(document, derived, entity);
-      return handle ? std::optional(glm::vec3(handle->at)) : std::nullopt;
-    }
-    case PickKind::turn:
-    case PickKind::bank: {
-      const auto handle = angle_handle(document, derived, entity, kind);
-      return handle ? std::optional(glm::vec3(handle->at(handle->angle))) : std::nullopt;
-    }
-    default: return std::nullopt;  // nothing, and parts of the gizmo
-  }
-}
-
-namespace {
-
 constexpr double kSameDepth = 1e-3;  // of the depth: closer positions do not hide each other
 constexpr double kSamePlace = 1e-4;  // px: accuracy of pixel coordinates in float
 
@@ -323,6 +275,50 @@ std::optional<Pick> picked(const sim::Derived& derived, const Candidate* place) 
 }
 
 }  // namespace
+
+float mark_scale(const world::Settings& settings, const View& view) { return settings.look->ui_scale * view.density; }
+
+Pick pick(const world::Document& document, const sim::Derived& derived, const world::Motion& motion,
+          const world::Settings& settings, const View& view, glm::vec2 pixel) {
+  if (!view.viewport.contains(pixel)) return {};
+  if (const auto handle = pick_section_handle(document, derived, settings, view, pixel)) return *handle;
+  if (const auto mark = pick_mark(document, derived, settings, view, pixel)) return *mark;
+  if (const auto gizmo = gizmo_of(document, settings, view))
+    if (const PickKind part = pick_gizmo(*gizmo, view, mark_scale(settings, view), pixel); part != PickKind::none)
+      return {part, world::kNone, 0, gizmo->at};
+  if (const auto cart = pick_cart(document, derived, motion, settings, view, pixel)) return *cart;
+  if (const auto place = pick_place(derived, settings, view, pixel)) return *place;
+  return pick_curve(derived, view, pixel, kCurveReach * target_scale(settings, view)).value_or(Pick{});
+}
+
+std::optional<glm::vec3> position_of(const world::Document& document, const sim::Derived& derived,
+                                     const world::Motion& motion, PickKind kind, world::Entity entity, double t) {
+  const world::Knot* const knot = document.entities.find<world::Knot>(entity);
+  switch (kind) {
+    case PickKind::knot: return knot ? std::optional(knot->position) : std::nullopt;
+    case PickKind::handle_in: return knot ? std::optional(world::in_handle(*knot)) : std::nullopt;
+    case PickKind::handle_out: return knot ? std::optional(world::out_handle(*knot)) : std::nullopt;
+    case PickKind::cart: {
+      const world::CartMotion* const cart = motion.carts.find(entity);
+      if (!cart || !derived.segments.contains(cart->segment)) return std::nullopt;
+      return cart_middle(sim::pose(derived, *cart, world::FrameMethod::knots));
+    }
+    case PickKind::curve: {
+      const sim::SegmentShape* const shape = derived.segments.find(entity);
+      return shape ? std::optional(glm::vec3(curve::point(shape->key.cubic, t))) : std::nullopt;
+    }
+    case PickKind::section: {
+      const auto handle = section_handle(document, derived, entity);
+      return handle ? std::optional(glm::vec3(handle->at)) : std::nullopt;
+    }
+    case PickKind::turn:
+    case PickKind::bank: {
+      const auto handle = angle_handle(document, derived, entity, kind);
+      return handle ? std::optional(glm::vec3(handle->at(handle->angle))) : std::nullopt;
+    }
+    default: return std::nullopt;  // nothing, and parts of the gizmo
+  }
+}
 
 std::optional<Pick> pick_curve(const sim::Derived& derived, const View& view, glm::vec2 pixel, float reach) {
   const Beam beam(view, pixel);

@@ -27,6 +27,50 @@ dvec3 farthest_in_height(const sim::Derived& derived, const world::SectionRun& r
   return farthest;
 }
 
+constexpr dvec3 kUp{0, 1, 0};
+constexpr double kTurnShare = 0.6;  // radius of a turn's ring relative to that of the turn: clear of the rails
+constexpr double kBankShare = 0.08, kLeastBank = 3,
+                 kMostBank = 9;  // radius of a bank's ring relative to the length; m, m
+
+AngleHandle turn_handle(const world::Element& element, const sim::Derived& derived, const world::SectionRun& run,
+                        std::string_view parameter) {
+  const curve::Cubic& first = derived.shape_at(run.first).key.cubic;
+  const double side = element.right ? -1.0 : 1.0, radius = world::value_of(element, "radius");
+  const dvec3 forward = curve::unit_tangent(first, 0.0);
+  const dvec3 inside = side * glm::normalize(glm::cross(kUp, forward));
+  const double whole = parameter == "turns" ? 1.0 / 360 : 1.0;
+  return {PickKind::turn, {},
+          parameter,      world::value_of(element, parameter) / whole,
+          whole,          dvec3(first.p0) + radius * inside,
+          side * kUp,     -kTurnShare * radius * inside};
+}
+
+// Returns the bank's handle: for an S-bend where its first turn is steepest, for others in the middle.
+AngleHandle bank_handle(const world::Element& element, const sim::Derived& derived, const world::SectionRun& run) {
+  const double from = derived.starts[run.first], length = derived.starts[run.end()] - from;
+  const double share = element.kind == world::ElementKind::s_bend ? 0.25 : 0.5;
+  const sim::TrackPlace place = sim::place_at(derived, from + share * length);
+  const sim::SegmentShape& shape = derived.shape_at(place.index);
+  const double t = shape.arc.parameter(place.s);
+  const dvec3 forward = curve::unit_tangent(shape.key.cubic, t);
+  return {PickKind::bank,
+          {},
+          "bank",
+          world::value_of(element, "bank"),
+          1,
+          sim::rails_point(shape, t),
+          element.right ? forward : -forward,
+          std::clamp(kBankShare * length, kLeastBank, kMostBank) * curve::perpendicular(forward, kUp)};
+}
+
+void add_arc(const AngleHandle& handle, double from, double to, float width, std::uint32_t colour, Overlay& overlay) {
+  constexpr double kStep = 7.5;  // deg
+  const int steps = std::max(1, static_cast<int>(std::ceil(std::abs(to - from) / kStep)));
+  for (int i = 0; i < steps; ++i)
+    overlay.lines.push_back({glm::vec3(handle.at(from + (to - from) * i / steps)),
+                             glm::vec3(handle.at(from + (to - from) * (i + 1) / steps)), width, colour});
+}
+
 }  // namespace
 
 std::optional<SectionHandle> section_handle(const world::Document& document, const sim::Derived& derived,
@@ -75,54 +119,6 @@ void add_section_handle(const SectionHandle& handle, float scale, bool hovered, 
   overlay.marks.push_back(
       {at, kSectionHandleHalf * scale * (hovered ? 1.35f : 1.0f), hovered ? kBright : kColour, MarkShape::square});
 }
-
-namespace {
-
-constexpr dvec3 kUp{0, 1, 0};
-constexpr double kTurnShare = 0.6;  // radius of a turn's ring relative to that of the turn: clear of the rails
-constexpr double kBankShare = 0.08, kLeastBank = 3,
-                 kMostBank = 9;  // radius of a bank's ring relative to the length; m, m
-
-AngleHandle turn_handle(const world::Element& element, const sim::Derived& derived, const world::SectionRun& run,
-                        std::string_view parameter) {
-  const curve::Cubic& first = derived.shape_at(run.first).key.cubic;
-  const double side = element.right ? -1.0 : 1.0, radius = world::value_of(element, "radius");
-  const dvec3 forward = curve::unit_tangent(first, 0.0);
-  const dvec3 inside = side * glm::normalize(glm::cross(kUp, forward));
-  const double whole = parameter == "turns" ? 1.0 / 360 : 1.0;
-  return {PickKind::turn, {},
-          parameter,      world::value_of(element, parameter) / whole,
-          whole,          dvec3(first.p0) + radius * inside,
-          side * kUp,     -kTurnShare * radius * inside};
-}
-
-// Returns the bank's handle: for an S-bend where its first turn is steepest, for others in the middle.
-AngleHandle bank_handle(const world::Element& element, const sim::Derived& derived, const world::SectionRun& run) {
-  const double from = derived.starts[run.first], length = derived.starts[run.end()] - from;
-  const double share = element.kind == world::ElementKind::s_bend ? 0.25 : 0.5;
-  const sim::TrackPlace place = sim::place_at(derived, from + share * length);
-  const sim::SegmentShape& shape = derived.shape_at(place.index);
-  const double t = shape.arc.parameter(place.s);
-  const dvec3 forward = curve::unit_tangent(shape.key.cubic, t);
-  return {PickKind::bank,
-          {},
-          "bank",
-          world::value_of(element, "bank"),
-          1,
-          sim::rails_point(shape, t),
-          element.right ? forward : -forward,
-          std::clamp(kBankShare * length, kLeastBank, kMostBank) * curve::perpendicular(forward, kUp)};
-}
-
-void add_arc(const AngleHandle& handle, double from, double to, float width, std::uint32_t colour, Overlay& overlay) {
-  constexpr double kStep = 7.5;  // deg
-  const int steps = std::max(1, static_cast<int>(std::ceil(std::abs(to - from) / kStep)));
-  for (int i = 0; i < steps; ++i)
-    overlay.lines.push_back({glm::vec3(handle.at(from + (to - from) * i / steps)),
-                             glm::vec3(handle.at(from + (to - from) * (i + 1) / steps)), width, colour});
-}
-
-}  // namespace
 
 dvec3 AngleHandle::at(double deg) const { return centre + curve::rotate(zero, axis, base::radians(deg)); }
 

@@ -23,81 +23,9 @@ bool unit(glm::vec3 v) {
 }
 glm::dvec3 forward_of(const Knot& knot) { return glm::normalize(glm::dvec3(knot.tangent)); }
 
-}  // namespace
-
-void orthonormalise(Knot& knot) {
-  const glm::dvec3 tangent(knot.tangent);
-  const double length = glm::length(tangent);
-  if (!(length > 0) || !std::isfinite(length)) knot.tangent = {1, 0, 0};
-  else if (!unit(knot.tangent)) knot.tangent = glm::vec3(tangent / length);
-  const bool right = std::abs(glm::dot(glm::dvec3(knot.tangent), glm::dvec3(knot.up))) <= kAcceptedTolerance;
-  if (!unit(knot.up) || !right) knot.up = glm::vec3(curve::perpendicular(forward_of(knot), glm::dvec3(knot.up)));
-}
-
-void set_tangent(Knot& knot, glm::vec3 direction) {
-  const glm::dvec3 wanted(direction);
-  const double length = glm::length(wanted);
-  if (!(length >= kShortDirection) || !std::isfinite(length)) return;
-  const glm::vec3 tangent(wanted / length);
-  if (tangent == knot.tangent) return;  // keeps the bits of `up`: settling twice changes nothing
-  const glm::dvec3 from = forward_of(knot), up = curve::perpendicular(from, glm::dvec3(knot.up));
-  knot.tangent = tangent;
-  const glm::dvec3 forward = forward_of(knot);
-  // For a reversal the axis is up itself, which does not change.
-  knot.up = glm::vec3(curve::perpendicular(forward, curve::least_rotation(from, forward, up, up)));
-}
-
-double roll_deg(const Knot& knot) {
-  const glm::dvec3 forward = forward_of(knot), level = curve::perpendicular(forward, {0, 1, 0});
-  return base::degrees(curve::signed_angle(level, glm::dvec3(knot.up), forward));
-}
-
-void set_roll(Knot& knot, double degrees) {
-  if (!std::isfinite(degrees)) return;
-  const glm::dvec3 forward = forward_of(knot), level = curve::perpendicular(forward, {0, 1, 0});
-  // remainder() is exact, so any number of whole turns gives the same bits.
-  const glm::dvec3 up = curve::rotate(level, forward, base::radians(std::remainder(degrees, 360.0)));
-  knot.up = glm::vec3(curve::perpendicular(forward, up));
-}
-
-namespace {
-
 double chord(glm::vec3 a, glm::vec3 b) { return glm::length(glm::dvec3(b) - glm::dvec3(a)); }
 
 float third(double length) { return as_handle(length / 3.0); }
-
-}  // namespace
-
-void shape_between(Knot& knot, const glm::vec3* before, const glm::vec3* after) {
-  if (!before && !after) return;
-  // In double: float differences of distant positions would lose the direction of short chords.
-  const glm::dvec3 start(before ? *before : knot.position), end(after ? *after : knot.position);
-  set_tangent(knot, glm::vec3(end - start));
-  knot.in_length = third(before ? chord(*before, knot.position) : chord(knot.position, *after));
-  knot.out_length = third(after ? chord(knot.position, *after) : chord(*before, knot.position));
-}
-
-void settle_joints(Document& document) {
-  const Track& track = document.track;
-  const std::size_t count = track.knots.size();
-  auto& knots = document.entities.pool<Knot>();
-  bool any_automatic = false;
-  for (Knot& k : knots.items()) {
-    any_automatic = any_automatic || k.joint == JointKind::automatic;
-    if (k.joint == JointKind::smooth && k.in_length != k.out_length) k.in_length = k.out_length;
-  }
-  if (!any_automatic) return;
-  const auto position = [&](std::size_t i) { return &knots.get(track.knots[i]).position; };
-  for (std::size_t i = 0; i < count; ++i) {
-    Knot& k = knots.get(track.knots[i]);
-    if (k.joint != JointKind::automatic) continue;
-    const glm::vec3* const before = i > 0 ? position(i - 1) : track.closed ? position(count - 1) : nullptr;
-    const glm::vec3* const after = i + 1 < count ? position(i + 1) : track.closed ? position(0) : nullptr;
-    shape_between(k, before, after);
-  }
-}
-
-namespace {
 
 void remove_carts_on(Document& document, Entity segment_entity) {
   const std::vector<Entity> carts = document.entities.pool<Cart>().entities();  // a copy: destroying reorders the pool
@@ -183,7 +111,99 @@ void merge_segments(Document& document, std::size_t before_index, std::size_t af
   remove_segment(document, after_index);
 }
 
+// Makes the segments [begin, end) lead from knot to knot again.
+void link_segments(Document& document, std::size_t begin, std::size_t end) {
+  const Track& track = document.track;
+  for (std::size_t i = begin; i < end; ++i) {
+    Segment& segment = document.entities.get<Segment>(track.segments[i]);
+    segment.from = track.knots[i], segment.to = track.knots[(i + 1) % track.knots.size()];
+  }
+}
+
+// Merges the segments [survivor, end) into the first of them, as remove_knot() does with two, but in a time that is
+// linear in their number, and without a look at shapes: turns and trains' fractions stay.
+void merge_run(Document& document, std::size_t survivor, std::size_t end) {
+  Track& track = document.track;
+  const Entity whole = track.segments[survivor];
+  for (std::size_t i = end; i-- > survivor + 1;) {
+    const Entity merged = track.segments[i];
+    for (Cart& cart : document.entities.pool<Cart>().items())
+      if (cart.segment == merged) cart.segment = whole;
+    document.entities.destroy(merged), document.entities.destroy(track.knots[i]);
+  }
+  const auto erase = [&](std::vector<Entity>& order) {
+    order.erase(order.begin() + static_cast<std::ptrdiff_t>(survivor) + 1,
+                order.begin() + static_cast<std::ptrdiff_t>(end));
+  };
+  erase(track.segments), erase(track.knots);
+  link_segments(document, survivor, survivor + 1);
+}
+
 }  // namespace
+
+void orthonormalise(Knot& knot) {
+  const glm::dvec3 tangent(knot.tangent);
+  const double length = glm::length(tangent);
+  if (!(length > 0) || !std::isfinite(length)) knot.tangent = {1, 0, 0};
+  else if (!unit(knot.tangent)) knot.tangent = glm::vec3(tangent / length);
+  const bool right = std::abs(glm::dot(glm::dvec3(knot.tangent), glm::dvec3(knot.up))) <= kAcceptedTolerance;
+  if (!unit(knot.up) || !right) knot.up = glm::vec3(curve::perpendicular(forward_of(knot), glm::dvec3(knot.up)));
+}
+
+void set_tangent(Knot& knot, glm::vec3 direction) {
+  const glm::dvec3 wanted(direction);
+  const double length = glm::length(wanted);
+  if (!(length >= kShortDirection) || !std::isfinite(length)) return;
+  const glm::vec3 tangent(wanted / length);
+  if (tangent == knot.tangent) return;  // keeps the bits of `up`: settling twice changes nothing
+  const glm::dvec3 from = forward_of(knot), up = curve::perpendicular(from, glm::dvec3(knot.up));
+  knot.tangent = tangent;
+  const glm::dvec3 forward = forward_of(knot);
+  // For a reversal the axis is up itself, which does not change.
+  knot.up = glm::vec3(curve::perpendicular(forward, curve::least_rotation(from, forward, up, up)));
+}
+
+double roll_deg(const Knot& knot) {
+  const glm::dvec3 forward = forward_of(knot), level = curve::perpendicular(forward, {0, 1, 0});
+  return base::degrees(curve::signed_angle(level, glm::dvec3(knot.up), forward));
+}
+
+void set_roll(Knot& knot, double degrees) {
+  if (!std::isfinite(degrees)) return;
+  const glm::dvec3 forward = forward_of(knot), level = curve::perpendicular(forward, {0, 1, 0});
+  // remainder() is exact, so any number of whole turns gives the same bits.
+  const glm::dvec3 up = curve::rotate(level, forward, base::radians(std::remainder(degrees, 360.0)));
+  knot.up = glm::vec3(curve::perpendicular(forward, up));
+}
+
+void shape_between(Knot& knot, const glm::vec3* before, const glm::vec3* after) {
+  if (!before && !after) return;
+  // In double: float differences of distant positions would lose the direction of short chords.
+  const glm::dvec3 start(before ? *before : knot.position), end(after ? *after : knot.position);
+  set_tangent(knot, glm::vec3(end - start));
+  knot.in_length = third(before ? chord(*before, knot.position) : chord(knot.position, *after));
+  knot.out_length = third(after ? chord(knot.position, *after) : chord(*before, knot.position));
+}
+
+void settle_joints(Document& document) {
+  const Track& track = document.track;
+  const std::size_t count = track.knots.size();
+  auto& knots = document.entities.pool<Knot>();
+  bool any_automatic = false;
+  for (Knot& k : knots.items()) {
+    any_automatic = any_automatic || k.joint == JointKind::automatic;
+    if (k.joint == JointKind::smooth && k.in_length != k.out_length) k.in_length = k.out_length;
+  }
+  if (!any_automatic) return;
+  const auto position = [&](std::size_t i) { return &knots.get(track.knots[i]).position; };
+  for (std::size_t i = 0; i < count; ++i) {
+    Knot& k = knots.get(track.knots[i]);
+    if (k.joint != JointKind::automatic) continue;
+    const glm::vec3* const before = i > 0 ? position(i - 1) : track.closed ? position(count - 1) : nullptr;
+    const glm::vec3* const after = i + 1 < count ? position(i + 1) : track.closed ? position(0) : nullptr;
+    shape_between(k, before, after);
+  }
+}
 
 Entity add_cart(Document& document, Entity segment_entity, double fraction) {
   const Entity e = create_named(document, Kind::cart);
@@ -310,38 +330,6 @@ bool weld_ends(Document& document) {
   track.closed = true;
   return true;
 }
-
-namespace {
-
-// Makes the segments [begin, end) lead from knot to knot again.
-void link_segments(Document& document, std::size_t begin, std::size_t end) {
-  const Track& track = document.track;
-  for (std::size_t i = begin; i < end; ++i) {
-    Segment& segment = document.entities.get<Segment>(track.segments[i]);
-    segment.from = track.knots[i], segment.to = track.knots[(i + 1) % track.knots.size()];
-  }
-}
-
-// Merges the segments [survivor, end) into the first of them, as remove_knot() does with two, but in a time that is
-// linear in their number, and without a look at shapes: turns and trains' fractions stay.
-void merge_run(Document& document, std::size_t survivor, std::size_t end) {
-  Track& track = document.track;
-  const Entity whole = track.segments[survivor];
-  for (std::size_t i = end; i-- > survivor + 1;) {
-    const Entity merged = track.segments[i];
-    for (Cart& cart : document.entities.pool<Cart>().items())
-      if (cart.segment == merged) cart.segment = whole;
-    document.entities.destroy(merged), document.entities.destroy(track.knots[i]);
-  }
-  const auto erase = [&](std::vector<Entity>& order) {
-    order.erase(order.begin() + static_cast<std::ptrdiff_t>(survivor) + 1,
-                order.begin() + static_cast<std::ptrdiff_t>(end));
-  };
-  erase(track.segments), erase(track.knots);
-  link_segments(document, survivor, survivor + 1);
-}
-
-}  // namespace
 
 Entity make_section(Document& document, std::size_t first, std::size_t count, Section value) {
   const std::vector<Entity>& segments = document.track.segments;

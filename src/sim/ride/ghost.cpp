@@ -368,6 +368,12 @@ class Simulation {
   std::vector<CarPlace> cars_;
 };
 
+constexpr double kSpare = 1;  // m/s more than the least that completes the ride
+
+bool completes(const Ghost& ghost) {
+  return ghost.lap || (ghost.end == world::FailureKind::off_end && ghost.samples.back().speed > 0);
+}
+
 }  // namespace
 
 Ghost simulate(const RailTables& tables, std::span<const EquipmentSpan> equipment, const world::Document& document,
@@ -438,16 +444,6 @@ const LapTable& GhostMemo::lap(const world::Document& document, const Derived& d
 }
 
 void GhostMemo::keep(std::size_t rides) { most_ = std::clamp(rides, most_, kMostEntries * 16); }
-
-namespace {
-
-constexpr double kSpare = 1;  // m/s more than the least that completes the ride
-
-bool completes(const Ghost& ghost) {
-  return ghost.lap || (ghost.end == world::FailureKind::off_end && ghost.samples.back().speed > 0);
-}
-
-}  // namespace
 
 std::optional<double> completing_speed(world::Document document) {
   const world::Entity cart = world::first_cart(document);

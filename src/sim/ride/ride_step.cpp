@@ -58,12 +58,6 @@ constexpr std::array<Integrator, 6> kIntegrators{{
      IntegratorKind::vertices, nullptr, 1, true},
 }};
 
-}  // namespace
-
-std::span<const Integrator> integrators() { return kIntegrators; }
-
-namespace {
-
 // What equipment needs to know of a train during a tick.
 struct Control {
   TrainContacts contacts;
@@ -404,6 +398,8 @@ bool advance_train(const TickContext& tick, Train& train) {
 }
 
 }  // namespace
+
+std::span<const Integrator> integrators() { return kIntegrators; }
 
 void step_trains(const RideInput& input, const Integrator& row, int ticks, world::Motion& motion) {
   std::vector<Train> trains = trains_of(input, motion);

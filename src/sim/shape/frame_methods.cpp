@@ -97,32 +97,6 @@ constexpr std::array<FrameMethodRow, 4> kFrameMethods{{
 static_assert(static_cast<std::size_t>(world::FrameMethod::world_up) + 1 == kFrameMethods.size(),
               "one row for each enumerator");
 
-}  // namespace
-
-std::span<const FrameMethodRow> frame_methods() { return kFrameMethods; }
-
-TrackFrame track_frame(const Derived& derived, world::FrameMethod method, std::size_t index, double s) {
-  COASTER_CHECK(index < derived.order.size(), "frames exist only on segments of the track");
-  return base::row_of(method).frame(derived, index, s);
-}
-
-std::size_t index_of_segment(const Derived& derived, world::Entity segment, double near) {
-  if (!derived.order.empty()) {
-    const std::size_t guess = place_at(derived, near).index;
-    if (derived.order[guess] == segment) return guess;
-  }
-  return static_cast<std::size_t>(std::find(derived.order.begin(), derived.order.end(), segment) -
-                                  derived.order.begin());
-}
-
-double loop_twist(const Derived& derived) {
-  if (!derived.closed || derived.twists.empty()) return 0.0;
-  const double twist = std::remainder(derived.twists.back(), 2.0 * base::kPi);
-  return twist <= -base::kPi ? base::kPi : twist;
-}
-
-namespace {
-
 using Kind = FrenetBreak::Kind;
 
 constexpr double kHalfSpan = 1.0 / 64;  // of the parameter: a flip happens within twice that
@@ -183,6 +157,28 @@ void add_joint(const Derived& derived, std::size_t index, std::vector<FrenetBrea
 }
 
 }  // namespace
+
+std::span<const FrameMethodRow> frame_methods() { return kFrameMethods; }
+
+TrackFrame track_frame(const Derived& derived, world::FrameMethod method, std::size_t index, double s) {
+  COASTER_CHECK(index < derived.order.size(), "frames exist only on segments of the track");
+  return base::row_of(method).frame(derived, index, s);
+}
+
+std::size_t index_of_segment(const Derived& derived, world::Entity segment, double near) {
+  if (!derived.order.empty()) {
+    const std::size_t guess = place_at(derived, near).index;
+    if (derived.order[guess] == segment) return guess;
+  }
+  return static_cast<std::size_t>(std::find(derived.order.begin(), derived.order.end(), segment) -
+                                  derived.order.begin());
+}
+
+double loop_twist(const Derived& derived) {
+  if (!derived.closed || derived.twists.empty()) return 0.0;
+  const double twist = std::remainder(derived.twists.back(), 2.0 * base::kPi);
+  return twist <= -base::kPi ? base::kPi : twist;
+}
 
 std::vector<FrenetBreak> frenet_breaks(const SegmentShape& shape, world::Entity segment) {
   std::vector<FrenetBreak> found;

@@ -111,27 +111,6 @@ class Cells {
   std::vector<bool> near_;  // of each cell: it is tight
 };
 
-}  // namespace
-
-void fill_cells(const SegmentShape& shape, SegmentTable& table) {
-  table.cells.clear(), table.peaks.clear();
-  const std::vector<curve::TightPlace> places = curve::tight_places(shape.key.cubic, kTightRadius);
-  if (places.empty() || !(table.step > 0)) return;
-  Cells cells(shape, table);
-  double done = 0;
-  for (const curve::TightPlace& place : places) {
-    cells.add(done, place.t - place.half);
-    if (place.reversal) cells.add_reversal(place.t - place.half, place.t + place.half);
-    done = place.t + place.half;
-    table.peaks.push_back(shape.arc.distance(place.t));
-  }
-  cells.add(done, 1);
-  cells.keep_near();
-  table.cells.shrink_to_fit();
-}
-
-namespace {
-
 void fill(const SegmentShape& shape, double heartline, double largest_step, SegmentTable& table) {
   const double length = shape.arc.length();
   const int n = std::max(2, static_cast<int>(std::ceil(length / largest_step)));
@@ -152,6 +131,23 @@ void fill(const SegmentShape& shape, double heartline, double largest_step, Segm
 }
 
 }  // namespace
+
+void fill_cells(const SegmentShape& shape, SegmentTable& table) {
+  table.cells.clear(), table.peaks.clear();
+  const std::vector<curve::TightPlace> places = curve::tight_places(shape.key.cubic, kTightRadius);
+  if (places.empty() || !(table.step > 0)) return;
+  Cells cells(shape, table);
+  double done = 0;
+  for (const curve::TightPlace& place : places) {
+    cells.add(done, place.t - place.half);
+    if (place.reversal) cells.add_reversal(place.t - place.half, place.t + place.half);
+    done = place.t + place.half;
+    table.peaks.push_back(shape.arc.distance(place.t));
+  }
+  cells.add(done, 1);
+  cells.keep_near();
+  table.cells.shrink_to_fit();
+}
 
 FeltEntry felt_entry(const SegmentShape& shape, double s, double t, const curve::Frame& frame, double d,
                      double slowest) {

@@ -157,30 +157,6 @@ std::int32_t add_node(std::span<Item> items, int depth, SegmentTree& tree) {
   return index;
 }
 
-}  // namespace
-
-void build_tree(std::vector<curve::Cubic> cubics, SegmentTree& tree) {
-  tree.cubics = std::move(cubics);
-  tree.blocks.clear();
-  tree.nodes.clear();
-  if (tree.cubics.empty()) return;
-  const std::size_t count = (tree.cubics.size() + 3) / 4;
-  tree.blocks.resize(count);
-  tree.nodes.reserve(count / 2 + 1);
-  std::vector<Item> items(count);
-  for (std::size_t i = 0; i < count; ++i) {
-    SegmentBlock& block = tree.blocks[i];
-    block.first = static_cast<std::int32_t>(4 * i);
-    block.count = static_cast<std::int32_t>(std::min<std::size_t>(4, tree.cubics.size() - 4 * i));
-    items[i].box = fill_block(tree, block);
-    items[i].middle = 0.5f * items[i].box.low + 0.5f * items[i].box.high;
-    items[i].block = static_cast<std::int32_t>(i);
-  }
-  add_node(items, 0, tree);
-}
-
-namespace {
-
 using glm::dvec3;
 
 constexpr int kPieces = 4;
@@ -235,7 +211,45 @@ float radius_about_chord(const PieceControls& controls) {
   return rounded_up(radius * (1 + 1e-9));
 }
 
+void refit_block(SegmentTree& tree, SegmentBlock& block) {
+  curve::Box box = fill_block(tree, block);
+  for (std::int32_t at = block.parent, lane = block.lane; at >= 0;) {
+    TreeNode& node = tree.nodes[static_cast<std::size_t>(at)];
+    put_box(node, lane, box);
+    box = box_of(node);
+    lane = node.lane;
+    at = node.parent;
+  }
+}
+
+void refit_all(SegmentTree& tree) {
+  for (SegmentBlock& block : tree.blocks)
+    put_box(tree.nodes[static_cast<std::size_t>(block.parent)], block.lane, fill_block(tree, block));
+  for (std::size_t i = tree.nodes.size(); i-- > 1;)  // children come after their parents
+    put_box(tree.nodes[static_cast<std::size_t>(tree.nodes[i].parent)], tree.nodes[i].lane, box_of(tree.nodes[i]));
+}
+
 }  // namespace
+
+void build_tree(std::vector<curve::Cubic> cubics, SegmentTree& tree) {
+  tree.cubics = std::move(cubics);
+  tree.blocks.clear();
+  tree.nodes.clear();
+  if (tree.cubics.empty()) return;
+  const std::size_t count = (tree.cubics.size() + 3) / 4;
+  tree.blocks.resize(count);
+  tree.nodes.reserve(count / 2 + 1);
+  std::vector<Item> items(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    SegmentBlock& block = tree.blocks[i];
+    block.first = static_cast<std::int32_t>(4 * i);
+    block.count = static_cast<std::int32_t>(std::min<std::size_t>(4, tree.cubics.size() - 4 * i));
+    items[i].box = fill_block(tree, block);
+    items[i].middle = 0.5f * items[i].box.low + 0.5f * items[i].box.high;
+    items[i].block = static_cast<std::int32_t>(i);
+  }
+  add_node(items, 0, tree);
+}
 
 curve::Box tight_box(const curve::Cubic& cubic) { return box_of(quarters(cubic)); }
 
@@ -264,28 +278,6 @@ curve::Box box_of(const TreeNode& node) {
   for (std::size_t lane = 1; node.lanes >> lane != 0; ++lane) box = joined(box, box_of(node, lane));
   return box;
 }
-
-namespace {
-
-void refit_block(SegmentTree& tree, SegmentBlock& block) {
-  curve::Box box = fill_block(tree, block);
-  for (std::int32_t at = block.parent, lane = block.lane; at >= 0;) {
-    TreeNode& node = tree.nodes[static_cast<std::size_t>(at)];
-    put_box(node, lane, box);
-    box = box_of(node);
-    lane = node.lane;
-    at = node.parent;
-  }
-}
-
-void refit_all(SegmentTree& tree) {
-  for (SegmentBlock& block : tree.blocks)
-    put_box(tree.nodes[static_cast<std::size_t>(block.parent)], block.lane, fill_block(tree, block));
-  for (std::size_t i = tree.nodes.size(); i-- > 1;)  // children come after their parents
-    put_box(tree.nodes[static_cast<std::size_t>(tree.nodes[i].parent)], tree.nodes[i].lane, box_of(tree.nodes[i]));
-}
-
-}  // namespace
 
 void refit_tree(std::span<const std::size_t> changed, SegmentTree& tree) {
   if (changed.size() > tree.blocks.size() / 4) return refit_all(tree);

@@ -87,31 +87,6 @@ class FormTrial {
   const std::function<bool(std::span<const Bar>)>& takes_;
 };
 
-}  // namespace
-
-bool try_forms(const Ring& at, const std::function<bool(std::span<const Bar>)>& takes) {
-  const Site site = site_at(at);
-  if (site.height < kLowestSupport) return false;
-  const FormTrial trial(site, takes);
-  if (site.upright) {
-    if (site.height > kHigh && trial.two_legs(std::min(0.15 * site.height, 7.0))) return true;
-    if (trial.leg(0)) return true;
-    if (site.height > 3 && trial.two_legs(std::clamp(0.28 * site.height, 1.6, 6.0))) return true;
-    for (const double aside : {1.6, -1.6, 2.8, -2.8, 4.2, -4.2})
-      if (std::abs(aside) < 0.6 * site.height && trial.leg(aside)) return true;
-  }
-  const std::array<dvec3, 3> ways =
-      site.upright ? std::array{site.side, -site.side, site.back} : std::array{site.back, site.side, -site.side};
-  // Longer for higher track, so that the columns of stacked track do not intersect.
-  const double longer = 0.08 * std::min(site.height, 30.0);
-  for (const double out : {2.2, 3.1, 4.2, 5.5, 7.0})
-    for (const dvec3& way : ways)
-      if (trial.arm(way, std::min(out + longer, 7.5))) return true;
-  return false;
-}
-
-namespace {
-
 constexpr int kSides = 10;
 
 // Adds a concrete footing slightly above the ground, and the plate that the bar is bolted to.
@@ -129,24 +104,6 @@ void add_collar(const Ring& hold, Mesh& mesh) {
   ends[0].position -= kHalf * hold.frame.forward, ends[1].position += kHalf * hold.frame.forward;
   add_tube(ends, {{0, -kSpineDrop}, kSpineRadius + kThick, kSpineSides, kSpineSides / 3, Part::tie}, mesh);
 }
-
-}  // namespace
-
-void build_support_mesh(const SegmentSupports& supports, Mesh& mesh) {
-  mesh.clear();
-  for (const Bar& bar : supports.bars) {
-    const dvec3 from(bar.from), to(bar.to);
-    const auto from_radius = static_cast<double>(bar.from_radius), to_radius = static_cast<double>(bar.to_radius);
-    // At another bar it ends slightly farther on, so that there is no notch. A leaning leg ends inside its footing.
-    const double length = glm::length(to - from), over = bar.grounded ? -0.15 : 0.5 * to_radius;
-    add_bar(from, length > 0.2 ? to + over / length * (to - from) : to, from_radius, to_radius, kSides, Part::support,
-            0, true, mesh);
-    if (bar.grounded) add_footing(to, to_radius, mesh);
-  }
-  for (const Ring& hold : supports.holds) add_collar(hold, mesh);
-}
-
-namespace {
 
 // Returns the desired spacing of supports on a segment.
 double wanted_spacing(const SegmentShape& shape) {
@@ -185,6 +142,41 @@ curve::Box reach_of(const curve::Box& box) {
 }
 
 }  // namespace
+
+bool try_forms(const Ring& at, const std::function<bool(std::span<const Bar>)>& takes) {
+  const Site site = site_at(at);
+  if (site.height < kLowestSupport) return false;
+  const FormTrial trial(site, takes);
+  if (site.upright) {
+    if (site.height > kHigh && trial.two_legs(std::min(0.15 * site.height, 7.0))) return true;
+    if (trial.leg(0)) return true;
+    if (site.height > 3 && trial.two_legs(std::clamp(0.28 * site.height, 1.6, 6.0))) return true;
+    for (const double aside : {1.6, -1.6, 2.8, -2.8, 4.2, -4.2})
+      if (std::abs(aside) < 0.6 * site.height && trial.leg(aside)) return true;
+  }
+  const std::array<dvec3, 3> ways =
+      site.upright ? std::array{site.side, -site.side, site.back} : std::array{site.back, site.side, -site.side};
+  // Longer for higher track, so that the columns of stacked track do not intersect.
+  const double longer = 0.08 * std::min(site.height, 30.0);
+  for (const double out : {2.2, 3.1, 4.2, 5.5, 7.0})
+    for (const dvec3& way : ways)
+      if (trial.arm(way, std::min(out + longer, 7.5))) return true;
+  return false;
+}
+
+void build_support_mesh(const SegmentSupports& supports, Mesh& mesh) {
+  mesh.clear();
+  for (const Bar& bar : supports.bars) {
+    const dvec3 from(bar.from), to(bar.to);
+    const auto from_radius = static_cast<double>(bar.from_radius), to_radius = static_cast<double>(bar.to_radius);
+    // At another bar it ends slightly farther on, so that there is no notch. A leaning leg ends inside its footing.
+    const double length = glm::length(to - from), over = bar.grounded ? -0.15 : 0.5 * to_radius;
+    add_bar(from, length > 0.2 ? to + over / length * (to - from) : to, from_radius, to_radius, kSides, Part::support,
+            0, true, mesh);
+    if (bar.grounded) add_footing(to, to_radius, mesh);
+  }
+  for (const Ring& hold : supports.holds) add_collar(hold, mesh);
+}
 
 SupportRow support_row(const SegmentShape& shape) {
   constexpr double kShortest = 0.05,

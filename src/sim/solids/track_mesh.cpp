@@ -133,22 +133,6 @@ void add_platforms(const Fitting& fitting) {
   }
 }
 
-}  // namespace
-
-void add_fittings(const SegmentShape& shape, world::EquipmentKind kind, Mesh& mesh, const Detail& detail) {
-  if (!detail.parts || !(shape.arc.length() > kShortestFitted)) return;
-  const Fitting fitting{shape, rings_of(shape, detail.most_rings), mesh};
-  switch (kind) {
-    case world::EquipmentKind::station: return add_platforms(fitting);
-    case world::EquipmentKind::lift: return add_chain(fitting), add_walkway(fitting);
-    case world::EquipmentKind::launch: return add_stators(fitting);
-    case world::EquipmentKind::brake:
-    case world::EquipmentKind::block: return add_fins(fitting), add_walkway(fitting);
-  }
-}
-
-namespace {
-
 constexpr double kRingTwist = base::radians(6.0);  // between rings
 constexpr double kRingSpacing = 4.0;               // m, largest spacing on a segment that bends
 constexpr double kStraight = base::radians(0.25);  // of bend and twist together: below it a segment is straight
@@ -204,6 +188,18 @@ void flatten(Mesh& mesh) {
 }
 
 }  // namespace
+
+void add_fittings(const SegmentShape& shape, world::EquipmentKind kind, Mesh& mesh, const Detail& detail) {
+  if (!detail.parts || !(shape.arc.length() > kShortestFitted)) return;
+  const Fitting fitting{shape, rings_of(shape, detail.most_rings), mesh};
+  switch (kind) {
+    case world::EquipmentKind::station: return add_platforms(fitting);
+    case world::EquipmentKind::lift: return add_chain(fitting), add_walkway(fitting);
+    case world::EquipmentKind::launch: return add_stators(fitting);
+    case world::EquipmentKind::brake:
+    case world::EquipmentKind::block: return add_fins(fitting), add_walkway(fitting);
+  }
+}
 
 Ring ring_at(const SegmentShape& shape, double s) {
   const curve::Cubic& c = shape.key.cubic;

@@ -206,6 +206,17 @@ CircuitProposals searched(const CircuitCandidates& candidates, const SearchTerms
   return std::move(search.found);
 }
 
+// Returns the square of the train's speed at the way's start, m^2/s^2; too little if it does not get there.
+double square_at_start(const WayChange& change) {
+  const world::WayHome& way = change.former;
+  return way.speed * way.speed - (way.coasts ? 2 * world::kGravity * change.risen : 0.0);
+}
+
+std::string out_of_reach(double risen) {
+  return fmt::format("the train does not reach the closing section, which would begin {} m higher",
+                     risen < 0.05 ? fmt::format("{:.1g}", risen) : fmt::format("{:.1f}", risen));
+}
+
 }  // namespace
 
 std::optional<CircuitTask> circuit_task(const world::Document& document, const Derived& derived, const Ghost* ride) {
@@ -304,21 +315,6 @@ double WayJolts::worst(const CircuitProposals& found, std::size_t index, const w
     return most;
   });
 }
-
-namespace {
-
-// Returns the square of the train's speed at the way's start, m^2/s^2; too little if it does not get there.
-double square_at_start(const WayChange& change) {
-  const world::WayHome& way = change.former;
-  return way.speed * way.speed - (way.coasts ? 2 * world::kGravity * change.risen : 0.0);
-}
-
-std::string out_of_reach(double risen) {
-  return fmt::format("the train does not reach the closing section, which would begin {} m higher",
-                     risen < 0.05 ? fmt::format("{:.1g}", risen) : fmt::format("{:.1f}", risen));
-}
-
-}  // namespace
 
 ChangedWay changed_way(const WayChange& change, OpenedTrack& opened) {
   const double square = square_at_start(change), former_square = change.former.speed * change.former.speed;

@@ -96,39 +96,6 @@ void find_spans(const Ghost& ghost, const Envelope& envelope, int car, ForceAxis
   }
 }
 
-}  // namespace
-
-const Envelope& default_envelope() {
-  static const Envelope kDefault{
-      {EnvelopeCurve{{0.2, 6}, {1, 6}, {2, 4}, {4, 4}, {5, 3}, {11.8, 3}, {12, 2}},
-       EnvelopeCurve{{0.2, 2}, {0.5, 1.5}, {4, 1.5}, {7, 1.1}}, EnvelopeCurve{{0.2, 3}, {1, 3}, {2, 2}},
-       EnvelopeCurve{{0.2, 6}, {1, 6}, {2, 4}, {4, 4}, {5, 3}, {11.8, 3}, {12, 2.5}},
-       EnvelopeCurve{{0.2, 3.5}, {2, 3.5}, {3, 2.5}, {4, 2.5}, {5, 2}}},
-      0.2,
-      5.0};
-  return kDefault;
-}
-
-double limit(const EnvelopeCurve& curve, double seconds) {
-  if (curve.empty()) return 1e9;
-  if (seconds <= curve.front().seconds) return curve.front().g;
-  for (std::size_t i = 1; i < curve.size(); ++i) {
-    if (seconds > curve[i].seconds) continue;
-    const double part = (seconds - curve[i - 1].seconds) / (curve[i].seconds - curve[i - 1].seconds);
-    return curve[i - 1].g + part * (curve[i].g - curve[i - 1].g);
-  }
-  return curve.back().g;
-}
-
-void low_pass(std::span<float> values, double rate, double cutoff) {
-  if (values.empty()) return;
-  // The two pole pairs of a fourth-order Butterworth filter.
-  Section(rate, cutoff, 0.54119610014619698).run(values);
-  Section(rate, cutoff, 1.30656296487637652).run(values);
-}
-
-namespace {
-
 // Returns low-passed felt g of a car that passes tight bends: what happens between two entries counts when it happens,
 // at kFiner times their rate. An entry shows the peak next to it, if there is one.
 std::vector<float> low_passed_finely(const Ghost& ghost, int car, float Felt::*axis, double cutoff,
@@ -178,6 +145,35 @@ std::vector<float> low_passed_finely(const Ghost& ghost, int car, float Felt::*a
 }
 
 }  // namespace
+
+const Envelope& default_envelope() {
+  static const Envelope kDefault{
+      {EnvelopeCurve{{0.2, 6}, {1, 6}, {2, 4}, {4, 4}, {5, 3}, {11.8, 3}, {12, 2}},
+       EnvelopeCurve{{0.2, 2}, {0.5, 1.5}, {4, 1.5}, {7, 1.1}}, EnvelopeCurve{{0.2, 3}, {1, 3}, {2, 2}},
+       EnvelopeCurve{{0.2, 6}, {1, 6}, {2, 4}, {4, 4}, {5, 3}, {11.8, 3}, {12, 2.5}},
+       EnvelopeCurve{{0.2, 3.5}, {2, 3.5}, {3, 2.5}, {4, 2.5}, {5, 2}}},
+      0.2,
+      5.0};
+  return kDefault;
+}
+
+double limit(const EnvelopeCurve& curve, double seconds) {
+  if (curve.empty()) return 1e9;
+  if (seconds <= curve.front().seconds) return curve.front().g;
+  for (std::size_t i = 1; i < curve.size(); ++i) {
+    if (seconds > curve[i].seconds) continue;
+    const double part = (seconds - curve[i - 1].seconds) / (curve[i].seconds - curve[i - 1].seconds);
+    return curve[i - 1].g + part * (curve[i].g - curve[i - 1].g);
+  }
+  return curve.back().g;
+}
+
+void low_pass(std::span<float> values, double rate, double cutoff) {
+  if (values.empty()) return;
+  // The two pole pairs of a fourth-order Butterworth filter.
+  Section(rate, cutoff, 0.54119610014619698).run(values);
+  Section(rate, cutoff, 1.30656296487637652).run(values);
+}
 
 std::vector<float> low_passed_g(const Ghost& ghost, int car, float Felt::*axis, double cutoff) {
   const auto cars = static_cast<std::size_t>(ghost.start.cars);

@@ -92,44 +92,6 @@ Cells cells_of(const Derived& derived, const Supports* supports, double step) {
   return cells;
 }
 
-}  // namespace
-
-NearMisses near_misses(const Ghost& ghost, const Derived& derived, const Supports* supports) {
-  NearMisses found;
-  if (derived.order.empty() || ghost.samples.empty()) return found;
-  const double step = std::max(kStep, derived.length / kMostChordsInAll);
-  const Cells cells = cells_of(derived, supports, step);
-  const auto apart = [&](const Thing& thing, double at) {
-    const double gap = std::max({0.0, thing.begin - at, at - thing.end});
-    return derived.closed ? std::min({gap, thing.begin + derived.length - at, at + derived.length - thing.end}) : gap;
-  };
-  constexpr double kNever = -std::numeric_limits<double>::infinity();
-  double next = 0, last_track = kNever, last_support = kNever;
-  for (std::size_t i = 0; i < ghost.samples.size() && !base::interrupted(); ++i) {
-    const GhostSample& sample = ghost.samples[i];
-    if (sample.travelled < next) continue;
-    if (ghost.closed && sample.travelled > derived.length) break;
-    next = sample.travelled + kStep;
-    if (sample.speed < kSlowestMiss) continue;
-    const double at = ghost.distance(i);
-    const TrackPlace place = place_at(derived, at);
-    const dvec3 head = ring_at(derived.shape_at(place.index), place.s).place(0, kHead);
-    bool by_track = false, by_support = false;
-    cells.visit(head, [&](const Thing& thing) {
-      bool& near = thing.support ? by_support : by_track;
-      near =
-          near || (apart(thing, at) > kMissApart && distance_between(thing.from, thing.to, head, head) < thing.reach);
-    });
-    if (by_track && sample.travelled - last_track > kMissApart) ++found.track;
-    if (by_support && sample.travelled - last_support > kMissApart) ++found.supports;
-    if (by_track) last_track = sample.travelled;
-    if (by_support) last_support = sample.travelled;
-  }
-  return found;
-}
-
-namespace {
-
 void take(Extreme& extreme, double value, bool first, bool larger, std::size_t sample, int car, const Ghost& ghost) {
   if (!first && !(larger ? value > extreme.value : value < extreme.value)) return;
   extreme = {value, static_cast<double>(sample) * world::kTick, ghost.distance(sample, car), car};
@@ -224,7 +186,52 @@ void count_inversions(const Ghost& ghost, const RailTables& tables, Ratings& r) 
 // Returns 0 at 0, 1/2 at `half`, and approaches 1.
 double share(double value, double half) { return value > 0 ? value / (value + half) : 0.0; }
 
+template <class... Values>
+void add(std::string& out, fmt::format_string<Values...> format, Values&&... values) {
+  fmt::format_to(std::back_inserter(out), format, std::forward<Values>(values)...);
+}
+
+void add_extreme(std::string& out, const Figure& figure) {
+  const Extreme& e = figure.at;
+  add(out, "  {:<22} {:>8} {:<4} at {:7.1f} m, {:6.2f} s, car {}\n", figure.name,
+      base::figure_text(e.value, 2, figure.unit), figure.unit, e.distance, e.seconds, e.car + 1);
+}
+
 }  // namespace
+
+NearMisses near_misses(const Ghost& ghost, const Derived& derived, const Supports* supports) {
+  NearMisses found;
+  if (derived.order.empty() || ghost.samples.empty()) return found;
+  const double step = std::max(kStep, derived.length / kMostChordsInAll);
+  const Cells cells = cells_of(derived, supports, step);
+  const auto apart = [&](const Thing& thing, double at) {
+    const double gap = std::max({0.0, thing.begin - at, at - thing.end});
+    return derived.closed ? std::min({gap, thing.begin + derived.length - at, at + derived.length - thing.end}) : gap;
+  };
+  constexpr double kNever = -std::numeric_limits<double>::infinity();
+  double next = 0, last_track = kNever, last_support = kNever;
+  for (std::size_t i = 0; i < ghost.samples.size() && !base::interrupted(); ++i) {
+    const GhostSample& sample = ghost.samples[i];
+    if (sample.travelled < next) continue;
+    if (ghost.closed && sample.travelled > derived.length) break;
+    next = sample.travelled + kStep;
+    if (sample.speed < kSlowestMiss) continue;
+    const double at = ghost.distance(i);
+    const TrackPlace place = place_at(derived, at);
+    const dvec3 head = ring_at(derived.shape_at(place.index), place.s).place(0, kHead);
+    bool by_track = false, by_support = false;
+    cells.visit(head, [&](const Thing& thing) {
+      bool& near = thing.support ? by_support : by_track;
+      near =
+          near || (apart(thing, at) > kMissApart && distance_between(thing.from, thing.to, head, head) < thing.reach);
+    });
+    if (by_track && sample.travelled - last_track > kMissApart) ++found.track;
+    if (by_support && sample.travelled - last_support > kMissApart) ++found.supports;
+    if (by_track) last_track = sample.travelled;
+    if (by_support) last_support = sample.travelled;
+  }
+  return found;
+}
 
 double excitement_of(const Ratings& r) {
   constexpr double kMostUp = 5, kJoltFelt = 1, kJoltWeight = 0.25, kOverloadWeight = 2;
@@ -260,21 +267,6 @@ Ratings rate(const Ghost& ghost, const RailTables& tables, double cutoff, const 
   r.nausea = 0.26 * p + 0.22 * (1 - n) + 0.33 * l + 0.10 * d + 0.0031 * h;
   return r;
 }
-
-namespace {
-
-template <class... Values>
-void add(std::string& out, fmt::format_string<Values...> format, Values&&... values) {
-  fmt::format_to(std::back_inserter(out), format, std::forward<Values>(values)...);
-}
-
-void add_extreme(std::string& out, const Figure& figure) {
-  const Extreme& e = figure.at;
-  add(out, "  {:<22} {:>8} {:<4} at {:7.1f} m, {:6.2f} s, car {}\n", figure.name,
-      base::figure_text(e.value, 2, figure.unit), figure.unit, e.distance, e.seconds, e.car + 1);
-}
-
-}  // namespace
 
 std::vector<Figure> report_figures(const Ratings& r, std::span<const Rider> riders) {
   return {{"top speed", "m/s", r.top_speed},

@@ -46,55 +46,6 @@ void fill_roll_and_height(const Ghost& ghost, int car, const RailTables& tables,
   }
 }
 
-}  // namespace
-
-double Rider::value(std::size_t k, RideValue value) const {
-  const Felt& force = ghost->forces[k * static_cast<std::size_t>(ghost->start.cars) + static_cast<std::size_t>(car)];
-  switch (value) {
-    case RideValue::vertical: return force.up;
-    case RideValue::lateral: return force.left;
-    case RideValue::longitudinal: return force.forward;
-    case RideValue::jerk: return magnitude(samples[k].jerk);
-    case RideValue::jerk_up: return samples[k].jerk.up;
-    case RideValue::jerk_side: return samples[k].jerk.left;
-    case RideValue::jerk_forward: return samples[k].jerk.forward;
-    case RideValue::roll_rate: return samples[k].roll_rate;
-    case RideValue::roll_acceleration: return samples[k].roll_acceleration;
-    case RideValue::speed: return ghost->samples[ghost->sample_of(k)].speed;
-    case RideValue::height: return samples[k].height;
-  }
-  return 0;
-}
-
-void Riders::update(const Ghost& ghost, const RailTables& tables, const Derived& derived, double cutoff,
-                    CarRange cars) {
-  if (serial_ != ghost.serial || cutoff_ != cutoff) samples_.clear();
-  ghost_ = &ghost, serial_ = ghost.serial, cutoff_ = cutoff;
-  samples_.resize(static_cast<std::size_t>(ghost.start.cars));
-  for (int car = cars.first; car <= cars.last; ++car) {
-    std::vector<RiderSample>& samples = samples_[static_cast<std::size_t>(car)];
-    if (!samples.empty()) continue;
-    samples.resize(Rider{&ghost}.entries());
-    for (float Felt::*const axis : {&Felt::up, &Felt::left, &Felt::forward})
-      fill_jerk(ghost, car, axis, cutoff, samples);
-    fill_roll_and_height(ghost, car, tables, derived, samples);
-  }
-}
-
-Rider Riders::car(int index) const {
-  COASTER_CHECK(ghost_ != nullptr && index >= 0 && static_cast<std::size_t>(index) < samples_.size(),
-                "the train has this car");
-  return {ghost_, index, samples_[static_cast<std::size_t>(index)], cutoff_};
-}
-
-std::vector<Rider> Riders::cars(CarRange range) const {
-  std::vector<Rider> riders;
-  for (int i = range.first; i <= range.last; ++i) riders.push_back(car(i));
-  return riders;
-}
-
-namespace {
-
 // The entries at which a car is farther along than ever before, by position.
 class Passages {
  public:
@@ -164,6 +115,51 @@ void fill(std::size_t riders, std::size_t count, const Of& of, SeatCurves& curve
 }
 
 }  // namespace
+
+double Rider::value(std::size_t k, RideValue value) const {
+  const Felt& force = ghost->forces[k * static_cast<std::size_t>(ghost->start.cars) + static_cast<std::size_t>(car)];
+  switch (value) {
+    case RideValue::vertical: return force.up;
+    case RideValue::lateral: return force.left;
+    case RideValue::longitudinal: return force.forward;
+    case RideValue::jerk: return magnitude(samples[k].jerk);
+    case RideValue::jerk_up: return samples[k].jerk.up;
+    case RideValue::jerk_side: return samples[k].jerk.left;
+    case RideValue::jerk_forward: return samples[k].jerk.forward;
+    case RideValue::roll_rate: return samples[k].roll_rate;
+    case RideValue::roll_acceleration: return samples[k].roll_acceleration;
+    case RideValue::speed: return ghost->samples[ghost->sample_of(k)].speed;
+    case RideValue::height: return samples[k].height;
+  }
+  return 0;
+}
+
+void Riders::update(const Ghost& ghost, const RailTables& tables, const Derived& derived, double cutoff,
+                    CarRange cars) {
+  if (serial_ != ghost.serial || cutoff_ != cutoff) samples_.clear();
+  ghost_ = &ghost, serial_ = ghost.serial, cutoff_ = cutoff;
+  samples_.resize(static_cast<std::size_t>(ghost.start.cars));
+  for (int car = cars.first; car <= cars.last; ++car) {
+    std::vector<RiderSample>& samples = samples_[static_cast<std::size_t>(car)];
+    if (!samples.empty()) continue;
+    samples.resize(Rider{&ghost}.entries());
+    for (float Felt::*const axis : {&Felt::up, &Felt::left, &Felt::forward})
+      fill_jerk(ghost, car, axis, cutoff, samples);
+    fill_roll_and_height(ghost, car, tables, derived, samples);
+  }
+}
+
+Rider Riders::car(int index) const {
+  COASTER_CHECK(ghost_ != nullptr && index >= 0 && static_cast<std::size_t>(index) < samples_.size(),
+                "the train has this car");
+  return {ghost_, index, samples_[static_cast<std::size_t>(index)], cutoff_};
+}
+
+std::vector<Rider> Riders::cars(CarRange range) const {
+  std::vector<Rider> riders;
+  for (int i = range.first; i <= range.last; ++i) riders.push_back(car(i));
+  return riders;
+}
 
 CarRange cars_of(world::Seat seat, int own, int cars) {
   const int last = std::max(0, cars - 1), chosen = std::clamp(own - 1, 0, last);
