@@ -79,6 +79,8 @@ class GpuCurves {
   std::shared_ptr<Programs> programs_;
 };
 
+// The deviation of vertices computed by a shader stage from the exact points: captured from the GPU, compared on the
+// processor.
 class CurveDeviation {
  public:
   explicit CurveDeviation(const Gl& gl) : gl_(&gl), buffer_(make_buffer(gl)) {}

@@ -1,4 +1,4 @@
-// Ranges of a growing buffer, allocated first-fit from freed ranges, else at the end. Independent of GL.
+// Buffers on the GPU that grow, and the ranges that are allocated in them.
 #pragma once
 
 #include <algorithm>
@@ -15,6 +15,7 @@ struct Range {
   std::uint32_t first = 0, size = 0;
 };
 
+// Ranges allocated first-fit from freed ranges, else at the end. Independent of GL.
 class Ranges {
  public:
   // Allocates exactly `size` (> 0) elements. Linear in the number of gaps.
@@ -29,6 +30,7 @@ class Ranges {
   std::uint32_t used_ = 0;
 };
 
+// A vertex or index buffer that keeps its contents. Buffers of whole numbers are index buffers.
 // Binds only the targets of copies, so no vertex array is affected; creating and growing index buffers leaves no vertex
 // array bound.
 template <class T>

@@ -112,6 +112,7 @@ void blend(const Gl& gl, bool on);
 void float_attribute(const Gl& gl, GLuint location, int components, std::size_t stride, std::size_t offset,
                      GLuint divisor = 0);
 
+// GPU time of a part of a frame, by timer queries. Results arrive some frames later; nothing waits.
 class GpuTimer {
  public:
   explicit GpuTimer(const Gl& gl);

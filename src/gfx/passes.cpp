@@ -1,4 +1,5 @@
-// Ground and sky on their sides of the horizon, by shaders that follow the ray of each pixel.
+// The passes of a picture. Ground and sky are drawn by shaders that follow the ray of each pixel, track and trains from
+// the same buffers as in shadow maps.
 #include "gfx/passes.h"
 
 #include <algorithm>

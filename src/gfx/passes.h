@@ -1,4 +1,4 @@
-// The shader programs of a scene's passes, from the sources in shaders/ that the build embeds.
+// The passes of a picture and their shader programs, from the sources in shaders/ that the build embeds.
 #pragma once
 
 #include <array>

@@ -1,5 +1,5 @@
-// The area of a shadow map: a square perpendicular to the sunlight over the shadow casters near the eye. Pure
-// functions, no GL.
+// The shadow maps of a scene, one of the track and one of the trains: squares perpendicular to the sunlight over the
+// shadow casters near the eye.
 #pragma once
 
 #include <functional>
@@ -63,6 +63,8 @@ ShadowFit fit_shadow(const SunAxes& axes, const LightBox& box, float least, glm:
 glm::mat4 clip_of(const SunAxes& axes, const ShadowFit& fit);
 glm::mat4 map_of(const SunAxes& axes, const ShadowFit& fit);
 
+// A picture of the track or the trains seen from the sun: depth, for shadows on solids, and coverage with mipmaps, for
+// the ground, which is below everything and needs no depth.
 class ShadowMap {
  public:
   explicit ShadowMap(const Gl& gl) : gl_(&gl) {}
@@ -94,6 +96,7 @@ class ShadowMap {
   glm::mat4 to_map_{1};
 };
 
+// Redraws a map only if its casters, the light or the visible part of the scene changed.
 class SunShadows {
  public:
   explicit SunShadows(const Gl& gl) : track_(gl), trains_(gl) {}

@@ -1,4 +1,3 @@
-// Chooses the pieces of the track that a picture and a shadow map draw.
 #include "gfx/swept_track.h"
 
 #include <algorithm>

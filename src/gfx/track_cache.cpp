@@ -1,4 +1,3 @@
-// Keeps the slots of the track's buffers up to date with the derived track.
 #include "gfx/track_cache.h"
 
 #include <algorithm>

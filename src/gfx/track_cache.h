@@ -1,5 +1,6 @@
-// Supports on the GPU: one solid per segment that has any, rewritten only if it changed. Separate from the track's
-// buffers, so that these are written only for moved track.
+// The track on the GPU: each segment has a slot in one buffer of polyline vertices and in those of solids. A slot is
+// rewritten only if the segment's build numbers or its equipment differ from those in the slot. No dirty flags. With a
+// GPU evaluator there are no polyline vertices; the slots hold the four control points instead.
 #pragma once
 
 #include <cstdint>
@@ -18,6 +19,8 @@ namespace coaster::gfx {
 
 struct CurveSlots;  // gfx/gpu_curves.h
 
+// Supports: one solid per segment that has any, rewritten only if it changed. Separate from the track's buffers, so
+// that these are written only for moved track.
 class SupportCache {
  public:
   explicit SupportCache(const Gl& gl) : mesh_(gl) {}

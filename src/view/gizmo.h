@@ -1,4 +1,5 @@
-// The arrows and squares at the selected knots that move them along one axis or in one plane. Constant size on screen.
+// The arrows and squares that move the selected knots along one axis or in one plane, and the ring that sets the spin
+// of one. Constant size on screen.
 #pragma once
 
 #include <optional>

@@ -1,5 +1,5 @@
-// The pictures along the whole track: frames, comb, Frenet failures. Only visible track is processed, in steps of a few
-// pixels, so the work does not grow with invisible detail.
+// The laboratory's pictures over the scene. Only visible track is processed, in steps of a few pixels, so the work does
+// not grow with invisible detail.
 #include "view/overlay_detail.h"
 
 #include <algorithm>

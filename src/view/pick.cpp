@@ -1,4 +1,4 @@
-// Picking: marks by their shapes on screen, trains by a ray against their boxes. The curve is in pick_curve.cpp.
+// Picking: marks by their shapes on screen, trains by a ray against their boxes, the curve by a beam.
 #include "view/pick.h"
 
 #include <algorithm>

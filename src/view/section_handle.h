@@ -1,4 +1,4 @@
-// The handle of the selected section in the view: dragging it changes the section's height, length or radius.
+// The handles of the selected section in the view: its height, length or radius on a line, its turn and bank on rings.
 #pragma once
 
 #include <optional>

@@ -1,5 +1,5 @@
-// Turns knots: tangent, up and roll. Computed in double and rounded to float once; stored values use no libm function
-// except sqrt, so knots have the same bits everywhere.
+// Changes of the track: knots, segments, sections, joints and orientation. Orientation is computed in double and
+// rounded to float once; stored values use no libm function except sqrt, so knots have the same bits everywhere.
 #include "world/topology.h"
 
 #include <algorithm>

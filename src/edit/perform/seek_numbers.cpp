@@ -13,7 +13,7 @@
 #include "edit/perform/seek.h"
 #include "world/element.h"
 #include "world/element_rows.h"
-#include "world/force_steps.h"
+#include "world/force.h"
 #include "world/sections.h"
 #include "world/selection.h"
 #include "world/topology.h"

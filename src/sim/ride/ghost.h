@@ -92,6 +92,13 @@ struct Ghost {
   double lap_time = 0;                                // s, duration of the lap, if `lap`
 
   double seconds() const { return samples.empty() ? 0.0 : static_cast<double>(samples.size() - 1) * world::kTick; }
+  // Returns the number of entries of the forces, of each car, and what its riders feel at one.
+  std::size_t entries() const { return forces.size() / static_cast<std::size_t>(start.cars); }
+  const Felt& felt(std::size_t entry, int car) const {
+    return forces[entry * static_cast<std::size_t>(start.cars) + static_cast<std::size_t>(car)];
+  }
+  // Returns the time of a sample, s since the start.
+  static double time_of(std::size_t sample) { return static_cast<double>(sample) * world::kTick; }
   // Returns the sample of an entry of the forces.
   std::size_t sample_of(std::size_t entry) const { return std::min(entry * kForceEvery, samples.size() - 1); }
   // Returns how far the train gets from its start, m.

@@ -1,5 +1,5 @@
-// Trains whose laps repeat, many at once: those of one kind and energy share the table of one lap, each at its own
-// time.
+// Trains that follow timetables. Where laps repeat, those of one kind and energy share the table of one lap, each at
+// its own time.
 #include <algorithm>
 #include <array>
 #include <cmath>

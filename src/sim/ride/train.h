@@ -1,4 +1,5 @@
-// Rules shared by the ride and the ghost: losses, and when a ride ends by itself.
+// A train on the rails: the positions of its cars, the forces on it, and the rules that the live and the simulated ride
+// share: losses, and when a ride ends by itself. One speed and one energy for the whole train; cars of equal mass.
 #pragma once
 
 #include <algorithm>

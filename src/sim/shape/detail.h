@@ -1,5 +1,5 @@
-// The level of detail of derived data, which bounds their memory on tracks far longer than any that was built. It is
-// the finest on tracks of up to 300 km and 1,000 segments.
+// The level of detail of derived data, which bounds their memory on tracks far longer than any that was built: the
+// finest on tracks of up to 300 km and 1,000 segments. Only track near the eye has parts where a track is longer.
 #pragma once
 
 #include <cstddef>
@@ -42,6 +42,8 @@ struct Surroundings {
   friend bool operator==(const Surroundings&, const Surroundings&) = default;
 };
 
+// Which segments of a very long track are near the eye: they alone have ties, equipment and supports. A track that is
+// not very long has them everywhere.
 class NearTrack {
  public:
   void look_from(const Surroundings& around);

@@ -1,4 +1,4 @@
-// Finds where 1 - h k up <= 0 (rails.h): samples, the minima between them, and the borders by bisection.
+// Finds folds, where 1 - h k up <= 0 (rails.h), by samples, the minima between them, and bisection; and tight bends.
 #include "sim/shape/folds.h"
 
 #include <algorithm>

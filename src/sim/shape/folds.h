@@ -1,5 +1,5 @@
-// Folds: parts of the track where the rails run backwards, because the curve bends towards them with a radius smaller
-// than their distance from it. No train can pass there.
+// Places that no train can pass. Folds: the rails run backwards, because the curve bends towards them with a radius
+// smaller than their distance from it. Tight bends: the curve bends too tightly, or reverses its direction.
 #pragma once
 
 #include <cstdint>

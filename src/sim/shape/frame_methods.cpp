@@ -1,4 +1,4 @@
-// The rows of the table of frame methods. frenet_breaks.cpp finds where Frenet-Serret fails.
+// The rows of the table of frame methods, and the places where Frenet-Serret frames fail.
 #include "sim/shape/frame_methods.h"
 
 #include <algorithm>

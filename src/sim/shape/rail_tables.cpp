@@ -1,5 +1,5 @@
-// The tables' cells at tight bends. Their borders are where the radius is least, and from there on halves until each
-// turns little, so a bend of any sharpness is integrated to its last part.
+// The tables of the rails. The borders of cells at tight bends are where the radius is least, and from there on halves
+// until each turns little, so a bend of any sharpness is integrated to its last part.
 #include "sim/shape/rail_tables.h"
 
 #include <algorithm>

@@ -1,4 +1,3 @@
-// Shared by building and refitting a segment tree: bounds of blocks and nodes.
 #include "sim/shape/segment_tree.h"
 
 #include <algorithm>

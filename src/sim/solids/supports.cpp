@@ -1,4 +1,4 @@
-// The solids of supports.
+// The forms of supports, where they fit, and their solids.
 #include "sim/solids/supports.h"
 
 #include <algorithm>

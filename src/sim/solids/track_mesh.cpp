@@ -1,5 +1,6 @@
-// The solids of equipment on its segment's rails: chain, fins, motor blocks, walkway, platforms. Lengthwise parts run
-// from joint to joint, so that a lift over several segments looks like one; rows of parts divide each segment evenly.
+// The solids of the track, and of equipment on its segment's rails: chain, fins, motor blocks, walkway, platforms.
+// Lengthwise parts run from joint to joint, so that a lift over several segments looks like one; rows of parts divide
+// each segment evenly.
 #include "sim/solids/track_mesh.h"
 
 #include <algorithm>

@@ -176,11 +176,8 @@ void low_pass(std::span<float> values, double rate, double cutoff) {
 }
 
 std::vector<float> low_passed_g(const Ghost& ghost, int car, float Felt::*axis, double cutoff) {
-  const auto cars = static_cast<std::size_t>(ghost.start.cars);
-  std::vector<float> values;
-  values.reserve(ghost.forces.size() / cars);
-  for (std::size_t i = static_cast<std::size_t>(car); i < ghost.forces.size(); i += cars)
-    values.push_back(ghost.forces[i].*axis);
+  std::vector<float> values(ghost.entries());
+  for (std::size_t k = 0; k < values.size(); ++k) values[k] = ghost.felt(k, car).*axis;
   if (values.size() > 1 &&
       std::ranges::any_of(ghost.bends, [&](const BendPassage& bend) { return bend.peak.car == car; }))
     return low_passed_finely(ghost, car, axis, cutoff, values);

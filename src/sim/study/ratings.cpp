@@ -1,4 +1,3 @@
-// The ride report, as text and as CSV.
 #include "sim/study/ratings.h"
 
 #include <algorithm>
@@ -94,7 +93,7 @@ Cells cells_of(const Derived& derived, const Supports* supports, double step) {
 
 void take(Extreme& extreme, double value, bool first, bool larger, std::size_t sample, int car, const Ghost& ghost) {
   if (!first && !(larger ? value > extreme.value : value < extreme.value)) return;
-  extreme = {value, static_cast<double>(sample) * world::kTick, ghost.distance(sample, car), car};
+  extreme = {value, Ghost::time_of(sample), ghost.distance(sample, car), car};
 }
 
 // Updates `extreme` with the largest of a car's low-passed values on one axis.
@@ -325,14 +324,13 @@ std::string report_csv(const Ghost& ghost, std::span<const Rider> riders) {
     add(out, ",jerk_up_{0}_g_s,jerk_left_{0}_g_s,jerk_forward_{0}_g_s,roll_rate_{0}_deg_s,roll_acceleration_{0}_deg_s2",
         car);
   out += '\n';
-  const auto cars = static_cast<std::size_t>(ghost.start.cars);
-  for (std::size_t k = 0; k * cars < ghost.forces.size(); ++k) {
+  for (std::size_t k = 0; k < ghost.entries(); ++k) {
     const std::size_t sample = ghost.sample_of(k);
-    add(out, "{:.6f},{:.4f},{:.4f},{:.4f},{:.4f}", static_cast<double>(sample) * world::kTick, ghost.distance(sample),
+    add(out, "{:.6f},{:.4f},{:.4f},{:.4f},{:.4f}", Ghost::time_of(sample), ghost.distance(sample),
         ghost.samples[sample].speed, riders[0].samples[k].height, ghost.samples[sample].acceleration);
-    for (std::size_t car = 0; car < cars; ++car) {
-      const Felt& f = ghost.forces[k * cars + car];
-      const WheelLoads loads = wheel_loads(ghost, k, static_cast<int>(car));
+    for (int car = 0; car < ghost.start.cars; ++car) {
+      const Felt& f = ghost.felt(k, car);
+      const WheelLoads loads = wheel_loads(ghost, k, car);
       const Wheels front = loads.of(WheelSet::front), rear = loads.of(WheelSet::rear);
       for (const double g : {f.up, f.left, f.forward}) add(out, ",{:.4f}", base::limited_figure(g, "g"));
       for (const double load : {front.road, rear.road, front.up_stop, rear.up_stop, loads.of(WheelSet::left).side,

@@ -1,4 +1,4 @@
-// The figures of a ride, and the ratings that park games derive from them.
+// The figures of a ride, the ratings that park games derive from them, near misses, and the report.
 #pragma once
 
 #include <span>

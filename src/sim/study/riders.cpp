@@ -92,9 +92,7 @@ class Passages {
   std::vector<std::size_t> entries_;
 };
 
-double time_of(const Ghost& ghost, std::size_t entry) {
-  return static_cast<double>(ghost.sample_of(entry)) * world::kTick;
-}
+double time_of(const Ghost& ghost, std::size_t entry) { return Ghost::time_of(ghost.sample_of(entry)); }
 
 // Fills the curves at `count` points; of(rider, point, value) returns nothing for a car that does not count there.
 template <class Of>
@@ -117,7 +115,7 @@ void fill(std::size_t riders, std::size_t count, const Of& of, SeatCurves& curve
 }  // namespace
 
 double Rider::value(std::size_t k, RideValue value) const {
-  const Felt& force = ghost->forces[k * static_cast<std::size_t>(ghost->start.cars) + static_cast<std::size_t>(car)];
+  const Felt& force = ghost->felt(k, car);
   switch (value) {
     case RideValue::vertical: return force.up;
     case RideValue::lateral: return force.left;

@@ -1,5 +1,5 @@
-// What the riders of each car feel along a simulated ride, one sample per entry of Ghost::forces. Reads the finished
-// ride, so that nothing is simulated twice.
+// What the riders of each car and seat feel along a simulated ride, one sample per entry of Ghost::forces. Reads the
+// finished ride, so that nothing is simulated twice.
 #pragma once
 
 #include <array>
@@ -49,7 +49,7 @@ constexpr std::span<const RideValueRow> rows_of(RideValue) { return kRideValues;
 inline constexpr std::size_t kRideValueCount = std::size(kRideValues);
 
 struct RiderSample {
-  Felt jerk{0, 0, 0};          // g/s on the seat's axes
+  Felt jerk{0, 0, 0};           // g/s on the seat's axes
   float roll_rate = 0;          // deg/s
   float roll_acceleration = 0;  // deg/s^2
   float height = 0;             // m, of the rails
@@ -67,7 +67,7 @@ struct Rider {
   std::span<const RiderSample> samples;  // may be empty where needs_samples() is false
   double cutoff = 0;                     // Hz, of the jerk's low-pass
 
-  std::size_t entries() const { return ghost->forces.size() / static_cast<std::size_t>(ghost->start.cars); }
+  std::size_t entries() const { return ghost->entries(); }
   // Returns the car's distance along the track at entry k, m: on a closed track without subtracting laps.
   double place(std::size_t k) const {
     return ghost->start.front + ghost->samples[ghost->sample_of(k)].travelled - car * ghost->start.spacing;
