@@ -8,6 +8,7 @@
 #include "base/portable_math.h"
 #include "sim/ride/ghost.h"
 #include "sim/study/envelope.h"
+#include "world/laboratory.h"
 
 namespace coaster::sim {
 namespace {

@@ -10,7 +10,10 @@
 #include <vector>
 
 #include "sim/ride/ghost.h"
-#include "world/laboratory.h"
+
+namespace coaster::world {
+enum class Seat : std::uint8_t;  // world/laboratory.h
+}
 
 namespace coaster::sim {
 

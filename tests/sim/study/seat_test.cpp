@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "sim/tracks.h"
+#include "world/laboratory.h"
 
 namespace coaster::sim {
 namespace seat_test {
