@@ -183,9 +183,9 @@ bool CurveDeviation::measure(GpuCurves& curves, const CurveSlots& slots, const s
     const int slot = int(record.slot), number = int(record.number);
     if (slot < 0 || slot >= slots.count || number < 0 || number > slots.steps) return false;
     const curve::Cubic& cubic = derived.shape(placed[std::size_t(slots.first + slot)].segment).key.cubic;
-    const glm::dvec3 off = glm::dvec3(record.place) - curve::point_long_double(cubic, double(number) / slots.steps);
+    const glm::dvec3 error = glm::dvec3(record.place) - curve::point_long_double(cubic, double(number) / slots.steps);
     double& most = worst[std::size_t(slot)];
-    most = std::max(most, glm::dot(off, off));
+    most = std::max(most, glm::dot(error, error));
     ++seen[std::size_t(slot)];
   }
   if (std::count(seen.begin(), seen.end(), int(records_.size()) / slots.count) != slots.count) return false;

@@ -94,16 +94,17 @@ std::vector<SeenSegment> seen_segments(const sim::Derived& derived, const View& 
     const sim::SegmentShape& shape = derived.shape(derived.order[i]);
     const auto [low, high] = curve::control_box(shape.key.cubic);
     const float radius = 0.5f * glm::length(high - low);
-    const glm::vec3 off = 0.5f * (low + high) - view.eye;
+    const glm::vec3 from_eye = 0.5f * (low + high) - view.eye;
     if (view.parallel > 0) {
-      if (std::abs(glm::dot(off, right)) * fx > 1 + radius * fx || std::abs(glm::dot(off, up)) * fy > 1 + radius * fy)
+      if (std::abs(glm::dot(from_eye, right)) * fx > 1 + radius * fx ||
+          std::abs(glm::dot(from_eye, up)) * fy > 1 + radius * fy)
         continue;
       seen.push_back({i, focal_px, static_cast<double>(focal_px) * shape.arc.length()});
       continue;
     }
-    const float depth = glm::dot(off, forward);
-    if (depth < -radius || std::abs(glm::dot(off, right)) * fx - depth > radius * side_x ||
-        std::abs(glm::dot(off, up)) * fy - depth > radius * side_y)
+    const float depth = glm::dot(from_eye, forward);
+    if (depth < -radius || std::abs(glm::dot(from_eye, right)) * fx - depth > radius * side_x ||
+        std::abs(glm::dot(from_eye, up)) * fy - depth > radius * side_y)
       continue;
     const double px_per_metre = static_cast<double>(focal_px / std::max(depth - radius, kNearest));
     seen.push_back({i, px_per_metre, px_per_metre * shape.arc.length()});

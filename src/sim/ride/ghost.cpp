@@ -235,7 +235,8 @@ class Simulation {
         if (limits.stop_after_lap) break;
       }
     }
-    if (const std::size_t rest = (ghost.samples.size() - 1) % kForceEvery; rest > 0) add_forces(ghost, rest);
+    if (const std::size_t ticks_left = (ghost.samples.size() - 1) % kForceEvery; ticks_left > 0)
+      add_forces(ghost, ticks_left);
     return ghost;
   }
 

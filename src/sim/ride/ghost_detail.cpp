@@ -1,4 +1,5 @@
 #include "sim/ride/ghost_detail.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
