@@ -63,18 +63,10 @@ PickKind plane_kind(int i) { return static_cast<PickKind>(static_cast<int>(PickK
 
 constexpr std::uint32_t kRingColour = 0xb58cf07a, kArcColour = 0xc9a6ffff;
 constexpr double kStep = base::radians(7.5);
-constexpr double kEdgeOn = 0.05;  // cosine between the ray and the tangent
 
 double angle_of(double spin) {
   const double most = base::radians(kSpinMost_deg);
   return std::clamp(spin, -most, most) * kSpinAhead;
-}
-
-void add_arc(const SpinRing& ring, double from, double to, float width, std::uint32_t colour, Overlay& overlay) {
-  const int steps = std::max(1, static_cast<int>(std::ceil(std::abs(to - from) / kStep)));
-  for (int i = 0; i < steps; ++i)
-    overlay.lines.push_back({glm::vec3(ring.at(from + (to - from) * i / steps)),
-                             glm::vec3(ring.at(from + (to - from) * (i + 1) / steps)), width, colour});
 }
 
 }  // namespace
@@ -170,17 +162,14 @@ std::optional<SpinRing> spin_ring_of(const world::Document& document, const worl
 }
 
 std::optional<double> spin_under(const SpinRing& ring, const Ray& ray) {
-  if (std::abs(glm::dot(glm::normalize(glm::dvec3(ray.direction)), ring.tangent)) < kEdgeOn) return std::nullopt;
-  const auto hit = meet_plane(ray, glm::vec3(ring.centre), glm::vec3(ring.tangent));
-  if (!hit) return std::nullopt;
-  const glm::dvec3 to = glm::dvec3(*hit) - ring.centre;
-  if (!(glm::length(to) > 1e-3 * ring.radius)) return std::nullopt;
-  return curve::signed_angle(ring.up, to, ring.tangent) / kSpinAhead;
+  const auto angle = angle_on_ring(ray, ring.centre, ring.tangent, ring.up, ring.radius);
+  return angle ? std::optional(*angle / kSpinAhead) : std::nullopt;
 }
 
 void add_spin_ring(const SpinRing& ring, float scale, Overlay& overlay) {
-  add_arc(ring, 0, 2 * base::kPi, 1.5f * scale, kRingColour, overlay);
-  add_arc(ring, 0, angle_of(ring.spin), 3.0f * scale, kArcColour, overlay);
+  const auto at = [&](double angle) { return ring.at(angle); };
+  add_arc(at, 0, 2 * base::kPi, kStep, 1.5f * scale, kRingColour, overlay);
+  add_arc(at, 0, angle_of(ring.spin), kStep, 3.0f * scale, kArcColour, overlay);
 }
 
 }  // namespace coaster::view

@@ -3,6 +3,9 @@
 // with less detail at a distance.
 #pragma once
 
+#include <algorithm>
+#include <cmath>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -32,6 +35,18 @@ inline void add_line(glm::dvec3 from, glm::dvec3 to, float width_px, std::uint32
 inline void add_disc(glm::dvec3 at, float radius_px, std::uint32_t rgba, Overlay& overlay) {
   overlay.marks.push_back({glm::vec3(at), radius_px, rgba, MarkShape::disc});
 }
+
+// Adds an arc of a ring from one angle to another, in steps of at most `step`; at(angle) is a point of the ring.
+template <class At>
+void add_arc(const At& at, double from, double to, double step, float width_px, std::uint32_t rgba, Overlay& overlay) {
+  const int steps = std::max(1, static_cast<int>(std::ceil(std::abs(to - from) / step)));
+  for (int i = 0; i < steps; ++i)
+    add_line(at(from + (to - from) * i / steps), at(from + (to - from) * (i + 1) / steps), width_px, rgba, overlay);
+}
+
+// Returns the angle (rad) about the unit axis, from `zero` m, at which a ray meets the plane of a ring; nothing if the
+// plane is seen edge-on or the ray meets its middle.
+std::optional<double> angle_on_ring(const Ray& ray, glm::dvec3 centre, glm::dvec3 axis, glm::dvec3 zero, double radius);
 
 // Returns the selected segment, or the segments at the selected knot.
 std::vector<world::Entity> selected_segments(const world::Document& document, world::Entity selected);

@@ -9,6 +9,7 @@
 
 #include "base/portable_math.h"
 #include "curve/bernstein.h"
+#include "curve/frames.h"
 #include "sim/shape/rails.h"
 #include "sim/study/rounding.h"
 #include "world/evaluation.h"
@@ -26,6 +27,17 @@ double PixelScale::operator()(glm::dvec3 at) const {
   if (parallel_) return focal_px_;
   const double depth = glm::dot(at - eye_, forward_);
   return depth > 0 ? focal_px_ / depth : 0;
+}
+
+std::optional<double> angle_on_ring(const Ray& ray, glm::dvec3 centre, glm::dvec3 axis, glm::dvec3 zero,
+                                    double radius) {
+  constexpr double kEdgeOn = 0.05;  // cosine between the ray and the axis
+  if (std::abs(glm::dot(glm::normalize(glm::dvec3(ray.direction)), axis)) < kEdgeOn) return std::nullopt;
+  const auto hit = meet_plane(ray, glm::vec3(centre), glm::vec3(axis));
+  if (!hit) return std::nullopt;
+  const glm::dvec3 to = glm::dvec3(*hit) - centre;
+  if (!(glm::length(to) > 1e-3 * radius)) return std::nullopt;
+  return curve::signed_angle(zero, to, axis);
 }
 
 std::vector<world::Entity> selected_segments(const world::Document& document, world::Entity selected) {

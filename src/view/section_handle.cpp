@@ -6,7 +6,7 @@
 #include "base/portable_math.h"
 #include "curve/frames.h"
 #include "sim/shape/rails.h"
-#include "view/overlay.h"
+#include "view/overlay_detail.h"
 #include "world/sections.h"
 
 namespace coaster::view {
@@ -61,14 +61,6 @@ AngleHandle bank_handle(const world::Element& element, const sim::Derived& deriv
           sim::rails_point(shape, t),
           element.right ? forward : -forward,
           std::clamp(kBankShare * length, kLeastBank, kMostBank) * curve::perpendicular(forward, kUp)};
-}
-
-void add_arc(const AngleHandle& handle, double from, double to, float width, std::uint32_t colour, Overlay& overlay) {
-  constexpr double kStep = 7.5;  // deg
-  const int steps = std::max(1, static_cast<int>(std::ceil(std::abs(to - from) / kStep)));
-  for (int i = 0; i < steps; ++i)
-    overlay.lines.push_back({glm::vec3(handle.at(from + (to - from) * i / steps)),
-                             glm::vec3(handle.at(from + (to - from) * (i + 1) / steps)), width, colour});
 }
 
 }  // namespace
@@ -146,21 +138,19 @@ std::optional<AngleHandle> angle_handle(const world::Document& document, const s
 }
 
 std::optional<double> angle_under(const AngleHandle& handle, const Ray& ray, double near) {
-  constexpr double kEdgeOn = 0.05;  // cosine between the ray and the axis
-  if (std::abs(glm::dot(glm::normalize(dvec3(ray.direction)), handle.axis)) < kEdgeOn) return std::nullopt;
-  const auto hit = meet_plane(ray, glm::vec3(handle.centre), glm::vec3(handle.axis));
-  if (!hit) return std::nullopt;
-  const dvec3 to = dvec3(*hit) - handle.centre;
-  if (!(glm::length(to) > 1e-3 * glm::length(handle.zero))) return std::nullopt;
-  const double angle = base::degrees(curve::signed_angle(handle.zero, to, handle.axis));
+  const auto met = angle_on_ring(ray, handle.centre, handle.axis, handle.zero, glm::length(handle.zero));
+  if (!met) return std::nullopt;
+  const double angle = base::degrees(*met);
   return angle + 360 * std::round((near - angle) / 360);
 }
 
 void add_angle_handle(const AngleHandle& handle, float scale, bool hovered, Overlay& overlay) {
   constexpr std::uint32_t kRing = 0xff8a1f60, kArc = 0xff8a1fff, kBright = 0xffc08aff;
   const dvec3 at = handle.at(handle.angle);
-  add_arc(handle, 0, 360, 1.5f * scale, kRing, overlay);
-  add_arc(handle, 0, std::fmod(handle.angle, 360.0), 3 * scale, kArc, overlay);
+  constexpr double kStep = 7.5;  // deg
+  const auto point = [&](double deg) { return handle.at(deg); };
+  add_arc(point, 0, 360, kStep, 1.5f * scale, kRing, overlay);
+  add_arc(point, 0, std::fmod(handle.angle, 360.0), kStep, 3 * scale, kArc, overlay);
   overlay.lines.push_back({glm::vec3(handle.centre), glm::vec3(at), 1.5f * scale, kRing});
   overlay.marks.push_back({glm::vec3(at), kSectionHandleHalf * scale * (hovered ? 1.35f : 1.0f),
                            hovered ? kBright : kArc, MarkShape::disc});
