@@ -43,7 +43,7 @@ struct Riding {
 double checksum(const sim::Ghost& ghost) {
   double sum = ghost.lap_time;
   for (const sim::GhostSample& sample : ghost.samples) sum += sample.speed;
-  for (const sim::Force& force : ghost.forces) sum += force.up;
+  for (const sim::Felt& force : ghost.forces) sum += force.up;
   return sum;
 }
 

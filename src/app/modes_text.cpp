@@ -12,7 +12,7 @@
 #include "exchange/formats.h"
 #include "exchange/own/link.h"
 #include "query/challenge.h"
-#include "sim/shape/tight_bends.h"
+#include "sim/shape/folds.h"
 
 namespace coaster::app {
 namespace {

@@ -17,7 +17,6 @@
 #include "view/gizmo.h"
 #include "view/pick.h"
 #include "view/section_handle.h"
-#include "view/spin_ring.h"
 #include "world/look.h"
 #include "world/sections.h"
 

@@ -22,7 +22,7 @@
 #include "exchange/points/points.h"
 #include "sim/fit/switch_curve.h"
 #include "sim/plan/banking.h"
-#include "sim/ride/start_speed.h"
+#include "sim/ride/ghost.h"
 #include "sim/shape/folds.h"
 #include "sim/shape/roll.h"
 #include "world/topology.h"

@@ -1,7 +1,9 @@
-// A vertex or index buffer on the GPU that grows and keeps its contents. Buffers of whole numbers are index buffers.
+// Buffers on the GPU that grow, and the ranges that are allocated in them.
 #pragma once
 
 #include <algorithm>
+#include <cstdint>
+#include <map>
 #include <span>
 #include <type_traits>
 
@@ -9,6 +11,26 @@
 
 namespace coaster::gfx {
 
+struct Range {
+  std::uint32_t first = 0, size = 0;
+};
+
+// Ranges allocated first-fit from freed ranges, else at the end. Independent of GL.
+class Ranges {
+ public:
+  // Allocates exactly `size` (> 0) elements. Linear in the number of gaps.
+  Range take(std::uint32_t size);
+  // Frees a range and merges it with adjacent gaps; a gap at the end reduces used().
+  void give_back(Range range);
+  // One past the last element of any range in use.
+  std::uint32_t used() const { return used_; }
+
+ private:
+  std::map<std::uint32_t, std::uint32_t> gaps_;  // first -> size; gaps never touch each other or the end
+  std::uint32_t used_ = 0;
+};
+
+// A vertex or index buffer that keeps its contents. Buffers of whole numbers are index buffers.
 // Binds only the targets of copies, so no vertex array is affected; creating and growing index buffers leaves no vertex
 // array bound.
 template <class T>

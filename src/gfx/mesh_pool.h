@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "gfx/growing_buffer.h"
-#include "gfx/ranges.h"
 #include "sim/shape/derived.h"
 #include "sim/solids/mesh.h"
 

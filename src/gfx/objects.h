@@ -2,6 +2,7 @@
 // to be current, destructors too.
 #pragma once
 
+#include <array>
 #include <span>
 #include <string_view>
 #include <utility>
@@ -110,5 +111,23 @@ void blend(const Gl& gl, bool on);
 // Sets a float attribute of the bound vertex array from the bound buffer; divisor 1: one value per instance.
 void float_attribute(const Gl& gl, GLuint location, int components, std::size_t stride, std::size_t offset,
                      GLuint divisor = 0);
+
+// GPU time of a part of a frame, by timer queries. Results arrive some frames later; nothing waits.
+class GpuTimer {
+ public:
+  explicit GpuTimer(const Gl& gl);
+  // Call around the part, once per frame, not nested. Does nothing if the driver has no timers or all are in use.
+  void begin();
+  void end();
+  // ms of the newest finished part; 0: none yet.
+  double ms() const { return ms_; }
+
+ private:
+  const Gl* gl_;
+  std::array<Object, 4> ring_;          // queries; none without timers
+  std::size_t started_ = 0, read_ = 0;  // parts so far
+  bool measuring_ = false;
+  double ms_ = 0;
+};
 
 }  // namespace coaster::gfx

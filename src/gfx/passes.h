@@ -1,17 +1,38 @@
-// The passes of a picture, each in its pass_*.cpp. Blending, depth test and culling are undefined between passes: each
-// pass sets what it needs.
+// The passes of a picture and their shader programs, from the sources in shaders/ that the build embeds.
 #pragma once
 
+#include <array>
+#include <cstddef>
+#include <optional>
+
+#include "base/status.h"
 #include "gfx/gpu_curves.h"
-#include "gfx/gpu_timer.h"
 #include "gfx/instances.h"
+#include "gfx/objects.h"
 #include "gfx/renderer.h"
-#include "gfx/scene_programs.h"
 #include "gfx/scenery.h"
 #include "gfx/track_cache.h"
 #include "gfx/value_texture.h"
 
 namespace coaster::gfx {
+
+enum class SceneProgram { ground, ground_shadow, sky, solid, outline, shadow, polyline, coverage, line, mark };
+inline constexpr std::size_t kScenePrograms = static_cast<std::size_t>(SceneProgram::mark) + 1;
+
+// Compiles each program when it is first used: few pictures use all, and Mesa takes some 70 ms for them.
+class ScenePrograms {
+ public:
+  explicit ScenePrograms(const Gl& gl) : gl_(&gl) {}
+  // Returns the program, in use. One that does not compile is empty and draws nothing.
+  const Program& use(SceneProgram name);
+  // Code::graphics with the compiler's log of the first program that did not compile.
+  const base::Status& failure() const { return failure_; }
+
+ private:
+  const Gl* gl_;
+  std::array<std::optional<Program>, kScenePrograms> programs_;
+  base::Status failure_;
+};
 
 class SunShadows;
 

@@ -6,8 +6,8 @@
 #include <memory>
 #include <utility>
 
-#include "gfx/curve_deviation.h"
 #include "gfx/frame_targets.h"
+#include "gfx/gpu_curves.h"
 #include "gfx/passes.h"
 #include "gfx/sun_shadows.h"
 

@@ -11,7 +11,7 @@
 #include "base/status.h"
 #include "gfx/gl.h"
 #include "sim/ride/ride.h"
-#include "sim/shape/near_track.h"
+#include "sim/shape/detail.h"
 #include "sim/study/track_values.h"
 #include "view/camera.h"
 #include "view/draw_stats.h"

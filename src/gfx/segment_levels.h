@@ -10,7 +10,7 @@
 #include <glm/glm.hpp>
 
 #include "curve/cubic.h"
-#include "sim/shape/near_track.h"
+#include "sim/shape/detail.h"
 
 namespace coaster::gfx {
 

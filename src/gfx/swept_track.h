@@ -9,7 +9,6 @@
 
 #include "gfx/growing_buffer.h"
 #include "gfx/mesh_pool.h"
-#include "gfx/ranges.h"
 #include "sim/solids/track_mesh.h"
 
 namespace coaster::gfx {

@@ -8,16 +8,46 @@
 #include <span>
 #include <vector>
 
-#include "gfx/gpu_curves.h"
 #include "gfx/growing_buffer.h"
 #include "gfx/mesh_pool.h"
-#include "gfx/ranges.h"
 #include "gfx/segment_levels.h"
-#include "gfx/support_cache.h"
 #include "gfx/swept_track.h"
-#include "sim/shape/near_track.h"
+#include "sim/shape/detail.h"
+#include "sim/solids/supports.h"
 
 namespace coaster::gfx {
+
+struct CurveSlots;  // gfx/gpu_curves.h
+
+// Supports: one solid per segment that has any, rewritten only if it changed. Separate from the track's buffers, so
+// that these are written only for moved track.
+class SupportCache {
+ public:
+  explicit SupportCache(const Gl& gl) : mesh_(gl) {}
+
+  struct Synced {
+    int uploads = 0;         // segments whose supports were written
+    double cpu_seconds = 0;  // time to prepare them, outside GL; 0 without a clock
+  };
+  // null: draws none. If nothing changed, costs one comparison for each segment that may have supports.
+  // `near`: by the index of a segment's entity, whether its supports are held; null: all are.
+  Synced sync(const sim::Supports* supports, const sim::Clock& clock, const std::vector<std::uint8_t>* near = nullptr);
+
+  MeshPool& mesh() { return mesh_; }
+  const MeshPool& mesh() const { return mesh_; }
+
+ private:
+  struct Slot {
+    world::Entity segment;
+    std::uint64_t build = 0, seen = 0;
+    MeshPool::Id mesh = MeshPool::kNone;
+  };
+  MeshPool mesh_;
+  std::vector<Slot> slots_;          // by the entity's index
+  std::vector<std::uint32_t> held_;  // those with a segment
+  std::uint64_t stamp_ = 0;          // of the current sync
+  sim::Mesh staged_;                 // kept for its capacity
+};
 
 // 24 bytes. The vertex after a polyline's last one has kBreak in tangent.x: lines from or to it are not drawn. Gaps are
 // filled with such vertices.

@@ -1,5 +1,5 @@
-// Queries of rides: of the selected train, else of the first by name; of its whole ride, simulated over the present track
-// on demand; of one seat; and of the current challenge. None without a train.
+// Queries of rides: of the selected train, else of the first by name; of its whole ride, simulated over the present
+// track on demand; of one seat; and of the current challenge. None without a train.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -8,7 +8,7 @@
 
 #include "query/challenge.h"
 #include "query/rows.h"
-#include "sim/study/seat.h"
+#include "sim/study/riders.h"
 #include "sim/study/wheel_loads.h"
 #include "world/aids.h"
 #include "world/lab_view.h"
@@ -56,10 +56,10 @@ Answer energy(const Context& c, View) {
     return function(c.session.document, c.session.derived, e, cart);
   });
 }
-template <double sim::Felt::*axis>
+template <float sim::Felt::*axis>
 Answer felt(const Context& c, View) {
   return of_cart(c, [&](world::Entity e, const world::CartMotion& cart) {
-    return sim::felt(c.session.document, c.session.derived, e, cart).*axis;
+    return double{sim::felt(c.session.document, c.session.derived, e, cart).*axis};
   });
 }
 template <double sim::Wheels::*kind>

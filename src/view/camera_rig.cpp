@@ -1,18 +1,125 @@
-// One eye for all cameras: selects the displayed camera, and eases between two.
+// Advances the cameras of riding, chasing, orbiting and flying.
 #include "view/camera_rig.h"
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
+#include <glm/glm.hpp>
+
+#include "base/portable_math.h"
+#include "curve/frames.h"
+#include "sim/ride/ride.h"
 #include "sim/ride/train.h"
 #include "sim/shape/frame_methods.h"
+#include "sim/shape/rails.h"
 #include "world/camera_feel.h"
 
 namespace coaster::view {
 namespace {
 
-using glm::dquat;
 using glm::dvec3;
+
+constexpr double kChaseHeadingLag = 0.55, kElevationLag = 0.7, kAsideLag = 0.2;  // s
+constexpr double kLookOver = 0.9;                                                // m above the rails
+constexpr double kElevation = 0.30;  // rad above the horizon on level track; less uphill, more downhill
+constexpr double kBySlope = 0.5, kLowest = 0.10, kHighest = 0.95;
+constexpr double kBeside = 0.26;     // rad to the train's left, so that its side shows and the rails do not hide it
+constexpr double kBesideOver = 0.6;  // rad more while it is upside down: shows a loop from the side
+constexpr double kPerTrain = 0.6;    // m of distance per metre of train
+constexpr double kOverGround = 1.2;  // m
+constexpr double kClear = 2.4;       // m from the track that the eye keeps if possible
+constexpr double kSightClear = 1.3;  // m from the track that the first half of the line of sight keeps
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+double elevation_of(const Ridden& ridden) {
+  const double slope = std::asin(std::clamp(ridden.middle.frame.forward.y, -1.0, 1.0));
+  return std::clamp(kElevation - kBySlope * slope, kLowest, kHighest);
+}
+
+double beside_of(const Ridden& ridden) {
+  return kBeside + kBesideOver * 0.5 * std::clamp(1 - ridden.middle.frame.up.y - 0.6, 0.0, 1.4);
+}
+
+dvec3 looked_at(const Ridden& ridden) { return ridden.middle.position + dvec3(0, kLookOver, 0); }
+
+dvec3 place(const CameraRig& rig, const Watched& w, const Ridden& ridden) {
+  const dvec3 ahead = rig.heading.direction(), left = glm::cross(dvec3(0, 1, 0), ahead);
+  const double distance = w.settings.feel->chase_distance + kPerTrain * ridden.length, e = rig.elevation.value,
+               b = rig.beside.value;
+  dvec3 eye = looked_at(ridden) +
+              distance * (std::cos(e) * (std::sin(b) * left - std::cos(b) * ahead) + dvec3(0, std::sin(e), 0));
+  eye.y = std::max(eye.y, kOverGround);
+  return eye;
+}
+
+// Returns `from` moved away from the track by the distance missing to `clear`.
+dvec3 step_aside(const Watched& w, const dvec3& from, double clear) {
+  const NearTrack near = nearest_track(w.derived, from, clear);
+  if (!(near.distance < clear)) return dvec3(0);
+  return (clear - near.distance) * (near.distance > 1e-3 ? (from - near.point) / near.distance : dvec3(0, 1, 0));
+}
+
+// Returns the offset that moves the eye clear of the track with a view of the train: a few steps away from the nearest
+// track.
+dvec3 way_out(const Watched& w, const dvec3& from, const dvec3& aside, const dvec3& to) {
+  // Start halfway to the previous offset, so that the eye stays on the same side.
+  dvec3 at = from + 0.5 * aside;
+  constexpr int kMostSteps = 12;  // enough to leave a stack of coils
+  for (int i = 0; i < kMostSteps; ++i) {
+    dvec3 step = step_aside(w, at, kClear);
+    for (const double part : {0.25, 0.5}) step += step_aside(w, glm::mix(at, to, part), kSightClear) / (1 - part);
+    if (step == dvec3(0)) break;
+    at += step;
+    at.y = std::max(at.y, kOverGround);
+  }
+  return at - from;
+}
+
+double squared_distance_to_box(const curve::Box& box, const dvec3& p) {
+  const dvec3 outside = glm::max(glm::max(dvec3(box.low) - p, p - dvec3(box.high)), dvec3(0));
+  return glm::dot(outside, outside);
+}
+
+constexpr double kRiderHeadingLag = 0.5;  // s
+constexpr double kWideningLag = 0.8;      // s
+constexpr double kWideSpeed = 30;         // m/s, where the view has widened by the full setting
+constexpr double kSteepest = 0.8;         // rad, limit of the calm view's pitch
+constexpr double kBobLag = 0.12;          // s, time constant of the neck
+constexpr double kBobUp = 0.02, kBobSide = 0.03, kMostBob = 0.07;  // m per g, m per g, m
+constexpr double kRumble = 0.003;                                  // m at 20 m/s
+
+double wrapped(double angle) { return std::remainder(angle, 2 * base::kPi); }
+
+// Returns the head's offset: against g, plus a small shake. The distance travelled is the only clock.
+dvec3 bob_of(const Watched& w, const Ridden& ridden) {
+  const sim::Felt g = sim::felt(w.document, w.derived, ridden.cart, ridden.motion);
+  const double shake = kRumble * std::min(std::abs(ridden.motion.speed) / 20, 1.5), d = ridden.motion.travelled;
+  const auto part = [](double metres) { return std::isfinite(metres) ? std::clamp(metres, -kMostBob, kMostBob) : 0.0; };
+  return {0, part(kBobUp * (1 - g.up)) + shake * std::sin(2 * base::kPi * d / 3.1),
+          part(-kBobSide * g.left) + shake * std::sin(2 * base::kPi * d / 4.7)};
+}
+
+// Turns the rider's up: carried along by the least rotation, then rolled after the track's roll.
+void roll_after(CameraRig& rig, const curve::Frame& frame, double lag, double dt) {
+  dvec3 up = curve::across(curve::least_rotation(rig.forward, frame.forward, rig.up, rig.up), frame.forward);
+  const double length = glm::length(up);
+  rig.forward = frame.forward;
+  if (!(length > 1e-6) || !(lag > 0)) {
+    rig.up = frame.up, rig.roll_lag = rig.roll_rate = 0;
+    return;
+  }
+  up /= length;
+  // Beyond half a turn the lag is ambiguous: take the value nearest to the last one.
+  const double seen = curve::signed_angle(up, frame.up, frame.forward);
+  rig.roll_lag += wrapped(seen - rig.roll_lag);
+  Damped<double> roll{-rig.roll_lag, rig.roll_rate};
+  roll.approach(0, lag, dt);
+  rig.up = curve::rotate(up, frame.forward, roll.value + rig.roll_lag);
+  rig.roll_lag = -roll.value, rig.roll_rate = roll.rate;
+}
+
+using glm::dquat;
 using world::CameraMode;
 
 bool goes_along(CameraMode mode) { return mode == CameraMode::ride || mode == CameraMode::chase; }
@@ -100,6 +207,110 @@ Eye eased(const CameraRig& rig, const Eye& to) {
 }
 
 }  // namespace
+
+NearTrack nearest_track(const sim::Derived& derived, dvec3 from, double reach) {
+  NearTrack best{kInfinity, from};
+  double best_squared = reach * reach;
+  for (const world::Entity e : derived.order) {
+    const sim::SegmentShape& shape = derived.shape(e);
+    const auto [low, high] = curve::control_box(shape.key.cubic);
+    const auto off_curve = static_cast<float>(std::abs(shape.key.rails));
+    if (squared_distance_to_box({low - off_curve, high + off_curve}, from) >= best_squared) continue;
+    // Chords of at most half a metre: less than a centimetre from a curve of 5 m radius.
+    const int steps = std::clamp(static_cast<int>(shape.arc.length() * 2), 8, 512);
+    dvec3 last = sim::rails_point(shape, 0.0);
+    for (int i = 1; i <= steps; ++i) {
+      const dvec3 next = sim::rails_point(shape, static_cast<double>(i) / steps), chord = next - last;
+      const double square = glm::dot(chord, chord),
+                   t = square > 0 ? std::clamp(glm::dot(from - last, chord) / square, 0.0, 1.0) : 0.0;
+      const dvec3 point = last + t * chord, off = from - point;
+      if (const double squared = glm::dot(off, off); squared < best_squared)
+        best_squared = squared, best = {std::sqrt(squared), point};
+      last = next;
+    }
+  }
+  return best;
+}
+
+void settle_chase(CameraRig& rig, const Watched& w, const Ridden& ridden) {
+  rig.elevation.settle(elevation_of(ridden));
+  rig.beside.settle(beside_of(ridden));
+  rig.aside.settle(way_out(w, place(rig, w, ridden), dvec3(0), looked_at(ridden)));
+}
+
+Eye chase(CameraRig& rig, const Watched& w, const Ridden& ridden, double dt) {
+  rig.heading.follow(ridden.middle.frame, kChaseHeadingLag, dt);
+  rig.elevation.approach(elevation_of(ridden), kElevationLag, dt);
+  rig.beside.approach(beside_of(ridden), kElevationLag, dt);
+  const dvec3 wanted = place(rig, w, ridden);
+  rig.aside.approach(way_out(w, wanted, rig.aside.value, looked_at(ridden)), kAsideLag, dt);
+  Eye eye;
+  eye.position = wanted + rig.aside.value;
+  eye.position.y = std::max(eye.position.y, kOverGround);
+  const dvec3 to = looked_at(ridden) - eye.position;
+  const double distance = glm::length(to);
+  eye.forward = distance > 0.1 ? to / distance : rig.heading.direction();
+  eye.up = {0, 1, 0};
+  if (std::abs(eye.forward.y) > 0.9999) eye.up = rig.heading.direction();
+  eye.field_of_view_deg = w.settings.camera.field_of_view_deg;
+  return eye;
+}
+
+void Heading::settle(const curve::Frame& frame) {
+  // On vertical track the rider's left defines the heading.
+  const dvec3 left = frame.left();
+  dvec3 flat(frame.forward.x, 0, frame.forward.z);
+  if (glm::length(flat) < 0.3) flat = {-left.z, 0, left.x};
+  yaw = glm::length(flat) > 1e-6 ? std::atan2(-flat.x, -flat.z) : 0.0;
+  rate = 0;
+}
+
+void Heading::follow(const curve::Frame& frame, double lag, double dt) {
+  constexpr double kUpright = 0.2;               // of up's height
+  constexpr double kVague = 0.15, kClear = 0.6;  // of the tangent's horizontal length
+  const dvec3 f = frame.forward;
+  const double flat = std::sqrt(f.x * f.x + f.z * f.z),
+               part = std::clamp((flat - kVague) / (kClear - kVague), 0.0, 1.0);
+  double off = flat > 1e-9 ? wrapped(std::atan2(-f.x, -f.z) - yaw) : 0.0;
+  if (frame.up.y < kUpright && std::cos(off) < 0) off = wrapped(off + base::kPi);
+  const double k = 2 / lag;
+  for (double rest = dt; rest > 1e-9; rest -= world::kTick) {  // small steps, because the pull changes with the angle
+    const double step = std::min(rest, world::kTick);
+    rate += step * (k * k * part * off - 2 * k * rate);
+    yaw += step * rate, off -= step * rate;
+  }
+  yaw = wrapped(yaw);
+}
+
+void settle_ride(CameraRig& rig, const Watched& w, const Ridden& ridden) {
+  rig.forward = ridden.front.frame.forward, rig.up = ridden.front.frame.up;
+  rig.roll_lag = rig.roll_rate = 0;
+  rig.widening.settle(w.settings.feel->widening_deg * std::min(1.5, std::abs(ridden.motion.speed) / kWideSpeed));
+  rig.bob.settle(w.settings.feel->head_bob ? bob_of(w, ridden) : dvec3(0));
+}
+
+Eye ride(CameraRig& rig, const Watched& w, const Ridden& ridden, double dt) {
+  const world::CameraFeel& feel = *w.settings.feel;
+  const curve::Frame& frame = ridden.front.frame;
+  roll_after(rig, frame, feel.roll_damping, dt);
+  rig.heading.follow(frame, kRiderHeadingLag, dt);
+  rig.widening.approach(
+      feel.reduced_motion ? 0.0 : feel.widening_deg * std::min(1.5, std::abs(ridden.motion.speed) / kWideSpeed),
+      kWideningLag, dt);
+  rig.bob.approach(feel.head_bob && !feel.reduced_motion ? bob_of(w, ridden) : dvec3(0), kBobLag, dt);
+  Eye eye;
+  eye.position = ridden.front.position + (kRiderEye + rig.bob.value.y) * frame.up + rig.bob.value.z * frame.left();
+  eye.position.y = std::max(eye.position.y, static_cast<double>(kLowestEye));
+  eye.field_of_view_deg =
+      std::min<double>(world::kMaxFieldOfView, feel.ride_view_deg + (feel.reduced_motion ? 0.0 : rig.widening.value));
+  eye.forward = frame.forward, eye.up = rig.up;
+  if (feel.reduced_motion) {
+    const double pitch = std::clamp(std::asin(std::clamp(frame.forward.y, -1.0, 1.0)), -kSteepest, kSteepest);
+    eye.forward = std::cos(pitch) * rig.heading.direction() + dvec3(0, std::sin(pitch), 0);
+    eye.up = {0, 1, 0};
+  }
+  return eye;
+}
 
 CameraMode shown_mode(const Watched& w) {
   const CameraMode chosen = w.settings.camera_mode;

@@ -4,8 +4,10 @@
 #include <array>
 #include <cmath>
 
+#include "base/portable_math.h"
+#include "curve/frames.h"
 #include "view/marks.h"
-#include "view/overlay_lab_parts.h"
+#include "view/overlay_detail.h"
 #include "world/aids.h"
 #include "world/panels.h"
 #include "world/selection.h"
@@ -58,6 +60,14 @@ double area(const std::array<dvec2, 4>& c) {
 
 PickKind axis_kind(int i) { return static_cast<PickKind>(static_cast<int>(PickKind::axis_x) + i); }
 PickKind plane_kind(int i) { return static_cast<PickKind>(static_cast<int>(PickKind::plane_x) + i); }
+
+constexpr std::uint32_t kRingColour = 0xb58cf07a, kArcColour = 0xc9a6ffff;
+constexpr double kStep = base::radians(7.5);
+
+double angle_of(double spin) {
+  const double most = base::radians(kSpinMost_deg);
+  return std::clamp(spin, -most, most) * kSpinAhead;
+}
 
 }  // namespace
 
@@ -131,6 +141,35 @@ void add_gizmo(const Gizmo& gizmo, const View& view, float scale, PickKind hover
     overlay.marks.push_back({to, (kHeadHalf + 1) * scale, kRim, MarkShape::square});
     overlay.marks.push_back({to, (chosen ? kHeadHalf + 1 : kHeadHalf) * scale, colour, MarkShape::square});
   }
+}
+
+glm::dvec3 SpinRing::at(double angle) const { return centre + radius * curve::rotate(up, tangent, angle); }
+glm::dvec3 SpinRing::handle() const { return at(angle_of(spin)); }
+
+std::optional<SpinRing> spin_ring_of(const world::Document& document, const world::Settings& settings,
+                                     const View& view) {
+  const world::Knot* const knot = document.entities.find<world::Knot>(settings.selected);
+  if (knot == nullptr || !settings.also.empty()) return std::nullopt;
+  const auto gizmo = gizmo_of(document, settings, view);
+  if (!gizmo) return std::nullopt;
+  const glm::dvec3 tangent = glm::normalize(glm::dvec3(knot->tangent));
+  return SpinRing{settings.selected,
+                  glm::dvec3(knot->position),
+                  tangent,
+                  curve::perpendicular(tangent, glm::dvec3(knot->up)),
+                  double{kSpinRadius * mark_scale(settings, view) / gizmo->metre_px},
+                  double{knot->spin}};
+}
+
+std::optional<double> spin_under(const SpinRing& ring, const Ray& ray) {
+  const auto angle = angle_on_ring(ray, ring.centre, ring.tangent, ring.up, ring.radius);
+  return angle ? std::optional(*angle / kSpinAhead) : std::nullopt;
+}
+
+void add_spin_ring(const SpinRing& ring, float scale, Overlay& overlay) {
+  const auto at = [&](double angle) { return ring.at(angle); };
+  add_arc(at, 0, 2 * base::kPi, kStep, 1.5f * scale, kRingColour, overlay);
+  add_arc(at, 0, angle_of(ring.spin), kStep, 3.0f * scale, kArcColour, overlay);
 }
 
 }  // namespace coaster::view

@@ -5,7 +5,7 @@
 #include <glm/common.hpp>
 #include <glm/vector_relational.hpp>
 
-#include "view/spin_ring.h"
+#include "view/gizmo.h"
 
 namespace coaster::view {
 namespace {
@@ -54,64 +54,6 @@ class TopMarks {
   std::vector<PlacedMark>& marks_;
   std::size_t first_;
 };
-
-}  // namespace
-
-Projector::Projector(const View& view)
-    : matrix_(glm::dmat4(view.projection) * glm::dmat4(view.view)), viewport_(view.viewport) {}
-
-std::optional<glm::dvec2> Projector::operator()(glm::dvec3 world) const {
-  const glm::dvec4 clip = matrix_ * glm::dvec4(world, 1);
-  if (!(clip.w > 1e-4) || !(std::abs(clip.z) <= clip.w)) return std::nullopt;
-  const glm::dvec2 ndc = glm::dvec2(clip) / clip.w;
-  return glm::dvec2(viewport_.x + (ndc.x + 1) * 0.5 * viewport_.width,
-                    viewport_.y + (1 - ndc.y) * 0.5 * viewport_.height);
-}
-
-bool Projector::may_show(const curve::Box& box, double margin) const {
-  constexpr double kRounding = 1e-9;
-  const auto row = [&](int i) { return glm::dvec4(matrix_[0][i], matrix_[1][i], matrix_[2][i], matrix_[3][i]); };
-  // Negative values of a plane are on its far side.
-  const auto is_beyond = [&](const glm::dvec4& plane) {
-    glm::dvec4 corner(0, 0, 0, 1);
-    for (int a = 0; a < 3; ++a) corner[a] = plane[a] > 0 ? box.high[a] : box.low[a];
-    const glm::dvec4 terms = plane * corner;
-    return terms.x + terms.y + terms.z + terms.w <
-           -kRounding * (std::abs(terms.x) + std::abs(terms.y) + std::abs(terms.z) + std::abs(terms.w));
-  };
-  const glm::dvec4 w = row(3);
-  const auto is_outside = [&](const glm::dvec4& of_axis, const glm::dvec4& border) {
-    return is_beyond(border + of_axis) || is_beyond(border - of_axis);
-  };
-  return !is_beyond(w) && !is_outside(row(2), w) && !is_outside(row(0), w * (1 + 2 * margin / viewport_.width)) &&
-         !is_outside(row(1), w * (1 + 2 * margin / viewport_.height));
-}
-
-std::vector<world::Entity> knots_with_handles(const world::Document& document, const world::Settings& settings) {
-  if (document.entities.find<world::Knot>(settings.selected)) return {settings.selected};
-  if (const world::Segment* const s = document.entities.find<world::Segment>(settings.selected))
-    return {s->from, s->to};
-  return {};
-}
-
-std::optional<PlacedMark> placed_mark(const Projector& projector, const View& view, PickKind kind, world::Entity knot,
-                                      glm::vec3 position) {
-  const auto pixel = projector(position);
-  if (!pixel) return std::nullopt;
-  const glm::dvec2 first(view.viewport.x, view.viewport.y), size(view.viewport.width, view.viewport.height);
-  const glm::dvec2 off = glm::max(first - *pixel, *pixel - first - size);
-  if (std::max(off.x, off.y) > kLargestMark * view.density) return std::nullopt;
-  return PlacedMark{kind, knot, position, *pixel, distance_of(view, glm::dvec3(position) - glm::dvec3(view.eye)), 0};
-}
-
-Selected::Selected(const world::Settings& settings) : active_(settings.selected) {
-  for (const world::Entity e : settings.also) {
-    if (e.index >= also_.size()) also_.resize(e.index + 1, world::kNone);
-    also_[e.index] = e;
-  }
-}
-
-namespace {
 
 // The parts of marks_on_screen().
 class MarkSearch {
@@ -191,6 +133,60 @@ class MarkSearch {
 };
 
 }  // namespace
+
+Projector::Projector(const View& view)
+    : matrix_(glm::dmat4(view.projection) * glm::dmat4(view.view)), viewport_(view.viewport) {}
+
+std::optional<glm::dvec2> Projector::operator()(glm::dvec3 world) const {
+  const glm::dvec4 clip = matrix_ * glm::dvec4(world, 1);
+  if (!(clip.w > 1e-4) || !(std::abs(clip.z) <= clip.w)) return std::nullopt;
+  const glm::dvec2 ndc = glm::dvec2(clip) / clip.w;
+  return glm::dvec2(viewport_.x + (ndc.x + 1) * 0.5 * viewport_.width,
+                    viewport_.y + (1 - ndc.y) * 0.5 * viewport_.height);
+}
+
+bool Projector::may_show(const curve::Box& box, double margin) const {
+  constexpr double kRounding = 1e-9;
+  const auto row = [&](int i) { return glm::dvec4(matrix_[0][i], matrix_[1][i], matrix_[2][i], matrix_[3][i]); };
+  // Negative values of a plane are on its far side.
+  const auto is_beyond = [&](const glm::dvec4& plane) {
+    glm::dvec4 corner(0, 0, 0, 1);
+    for (int a = 0; a < 3; ++a) corner[a] = plane[a] > 0 ? box.high[a] : box.low[a];
+    const glm::dvec4 terms = plane * corner;
+    return terms.x + terms.y + terms.z + terms.w <
+           -kRounding * (std::abs(terms.x) + std::abs(terms.y) + std::abs(terms.z) + std::abs(terms.w));
+  };
+  const glm::dvec4 w = row(3);
+  const auto is_outside = [&](const glm::dvec4& of_axis, const glm::dvec4& border) {
+    return is_beyond(border + of_axis) || is_beyond(border - of_axis);
+  };
+  return !is_beyond(w) && !is_outside(row(2), w) && !is_outside(row(0), w * (1 + 2 * margin / viewport_.width)) &&
+         !is_outside(row(1), w * (1 + 2 * margin / viewport_.height));
+}
+
+std::vector<world::Entity> knots_with_handles(const world::Document& document, const world::Settings& settings) {
+  if (document.entities.find<world::Knot>(settings.selected)) return {settings.selected};
+  if (const world::Segment* const s = document.entities.find<world::Segment>(settings.selected))
+    return {s->from, s->to};
+  return {};
+}
+
+std::optional<PlacedMark> placed_mark(const Projector& projector, const View& view, PickKind kind, world::Entity knot,
+                                      glm::vec3 position) {
+  const auto pixel = projector(position);
+  if (!pixel) return std::nullopt;
+  const glm::dvec2 first(view.viewport.x, view.viewport.y), size(view.viewport.width, view.viewport.height);
+  const glm::dvec2 off = glm::max(first - *pixel, *pixel - first - size);
+  if (std::max(off.x, off.y) > kLargestMark * view.density) return std::nullopt;
+  return PlacedMark{kind, knot, position, *pixel, distance_of(view, glm::dvec3(position) - glm::dvec3(view.eye)), 0};
+}
+
+Selected::Selected(const world::Settings& settings) : active_(settings.selected) {
+  for (const world::Entity e : settings.also) {
+    if (e.index >= also_.size()) also_.resize(e.index + 1, world::kNone);
+    also_[e.index] = e;
+  }
+}
 
 MarksOnScreen marks_on_screen(const world::Document& document, const sim::Derived& derived,
                               const world::Settings& settings, const View& view, const Selected& selected,

@@ -3,21 +3,161 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
-#include "view/angle_handle.h"
+#include "sim/plan/elements.h"
+#include "sim/shape/rails.h"
+#include "sim/solids/track_mesh.h"
 #include "view/gizmo.h"
 #include "view/marks.h"
-#include "view/overlay_element.h"
-#include "view/overlay_lab.h"
-#include "view/overlay_lab_parts.h"
-#include "view/overlay_section.h"
+#include "view/overlay_detail.h"
 #include "view/section_handle.h"
-#include "view/spin_ring.h"
-#include "view/workspace.h"
+#include "world/lab_view.h"
+#include "world/panels.h"
+#include "world/sections.h"
 #include "world/selection.h"
 
 namespace coaster::view {
+
+bool selects_sections(const world::Settings& settings) { return settings.panels->workspace == world::Workspace::build; }
+
+bool shows_knots(const world::Settings& settings) {
+  return settings.panels->workspace != world::Workspace::ride && settings.lab->layers.has(world::Layer::knots);
+}
+
 namespace {
+
+using glm::dvec3;
+using sim::ElementPoint;
+
+constexpr std::uint32_t kRimColour = 0x1b1f2766;
+constexpr double kDashPx = 9;        // px, also of the gaps
+constexpr double kPlumbSpacing = 8;  // m along the track; more for long elements
+constexpr double kLeastPlumb = 0.5;  // m above the ground
+
+// Interpolates the ideal curve at a distance along it.
+class Sampler {
+ public:
+  explicit Sampler(std::span<const ElementPoint> points) : points_(points) {}
+  // Distances must not decrease between calls.
+  ElementPoint operator()(double s) {
+    while (next_ + 1 < points_.size() && points_[next_].s < s) ++next_;
+    const ElementPoint &a = points_[next_ - 1], &b = points_[next_];
+    const double share = b.s > a.s ? std::clamp((s - a.s) / (b.s - a.s), 0.0, 1.0) : 0.0;
+    ElementPoint p = a;
+    p.s = s;
+    p.position = glm::mix(a.position, b.position, share);
+    p.tangent = glm::normalize(glm::mix(a.tangent, b.tangent, share));
+    p.up = curve::perpendicular(p.tangent, glm::mix(a.up, b.up, share));
+    return p;
+  }
+
+ private:
+  std::span<const ElementPoint> points_;
+  std::size_t next_ = 1;
+};
+
+// The preview under construction.
+struct Sketch {
+  const sim::ElementPlan& plan;
+  std::span<const sim::Narrow> narrow;
+  double rails;  // m above the curve
+  Overlay& overlay;
+  float scale;
+
+  dvec3 middle(const ElementPoint& p) const { return p.position + rails * p.up; }
+  dvec3 rail(const ElementPoint& p, double side) const {
+    return middle(p) + (0.5 * side * sim::kGauge) * glm::cross(p.up, p.tangent);
+  }
+
+  void line(dvec3 from, dvec3 to, float width_px, std::uint32_t rgba) const {
+    add_line(from, to, width_px * scale, rgba, overlay);
+  }
+  void rimmed(dvec3 from, dvec3 to, float width_px, std::uint32_t rgba) const {
+    line(from, to, width_px + 2, kRimColour);
+    line(from, to, width_px, rgba);
+  }
+  std::uint32_t colour_at(const ElementPoint& p) const {
+    const bool lacks_room = std::any_of(narrow.begin(), narrow.end(),
+                                        [&](const sim::Narrow& part) { return part.from <= p.s && p.s <= part.to; });
+    return middle(p).y < 0   ? kBuriedColour
+           : lacks_room      ? kNarrowColour
+           : p.s < plan.lead ? kLeadColour
+                             : kElementColour;
+  }
+};
+
+// Adds rails as short lines, a tie at every other step, and plumb lines.
+void add_rails(const Sketch& sketch) {
+  const sim::ElementPlan& plan = sketch.plan;
+  const double step = std::max(sim::kTieSpacing / 2, plan.length / kMaxElementSteps);
+  const int steps = std::max(1, static_cast<int>(std::ceil(plan.length / step)));
+  const int plumb = std::max(1, static_cast<int>(std::max(kPlumbSpacing, plan.length / 60) / step));
+  Sampler sample(plan.ideal.points);
+  ElementPoint before = sample(0);
+  for (int i = 1; i <= steps; ++i) {
+    const ElementPoint here = sample(plan.length * i / steps);
+    const std::uint32_t colour = sketch.colour_at(here);
+    for (const double side : {-1.0, 1.0})
+      sketch.rimmed(sketch.rail(before, side), sketch.rail(here, side), 2.0f, faded(colour, 0xd0));
+    if (i % 2 == 0) sketch.line(sketch.rail(here, -1), sketch.rail(here, 1), 1.25f, faded(colour, 0x70));
+    const dvec3 middle = sketch.middle(here);
+    if ((i % plumb == 0 || i == steps) && middle.y > kLeastPlumb)
+      sketch.line(middle, {middle.x, 0, middle.z}, 1.0f, faded(colour, 0x50));
+    before = here;
+  }
+}
+
+// Adds dashes of about constant length on screen, a power of two in metres.
+void add_dashes(const Sketch& sketch, const View& view) {
+  const sim::ElementPlan& plan = sketch.plan;
+  const std::vector<ElementPoint>& points = plan.ideal.points;
+  double px_per_metre = 0;
+  const PixelScale scale(view);
+  for (std::size_t i = 0; i < points.size(); i += std::max<std::size_t>(1, points.size() / 32))
+    px_per_metre = std::max(px_per_metre, scale(points[i].position));
+  if (!(px_per_metre > 0)) return;
+  const double wanted = std::exp2(std::ceil(std::log2(kDashPx * static_cast<double>(sketch.scale) / px_per_metre)));
+  const double dash = std::max(wanted, plan.length / (2 * kMaxElementSteps));
+  Sampler sample(points);
+  for (double s = 0; s < plan.length; s += 2 * dash) {
+    const ElementPoint from = sample(s), to = sample(std::min(s + dash, plan.length));
+    sketch.line(from.position, to.position, 2.5f, sketch.colour_at(from));
+  }
+}
+
+using world::Entity;
+
+struct LineLook {
+  float width;  // points
+  std::uint32_t colour;
+};
+constexpr LineLook kSelectedLine{5, 0xff8a1fcc}, kHoveredLine{2, 0xffffffb0};
+
+void add_run(const sim::Derived& derived, const world::SectionRun& run, std::size_t most, const LineLook& look,
+             float scale, Overlay& overlay) {
+  constexpr std::size_t kMostSteps = 16;  // per segment
+  const std::size_t steps = std::clamp<std::size_t>(most / run.count, 1, kMostSteps);
+  for (std::size_t i = run.first; i < run.end(); ++i) {
+    const sim::SegmentShape& shape = derived.shape_at(i);
+    glm::vec3 last(sim::rails_point(shape, 0));
+    for (std::size_t k = 1; k <= steps; ++k) {
+      const glm::vec3 next(sim::rails_point(shape, static_cast<double>(k) / static_cast<double>(steps)));
+      overlay.lines.push_back({last, next, look.width * scale, look.colour});
+      last = next;
+    }
+  }
+}
+
+// Returns the section to mark under the mouse, or kNone.
+Entity hovered_section(const world::Document& document, const world::Settings& settings, const Pick& hovered) {
+  if (!selects_sections(settings)) return world::kNone;
+  Entity section;
+  if (const auto* const segment = document.entities.find<world::Segment>(hovered.entity)) section = segment->section;
+  if (!section.valid() || world::is_free(document, section) || world::is_selected(settings, section))
+    return world::kNone;
+  return section;
+}
 
 constexpr std::uint32_t kKnotColour = 0xffffffff, kSelectedColour = 0xff8a1fff, kAlsoColour = 0xffc08aff,
                         kHandleColour = 0xf2b84bff, kHandleHovered = 0xffdc96ff, kSpinColour = 0xb07affff,
@@ -87,6 +227,37 @@ void add_failure(const sim::Derived& derived, const world::Failure& failure, con
 }
 
 }  // namespace
+
+void add_element(const sim::ElementPlan& plan, std::span<const sim::Narrow> narrow, double rails, const View& view,
+                 float scale, Overlay& overlay) {
+  if (!plan.refusal.empty() || plan.ideal.points.size() < 2) return;
+  const Sketch sketch{plan, narrow, rails, overlay, scale};
+  add_rails(sketch);
+  add_dashes(sketch, view);
+  const ElementPoint& end = plan.ideal.points.back();
+  add_arrow(end.position, end.tangent, std::clamp(0.05 * plan.length, 3.0, 12.0), view, 3.0f * scale, kElementColour,
+            overlay);
+  constexpr std::size_t kMostKnots = 400;
+  const std::vector<world::Knot>& knots = plan.fit.knots;
+  for (std::size_t k = 1; k < knots.size() && knots.size() <= kMostKnots; ++k) {
+    add_disc(knots[k].position, 4.0f * scale, 0x1b1f27ff, overlay);
+    add_disc(knots[k].position, 3.0f * scale, kElementColour, overlay);
+  }
+}
+
+void add_sections(const world::Document& document, const sim::Derived& derived, const world::Settings& settings,
+                  const View& view, const Pick& hovered, Overlay& overlay) {
+  const float scale = mark_scale(settings, view);
+  if (const Entity section = hovered_section(document, settings, hovered); section.valid())
+    add_run(derived, world::run_of(document, section), kMaxSectionLines, kHoveredLine, scale, overlay);
+  std::vector<Entity> selected = world::selected_sections(document, settings);
+  if (selected.empty()) return;
+  const auto before = [](Entity a, Entity b) { return a.index < b.index; };
+  std::sort(selected.begin(), selected.end(), before);
+  for (const world::SectionRun& run : world::sections_of(document))
+    if (std::binary_search(selected.begin(), selected.end(), run.section, before))
+      add_run(derived, run, kMaxSectionLines / selected.size(), kSelectedLine, scale, overlay);
+}
 
 Overlay build_overlay(const world::Document& document, const sim::Derived& derived, const world::Settings& settings,
                       const View& view, const Pick& hovered, const Findings& findings) {

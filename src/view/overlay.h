@@ -63,4 +63,26 @@ struct Findings {
 Overlay build_overlay(const world::Document& document, const sim::Derived& derived, const world::Settings& settings,
                       const View& view, const Pick& hovered, const Findings& findings = {});
 
+// 0xRRGGBBAA: the element, its lead-in, and its parts below the ground or without clearance (as conflicts).
+inline constexpr std::uint32_t kElementColour = 0x66d9e8ff, kLeadColour = 0xffc078ff, kBuriedColour = 0xff6b6bff,
+                               kNarrowColour = 0xffdd33ff;
+inline constexpr int kMaxElementSteps = 900;  // per rail, for any length
+
+// Adds the preview; nothing for an element that cannot be placed. `rails`: as world::rails_height(). At most 9 lines
+// per step.
+void add_element(const sim::ElementPlan& plan, std::span<const sim::Narrow> narrow, double rails, const View& view,
+                 float scale, Overlay& overlay);
+
+inline constexpr std::size_t kMaxSectionLines = 2000;  // for each, unless its number of segments is larger
+
+// Adds the lines; nothing if no section is selected. The section under the mouse shows in the workspace Build, if it is
+// planned.
+void add_sections(const world::Document& document, const sim::Derived& derived, const world::Settings& settings,
+                  const View& view, const Pick& hovered, Overlay& overlay);
+
+// True in Build, where a press selects sections and their handles show.
+bool selects_sections(const world::Settings& settings);
+// True if knots show that are neither selected nor under the cursor: not in Ride, and not with their layer off.
+bool shows_knots(const world::Settings& settings);
+
 }  // namespace coaster::view

@@ -15,9 +15,9 @@ enum class PickKind : std::uint8_t {
   knot,
   handle_in,
   handle_out,
-  spin,     // the handle of the spin ring (view/spin_ring.h)
+  spin,     // the handle of the spin ring (view/gizmo.h)
   section,  // the handle of the selected section (view/section_handle.h)
-  turn,     // the handles of its angles (view/angle_handle.h)
+  turn,     // the handles of its angles (view/section_handle.h)
   bank,
   cart,
   curve,

@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "world/components.h"
 #include "world/document.h"
 
 namespace coaster::world {
@@ -36,5 +37,10 @@ std::optional<SectionRun> completing(const Document& document, std::size_t knot)
 std::string_view kind_name(const Section& section);
 // Returns its title; without one, its kind: "Loop".
 std::string title_of(const Section& section);
+
+// Returns the name of an element inside a sentence: "loop", "S-bend".
+std::string words_of(ElementKind kind);
+// Returns a section's title in quotation marks; without one what it is: "the loop", "the hand-shaped section".
+std::string words_of(const Section& section);
 
 }  // namespace coaster::world

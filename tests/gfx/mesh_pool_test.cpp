@@ -2,7 +2,6 @@
 #include "gfx/mesh_pool.h"
 
 #include "gfx/studio.h"
-#include "gfx/support_cache.h"
 #include "gfx/track_cache.h"
 #include "sim/solids/track_mesh.h"
 

@@ -1,4 +1,5 @@
-#include "gfx/ranges.h"
+// Ranges of growing buffers.
+#include "gfx/growing_buffer.h"
 
 #include <gtest/gtest.h>
 

@@ -8,7 +8,6 @@
 
 #include <glm/gtx/component_wise.hpp>
 
-#include "gfx/instances.h"
 #include "gfx/studio.h"
 #include "world/evaluation.h"
 #include "world/laboratory.h"

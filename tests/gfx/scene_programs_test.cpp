@@ -1,4 +1,5 @@
-#include "gfx/scene_programs.h"
+// The shader programs of a scene.
+#include "gfx/passes.h"
 
 #include "gfx/studio.h"
 #include "world/look.h"

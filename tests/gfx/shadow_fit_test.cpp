@@ -1,5 +1,5 @@
 // The area of shadow maps: it contains all shadow casters, and does not creep with the eye.
-#include "gfx/shadow_fit.h"
+#include "gfx/sun_shadows.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>

@@ -2,7 +2,7 @@
 #include "edit/session_fixture.h"
 #include "query/context.h"
 #include "query/query.h"
-#include "sim/study/seat.h"
+#include "sim/study/riders.h"
 
 namespace coaster::query {
 namespace rows_riders_test {

@@ -1,4 +1,5 @@
-#include "view/angle_handle.h"
+// The rings around the selected section.
+#include "view/section_handle.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,5 @@
-#include "view/overlay_element.h"
+// The preview of an element in the view.
+#include "view/overlay.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "view/overlay_lab.h"
+#include "view/overlay_detail.h"
 
 #include <gtest/gtest.h>
 

@@ -1,11 +1,11 @@
-#include "view/overlay_section.h"
+// The marks of selected sections.
+#include "view/overlay.h"
 
 #include <gtest/gtest.h>
 
 #include <map>
 
 #include "sim/tracks.h"
-#include "view/overlay.h"
 #include "world/panels.h"
 #include "world/sections.h"
 #include "world/topology.h"

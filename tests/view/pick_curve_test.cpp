@@ -1,3 +1,4 @@
+// Picking of the curve.
 #include <gtest/gtest.h>
 
 #include "base/tries.h"

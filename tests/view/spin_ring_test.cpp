@@ -1,4 +1,5 @@
-#include "view/spin_ring.h"
+// The ring that sets the spin of a knot.
+#include "view/gizmo.h"
 
 #include <cmath>
 

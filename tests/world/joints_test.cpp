@@ -1,3 +1,4 @@
+// Joints: settling and automatic shapes.
 #include <gtest/gtest.h>
 
 #include "world/sample_documents.h"

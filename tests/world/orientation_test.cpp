@@ -1,3 +1,4 @@
+// Tangent, up and roll of knots.
 #include <cmath>
 #include <limits>
 

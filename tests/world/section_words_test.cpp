@@ -1,4 +1,5 @@
-#include "world/section_words.h"
+// What sentences call a section.
+#include "world/sections.h"
 
 #include <gtest/gtest.h>
 

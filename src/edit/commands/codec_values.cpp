@@ -5,7 +5,6 @@
 
 #include <fmt/format.h>
 
-#include "world/section_words.h"
 #include "world/sections.h"
 
 namespace coaster::edit {

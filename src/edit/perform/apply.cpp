@@ -21,7 +21,7 @@
 #include "edit/session/history.h"
 #include "edit/session/locks.h"
 #include "edit/session/ride_watch.h"
-#include "sim/shape/tight_bends.h"
+#include "sim/shape/folds.h"
 #include "world/selection.h"
 #include "world/topology.h"
 

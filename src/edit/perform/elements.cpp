@@ -11,7 +11,7 @@
 #include "world/aids.h"
 #include "world/element_rows.h"
 #include "world/evaluation.h"
-#include "world/section_words.h"
+#include "world/sections.h"
 #include "world/topology.h"
 
 namespace coaster::edit {

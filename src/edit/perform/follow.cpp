@@ -14,7 +14,7 @@
 #include "edit/perform/replan.h"
 #include "sim/plan/carry.h"
 #include "sim/shape/roll.h"
-#include "world/section_words.h"
+#include "world/sections.h"
 #include "world/selection.h"
 #include "world/topology.h"
 

@@ -11,7 +11,6 @@
 #include "exchange/own/force_text.h"
 #include "sim/plan/force_quantity.h"
 #include "sim/plan/force_reading.h"
-#include "world/section_words.h"
 #include "world/sections.h"
 #include "world/topology.h"
 

@@ -16,7 +16,6 @@
 #include "edit/commands/commands_sections.h"
 #include "edit/perform/found.h"
 #include "sim/plan/force_plan.h"
-#include "world/section_words.h"
 #include "world/sections.h"
 #include "world/topology.h"
 

@@ -13,7 +13,6 @@
 #include "exchange/formats.h"
 #include "exchange/own/track_file.h"
 #include "world/element_rows.h"
-#include "world/section_words.h"
 #include "world/sections.h"
 #include "world/topology.h"
 

@@ -2,8 +2,8 @@
 
 #include "edit/session/findings_memory.h"
 #include "sim/shape/deviation.h"
-#include "sim/study/near_misses.h"
-#include "sim/study/seat.h"
+#include "sim/study/ratings.h"
+#include "sim/study/riders.h"
 #include "world/box_functions.h"
 #include "world/evaluation.h"
 #include "world/lab_view.h"

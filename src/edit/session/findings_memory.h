@@ -12,9 +12,9 @@
 #include "sim/plan/element_memo.h"
 #include "sim/plan/force_plan.h"
 #include "sim/ride/ghost.h"
+#include "sim/shape/folds.h"
 #include "sim/shape/frame_methods.h"
 #include "sim/shape/shape_distance.h"
-#include "sim/shape/tight_bends.h"
 #include "sim/solids/conflicts.h"
 #include "sim/solids/supports.h"
 #include "sim/study/complete_circuit.h"
@@ -25,7 +25,6 @@
 #include "sim/study/section_figures.h"
 #include "sim/study/track_values.h"
 #include "sim/study/way_change.h"
-#include "sim/study/way_jolt.h"
 
 namespace coaster::edit {
 

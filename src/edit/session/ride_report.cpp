@@ -7,9 +7,9 @@
 #include "base/units.h"
 #include "exchange/own/json_values.h"
 #include "sim/plan/force_plan.h"
-#include "sim/shape/tight_bends.h"
-#include "sim/study/ride_report.h"
-#include "world/section_words.h"
+#include "sim/shape/folds.h"
+#include "sim/study/ratings.h"
+#include "world/sections.h"
 
 namespace coaster::edit {
 namespace {

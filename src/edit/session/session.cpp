@@ -12,7 +12,7 @@
 #include "edit/session/ride_watch.h"
 #include "exchange/own/link.h"
 #include "sim/plan/force_plan.h"
-#include "sim/shape/tight_bends.h"
+#include "sim/shape/folds.h"
 #include "world/evaluation.h"
 #include "world/sections.h"
 

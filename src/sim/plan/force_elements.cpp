@@ -15,7 +15,7 @@
 #include "base/text.h"
 #include "sim/plan/force_plan.h"
 #include "sim/plan/force_walk.h"
-#include "sim/ride/ride_rules.h"
+#include "sim/ride/train.h"
 
 namespace coaster::sim {
 namespace {

@@ -11,7 +11,7 @@
 #include "base/portable_math.h"
 #include "curve/frames.h"
 #include "sim/plan/element_fit.h"
-#include "sim/ride/ride_rules.h"
+#include "sim/ride/train.h"
 #include "sim/shape/roll.h"
 #include "world/topology.h"
 

@@ -6,7 +6,7 @@
 
 #include "base/portable_math.h"
 #include "curve/frames.h"
-#include "sim/ride/ride_rules.h"
+#include "sim/ride/train.h"
 
 namespace coaster::sim {
 namespace {

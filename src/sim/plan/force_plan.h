@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "sim/plan/force_fit.h"
-#include "sim/ride/passing.h"
+#include "sim/ride/ghost.h"
 #include "world/sections.h"
 
 namespace coaster::sim {

@@ -1,14 +1,168 @@
+// Simulated rides and their cache.
 #include "sim/ride/ghost.h"
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <span>
+#include <vector>
 
 #include "base/interrupted.h"
-#include "sim/ride/ghost_train.h"
-#include "sim/ride/tight_way.h"
+#include "sim/ride/ghost_detail.h"
+#include "sim/ride/train.h"
+#include "world/evaluation.h"
 
 namespace coaster::sim {
 namespace {
+
+// The train of a simulated ride: its motion over tables of the rails, tick by tick.
+class GhostTrain {
+ public:
+  // Refers to its arguments.
+  GhostTrain(const RailTables& tables, std::span<const SegmentTable* const> segments,
+             std::span<const EquipmentSpan> equipment, const world::Resistance& resistance, const GhostStart& start)
+      : equipment_(equipment),
+        resistance_(resistance),
+        landscape_(tables, segments, start.cars, start.spacing),
+        rails_{tables.length(), tables.closed()},
+        control_(start.control),
+        place_{start.front, start.cars, start.spacing, start.length},
+        moving_{start.front, start.speed, 0},
+        losses_(!(resistance == world::Resistance{})) {
+    settle();
+  }
+
+  const TrainState& state() const { return moving_; }   // x: m from the track's start, unwrapped
+  double in_lap() const { return moving_.x - round_; }  // m from the start of the lap, of the first car
+  bool held() const { return drive_.held; }
+  // Returns the acceleration along the rails, m/s^2.
+  double acceleration() const {
+    if (drive_.net) return drive_.acceleration;
+    return gravity_here_ + (drive_.acceleration - direction() * loss(resistance_, moving_.speed));
+  }
+  // Returns those of the last tick; `travelled` is state().x, `sample` 0.
+  std::span<const GhostSwitch> switches() const { return switches_; }
+
+  // Advances by a tick, in parts that end where equipment switches. Returns false at an open end.
+  bool advance() {
+    constexpr int kMostParts = 64;
+    double dt = world::kTick;
+    bool on_track = true;
+    if (equipment_.empty()) return advance(dt);
+    count_down(true, control_);
+    switches_.clear(), switched_ = 0;
+    for (int part = 0; dt > 0 && part < kMostParts && on_track; ++part) {
+      place_.front = in_lap();
+      contacts_ = &near_.update(equipment_, rails_, place_, moving_.x, moving_.speed < 0);
+      const Drive next = drive_at(moving_, control_);
+      if (!(next == drive_)) {
+        switches_.push_back({0, moving_.x, moving_.speed, acceleration(), 0});
+        drive_ = next;
+        switches_.back().acceleration_after = acceleration();
+      }
+      if (drive_.held) {
+        moving_.work -= 0.5 * moving_.speed * moving_.speed;
+        moving_.speed = 0;
+        break;
+      }
+      on_track = advance(dt);
+    }
+    return on_track;
+  }
+
+ private:
+  double gravity(double at) { return -world::kGravity * landscape_.slope(at - round_); }
+  // Updates the gravity after each move, which is used several times, and the start of the train's lap.
+  void settle() {
+    if (rails_.closed && !(moving_.x >= round_ && moving_.x < round_ + rails_.length))
+      round_ = rails_.length * std::floor(moving_.x / rails_.length);
+    gravity_here_ = gravity(moving_.x);
+  }
+  double direction() const {
+    return direction_of(moving_.speed, resistance_, [&] { return gravity_here_ + drive_.acceleration; });
+  }
+
+  // Returns the drive from a moment on. Updates `control`.
+  Drive drive_at(const TrainState& at, ControlState& control) {
+    const std::function<double()> free = [&] {
+      const double pull = gravity(at.x);
+      return pull - direction_of(at.speed, resistance_, [&] { return pull; }) * loss(resistance_, at.speed);
+    };
+    return drive_of(*contacts_, place_, {at.x - round_, at.speed, free}, true, control);
+  }
+
+  // Advances by at most `dt`, which is the time left afterwards. Returns false at an open end.
+  bool advance(double& dt) {
+    double used = dt;
+    const double sign = drive_.net ? 0.0 : direction(), drive = drive_.acceleration;
+    dt = 0;
+    if (!drive_.net && moving_.speed == 0 && sign == 0 && resistance_.rolling > 0) return true;  // held by friction
+    const auto rates = [&](const TrainState& m, double pull) {
+      if (drive_.net) return TrainRates{m.speed, drive, (drive - pull) * m.speed};
+      const double others = drive - sign * loss(resistance_, m.speed);
+      return TrainRates{m.speed, pull + others, others * m.speed};
+    };
+    const auto after = [&](double time) {
+      return runge_kutta(moving_, rates(moving_, gravity_here_), time,
+                         [&](const TrainState& m) { return rates(m, gravity(m.x)); });
+    };
+    TrainState next = after(used);
+    const double left = used;
+    const auto cut = [&](const auto& value, double within = 1e-15) {
+      used = time_of(moving_, used, after, value, within), next = after(used);
+    };
+    if (!equipment_.empty()) cut_at_switches(next, cut);
+    dt = left - used;
+    if (losses_ && sign != 0 && next.speed * sign < 0) {  // friction stops it and does not reverse it
+      const double part = moving_.speed / (moving_.speed - next.speed);
+      next = {moving_.x + part * (next.x - moving_.x), 0.0, moving_.work + part * (next.work - moving_.work)};
+    }
+    const bool on_track = rails_.closed || (next.x >= 0 && next.x <= rails_.length);
+    if (!on_track) {
+      const bool back = next.x < 0;
+      const double end = back ? 0.0 : rails_.length;
+      cut([&](const TrainState& at) { return back ? end - at.x : at.x - end; });
+      next.x = end;
+    }
+    moving_ = next;
+    settle();
+    return on_track;
+  }
+
+  // Ends a part that leads to `next` where a car comes to an end of equipment, where friction stops the train, or where
+  // the drive changes.
+  template <class Cut>
+  void cut_at_switches(TrainState& next, const Cut& cut) {
+    const double ahead = near_.ahead(), behind = near_.behind(), from = moving_.speed;
+    if (next.x > ahead) cut([&](const TrainState& at) { return at.x - ahead; });
+    if (next.x < behind) cut([&](const TrainState& at) { return behind - at.x; });
+    if (losses_ && !drive_.net && next.speed * from < 0) {
+      cut([&](const TrainState& at) { return from > 0 ? -at.speed : at.speed; });
+      next.speed = 0;
+    }
+    const auto switches = [&](const TrainState& at) {
+      ControlState then = control_;
+      return drive_at(at, then) == drive_ && then == control_ ? -1.0 : 1.0;
+    };
+    if (!contacts_->on.empty() && switched_ < kMostSwitches && switches(next) > 0)
+      ++switched_, cut(switches, kSwitchWithin);
+  }
+
+  std::span<const EquipmentSpan> equipment_;
+  world::Resistance resistance_;
+  Landscape landscape_;
+  Rails rails_;
+  ControlState control_;
+  TrainPlace place_;
+  TrainContacts near_;
+  const Contacts* contacts_ = nullptr;  // the present ones
+  Drive drive_;
+  std::vector<GhostSwitch> switches_;
+  int switched_ = 0;  // in this tick
+  TrainState moving_;
+  double round_ = 0, gravity_here_ = 0;  // m, m/s^2
+  bool losses_;
+};
 
 std::vector<const SegmentTable*> segments_of(const RailTables& tables) {
   std::vector<const SegmentTable*> segments;
@@ -16,9 +170,9 @@ std::vector<const SegmentTable*> segments_of(const RailTables& tables) {
   return segments;
 }
 
-Force force_of(glm::dvec3 g) { return {static_cast<float>(g.x), static_cast<float>(g.y), static_cast<float>(g.z)}; }
+Felt force_of(glm::dvec3 g) { return {static_cast<float>(g.x), static_cast<float>(g.y), static_cast<float>(g.z)}; }
 
-glm::dvec3 seat_vector(const Force& force) { return {force.forward, force.left, force.up}; }
+glm::dvec3 seat_vector(const Felt& force) { return {force.forward, force.left, force.up}; }
 
 // Returns the passage from the end of one segment's entries to the start of the next's, or backwards.
 Passage passage(std::span<const FeltEntry> from, std::span<const FeltEntry> to, bool back, double speed,
@@ -48,21 +202,16 @@ class Simulation {
 
   // Runs the simulation and reuses the memory of `ghost`.
   Ghost run(const GhostLimits& limits, Ghost ghost) {
-    std::vector<GhostSample> samples = std::move(ghost.samples);
-    std::vector<Force> forces = std::move(ghost.forces);
-    std::vector<Passage> passages = std::move(ghost.passages);
-    std::vector<BendPassage> bends = std::move(ghost.bends);
-    std::vector<GhostSwitch> switches = std::move(ghost.switches);
-    samples.clear(), switches.clear(), forces.clear(), passages.clear(), bends.clear();
-    ghost = Ghost{start_,
-                  rails_.length,
-                  rails_.closed,
-                  document_.heartline,
-                  std::move(samples),
-                  std::move(switches),
-                  std::move(forces),
-                  std::move(passages),
-                  std::move(bends)};
+    ghost.samples.clear(), ghost.switches.clear(), ghost.forces.clear(), ghost.passages.clear(), ghost.bends.clear();
+    ghost = {.start = start_,
+             .track_length = rails_.length,
+             .closed = rails_.closed,
+             .heartline = document_.heartline,
+             .samples = std::move(ghost.samples),
+             .switches = std::move(ghost.switches),
+             .forces = std::move(ghost.forces),
+             .passages = std::move(ghost.passages),
+             .bends = std::move(ghost.bends)};
     const auto most = static_cast<std::size_t>(std::max(0.0, limits.seconds) * world::kTicksPerSecond);
     const std::size_t usual = std::min<std::size_t>(most + 1, 20'000);
     ghost.samples.reserve(usual), ghost.forces.reserve(usual / kForceEvery * static_cast<std::size_t>(start_.cars));
@@ -75,7 +224,9 @@ class Simulation {
         ghost.switches.push_back(at);
       }
       add_sample(ghost);
-      if (ghost.end == world::FailureKind::none) ghost.end = failure(ghost);
+      if (ghost.end == world::FailureKind::none)
+        ghost.end = end_of_ride(document_, train_.state().speed, ghost.samples.back().travelled, train_.held(),
+                                furthest_, still_);
       const double after = train_.state().x - start_.front;
       if (rails_.closed && !ghost.lap && after >= rails_.length) {
         const double part = after > before ? (rails_.length - before) / (after - before) : 1.0;
@@ -84,20 +235,12 @@ class Simulation {
         if (limits.stop_after_lap) break;
       }
     }
-    if (const std::size_t rest = (ghost.samples.size() - 1) % kForceEvery; rest > 0) add_forces(ghost, rest);
+    if (const std::size_t ticks_left = (ghost.samples.size() - 1) % kForceEvery; ticks_left > 0)
+      add_forces(ghost, ticks_left);
     return ghost;
   }
 
  private:
-  world::FailureKind failure(const Ghost& ghost) {
-    const double speed = train_.state().speed;
-    const double travelled = ghost.samples.back().travelled;
-    furthest_ = std::max(furthest_, travelled);
-    if (rolls_back(document_, speed, travelled, furthest_)) return world::FailureKind::rollback;
-    still_ = std::abs(speed) < kStillSpeed && !train_.held() ? still_ + 1 : 0;
-    return still_ >= kStillTicks ? world::FailureKind::stall : world::FailureKind::none;
-  }
-
   void add_sample(Ghost& ghost) {
     const TrainState& now = train_.state();
     ghost.samples.push_back({now.x - start_.front, now.speed, train_.acceleration(), now.work});
@@ -139,7 +282,7 @@ class Simulation {
     const std::size_t count = segments_.size(), entry = ghost.forces.size() / cars_.size() - 1;
     const auto speed = [&](double share) { return std::lerp(then.speed, now.speed, share); };
     const auto acceleration = [&](double share) { return std::lerp(then.acceleration, now.acceleration, share); };
-    const Force* const felt = &ghost.forces[entry * cars_.size() + static_cast<std::size_t>(car)];
+    const Felt* const felt = &ghost.forces[entry * cars_.size() + static_cast<std::size_t>(car)];
     glm::dvec3 missed = -0.5 * time * (seat_vector(felt[0]) + seat_vector(*(felt - cars_.size())));
     double done = 0;  // of the way between the entries
     // Adds the integral of felt g on one segment's part of the way, from `done` on, by Simpson's rule.
@@ -197,7 +340,7 @@ class Simulation {
       if (from == to) break;
       from = next;
     }
-    const Force* const felt = &ghost.forces[entry * cars_.size() + static_cast<std::size_t>(car)];
+    const Felt* const felt = &ghost.forces[entry * cars_.size() + static_cast<std::size_t>(car)];
     if (!way.is_needed(seat_vector(*(felt - cars_.size())), seat_vector(felt[0]), joint)) return;
     for (auto it = ghost.passages.rbegin(); it != ghost.passages.rend() && it->car == car && it->entry == entry; ++it)
       it->missed = {0, 0, 0};  // the integrals are whole
@@ -215,7 +358,7 @@ class Simulation {
   GhostTrain train_;
   Rails rails_;
   double furthest_ = 0;
-  int still_ = 0;
+  std::int32_t still_ = 0;
   std::size_t between_ = kForceEvery;  // ticks, of the last two entries of the forces
   struct CarPlace {
     double back;                          // m behind the first car
@@ -225,6 +368,12 @@ class Simulation {
   };
   std::vector<CarPlace> cars_;
 };
+
+constexpr double kSpare = 1;  // m/s more than the least that completes the ride
+
+bool completes(const Ghost& ghost) {
+  return ghost.lap || (ghost.end == world::FailureKind::off_end && ghost.samples.back().speed > 0);
+}
 
 }  // namespace
 
@@ -250,6 +399,73 @@ GhostStart start_of(const world::Document& document, const Derived& derived, con
   if (const auto index = world::index_of(derived.order, design.segment))
     start.front = derived.starts[*index] + design.fraction * derived.shape(design.segment).arc.length();
   return start;
+}
+
+const RailTables& GhostMemo::tables(const world::Document& document, const Derived& derived) {
+  tables_.update(derived, world::riders_height(document));
+  return tables_;
+}
+
+GhostMemo::Entry& GhostMemo::find(const world::Document& document, const Derived& derived, const GhostStart& start) {
+  tables(document, derived);
+  Key key{tables_.serial(), start, document.resistance, document.rollback_fails, equipment_spans(document, derived)};
+  ++clock_;
+  for (Entry& entry : entries_)
+    if (entry.key == key) {
+      entry.used = clock_;
+      return entry;
+    }
+  if (entries_.size() < most_) entries_.emplace_back();  // used 0: the oldest
+  Entry& entry = *std::min_element(entries_.begin(), entries_.end(),
+                                   [](const Entry& a, const Entry& b) { return a.used < b.used; });
+  Ghost ghost = simulate(tables_, key.equipment, document, start, {}, std::move(entry.ghost));
+  ghost.serial = ++simulations_;
+  entry = {std::move(key), std::move(ghost), clock_, false, {}};
+  return entry;
+}
+
+const Ghost* GhostMemo::ride(const world::Document& document, const Derived& derived, world::Entity cart) {
+  const world::Cart* const design = document.entities.find<world::Cart>(cart);
+  if (!design || derived.order.empty()) return nullptr;
+  return &find(document, derived, start_of(document, derived, *design)).ghost;
+}
+
+const Ghost& GhostMemo::from(const world::Document& document, const Derived& derived, const GhostStart& start) {
+  return find(document, derived, start).ghost;
+}
+
+const LapTable& GhostMemo::lap(const world::Document& document, const Derived& derived, const GhostStart& start) {
+  Entry& entry = find(document, derived, start);
+  if (!entry.has_lap) {
+    const bool repeats = entry.key.resistance == world::Resistance{} && entry.key.equipment.empty();
+    entry.lap = repeats ? LapTable(entry.ghost) : LapTable();
+    entry.has_lap = true;
+  }
+  return entry.lap;
+}
+
+void GhostMemo::keep(std::size_t rides) { most_ = std::clamp(rides, most_, kMostEntries * 16); }
+
+std::optional<double> completing_speed(world::Document document) {
+  const world::Entity cart = world::first_cart(document);
+  if (!cart.valid()) return std::nullopt;
+  world::Settings settings;
+  settings.evaluation->steps = 1;  // polylines are not needed
+  Derived derived;
+  derive(document, settings, {}, derived);
+  GhostMemo memo;
+  const auto enough = [&](int speed) {
+    document.start_speed = speed;
+    const Ghost* const ghost = memo.ride(document, derived, cart);
+    return ghost != nullptr && completes(*ghost);
+  };
+  int low = 0, high = static_cast<int>(world::kMaxSpeed);  // too slow, fast enough
+  if (!enough(high)) return std::nullopt;
+  while (high > low + 1) {
+    const int middle = (low + high) / 2;
+    (enough(middle) ? high : low) = middle;
+  }
+  return std::min(high + kSpare, world::kMaxSpeed);
 }
 
 }  // namespace coaster::sim

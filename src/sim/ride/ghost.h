@@ -5,12 +5,14 @@
 #include <algorithm>
 #include <cstdint>
 #include <deque>
+#include <optional>
 #include <span>
 #include <vector>
 
 #include "sim/ride/equipment.h"
 #include "sim/ride/lap_table.h"
 #include "sim/shape/rail_tables.h"
+#include "world/document.h"
 
 namespace coaster::sim {
 
@@ -41,7 +43,7 @@ struct GhostSwitch {
 };
 
 // Felt acceleration in g on the seat's axes, for riders on the heartline.
-struct Force {
+struct Felt {
   float forward = 0, left = 0, up = 1;
 };
 // Ticks between two entries of Ghost::forces: 60 a second. The last one may be nearer to the one before.
@@ -53,15 +55,15 @@ inline constexpr int kForceEvery = 2;
 struct Passage {
   std::size_t knot = 0;  // index in the track
   int car = 0;
-  std::size_t entry = 0;   // the first of the forces after it, per car
-  double time = 0;         // s since the start
-  double speed = 0;        // m/s there
-  Force impulse{0, 0, 0};  // g s: the step of velocity by g
-  Force before{0, 0, 0};   // g, felt just before it
-  Force step{0, 0, 0};     // g
+  std::size_t entry = 0;  // the first of the forces after it, per car
+  double time = 0;        // s since the start
+  double speed = 0;       // m/s there
+  Felt impulse{0, 0, 0};  // g s: the step of velocity by g
+  Felt before{0, 0, 0};   // g, felt just before it
+  Felt step{0, 0, 0};     // g
   // g s: the integral of felt g from the entry before to that after it, without impulses, less the mean of both entries
   // over that time: what happens between them. Of several passages between the same entries the last has it.
-  Force missed{0, 0, 0};
+  Felt missed{0, 0, 0};
 };
 
 // A car's way through a tight bend or a reversal (FeltCell) from the entry before to that of `peak`: instead of the two
@@ -70,7 +72,7 @@ struct Passage {
 // straight line between felt g at both ends of that time; it is part of the integrals.
 struct BendPassage {
   Passage peak;  // of the sharpest place; no knot
-  Force for_before{0, 0, 0}, for_entry{0, 0, 0};
+  Felt for_before{0, 0, 0}, for_entry{0, 0, 0};
 };
 inline constexpr double kSharpSeconds = 0.05;
 
@@ -81,7 +83,7 @@ struct Ghost {
   double heartline = 0;                               // m, of the riders above the rails
   std::vector<GhostSample> samples;                   // one per tick of 1/120 s, the first at the start
   std::vector<GhostSwitch> switches;                  // in order
-  std::vector<Force> forces;                          // entry k of car c at [k * cars + c], at sample_of(k)
+  std::vector<Felt> forces;                           // entry k of car c at [k * cars + c], at sample_of(k)
   std::vector<Passage> passages;                      // of all cars over all joints, in order
   std::vector<BendPassage> bends;                     // of all cars, in order
   world::FailureKind end = world::FailureKind::none;  // none: a whole lap, or the time limit was reached
@@ -90,6 +92,13 @@ struct Ghost {
   double lap_time = 0;                                // s, duration of the lap, if `lap`
 
   double seconds() const { return samples.empty() ? 0.0 : static_cast<double>(samples.size() - 1) * world::kTick; }
+  // Returns the number of entries of the forces, of each car, and what its riders feel at one.
+  std::size_t entries() const { return forces.size() / static_cast<std::size_t>(start.cars); }
+  const Felt& felt(std::size_t entry, int car) const {
+    return forces[entry * static_cast<std::size_t>(start.cars) + static_cast<std::size_t>(car)];
+  }
+  // Returns the time of a sample, s since the start.
+  static double time_of(std::size_t sample) { return static_cast<double>(sample) * world::kTick; }
   // Returns the sample of an entry of the forces.
   std::size_t sample_of(std::size_t entry) const { return std::min(entry * kForceEvery, samples.size() - 1); }
   // Returns how far the train gets from its start, m.
@@ -165,5 +174,35 @@ class GhostMemo {
   static constexpr std::size_t kMostEntries = 16;
   std::size_t most_ = kMostEntries;
 };
+
+struct Passing {
+  double speed = 0, along = 0;  // m/s, negative backwards; m/s^2 along the track
+};
+
+// Returns true if a ride goes farther backwards than forwards.
+bool runs_backwards(const Ghost& ride);
+
+// Looks up many positions of one ride. Valid as long as the ghost.
+class Passings {
+ public:
+  explicit Passings(const Ghost& ride);
+  // Returns the state when the point `back` m behind the first car first passes `distance` m from the track's start;
+  // nothing if it does not. v^2 between two samples, or a sample and an instant where equipment switches, is the cubic
+  // of the way with their speeds and accelerations: within 2e-6 m/s of the energy's.
+  std::optional<Passing> at(double distance, double back = 0) const;
+
+ private:
+  const Ghost& ride_;
+  bool backwards_;
+  std::vector<double> furthest_;  // by sample: how far it has been until then, in that direction
+};
+
+// Returns the state at the first car's first pass; nothing if the ride does not reach the position.
+inline std::optional<Passing> passing(const Ghost& ride, double distance) { return Passings(ride).at(distance); }
+
+// Returns a start speed (m/s) with which the first train completes its lap, or reaches the end of an open track: the
+// smallest whole number that does, plus 1 so that no top is passed too slowly; at most world::kMaxSpeed. Nothing if
+// none does, or without a train. Bisects, because higher speeds also complete the ride. Takes about 9 simulations.
+std::optional<double> completing_speed(world::Document document);
 
 }  // namespace coaster::sim

@@ -1,4 +1,4 @@
-#include "sim/ride/passing.h"
+#include "sim/ride/ghost.h"
 
 #include <algorithm>
 #include <cmath>
@@ -9,9 +9,12 @@ namespace {
 // Between two moments with speeds v0 and v1, and accelerations a0 and a1, `way` m apart: the cubic of v^2 at `gone` m.
 Passing between(double v0, double a0, double v1, double a1, double way, double gone) {
   if (way == 0) return {v1, a1};
-  const double u = gone / way, rest = 1 - u, step = v1 * v1 - v0 * v0, from = 2 * a0 * way, to = 2 * a1 * way;
-  const double square = v0 * v0 + u * u * (3 - 2 * u) * step + u * rest * rest * from - u * u * rest * to;
-  const double slope = 6 * u * rest * step + rest * (1 - 3 * u) * from + u * (3 * u - 2) * to;
+  const double u = gone / way, u_left = 1 - u;
+  const double square_gained = v1 * v1 - v0 * v0, slope_before = 2 * a0 * way, slope_after = 2 * a1 * way;  // m^2/s^2
+  const double square =
+      v0 * v0 + u * u * (3 - 2 * u) * square_gained + u * u_left * u_left * slope_before - u * u * u_left * slope_after;
+  const double slope =
+      6 * u * u_left * square_gained + u_left * (1 - 3 * u) * slope_before + u * (3 * u - 2) * slope_after;
   return {std::copysign(std::sqrt(std::max(square, 0.0)), v0 + v1), 0.5 * slope / way};
 }
 

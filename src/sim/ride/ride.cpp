@@ -1,4 +1,4 @@
-// Trains at their start, after edits, and after seek; their energy. Ticks are in ride_step.cpp.
+// Trains at their start, after edits and after seek, their energy, and the poses of cars. Ticks are in ride_step.cpp.
 #include "sim/ride/ride.h"
 
 #include <algorithm>
@@ -6,11 +6,83 @@
 #include <utility>
 
 #include "base/check.h"
-#include "sim/ride/ride_parts.h"
+#include "sim/ride/ride_detail.h"
 #include "sim/shape/frame_methods.h"
+#include "sim/shape/rails.h"
 
 namespace coaster::sim {
 namespace {
+
+// Returns the positions of a moving train's cars, first to last.
+std::vector<TrackPlace> places_of(const world::Document& document, const Derived& derived, world::Entity entity,
+                                  const world::CartMotion& motion) {
+  const world::Cart* const design = document.entities.find<world::Cart>(entity);
+  std::vector<TrackPlace> places;
+  place_cars(derived, front_place(derived, motion), design ? cars_on(derived, *design) : 1,
+             design ? design->spacing : 1.0, places);
+  return places;
+}
+
+// Returns a train's acceleration along the rails, m/s^2, with losses and the last tick's equipment.
+double along_rails(const world::Document& document, const Derived& derived, world::Entity entity,
+                   const world::CartMotion& cart, std::span<const TrackPlace> places) {
+  const world::Cart* const design = document.entities.find<world::Cart>(entity);
+  const world::Resistance resistance = resistance_of(document, design ? design->mass : world::kCarMass);
+  return acceleration_of({derived, places, 0, 0, resistance, 0, cart.drive}, cart.speed);
+}
+
+// Returns a parameter near arc.parameter(s), linear between the knots of its table: at most max |B''| / 8192 m away.
+double near_parameter(const curve::ArcLengthMap& arc, double s) {
+  constexpr int kKnots = 32;
+  const double length = arc.length();
+  if (!(s > 0) || !(length > 0)) return 0;
+  if (s >= length) return 1;
+  const auto at = [&](int knot) { return arc.distance(static_cast<double>(knot) / kKnots); };
+  int knot = std::clamp(static_cast<int>(s / length * kKnots), 0, kKnots - 1);
+  double from = at(knot), to = at(knot + 1);
+  for (; from > s; to = from, from = at(--knot)) {
+  }
+  for (; to <= s; from = to, to = at(++knot + 1)) {
+  }
+  return (knot + (s - from) / (to - from)) / kKnots;
+}
+
+// One pass of de Casteljau's scheme gives place and direction.
+void approximate(const SegmentShape& shape, double s, Pose& pose) {
+  using glm::dvec3;
+  const curve::Cubic& c = shape.key.cubic;
+  const double t = near_parameter(shape.arc, s), beyond = s - std::clamp(s, 0.0, shape.arc.length());
+  const dvec3 p0(c.p0), p1(c.p1), p2(c.p2), p3(c.p3);
+  const dvec3 a = p0 + t * (p1 - p0), b = p1 + t * (p2 - p1), d = p2 + t * (p3 - p2);
+  const dvec3 from = a + t * (b - a), along = b + t * (d - b) - from;
+  const double length = glm::length(along);
+  pose.frame.forward = length > 0 ? along / length : curve::unit_tangent(c, t);
+  const dvec3 up = curve::across(shape.ups[static_cast<std::size_t>(t * kFrameIntervals + 0.5)], pose.frame.forward);
+  const double high = glm::length(up);
+  pose.frame.up = high > 0.5 ? up / high : curve::perpendicular(pose.frame.forward, up);
+  pose.position = from + t * along + shape.key.rails * pose.frame.up + beyond * pose.frame.forward;
+}
+
+void take(const Pose& here, Pose& pose) {
+  pose.position = here.position, pose.frame = here.frame, pose.defined = here.defined;
+}
+
+// Makes the poses of the cars nearest to the eye exact.
+void refine_nearest(const Derived& derived, const std::vector<TrackPlace>& places, glm::dvec3 eye, std::size_t exact,
+                    std::vector<Pose>& poses) {
+  std::vector<double> away(poses.size());  // m^2
+  for (std::size_t i = 0; i < poses.size(); ++i) {
+    const glm::dvec3 way = poses[i].position - eye;
+    away[i] = glm::dot(way, way);
+  }
+  std::vector<double> sorted = away;
+  const auto limit = sorted.begin() + static_cast<std::ptrdiff_t>(exact);
+  std::nth_element(sorted.begin(), limit, sorted.end());
+  for (std::size_t i = 0; i < poses.size(); ++i) {
+    if (away[i] > *limit) continue;
+    take(pose(derived, places[i], world::FrameMethod::knots), poses[i]);
+  }
+}
 
 double mean_height(const world::Document& document, const Derived& derived, world::Entity entity,
                    const world::CartMotion& cart) {
@@ -76,6 +148,84 @@ void follow_edit(const world::Document& document, const Derived& derived, const 
 }
 
 }  // namespace
+
+double acceleration_of(TrainContext context, double speed) {
+  context.direction = speed > 0 ? 1.0 : speed < 0 ? -1.0 : 0.0;
+  return context.gravity(0.0) + context.others(speed);
+}
+
+Pose pose(const Derived& derived, TrackPlace place, world::FrameMethod method) {
+  const SegmentShape& shape = derived.shape_at(place.index);
+  const double length = shape.arc.length(), s = std::fmin(std::fmax(place.s, 0.0), length);
+  const TrackFrame at = track_frame(derived, method, place.index, s);
+  // A car beyond an open end is on the straight continuation.
+  return {rails_at(shape, s) + (place.s - s) * at.frame.forward, at.frame, at.defined};
+}
+
+Pose pose(const Derived& derived, const world::CartMotion& cart, world::FrameMethod method) {
+  return pose(derived, front_place(derived, cart), method);
+}
+
+std::vector<Pose> car_poses(const world::Document& document, const Derived& derived, world::Entity entity,
+                            const world::CartMotion& motion, world::FrameMethod method) {
+  std::vector<Pose> poses;
+  const world::Cart* const design = document.entities.find<world::Cart>(entity);
+  for (const TrackPlace& place : places_of(document, derived, entity, motion)) {
+    poses.push_back(pose(derived, place, method));
+    poses.back().leads = poses.size() == 1;
+    if (design) poses.back().length = design->body();
+  }
+  return poses;
+}
+
+Felt felt(const world::Document& document, const Derived& derived, world::Entity entity, const world::CartMotion& cart,
+          int car) {
+  const std::vector<TrackPlace> places = places_of(document, derived, entity, cart);
+  COASTER_CHECK(car >= 0 && static_cast<std::size_t>(car) < places.size(), "the train has this car");
+  const TrackPlace place = places[static_cast<std::size_t>(car)];
+  const SegmentShape& shape = derived.shape_at(place.index);
+  const double s = std::clamp(place.s, 0.0, shape.arc.length());
+  const double t = shape.arc.parameter(s);
+  const FeltEntry here = felt_entry(shape, s, t, frame_at(shape, s, t), world::riders_height(document));
+  const double along = along_rails(document, derived, entity, cart, places);
+  const glm::vec3 g = here.felt(static_cast<float>(along / world::kGravity),
+                                static_cast<float>(cart.speed * cart.speed / world::kGravity));
+  return {g.x, g.y, g.z};
+}
+
+Rolling rolling(const world::Document& document, const Derived& derived, world::Entity entity,
+                const world::CartMotion& cart, int car) {
+  const std::vector<TrackPlace> places = places_of(document, derived, entity, cart);
+  COASTER_CHECK(car >= 0 && static_cast<std::size_t>(car) < places.size(), "the train has this car");
+  const TrackPlace place = places[static_cast<std::size_t>(car)];
+  const SegmentShape& shape = derived.shape_at(place.index);
+  if (!(place.s >= 0 && place.s <= shape.arc.length())) return {};  // on the straight continuation of an open end
+  const double spin = shape.roll.spin(place.s), v = cart.speed;
+  return {spin * v, shape.roll.slope(place.s) * v * v + spin * along_rails(document, derived, entity, cart, places)};
+}
+
+std::vector<Pose> shown_cars(const world::Document& document, const Derived& derived, const world::Motion& motion,
+                             world::FrameMethod method, glm::dvec3 eye, std::size_t exact) {
+  std::vector<Pose> poses;
+  if (derived.order.empty()) return poses;
+  std::vector<TrackPlace> places, train;
+  places.reserve(motion.carts.size()), poses.reserve(motion.carts.size());
+  for (std::size_t i = 0; i < motion.carts.size(); ++i) {
+    const world::Cart& design = document.entities.get<world::Cart>(motion.carts.entities()[i]);
+    place_cars(derived, front_place(derived, motion.carts.items()[i]), cars_on(derived, design), design.spacing, train);
+    for (std::size_t car = 0; car < train.size(); ++car) {
+      places.push_back(train[car]);
+      Pose& made = poses.emplace_back();
+      made.length = design.body(), made.leads = car == 0;
+    }
+  }
+  const bool all_exact = poses.size() <= exact || method != world::FrameMethod::knots;
+  for (std::size_t i = 0; i < poses.size(); ++i)
+    if (all_exact) take(pose(derived, places[i], method), poses[i]);
+    else approximate(derived.shape_at(places[i].index), places[i].s, poses[i]);
+  if (!all_exact) refine_nearest(derived, places, eye, exact, poses);
+  return poses;
+}
 
 TrackPlace front_place(const Derived& derived, const world::CartMotion& cart) {
   const std::size_t index = index_of_segment(derived, cart.segment, cart.track_distance);

@@ -1,14 +1,174 @@
-// The integrators that are not stepped: by a timetable of the whole ride, and by the vertices of the polyline (Barrett
-// 2012, section 6).
+// Trains that follow timetables. Where laps repeat, those of one kind and energy share the table of one lap, each at
+// its own time.
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 #include <vector>
 
-#include "sim/ride/ride_parts.h"
+#include "sim/ride/ride_detail.h"
 
 namespace coaster::sim {
 namespace {
+
+// Trains that move alike.
+struct Family {
+  GhostStart start;
+  world::Entity first;
+  world::TimetablePlace place;  // where the first train joined
+  double energy = 0;            // J/kg
+};
+
+bool of_one_kind(const GhostStart& a, const GhostStart& b) {
+  return a.cars == b.cars && a.spacing == b.spacing && a.length == b.length && a.mass == b.mass;
+}
+
+// Returns the energy (J/kg, as of a cart) above which a train passes every top within the time of a timetable.
+double energy_of_laps(const RideInput& input) {
+  double top = -world::kMaxCoordinate;
+  for (std::size_t i = 0; i < input.derived.order.size(); ++i) {
+    const SegmentShape& shape = input.derived.shape_at(i);
+    const curve::Cubic& c = shape.key.cubic;
+    top = std::max(top, double{std::max({c.p0.y, c.p1.y, c.p2.y, c.p3.y})} + std::abs(shape.key.rails));
+  }
+  const double slowest = input.derived.length / (0.99 * GhostLimits{}.seconds);
+  return world::kGravity * (top - input.document.datum) + 0.5 * slowest * slowest;
+}
+
+constexpr std::size_t kBlock = 64;  // trains whose data stay in the first-level cache
+
+// What trains on a table accumulate tick by tick, member by member.
+struct Accounts {
+  std::array<double, kBlock> travelled, furthest, peak_kinetic;
+};
+
+void add_tick(std::size_t count, double length, const double* __restrict before_along,
+              const double* __restrict before_laps, const LapCarts& on, Accounts& accounts) {
+  const double *const along = on.along.data(), *const laps = on.laps.data(), *const speed = on.speed.data();
+  for (std::size_t i = 0; i < count; ++i) {
+    accounts.travelled[i] += (laps[i] - before_laps[i]) * length + (along[i] - before_along[i]);
+    accounts.furthest[i] = std::max(accounts.furthest[i], accounts.travelled[i]);
+    accounts.peak_kinetic[i] = std::max(accounts.peak_kinetic[i], 0.5 * speed[i] * speed[i]);
+  }
+}
+
+// Runs all ticks of at most kBlock trains on one table. `on` is kept for its capacity.
+void follow_block(const RideInput& input, const LapTable& table, std::span<const std::size_t> trains, int ticks,
+                  std::vector<world::CartMotion>& carts, LapCarts& on) {
+  const std::size_t count = trains.size();
+  const double length = table.length();
+  Accounts accounts;
+  std::array<double, kBlock> before_along, before_laps, rounds;
+  for (std::vector<double>* column : {&on.phase, &on.along, &on.speed, &on.laps}) column->clear();
+  for (std::size_t i = 0; i < count; ++i) {
+    const world::CartMotion& cart = carts[trains[i]];
+    const LapCart start = lap_cart(table, cart.timetable.phase);
+    on.add(start);
+    rounds[i] = std::floor((cart.timetable.front + start.along) / length);
+    accounts.travelled[i] = cart.travelled, accounts.furthest[i] = cart.furthest;
+    accounts.peak_kinetic[i] = cart.peak_kinetic;
+  }
+  for (int tick = 0; tick < ticks; ++tick) {
+    std::copy_n(on.along.begin(), count, before_along.begin());
+    std::copy_n(on.laps.begin(), count, before_laps.begin());
+    advance(table, on);
+    add_tick(count, length, before_along.data(), before_laps.data(), on, accounts);
+  }
+  for (std::size_t i = 0; i < count; ++i) {
+    world::CartMotion& cart = carts[trains[i]];
+    const double at = cart.timetable.front + on.along[i];
+    cart.travelled = accounts.travelled[i], cart.furthest = accounts.furthest[i];
+    cart.peak_kinetic = accounts.peak_kinetic[i];
+    if (ticks > 0) cart.speed = on.speed[i];
+    cart.laps += static_cast<std::int64_t>(on.laps[i] + std::floor(at / length) - rounds[i]);
+    cart.timetable.phase = on.phase[i], cart.timetable.tick += ticks;
+    settle_on(input.derived, place_at(input.derived, at), cart);
+  }
+}
+
+// Returns the start of a train's timetable at its present motion.
+world::TimetablePlace timetable_from(const world::CartMotion& cart) {
+  return {true, cart.track_distance, cart.speed, cart.dwell, cart.braking, 0, 0};
+}
+
+GhostStart start_of(const RideInput& input, world::Entity entity, const world::TimetablePlace& table) {
+  return start_at(input.derived, input.document.entities.get<world::Cart>(entity), table.front, table.speed,
+                  {table.dwell, table.braking});
+}
+
+// The tables of one lap for many trains, each looked up in the memo once.
+class LapTables {
+ public:
+  LapTables(const RideInput& input, GhostMemo& memo) : input_(input), memo_(memo) {}
+  const LapTable& of(world::Entity entity, const world::TimetablePlace& place) {
+    const GhostStart start = start_of(input_, entity, place);
+    for (const auto& [known, table] : tables_)
+      if (known == start) return *table;
+    tables_.emplace_back(start, &memo_.lap(input_.document, input_.derived, start));
+    return *tables_.back().second;
+  }
+  // Returns that of each train, in the order of the items.
+  std::vector<const LapTable*> of(const world::Pool<world::CartMotion>& carts) {
+    std::vector<const LapTable*> tables(carts.size());
+    for (std::size_t i = 0; i < carts.size(); ++i) tables[i] = &of(carts.entities()[i], carts.items()[i].timetable);
+    return tables;
+  }
+
+ private:
+  const RideInput& input_;
+  GhostMemo& memo_;
+  std::vector<std::pair<GhostStart, const LapTable*>> tables_;  // at most kMostTimetables
+};
+
+// If a train is without a timetable, gives each the one of its kind and energy. Returns false if there are too many, or
+// if a train may not complete a lap.
+bool share_timetables(const RideInput& input, GhostMemo& memo, world::Motion& motion) {
+  constexpr double kSame = 1e-8;  // of the energy
+  if (!input.derived.closed || !input.equipment.empty() || input.document.resistance != world::Resistance{})
+    return false;
+  auto& carts = motion.carts;
+  if (std::all_of(carts.items().begin(), carts.items().end(),
+                  [](const world::CartMotion& cart) { return cart.timetable.valid; }))
+    return true;
+  const double least = energy_of_laps(input);
+  std::vector<Family> families;
+  std::vector<std::size_t> family_of(carts.size());
+  for (std::size_t i = 0; i < carts.size(); ++i) {
+    const world::CartMotion& cart = carts.items()[i];
+    const world::Entity entity = carts.entities()[i];
+    Family own{{}, entity, {}, energy(input.document, input.derived, entity, cart)};
+    own.place = timetable_from(cart);
+    own.start = start_of(input, entity, own.place);
+    const auto same = std::find_if(families.begin(), families.end(), [&](const Family& f) {
+      return of_one_kind(f.start, own.start) &&
+             std::abs(f.energy - own.energy) <= kSame * std::max(1.0, std::abs(own.energy));
+    });
+    family_of[i] = static_cast<std::size_t>(same - families.begin());
+    if (same == families.end()) families.push_back(own);
+    if (families.size() > kMostTimetables || !(cart.speed > 0) || !(own.energy > least)) return false;
+  }
+  LapTables tables(input, memo);
+  for (std::size_t i = 0; i < carts.size(); ++i) {
+    world::CartMotion& cart = carts.items()[i];
+    const Family& family = families[family_of[i]];
+    const LapTable& table = tables.of(family.first, family.place);
+    if (!table.valid()) return false;
+    cart.timetable = family.place;
+    cart.timetable.phase = table.phase_at(within_lap(cart.track_distance - family.place.front, table.length(), true));
+  }
+  return true;
+}
+
+// Runs all ticks of those `trains` (indices of `carts` and of their tables) whose laps repeat.
+void follow_laps(const RideInput& input, std::span<const LapTable* const> table_of, std::span<const std::size_t> trains,
+                 int ticks, std::vector<world::CartMotion>& carts) {
+  LapCarts on;
+  for (std::size_t from = 0, to = 0; from < trains.size(); from = to) {
+    const LapTable& table = *table_of[trains[from]];
+    while (to < trains.size() && to - from < kBlock && table_of[trains[to]] == &table) ++to;
+    follow_block(input, table, trains.subspan(from, to - from), ticks, carts, on);
+  }
+}
 
 // Applies the next tick's entry. Returns false if the timetable ends the ride.
 bool follow_timetable(const RideInput& input, GhostMemo& memo, world::Entity entity, world::CartMotion& cart,
@@ -38,21 +198,6 @@ bool follow_timetable(const RideInput& input, GhostMemo& memo, world::Entity ent
   settle_on(input.derived, place_at(input.derived, ghost->distance(next)), cart);
   cart.timetable.tick = static_cast<std::int64_t>(next);
   return true;
-}
-
-// Returns the speed by the energy, with the first car at height `height` m (of a vertex: not exactly on the curve) and
-// the others behind it on the curve.
-double speed_at(const RideInput& input, const TrainLoad& load, const world::CartMotion& cart, TrackPlace front,
-                double height) {
-  if (load.cars > 1) {
-    std::vector<TrackPlace> places;
-    place_cars(input.derived, front, load.cars, load.spacing, places);
-    for (std::size_t i = 1; i < places.size(); ++i)
-      height += rail_point(input.derived.shape_at(places[i].index), places[i].s).height;
-    height /= load.cars;
-  }
-  const double kinetic = cart.reference_energy + cart.work - world::kGravity * (height - input.document.datum);
-  return kinetic > 0 ? std::sqrt(2.0 * kinetic) : 0.0;
 }
 
 bool begin_timetables(world::Motion& motion) {
@@ -94,55 +239,6 @@ bool step_by_timetable(const RideInput& input, int ticks, GhostMemo& memo, world
   if (others.empty()) done = ticks;
   else table_of = LapTables(input, memo).of(motion.carts);  // the others may have evicted tables
   follow_laps(input, table_of, rounds, done, motion.carts.items());
-  return true;
-}
-
-bool advance_by_vertices(const RideInput& input, const TrainLoad& load, double dt, world::CartMotion& cart) {
-  const Derived& derived = input.derived;
-  constexpr int kMostVertices = 100'000;  // per tick
-  double time = cart.carry + dt;
-  const bool forward = cart.speed > 0 || (cart.speed == 0 && load.drive >= 0);
-  const double sign = forward ? 1.0 : -1.0;
-  std::size_t index = front_place(derived, cart).index;
-  Polyline polyline;  // of that segment; empty: not yet evaluated
-  for (int n = 0; n < kMostVertices; ++n) {
-    const SegmentShape& shape = derived.shape_at(index);
-    if (polyline.points.empty()) evaluate_polyline(shape, polyline);
-    // A GPU evaluator has no polyline here: use as many steps of the exact curve.
-    const int count = derived.steps + 1;
-    const auto vertex = [&](int i) {
-      return polyline.points.empty() ? curve::point(shape.key.cubic, static_cast<double>(i) / (count - 1))
-                                     : glm::dvec3(polyline.points[static_cast<std::size_t>(i)]);
-    };
-    const double at = shape.arc.parameter(cart.s) * (count - 1);
-    constexpr double kOnVertex = 1e-6;  // of a step
-    const int from = std::clamp(static_cast<int>(std::lround(at)), 0, count - 1);
-    const int here =
-        std::abs(at - from) < kOnVertex ? from : static_cast<int>(forward ? std::floor(at) : std::ceil(at));
-    const int to = here + (forward ? 1 : -1);
-    if (to < 0 || to >= count) {
-      const bool at_end = forward ? index + 1 == derived.order.size() : index == 0;
-      if (at_end && !derived.closed) return false;
-      if (at_end) cart.laps += forward ? 1 : -1;
-      index = forward ? (index + 1) % derived.order.size() : (index + derived.order.size() - 1) % derived.order.size();
-      settle_on(derived, {index, forward ? 0.0 : derived.shape_at(index).arc.length()}, cart);
-      polyline.points.clear();
-      continue;
-    }
-    const glm::dvec3 a = vertex(here), b = vertex(to);
-    const double chord = glm::length(b - a), s = shape.arc.distance(static_cast<double>(to) / (count - 1));
-    cart.speed = sign * speed_at(input, load, cart, {index, cart.s}, a.y);
-    // From rest, equipment moves it over the first chord with v^2 = 2 a s, at half of that speed on average.
-    const double pace =
-        cart.speed != 0 ? std::abs(cart.speed) : 0.5 * std::sqrt(std::max(0.0, 2.0 * sign * load.drive * chord));
-    if (!(pace > 0) || !(time >= chord / pace)) break;
-    time -= chord / pace;
-    cart.work += (sign * load.drive - loss(load.resistance, pace)) * std::abs(s - cart.s);
-    cart.travelled += s - cart.s;
-    settle_on(derived, {index, s}, cart);
-    cart.speed = sign * speed_at(input, load, cart, {index, s}, b.y);
-  }
-  cart.carry = cart.speed != 0 || load.drive != 0 ? time : 0.0;
   return true;
 }
 

@@ -1,15 +1,45 @@
-// A train on the rails: the positions of its cars and the forces on it. One speed and one energy for the whole train;
-// cars of equal mass.
+// A train on the rails: the positions of its cars, the forces on it, and the rules that the live and the simulated ride
+// share: losses, and when a ride ends by itself. One speed and one energy for the whole train; cars of equal mass.
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <span>
 #include <vector>
 
-#include "sim/ride/ride_rules.h"
 #include "sim/shape/derived.h"
+#include "world/motion.h"
 
 namespace coaster::sim {
+
+inline constexpr double kRollback = 2.0;     // m that a train may lose before it counts as rolling back
+inline constexpr double kStillSpeed = 0.01;  // m/s, slower is at rest
+inline constexpr int kStillTicks = 2 * world::kTicksPerSecond;  // at rest, not held, until a train is stalled
+
+// Returns the deceleration by friction and drag, m/s^2.
+inline double loss(const world::Resistance& resistance, double speed) {
+  return world::kGravity * resistance.rolling + resistance.drag * speed * speed;
+}
+
+// Returns the sign of the motion that losses oppose. At rest friction opposes pull(), the acceleration by gravity and
+// equipment, up to its limit.
+template <class Pull>
+double direction_of(double speed, const world::Resistance& resistance, const Pull& pull) {
+  if (speed != 0) return speed > 0 ? 1.0 : -1.0;
+  const double acceleration = pull();
+  if (std::abs(acceleration) <= world::kGravity * resistance.rolling) return 0.0;
+  return acceleration > 0 ? 1.0 : -1.0;
+}
+
+// Returns how a ride ends by itself after a tick, if it does. Updates `furthest` (m) and `still`, the ticks at rest.
+inline world::FailureKind end_of_ride(const world::Document& document, double speed, double travelled, bool held,
+                                      double& furthest, std::int32_t& still) {
+  furthest = std::max(furthest, travelled);
+  if (document.rollback_fails && furthest > kRollback && speed < 0 && travelled < furthest - kRollback)
+    return world::FailureKind::rollback;
+  still = std::abs(speed) < kStillSpeed && !held ? still + 1 : 0;
+  return still >= kStillTicks ? world::FailureKind::stall : world::FailureKind::none;
+}
 
 // Returns the rails at arc length s of a segment; beyond its ends the rails continue straight.
 RailPoint rail_point(const SegmentShape& shape, double s);

@@ -10,8 +10,8 @@ namespace {
 double square_distance(const glm::dvec3& p, const glm::dvec3& a, const glm::dvec3& b) {
   const glm::dvec3 ab = b - a, ap = p - a;
   const double square = glm::dot(ab, ab), t = square > 0 ? std::clamp(glm::dot(ap, ab) / square, 0.0, 1.0) : 0.0;
-  const glm::dvec3 off = ap - t * ab;
-  return glm::dot(off, off);
+  const glm::dvec3 apart = ap - t * ab;
+  return glm::dot(apart, apart);
 }
 
 // Returns the squared largest distance of the points of `from` to the polygon `to`. Consecutive points are close, so

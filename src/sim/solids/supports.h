@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "sim/shape/detail.h"
-#include "sim/shape/near_track.h"
 #include "sim/solids/clearance.h"
 
 namespace coaster::sim {

@@ -8,12 +8,16 @@
 
 #include <fmt/format.h>
 
+#include "base/check.h"
 #include "base/interrupted.h"
 #include "base/text.h"
 #include "curve/continuity.h"
 #include "curve/frames.h"
 #include "sim/ride/train.h"
 #include "sim/study/element_room.h"
+#include "sim/study/jolt.h"
+#include "sim/study/way_change.h"
+#include "world/motion.h"
 #include "world/topology.h"
 
 namespace coaster::sim {
@@ -202,6 +206,17 @@ CircuitProposals searched(const CircuitCandidates& candidates, const SearchTerms
   return std::move(search.found);
 }
 
+// Returns the square of the train's speed at the way's start, m^2/s^2; too little if it does not get there.
+double square_at_start(const WayChange& change) {
+  const world::WayHome& way = change.former;
+  return way.speed * way.speed - (way.coasts ? 2 * world::kGravity * change.risen : 0.0);
+}
+
+std::string out_of_reach(double risen) {
+  return fmt::format("the train does not reach the closing section, which would begin {} m higher",
+                     risen < 0.05 ? fmt::format("{:.1g}", risen) : fmt::format("{:.1f}", risen));
+}
+
 }  // namespace
 
 std::optional<CircuitTask> circuit_task(const world::Document& document, const Derived& derived, const Ghost* ride) {
@@ -279,6 +294,40 @@ const CircuitProposals& CircuitMemo::update(const world::Document& document, con
   found_ = complete_circuit(*task, derived, conflicts);
   for (CircuitProposal& proposal : found_.list) proposal.plan.serial = ++serial_;
   return found_;
+}
+
+double WayJolts::worst(const CircuitProposals& found, std::size_t index, const world::Document& open,
+                       std::uint64_t serial, world::Entity cart, double cutoff) {
+  COASTER_CHECK(index < found.list.size(), "the jolt of a proposal that is not there");
+  const CircuitProposal& proposal = found.list[index];
+  return kept_[index].get({proposal.plan.serial, serial, cart, cutoff}, [&] {
+    const std::size_t end = open.track.knots.size() - 1;
+    world::Document document = open;
+    close_by(document, proposal);
+    world::Settings settings;
+    settings.evaluation->steps = 1;
+    derive(document, settings, {}, closed_);
+    const Ghost* const ride = rides_.ride(document, closed_, cart);
+    if (ride == nullptr) return 0.0;
+    const std::vector<Jolt> all = jolts(*ride, cutoff);
+    double most = all.empty() ? 0.0 : all.front().total;
+    for (std::size_t k = end; k < all.size(); ++k) most = std::max(most, all[k].total);
+    return most;
+  });
+}
+
+ChangedWay changed_way(const WayChange& change, OpenedTrack& opened) {
+  const double square = square_at_start(change), former_square = change.former.speed * change.former.speed;
+  if (square < std::min(1.0, former_square)) return {.refusal = out_of_reach(change.risen)};
+  opened.update(change.opened);
+  CircuitTask task = *circuit_task(change.opened, opened.derived, nullptr);
+  task.speed = std::sqrt(square), task.coasts = change.former.coasts, task.losses = change.losses;
+  CircuitProposals found = complete_again({change.former, change.lengths}, task, opened.derived, opened.conflicts);
+  const bool another = found.list.empty() && change.whole;
+  if (another) found = complete_circuit(task, opened.derived, opened.conflicts);
+  if (found.list.empty()) return {.refusal = "the closing section cannot take up the change: " + found.refusal};
+  CircuitProposal& best = found.list.front();
+  return {.fit = std::move(best.plan.fit), .way = best.way, .another = another};
 }
 
 }  // namespace coaster::sim

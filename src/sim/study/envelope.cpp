@@ -28,15 +28,15 @@ struct Section {
 };
 
 // Returns the seat's axis of a limit.
-float Force::*seat_axis(ForceAxis axis) {
+float Felt::*seat_axis(ForceAxis axis) {
   switch (axis) {
     case ForceAxis::down:
-    case ForceAxis::lift: return &Force::up;
-    case ForceAxis::side: return &Force::left;
+    case ForceAxis::lift: return &Felt::up;
+    case ForceAxis::side: return &Felt::left;
     case ForceAxis::forward:
-    case ForceAxis::back: return &Force::forward;
+    case ForceAxis::back: return &Felt::forward;
   }
-  return &Force::up;
+  return &Felt::up;
 }
 
 // For each entry the longest run around it with no value below its own: [first, last].
@@ -96,42 +96,9 @@ void find_spans(const Ghost& ghost, const Envelope& envelope, int car, ForceAxis
   }
 }
 
-}  // namespace
-
-const Envelope& default_envelope() {
-  static const Envelope kDefault{
-      {EnvelopeCurve{{0.2, 6}, {1, 6}, {2, 4}, {4, 4}, {5, 3}, {11.8, 3}, {12, 2}},
-       EnvelopeCurve{{0.2, 2}, {0.5, 1.5}, {4, 1.5}, {7, 1.1}}, EnvelopeCurve{{0.2, 3}, {1, 3}, {2, 2}},
-       EnvelopeCurve{{0.2, 6}, {1, 6}, {2, 4}, {4, 4}, {5, 3}, {11.8, 3}, {12, 2.5}},
-       EnvelopeCurve{{0.2, 3.5}, {2, 3.5}, {3, 2.5}, {4, 2.5}, {5, 2}}},
-      0.2,
-      5.0};
-  return kDefault;
-}
-
-double limit(const EnvelopeCurve& curve, double seconds) {
-  if (curve.empty()) return 1e9;
-  if (seconds <= curve.front().seconds) return curve.front().g;
-  for (std::size_t i = 1; i < curve.size(); ++i) {
-    if (seconds > curve[i].seconds) continue;
-    const double part = (seconds - curve[i - 1].seconds) / (curve[i].seconds - curve[i - 1].seconds);
-    return curve[i - 1].g + part * (curve[i].g - curve[i - 1].g);
-  }
-  return curve.back().g;
-}
-
-void low_pass(std::span<float> values, double rate, double cutoff) {
-  if (values.empty()) return;
-  // The two pole pairs of a fourth-order Butterworth filter.
-  Section(rate, cutoff, 0.54119610014619698).run(values);
-  Section(rate, cutoff, 1.30656296487637652).run(values);
-}
-
-namespace {
-
 // Returns low-passed felt g of a car that passes tight bends: what happens between two entries counts when it happens,
 // at kFiner times their rate. An entry shows the peak next to it, if there is one.
-std::vector<float> low_passed_finely(const Ghost& ghost, int car, float Force::*axis, double cutoff,
+std::vector<float> low_passed_finely(const Ghost& ghost, int car, float Felt::*axis, double cutoff,
                                      std::span<const float> entries) {
   constexpr std::size_t kFiner = 8;
   constexpr double kRate = kFiner * kForceRate;
@@ -179,12 +146,38 @@ std::vector<float> low_passed_finely(const Ghost& ghost, int car, float Force::*
 
 }  // namespace
 
-std::vector<float> low_passed_g(const Ghost& ghost, int car, float Force::*axis, double cutoff) {
-  const auto cars = static_cast<std::size_t>(ghost.start.cars);
-  std::vector<float> values;
-  values.reserve(ghost.forces.size() / cars);
-  for (std::size_t i = static_cast<std::size_t>(car); i < ghost.forces.size(); i += cars)
-    values.push_back(ghost.forces[i].*axis);
+const Envelope& default_envelope() {
+  static const Envelope kDefault{
+      {EnvelopeCurve{{0.2, 6}, {1, 6}, {2, 4}, {4, 4}, {5, 3}, {11.8, 3}, {12, 2}},
+       EnvelopeCurve{{0.2, 2}, {0.5, 1.5}, {4, 1.5}, {7, 1.1}}, EnvelopeCurve{{0.2, 3}, {1, 3}, {2, 2}},
+       EnvelopeCurve{{0.2, 6}, {1, 6}, {2, 4}, {4, 4}, {5, 3}, {11.8, 3}, {12, 2.5}},
+       EnvelopeCurve{{0.2, 3.5}, {2, 3.5}, {3, 2.5}, {4, 2.5}, {5, 2}}},
+      0.2,
+      5.0};
+  return kDefault;
+}
+
+double limit(const EnvelopeCurve& curve, double seconds) {
+  if (curve.empty()) return 1e9;
+  if (seconds <= curve.front().seconds) return curve.front().g;
+  for (std::size_t i = 1; i < curve.size(); ++i) {
+    if (seconds > curve[i].seconds) continue;
+    const double part = (seconds - curve[i - 1].seconds) / (curve[i].seconds - curve[i - 1].seconds);
+    return curve[i - 1].g + part * (curve[i].g - curve[i - 1].g);
+  }
+  return curve.back().g;
+}
+
+void low_pass(std::span<float> values, double rate, double cutoff) {
+  if (values.empty()) return;
+  // The two pole pairs of a fourth-order Butterworth filter.
+  Section(rate, cutoff, 0.54119610014619698).run(values);
+  Section(rate, cutoff, 1.30656296487637652).run(values);
+}
+
+std::vector<float> low_passed_g(const Ghost& ghost, int car, float Felt::*axis, double cutoff) {
+  std::vector<float> values(ghost.entries());
+  for (std::size_t k = 0; k < values.size(); ++k) values[k] = ghost.felt(k, car).*axis;
   if (values.size() > 1 &&
       std::ranges::any_of(ghost.bends, [&](const BendPassage& bend) { return bend.peak.car == car; }))
     return low_passed_finely(ghost, car, axis, cutoff, values);

@@ -48,7 +48,7 @@ void low_pass(std::span<float> values, double rate, double cutoff);
 // entry includes the impulses of the joints that the car has passed since the previous entry, divided by the time
 // between entries; what entries miss beside joints (Passage::missed) is added to both. The rides of a car through tight
 // bends (Ghost::bends) are filtered at a higher rate, and an entry shows a peak within half an entry of it.
-std::vector<float> low_passed_g(const Ghost& ghost, int car, float Force::*axis, double cutoff);
+std::vector<float> low_passed_g(const Ghost& ghost, int car, float Felt::*axis, double cutoff);
 
 // Returns the same on an axis of the limits, positive in the direction that it limits (side: absolute).
 std::vector<float> pressed(const Ghost& ghost, int car, ForceAxis axis, double cutoff);

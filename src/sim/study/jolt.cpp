@@ -49,7 +49,7 @@ const Responses& responses() {
   return kResponses;
 }
 
-glm::vec3 vector_of(const Force& force) { return {force.forward, force.left, force.up}; }
+glm::vec3 vector_of(const Felt& force) { return {force.forward, force.left, force.up}; }
 
 // Updates `found` with the larger of each value.
 void take(const Jolt& one, Jolt& found) {

@@ -2,17 +2,98 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <limits>
+#include <tuple>
+#include <utility>
 
+#include <fmt/format.h>
+
+#include "base/interrupted.h"
 #include "base/units.h"
+#include "sim/solids/supports.h"
+#include "sim/solids/track_mesh.h"
 #include "sim/study/jolt.h"
+#include "sim/study/riders.h"
 #include "sim/study/wheel_loads.h"
 
 namespace coaster::sim {
 namespace {
 
+using glm::dvec3;
+
+constexpr double kStep = 2;               // m, of chords and samples
+constexpr double kLeastCell = 8;          // m, of cells; as wide as longer chords
+constexpr double kMostChordsInAll = 2e5;  // longer tracks have longer chords
+constexpr double kSpineDrop = 0.3;        // m below the rails
+
+// A chord of track or a bar of a support.
+struct Thing {
+  dvec3 from, to;
+  double reach;       // m, from its axis to a head that it nearly misses
+  double begin, end;  // m along the track; of a bar: of the segment that it holds
+  bool support;
+};
+
+// Things by the cells that they touch: chords in space, since track may be as high as it is long; bars, which are as
+// high as the track that they hold, in plan.
+class Cells {
+ public:
+  explicit Cells(double width) : width_(width) {}
+  void add(const Thing& thing) {
+    const dvec3 low = glm::min(thing.from, thing.to) - thing.reach, high = glm::max(thing.from, thing.to) + thing.reach;
+    const int bottom = thing.support ? kAllHeights : cell(low.y), top = thing.support ? kAllHeights : cell(high.y);
+    for (int x = cell(low.x); x <= cell(high.x); ++x)
+      for (int z = cell(low.z); z <= cell(high.z); ++z)
+        for (int y = bottom; y <= top; ++y) entries_.emplace_back(x, z, y, things_.size());
+    things_.push_back(thing);
+  }
+  void sort() { std::sort(entries_.begin(), entries_.end()); }
+  template <class Visit>
+  void visit(dvec3 place, const Visit& visit) const {
+    const int x = cell(place.x), z = cell(place.z);
+    for (const int y : {kAllHeights, cell(place.y)})
+      for (auto i = std::lower_bound(entries_.begin(), entries_.end(), Entry(x, z, y, 0));
+           i != entries_.end() && std::tie(std::get<0>(*i), std::get<1>(*i), std::get<2>(*i)) == std::tie(x, z, y); ++i)
+        visit(things_[std::get<3>(*i)]);
+  }
+
+ private:
+  using Entry = std::tuple<int, int, int, std::size_t>;  // x, z, y, index of the thing
+  static constexpr int kAllHeights = std::numeric_limits<int>::min();
+  int cell(double v) const { return static_cast<int>(std::floor(v / width_)); }
+  double width_;  // m
+  std::vector<Thing> things_;
+  std::vector<Entry> entries_;
+};
+
+Cells cells_of(const Derived& derived, const Supports* supports, double step) {
+  Cells cells(std::max(kLeastCell, step));
+  for (std::size_t i = 0; i < derived.order.size(); ++i) {
+    const SegmentShape& shape = derived.shape_at(i);
+    const double length = shape.arc.length();
+    const int chords = std::max(1, static_cast<int>(std::ceil(length / step)));
+    dvec3 before(0);
+    for (int k = 0; k <= chords && !base::interrupted(); ++k) {
+      const dvec3 here = ring_at(shape, length * k / chords).place(0, -kSpineDrop);
+      if (k > 0)
+        cells.add({before, here, kNearTrack, derived.starts[i] + length * (k - 1) / chords,
+                   derived.starts[i] + length * k / chords, false});
+      before = here;
+    }
+    const SegmentSupports* const held = supports != nullptr ? supports->of(derived.order[i]) : nullptr;
+    if (held == nullptr) continue;
+    for (const Bar& bar : held->bars)
+      cells.add({dvec3(bar.from), dvec3(bar.to), kNearBar + double{std::max(bar.from_radius, bar.to_radius)},
+                 derived.starts[i], derived.starts[i + 1], true});
+  }
+  cells.sort();
+  return cells;
+}
+
 void take(Extreme& extreme, double value, bool first, bool larger, std::size_t sample, int car, const Ghost& ghost) {
   if (!first && !(larger ? value > extreme.value : value < extreme.value)) return;
-  extreme = {value, static_cast<double>(sample) * world::kTick, ghost.distance(sample, car), car};
+  extreme = {value, Ghost::time_of(sample), ghost.distance(sample, car), car};
 }
 
 // Updates `extreme` with the largest of a car's low-passed values on one axis.
@@ -43,7 +124,7 @@ void take_wheels(const Ghost& ghost, double cutoff, Ratings& r) {
                              side = pressed(ghost, car, ForceAxis::side, cutoff),
                              forward = pressed(ghost, car, ForceAxis::forward, cutoff);
     for (std::size_t i = 0; i < up.size(); ++i) {
-      const Wheels all = wheel_loads(Felt{up[i], side[i], forward[i]}, body).of(WheelSet::car);
+      const Wheels all = wheel_loads(Felt{forward[i], side[i], up[i]}, body).of(WheelSet::car);
       const bool first = car == 0 && i == 0;
       take(r.road_most, all.road, first, true, ghost.sample_of(i), car, ghost);
       take(r.up_stop_most, all.up_stop, first, true, ghost.sample_of(i), car, ghost);
@@ -104,7 +185,52 @@ void count_inversions(const Ghost& ghost, const RailTables& tables, Ratings& r) 
 // Returns 0 at 0, 1/2 at `half`, and approaches 1.
 double share(double value, double half) { return value > 0 ? value / (value + half) : 0.0; }
 
+template <class... Values>
+void add(std::string& out, fmt::format_string<Values...> format, Values&&... values) {
+  fmt::format_to(std::back_inserter(out), format, std::forward<Values>(values)...);
+}
+
+void add_extreme(std::string& out, const Figure& figure) {
+  const Extreme& e = figure.at;
+  add(out, "  {:<22} {:>8} {:<4} at {:7.1f} m, {:6.2f} s, car {}\n", figure.name,
+      base::figure_text(e.value, 2, figure.unit), figure.unit, e.distance, e.seconds, e.car + 1);
+}
+
 }  // namespace
+
+NearMisses near_misses(const Ghost& ghost, const Derived& derived, const Supports* supports) {
+  NearMisses found;
+  if (derived.order.empty() || ghost.samples.empty()) return found;
+  const double step = std::max(kStep, derived.length / kMostChordsInAll);
+  const Cells cells = cells_of(derived, supports, step);
+  const auto apart = [&](const Thing& thing, double at) {
+    const double gap = std::max({0.0, thing.begin - at, at - thing.end});
+    return derived.closed ? std::min({gap, thing.begin + derived.length - at, at + derived.length - thing.end}) : gap;
+  };
+  constexpr double kNever = -std::numeric_limits<double>::infinity();
+  double next = 0, last_track = kNever, last_support = kNever;
+  for (std::size_t i = 0; i < ghost.samples.size() && !base::interrupted(); ++i) {
+    const GhostSample& sample = ghost.samples[i];
+    if (sample.travelled < next) continue;
+    if (ghost.closed && sample.travelled > derived.length) break;
+    next = sample.travelled + kStep;
+    if (sample.speed < kSlowestMiss) continue;
+    const double at = ghost.distance(i);
+    const TrackPlace place = place_at(derived, at);
+    const dvec3 head = ring_at(derived.shape_at(place.index), place.s).place(0, kHead);
+    bool by_track = false, by_support = false;
+    cells.visit(head, [&](const Thing& thing) {
+      bool& near = thing.support ? by_support : by_track;
+      near =
+          near || (apart(thing, at) > kMissApart && distance_between(thing.from, thing.to, head, head) < thing.reach);
+    });
+    if (by_track && sample.travelled - last_track > kMissApart) ++found.track;
+    if (by_support && sample.travelled - last_support > kMissApart) ++found.supports;
+    if (by_track) last_track = sample.travelled;
+    if (by_support) last_support = sample.travelled;
+  }
+  return found;
+}
 
 double excitement_of(const Ratings& r) {
   constexpr double kMostUp = 5, kJoltFelt = 1, kJoltWeight = 0.25, kOverloadWeight = 2;
@@ -139,6 +265,87 @@ Ratings rate(const Ghost& ghost, const RailTables& tables, double cutoff, const 
   r.intensity = 0.8 * p + 0.8 * (1 - n) + l + 0.14 * d + 0.0098 * h;
   r.nausea = 0.26 * p + 0.22 * (1 - n) + 0.33 * l + 0.10 * d + 0.0031 * h;
   return r;
+}
+
+std::vector<Figure> report_figures(const Ratings& r, std::span<const Rider> riders) {
+  return {{"top speed", "m/s", r.top_speed},
+          {"highest", "m", r.highest},
+          {"lowest", "m", r.lowest},
+          {"most vertical", "g", r.up_most},
+          {"least vertical", "g", r.up_least},
+          {"most lateral", "g", r.side_most},
+          {"most forwards", "g", r.forward_most},
+          {"most backwards", "g", r.back_most},
+          {"most on road wheels", "kN", r.road_most},
+          {"most on up-stops", "kN", r.up_stop_most},
+          {"most on side wheels", "kN", r.side_load_most},
+          {"most jerk", "g/s", most_of(riders, RideValue::jerk)},
+          {"most roll rate", "deg/s", most_of(riders, RideValue::roll_rate)},
+          {"most roll acceleration", "deg/s^2", most_of(riders, RideValue::roll_acceleration)},
+          {"largest jolt", "g", r.jolt_most}};
+}
+
+std::string report_text(const Ghost& ghost, const Ratings& r, std::span<const Rider> riders,
+                        std::span<const RedSpan> red, const std::string& track_name) {
+  std::string out = track_name + "\n";
+  add(out, "  {:<22} {:8.2f} m\n", "length", r.length);
+  add(out, "  {:<22} {:8.2f} s{}\n", ghost.lap ? "lap" : "time", r.seconds, ghost.lap ? "" : " (no complete lap)");
+  if (ghost.end != world::FailureKind::none)
+    add(out, "  {:<22} {} at {:.1f} m\n", "end", base::name_of(ghost.end), ghost.distance(ghost.samples.size() - 1));
+  add(out, "  {:<22} {:8}, {} m apart\n", "cars", ghost.start.cars, static_cast<int>(std::lround(ghost.start.spacing)));
+  for (const Figure& figure : report_figures(r, riders)) {
+    const std::string_view name = figure.name;
+    if (name == "most vertical" && !riders.empty())
+      add(out, "  {:<22} low-passed at {:.3g} Hz, of all cars\n", "felt g", riders.front().cutoff);
+    add_extreme(out, figure);
+    if (name == "top speed") add(out, "  {:<22} {:8.2f} m/s\n", "mean speed", r.mean_speed);
+  }
+  add(out, "  {:<22} {:8.2f} s\n", "airtime", r.airtime);
+  add(out, "  {:<22} {:8}, highest {:.2f} m\n", "drops", r.drops, r.highest_drop);
+  add(out, "  {:<22} {:8}\n", "inversions", r.inversions);
+  add(out, "  {:<22} {:8.2f}, intensity {:.2f}, nausea {:.2f} (docs/ride.md)\n", "excitement", r.excitement,
+      r.intensity, r.nausea);
+  add(out, "  {:<22} {:8} (force limits by duration; not a compliance check)\n", "overloads", red.size());
+  for (const RedSpan& span : red)
+    add(out, "    car {:2}, {:<22} {:>6} g, limit {:.2f} g, {:.2f}..{:.2f} s, {:.1f}..{:.1f} m\n", span.car + 1,
+        base::row_of(span.axis).label, base::figure_text(signed_g(span.axis, span.worst), 2, "g"),
+        signed_g(span.axis, span.allowed), span.from, span.to, span.from_distance, span.to_distance);
+  return out;
+}
+
+std::string report_csv(const Ghost& ghost, std::span<const Rider> riders) {
+  std::string out = "time_s,distance_m,speed_m_s,height_m,acceleration_m_s2";
+  for (int car = 1; car <= ghost.start.cars; ++car)
+    add(out,
+        ",up_{0}_g,left_{0}_g,forward_{0}_g,road_front_{0}_kN,road_rear_{0}_kN,up_stop_front_{0}_kN,"
+        "up_stop_rear_{0}_kN,side_left_{0}_kN,side_right_{0}_kN",
+        car);
+  for (int car = 1; car <= ghost.start.cars; ++car)
+    add(out, ",jerk_up_{0}_g_s,jerk_left_{0}_g_s,jerk_forward_{0}_g_s,roll_rate_{0}_deg_s,roll_acceleration_{0}_deg_s2",
+        car);
+  out += '\n';
+  for (std::size_t k = 0; k < ghost.entries(); ++k) {
+    const std::size_t sample = ghost.sample_of(k);
+    add(out, "{:.6f},{:.4f},{:.4f},{:.4f},{:.4f}", Ghost::time_of(sample), ghost.distance(sample),
+        ghost.samples[sample].speed, riders[0].samples[k].height, ghost.samples[sample].acceleration);
+    for (int car = 0; car < ghost.start.cars; ++car) {
+      const Felt& f = ghost.felt(k, car);
+      const WheelLoads loads = wheel_loads(ghost, k, car);
+      const Wheels front = loads.of(WheelSet::front), rear = loads.of(WheelSet::rear);
+      for (const double g : {f.up, f.left, f.forward}) add(out, ",{:.4f}", base::limited_figure(g, "g"));
+      for (const double load : {front.road, rear.road, front.up_stop, rear.up_stop, loads.of(WheelSet::left).side,
+                                loads.of(WheelSet::right).side})
+        add(out, ",{:.4f}", base::limited_figure(load, "kN"));
+    }
+    for (const Rider& rider : riders) {
+      const RiderSample& s = rider.samples[k];
+      for (const double jerk : {s.jerk.up, s.jerk.left, s.jerk.forward})
+        add(out, ",{:.4f}", base::limited_figure(jerk, "g/s"));
+      add(out, ",{:.4f},{:.4f}", s.roll_rate, s.roll_acceleration);
+    }
+    out += '\n';
+  }
+  return out;
 }
 
 }  // namespace coaster::sim

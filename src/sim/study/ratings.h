@@ -1,21 +1,17 @@
-// The figures of a ride, and the ratings that park games derive from them.
+// The figures of a ride, the ratings that park games derive from them, near misses, and the report.
 #pragma once
 
 #include <span>
 #include <string>
+#include <vector>
 
+#include "sim/ride/ghost.h"
 #include "sim/study/envelope.h"
 #include "sim/study/riders.h"
 
 namespace coaster::sim {
 
-// An extreme value, its time and its position.
-struct Extreme {
-  double value = 0;
-  double seconds = 0;   // since the start
-  double distance = 0;  // m along the track, of that car
-  int car = 0;
-};
+class Supports;
 
 struct Ratings {
   bool complete = false;                            // completed the lap, or reached the end of an open track
@@ -59,5 +55,29 @@ Ratings rate(const Ghost& ghost, const RailTables& tables, double cutoff, const 
 std::string report_text(const Ghost& ghost, const Ratings& ratings, std::span<const Rider> riders,
                         std::span<const RedSpan> red, const std::string& track_name);
 std::string report_csv(const Ghost& ghost, std::span<const Rider> riders);
+
+// An extreme value of the report: "top speed", in m/s.
+struct Figure {
+  const char *name, *unit;
+  Extreme at;
+};
+// Returns the report's extreme values, in its order; `riders`: all cars, first to last.
+std::vector<Figure> report_figures(const Ratings& ratings, std::span<const Rider> riders);
+
+struct NearMisses {
+  int track = 0, supports = 0;
+  int count() const { return track + supports; }
+};
+
+// Height of a rider's head above the rails, and the distance of a near miss from it, m: to the middle of other track,
+// and to the surface of a support's bar.
+inline constexpr double kHead = 1.5, kNearTrack = 3.0, kNearBar = 2.2;
+inline constexpr double kSlowestMiss = 5;  // m/s: slower passes do not count
+inline constexpr double kMissApart =
+    12;  // m along the rails: closer parts are one stretch, and closer near misses are one
+
+// Counts the near misses of the first lap, for the first car's riders; without `supports` only those of track. About a
+// microsecond per metre of track and of ride.
+NearMisses near_misses(const Ghost& ghost, const Derived& derived, const Supports* supports);
 
 }  // namespace coaster::sim

@@ -2,10 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "base/check.h"
 #include "base/portable_math.h"
+#include "sim/ride/ghost.h"
 #include "sim/study/envelope.h"
+#include "world/laboratory.h"
 
 namespace coaster::sim {
 namespace {
@@ -13,12 +16,12 @@ namespace {
 constexpr double kRate = static_cast<double>(world::kTicksPerSecond) / kForceEvery;  // entries per second
 constexpr double kDegrees = 180.0 / base::kPi;
 
-double magnitude(const Force& force) {
+double magnitude(const Felt& force) {
   const double up = force.up, left = force.left, forward = force.forward;
   return std::sqrt(up * up + left * left + forward * forward);
 }
 
-void fill_jerk(const Ghost& ghost, int car, float Force::*axis, double cutoff, std::vector<RiderSample>& samples) {
+void fill_jerk(const Ghost& ghost, int car, float Felt::*axis, double cutoff, std::vector<RiderSample>& samples) {
   const std::vector<float> felt = low_passed_g(ghost, car, axis, cutoff);
   for (std::size_t k = 0; k < felt.size(); ++k) {
     const std::size_t before = k > 0 ? k - 1 : k, after = std::min(k + 1, felt.size() - 1);
@@ -44,10 +47,76 @@ void fill_roll_and_height(const Ghost& ghost, int car, const RailTables& tables,
   }
 }
 
+// The entries at which a car is farther along than ever before, by position.
+class Passages {
+ public:
+  explicit Passages(const Rider& rider) : rider_(rider) {
+    const bool backwards = runs_backwards(*rider.ghost);
+    for (std::size_t k = 0; k < rider.entries(); ++k) {
+      const double place = rider.place(k);
+      if (places_.empty() || (backwards ? place < places_.back() : place > places_.back()))
+        places_.push_back(place), entries_.push_back(k);
+    }
+    if (backwards) std::reverse(places_.begin(), places_.end()), std::reverse(entries_.begin(), entries_.end());
+  }
+  const std::vector<double>& places() const { return places_; }
+  const std::vector<std::size_t>& entries() const { return entries_; }
+
+  // A position between two entries.
+  struct Between {
+    std::size_t from, to;
+    double part;
+  };
+  std::optional<Between> find(double place) const {
+    if (const auto here = within(place)) return here;
+    if (!rider_.ghost->closed) return std::nullopt;
+    const double length = rider_.ghost->track_length;
+    if (const auto later = within(place + length)) return later;
+    return within(place - length);
+  }
+  double value(const Between& at, RideValue value) const {
+    const double from = rider_.value(at.from, value);
+    return at.part == 0 ? from : from + at.part * (rider_.value(at.to, value) - from);
+  }
+
+ private:
+  std::optional<Between> within(double place) const {
+    if (places_.empty() || !(place >= places_.front() && place <= places_.back())) return std::nullopt;
+    const auto above = std::upper_bound(places_.begin(), places_.end(), place);
+    const auto i = static_cast<std::size_t>(above - places_.begin()) - 1;
+    if (above == places_.end()) return Between{entries_[i], entries_[i], 0};
+    return Between{entries_[i], entries_[i + 1], (place - places_[i]) / (places_[i + 1] - places_[i])};
+  }
+
+  Rider rider_;
+  std::vector<double> places_;
+  std::vector<std::size_t> entries_;
+};
+
+double time_of(const Ghost& ghost, std::size_t entry) { return Ghost::time_of(ghost.sample_of(entry)); }
+
+// Fills the curves at `count` points; of(rider, point, value) returns nothing for a car that does not count there.
+template <class Of>
+void fill(std::size_t riders, std::size_t count, const Of& of, SeatCurves& curves) {
+  constexpr double kNone = std::numeric_limits<double>::infinity();
+  for (std::size_t v = 0; v < kRideValueCount; ++v) {
+    std::vector<double>&least = curves.least[v], &most = curves.most[v];
+    least.assign(count, kNone);
+    if (riders > 1) most.assign(count, -kNone);
+    for (std::size_t i = 0; i < riders; ++i)
+      for (std::size_t k = 0; k < count; ++k) {
+        const std::optional<double> value = of(i, k, static_cast<RideValue>(v));
+        if (!value) continue;
+        least[k] = std::min(least[k], *value);
+        if (riders > 1) most[k] = std::max(most[k], *value);
+      }
+  }
+}
+
 }  // namespace
 
 double Rider::value(std::size_t k, RideValue value) const {
-  const Force& force = ghost->forces[k * static_cast<std::size_t>(ghost->start.cars) + static_cast<std::size_t>(car)];
+  const Felt& force = ghost->felt(k, car);
   switch (value) {
     case RideValue::vertical: return force.up;
     case RideValue::lateral: return force.left;
@@ -73,7 +142,7 @@ void Riders::update(const Ghost& ghost, const RailTables& tables, const Derived&
     std::vector<RiderSample>& samples = samples_[static_cast<std::size_t>(car)];
     if (!samples.empty()) continue;
     samples.resize(Rider{&ghost}.entries());
-    for (float Force::*const axis : {&Force::up, &Force::left, &Force::forward})
+    for (float Felt::*const axis : {&Felt::up, &Felt::left, &Felt::forward})
       fill_jerk(ghost, car, axis, cutoff, samples);
     fill_roll_and_height(ghost, car, tables, derived, samples);
   }
@@ -89,6 +158,69 @@ std::vector<Rider> Riders::cars(CarRange range) const {
   std::vector<Rider> riders;
   for (int i = range.first; i <= range.last; ++i) riders.push_back(car(i));
   return riders;
+}
+
+CarRange cars_of(world::Seat seat, int own, int cars) {
+  const int last = std::max(0, cars - 1), chosen = std::clamp(own - 1, 0, last);
+  switch (seat) {
+    case world::Seat::front: return {0, 0};
+    case world::Seat::middle: return {cars / 2, cars / 2};
+    case world::Seat::back: return {last, last};
+    case world::Seat::all: return {0, last};
+    case world::Seat::car: return {chosen, chosen};
+  }
+  return {};
+}
+
+SeatCurves curves_by_place(std::span<const Rider> riders) {
+  std::vector<Passages> passages;
+  for (const Rider& rider : riders) passages.emplace_back(rider);
+  const Passages& grid = passages[riders.size() / 2];
+  const std::size_t count = grid.places().size();
+  SeatCurves curves;
+  curves.place = grid.places();
+  for (const std::size_t entry : grid.entries()) curves.time.push_back(time_of(*riders.front().ghost, entry));
+  std::vector<std::optional<Passages::Between>> at(riders.size() * count);
+  for (std::size_t i = 0; i < riders.size(); ++i)
+    for (std::size_t k = 0; k < count; ++k) at[i * count + k] = passages[i].find(curves.place[k]);
+  fill(
+      riders.size(), count,
+      [&](std::size_t i, std::size_t k, RideValue value) {
+        const auto& between = at[i * count + k];
+        return between ? std::optional(passages[i].value(*between, value)) : std::nullopt;
+      },
+      curves);
+  return curves;
+}
+
+SeatCurves curves_by_time(std::span<const Rider> riders) {
+  const Rider& middle = riders[riders.size() / 2];
+  SeatCurves curves;
+  for (std::size_t k = 0; k < middle.entries(); ++k)
+    curves.place.push_back(middle.place(k)), curves.time.push_back(time_of(*middle.ghost, k));
+  fill(
+      riders.size(), middle.entries(),
+      [&](std::size_t i, std::size_t k, RideValue value) { return std::optional(riders[i].value(k, value)); }, curves);
+  return curves;
+}
+
+std::optional<double> value_at(const Rider& rider, double distance, RideValue value) {
+  if (value == RideValue::speed) {
+    const auto passing = Passings(*rider.ghost).at(distance, rider.car * rider.ghost->start.spacing);
+    return passing ? std::optional(passing->speed) : std::nullopt;
+  }
+  const Passages passages(rider);
+  const auto at = passages.find(distance);
+  return at ? std::optional(passages.value(*at, value)) : std::nullopt;
+}
+
+Extreme most_of(std::span<const Rider> riders, RideValue value) {
+  Extreme most;
+  for (const Rider& rider : riders)
+    for (std::size_t k = 0; k < rider.entries(); ++k)
+      if (const double here = rider.value(k, value); std::abs(here) > std::abs(most.value))
+        most = {here, time_of(*rider.ghost, k), rider.ghost->distance(rider.ghost->sample_of(k), rider.car), rider.car};
+  return most;
 }
 
 }  // namespace coaster::sim

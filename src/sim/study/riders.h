@@ -1,13 +1,19 @@
-// What the riders of each car feel along a simulated ride, one sample per entry of Ghost::forces. Reads the finished
-// ride, so that nothing is simulated twice.
+// What the riders of each car and seat feel along a simulated ride, one sample per entry of Ghost::forces. Reads the
+// finished ride, so that nothing is simulated twice.
 #pragma once
 
+#include <array>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string_view>
 #include <vector>
 
 #include "sim/ride/ghost.h"
+
+namespace coaster::world {
+enum class Seat : std::uint8_t;  // world/laboratory.h
+}
 
 namespace coaster::sim {
 
@@ -46,7 +52,7 @@ constexpr std::span<const RideValueRow> rows_of(RideValue) { return kRideValues;
 inline constexpr std::size_t kRideValueCount = std::size(kRideValues);
 
 struct RiderSample {
-  Force jerk{0, 0, 0};          // g/s on the seat's axes
+  Felt jerk{0, 0, 0};           // g/s on the seat's axes
   float roll_rate = 0;          // deg/s
   float roll_acceleration = 0;  // deg/s^2
   float height = 0;             // m, of the rails
@@ -64,7 +70,7 @@ struct Rider {
   std::span<const RiderSample> samples;  // may be empty where needs_samples() is false
   double cutoff = 0;                     // Hz, of the jerk's low-pass
 
-  std::size_t entries() const { return ghost->forces.size() / static_cast<std::size_t>(ghost->start.cars); }
+  std::size_t entries() const { return ghost->entries(); }
   // Returns the car's distance along the track at entry k, m: on a closed track without subtracting laps.
   double place(std::size_t k) const {
     return ghost->start.front + ghost->samples[ghost->sample_of(k)].travelled - car * ghost->start.spacing;
@@ -97,5 +103,36 @@ class Riders {
   double cutoff_ = 0;
   std::vector<std::vector<RiderSample>> samples_;  // by car; empty: not computed
 };
+
+// Returns the cars of a seat in a train of `cars` cars. `own`: the car of Seat::car, from 1; beyond the last car it is
+// the last one.
+CarRange cars_of(world::Seat seat, int own, int cars);
+
+// Curves along a ride. For several cars: the smallest and the largest value; for one car `most` is empty.
+struct SeatCurves {
+  std::vector<double> place, time;  // position of the middle car: m as by Rider::place, s since the start
+  std::array<std::vector<double>, kRideValueCount> least, most;
+};
+// Returns the curves by position: each car's value when it first reaches the position, so `place` ascends even if the
+// train stops, rolls back or starts backwards. Positions one lap apart on a closed track are equal. A car that does not
+// reach a position does not count there.
+SeatCurves curves_by_place(std::span<const Rider> riders);
+// Returns the curves by time: all cars at the same moment. `time` ascends.
+SeatCurves curves_by_time(std::span<const Rider> riders);
+
+// Returns the car's value when it first reaches a distance along the track (m), linear between entries but for the
+// speed (Passings); nothing if it does not reach it.
+std::optional<double> value_at(const Rider& rider, double distance, RideValue value);
+
+// An extreme value, its time and its position.
+struct Extreme {
+  double value = 0;
+  double seconds = 0;   // since the start
+  double distance = 0;  // m along the track, of that car
+  int car = 0;
+};
+
+// Returns the value with the largest magnitude of all these cars, with its sign.
+Extreme most_of(std::span<const Rider> riders, RideValue value);
 
 }  // namespace coaster::sim

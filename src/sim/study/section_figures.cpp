@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "base/check.h"
-#include "sim/ride/passing.h"
+#include "sim/ride/ghost.h"
 
 namespace coaster::sim {
 namespace {

@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "sim/study/seat.h"
+#include "sim/study/riders.h"
 #include "world/sections.h"
 
 namespace coaster::sim {

@@ -37,9 +37,7 @@ WheelLoads wheel_loads(const world::Document& document, const Derived& derived, 
 }
 
 WheelLoads wheel_loads(const Ghost& ghost, std::size_t entry, int car) {
-  const Force& force = ghost.forces[entry * static_cast<std::size_t>(ghost.start.cars) + static_cast<std::size_t>(car)];
-  return wheel_loads(Felt{force.up, force.left, force.forward},
-                     {ghost.start.mass, ghost.start.length, ghost.heartline});
+  return wheel_loads(ghost.felt(entry, car), {ghost.start.mass, ghost.start.length, ghost.heartline});
 }
 
 }  // namespace coaster::sim

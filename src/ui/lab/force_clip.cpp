@@ -2,7 +2,7 @@
 
 #include "edit/commands/commands_force.h"
 #include "ui/lab/force_axes.h"
-#include "world/force_steps.h"
+#include "world/force.h"
 
 namespace coaster::ui {
 namespace {

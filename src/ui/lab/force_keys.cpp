@@ -16,7 +16,7 @@
 #include "ui/lab/force_axes.h"
 #include "ui/lab/force_clip.h"
 #include "ui/widgets/theme.h"
-#include "world/force_steps.h"
+#include "world/force.h"
 #include "world/panels.h"
 #include "world/sections.h"
 

@@ -14,7 +14,7 @@
 #include "base/portable_math.h"
 #include "edit/commands/commands_document.h"
 #include "edit/commands/commands_settings.h"
-#include "sim/shape/tight_bends.h"
+#include "sim/shape/folds.h"
 #include "sim/study/jolt.h"
 #include "sim/study/live_errata.h"
 #include "ui/context/rows.h"

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "sim/study/seat.h"
+#include "sim/study/riders.h"
 #include "ui/context/ui.h"
 #include "ui/plots/plot.h"
 

@@ -9,7 +9,7 @@
 #include "edit/commands/commands_shape.h"
 #include "sim/plan/force_plan.h"
 #include "sim/ride/equipment.h"
-#include "sim/shape/tight_bends.h"
+#include "sim/shape/folds.h"
 #include "ui/context/rows.h"
 #include "ui/context/setting_rows.h"
 #include "ui/tools/places.h"

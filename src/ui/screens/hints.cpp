@@ -15,7 +15,6 @@
 #include "ui/tools/places.h"
 #include "ui/tools/section_clicks.h"
 #include "ui/widgets/theme.h"
-#include "view/angle_handle.h"
 #include "view/section_handle.h"
 #include "world/aids.h"
 #include "world/panels.h"

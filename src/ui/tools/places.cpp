@@ -5,7 +5,7 @@
 #include "edit/commands/commands_challenge.h"
 #include "edit/commands/commands_settings.h"
 #include "edit/commands/set_setting.h"
-#include "sim/shape/tight_bends.h"
+#include "sim/shape/folds.h"
 #include "sim/solids/conflict.h"
 #include "sim/study/jolt.h"
 #include "world/aids.h"

@@ -10,7 +10,6 @@
 #include "edit/commands/commands_settings.h"
 #include "ui/tools/selecting.h"
 #include "ui/tools/viewport_tool.h"
-#include "view/angle_handle.h"
 #include "view/section_handle.h"
 #include "world/panels.h"
 #include "world/sections.h"

@@ -19,7 +19,6 @@
 #include "ui/tools/snap_label.h"
 #include "ui/widgets/theme.h"
 #include "view/gizmo.h"
-#include "view/spin_ring.h"
 #include "world/aids.h"
 #include "world/selection.h"
 

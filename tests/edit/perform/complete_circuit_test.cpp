@@ -97,7 +97,7 @@ void expect_felt(const sim::Ghost& ride, double from, const sim::FeltRange& prom
     const sim::GhostSample& sample = ride.samples[i * sim::kForceEvery];
     if (ride.distance(i * sim::kForceEvery) < from + 1 || sample.travelled > ride.track_length - ride.start.front)
       continue;
-    const sim::Force& f = ride.forces[i * static_cast<std::size_t>(ride.start.cars)];
+    const sim::Felt& f = ride.forces[i * static_cast<std::size_t>(ride.start.cars)];
     most = std::max(most, double{f.up}), side = std::max(side, std::abs(double{f.left}));
   }
   EXPECT_NEAR(most, promised.most, 0.25);

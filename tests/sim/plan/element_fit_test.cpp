@@ -4,7 +4,6 @@
 
 #include "base/tries.h"
 #include "curve/continuity.h"
-#include "sim/plan/element_fit.h"
 #include "sim/random_elements.h"
 #include "world/element_rows.h"
 

@@ -5,8 +5,8 @@
 
 #include "exchange/formats.h"
 #include "sim/ride/equipment.h"
+#include "sim/ride/ghost.h"
 #include "sim/ride/live_ride.h"
-#include "sim/ride/passing.h"
 #include "sim/tracks.h"
 #include "world/equipment_rows.h"
 

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <random>
 
-#include "sim/ride/ghost_tables.h"
+#include "sim/ride/ghost_detail.h"
 #include "sim/ride/ride.h"
 #include "sim/study/ratings.h"
 #include "sim/tracks.h"

@@ -1,3 +1,4 @@
+// The table of integrators.
 #include <gtest/gtest.h>
 
 #include <algorithm>

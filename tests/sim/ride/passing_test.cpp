@@ -1,4 +1,4 @@
-#include "sim/ride/passing.h"
+#include "sim/ride/ghost.h"
 
 #include <gtest/gtest.h>
 

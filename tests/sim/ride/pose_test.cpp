@@ -1,3 +1,4 @@
+// Poses of cars and what their riders feel.
 #include <gtest/gtest.h>
 
 #include "sim/ride/ride.h"

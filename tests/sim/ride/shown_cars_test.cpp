@@ -1,4 +1,5 @@
-#include "sim/ride/shown_cars.h"
+// Poses of very many cars for a picture.
+#include "sim/ride/ride.h"
 
 #include <gtest/gtest.h>
 

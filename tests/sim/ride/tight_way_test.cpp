@@ -1,7 +1,7 @@
 // Rides through bends far sharper than a tick, compared with a ride in fine steps: the heading of a plane cubic in
 // closed form, the path of a rider above it, and the low-pass as a differential equation. None of it shares code with
 // the ride.
-#include "sim/ride/tight_way.h"
+#include "sim/ride/ghost_detail.h"
 
 #include <gtest/gtest.h>
 

@@ -99,7 +99,7 @@ std::vector<Moment> over_tables(const world::Document& document, double seconds)
     const GhostSample& sample = ghost.samples[tick];
     moments.push_back({static_cast<double>(tick) * world::kTick, sample.travelled, sample.speed, {}});
     for (std::size_t car = 0; car < cars; ++car) {
-      const Force& force = ghost.forces[tick / kForceEvery * cars + car];
+      const Felt& force = ghost.forces[tick / kForceEvery * cars + car];
       moments.back().felt.push_back({force.up, force.left, force.forward});
     }
   }

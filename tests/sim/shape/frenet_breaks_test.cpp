@@ -1,3 +1,4 @@
+// Failures of Frenet frames.
 #include <gtest/gtest.h>
 
 #include <algorithm>

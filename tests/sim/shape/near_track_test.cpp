@@ -1,4 +1,5 @@
-#include "sim/shape/near_track.h"
+// Which track is near the eye.
+#include "sim/shape/detail.h"
 
 #include <gtest/gtest.h>
 

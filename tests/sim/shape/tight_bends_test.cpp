@@ -1,4 +1,5 @@
-#include "sim/shape/tight_bends.h"
+// Tight bends of the track.
+#include "sim/shape/folds.h"
 
 #include <gtest/gtest.h>
 

@@ -226,7 +226,7 @@ TEST(jolt, a_roll_that_begins_within_a_short_stretch_jolts_as_a_sudden_one) {
 
 // What a car feels by consecutive passages, 0 before them: their steps and impulses, and how felt g changes between.
 Jolt filtered(const std::vector<const Passage*>& run) {
-  const auto vector = [](const Force& f) { return glm::dvec3(f.forward, f.left, f.up); };
+  const auto vector = [](const Felt& f) { return glm::dvec3(f.forward, f.left, f.up); };
   constexpr double kDt = 4e-5;
   Filter filter(glm::dvec3(0));
   Jolt most;
@@ -263,7 +263,7 @@ TEST(jolt, joints_close_together_count_as_the_run_that_jolts_least) {
     ghost.start.cars = 2;
     for (int car = 0; car < 2; ++car) {
       double time = 1 + 0.005 * car;
-      Force felt{0, 0, 1};
+      Felt felt{0, 0, 1};
       for (int k = 0; k < 4; ++k, time += number(0.01, 0.033)) {
         Passage p;
         const float way = k % 2 == 0 ? 1.0f : -1.0f;

@@ -1,5 +1,5 @@
 // Near misses of tracks with known distances: a straight that passes over another one, and columns next to it.
-#include "sim/study/near_misses.h"
+#include "sim/study/ratings.h"
 
 #include <gtest/gtest.h>
 

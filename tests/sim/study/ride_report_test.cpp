@@ -1,11 +1,11 @@
-#include "sim/study/ride_report.h"
+// The report of a ride, as text and as CSV.
+#include "sim/study/ratings.h"
 
 #include <gtest/gtest.h>
 
 #include <sstream>
 
-#include "sim/study/ratings.h"
-#include "sim/study/seat.h"
+#include "sim/study/riders.h"
 #include "sim/tracks.h"
 
 namespace coaster::sim {

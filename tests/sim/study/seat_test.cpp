@@ -1,10 +1,12 @@
-#include "sim/study/seat.h"
+// Curves and values of a seat along a ride.
+#include "sim/study/riders.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
 #include "sim/tracks.h"
+#include "world/laboratory.h"
 
 namespace coaster::sim {
 namespace seat_test {
@@ -97,7 +99,7 @@ TEST(seat, by_time_the_band_holds_every_car_at_every_moment) {
     EXPECT_NEAR(band.time[k], static_cast<double>(k) / 60, 1e-12);
     const auto begin = ghost.forces.begin() + static_cast<std::ptrdiff_t>(k * Loop::kCars);
     const auto [least, most] =
-        std::minmax_element(begin, begin + Loop::kCars, [](const Force& a, const Force& b) { return a.left < b.left; });
+        std::minmax_element(begin, begin + Loop::kCars, [](const Felt& a, const Felt& b) { return a.left < b.left; });
     const auto side = static_cast<std::size_t>(RideValue::lateral);
     EXPECT_EQ(band.least[side][k], static_cast<double>(least->left));
     EXPECT_EQ(band.most[side][k], static_cast<double>(most->left));

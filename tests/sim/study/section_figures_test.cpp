@@ -89,7 +89,7 @@ TEST(section_figures, a_closed_track_has_all_figures_of_the_lap) {
     for (std::size_t k = 0; k < ride.ghost->forces.size(); ++k) {
       const double at = ride.ghost->distance(ride.ghost->sample_of(k));
       if (at < in || at > out) continue;
-      const Force& f = ride.ghost->forces[k];
+      const Felt& f = ride.ghost->forces[k];
       most = std::max(most, double{f.up}), least = std::min(least, double{f.up});
       side = std::max(side, std::abs(double{f.left}));
     }

@@ -1,6 +1,6 @@
 // The jolt of a way home, compared with closed forms: a jump of curvature, planted at the open end of a level straight,
 // steps the vertical g of its riders by v^2 times the jump over g.
-#include "sim/study/way_jolt.h"
+#include "sim/study/complete_circuit.h"
 
 #include <cmath>
 

@@ -4,7 +4,7 @@
 #include "edit/commands/codec.h"
 #include "edit/commands/commands_ride.h"
 #include "edit/commands/set_setting.h"
-#include "sim/study/seat.h"
+#include "sim/study/riders.h"
 #include "ui/stage.h"
 #include "world/lab_view.h"
 #include "world/look.h"

@@ -3,9 +3,8 @@
 #include "edit/commands/set_setting.h"
 #include "ui/sections_stage.h"
 #include "ui/widgets/widgets.h"
-#include "view/angle_handle.h"
+#include "view/gizmo.h"
 #include "view/section_handle.h"
-#include "view/spin_ring.h"
 #include "world/panels.h"
 #include "world/selection.h"
 

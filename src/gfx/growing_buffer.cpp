@@ -1,5 +1,4 @@
-// First-fit allocation in a growing buffer.
-#include "gfx/ranges.h"
+#include "gfx/growing_buffer.h"
 
 #include <iterator>
 

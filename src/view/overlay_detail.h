@@ -1,14 +1,80 @@
-// The laboratory's pictures over the scene: construction, frames, comb, osculating circle, rounding and Frenet
-// failures, as lines and marks. Rebuilt each frame. Each layer stays within its limit for every track size, with less
-// detail at a distance.
+// Parts of the overlay: lines and arrows of constant size on screen, the track that is close enough for detail, and the
+// laboratory's pictures over the scene. Rebuilt each frame. Each layer stays within its limit for every track size,
+// with less detail at a distance.
 #pragma once
 
+#include <algorithm>
+#include <cmath>
+#include <optional>
 #include <span>
+#include <vector>
 
 #include "sim/shape/frame_methods.h"
 #include "view/overlay.h"
 
 namespace coaster::view {
+
+// Returns pixels per metre perpendicular to the line of sight at a point; 0 behind the eye.
+class PixelScale {
+ public:
+  explicit PixelScale(const View& view);
+  double operator()(glm::dvec3 at) const;
+
+ private:
+  glm::dvec3 eye_, forward_;
+  double focal_px_;
+  bool parallel_;
+};
+
+inline std::uint32_t faded(std::uint32_t rgba, std::uint32_t alpha) { return (rgba & 0xffffff00u) | alpha; }
+
+inline void add_line(glm::dvec3 from, glm::dvec3 to, float width_px, std::uint32_t rgba, Overlay& overlay) {
+  overlay.lines.push_back({glm::vec3(from), glm::vec3(to), width_px, rgba});
+}
+
+inline void add_disc(glm::dvec3 at, float radius_px, std::uint32_t rgba, Overlay& overlay) {
+  overlay.marks.push_back({glm::vec3(at), radius_px, rgba, MarkShape::disc});
+}
+
+// Adds an arc of a ring from one angle to another, in steps of at most `step`; at(angle) is a point of the ring.
+template <class At>
+void add_arc(const At& at, double from, double to, double step, float width_px, std::uint32_t rgba, Overlay& overlay) {
+  const int steps = std::max(1, static_cast<int>(std::ceil(std::abs(to - from) / step)));
+  for (int i = 0; i < steps; ++i)
+    add_line(at(from + (to - from) * i / steps), at(from + (to - from) * (i + 1) / steps), width_px, rgba, overlay);
+}
+
+// Returns the angle (rad) about the unit axis, from `zero` m, at which a ray meets the plane of a ring; nothing if the
+// plane is seen edge-on or the ray meets its middle.
+std::optional<double> angle_on_ring(const Ray& ray, glm::dvec3 centre, glm::dvec3 axis, glm::dvec3 zero, double radius);
+
+// Returns the selected segment, or the segments at the selected knot.
+std::vector<world::Entity> selected_segments(const world::Document& document, world::Entity selected);
+
+// Returns the point `height` metres above the rails at a distance along the track.
+glm::dvec3 over_rails(const sim::Derived& derived, double distance, double height);
+
+// Adds an arrow from `from` along the unit `direction`, `length` metres long. Its head, two barbs that face the eye, is
+// omitted if the arrow points along the view.
+void add_arrow(glm::dvec3 from, glm::dvec3 direction, double length, const View& view, float width_px,
+               std::uint32_t rgba, Overlay& overlay);
+
+// Adds a round sign of constant size on screen that faces the eye: a disc with dark dots at `glyph`, in pixels to the
+// right and up.
+void add_sign(glm::dvec3 at, std::uint32_t rgba, std::span<const glm::dvec2> glyph, const View& view, float scale,
+              Overlay& overlay);
+
+// Adds a broad line over the rails between two distances along the track, m, in `pieces`.
+void add_band(const sim::Derived& derived, double from, double to, int pieces, float width_px, std::uint32_t rgba,
+              Overlay& overlay);
+
+// A segment that may be visible; segments outside the picture are not listed.
+struct SeenSegment {
+  std::size_t index = 0;    // into derived.order
+  double px_per_metre = 0;  // at its nearest point
+  double length_px = 0;
+};
+std::vector<SeenSegment> seen_segments(const sim::Derived& derived, const View& view);
 
 // 0xRRGGBBAA.
 inline constexpr std::uint32_t kConstructionColour = 0x7fd1b9ff, kCombColour = 0xb39ddbff, kCircleColour = 0xf4e9a6ff;

@@ -1,0 +1,345 @@
+// The passes of a picture. Ground and sky are drawn by shaders that follow the ray of each pixel, track and trains from
+// the same buffers as in shadow maps.
+#include "gfx/passes.h"
+
+#include <algorithm>
+#include <array>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "gfx/shader_sources.h"
+#include "gfx/sun_shadows.h"
+#include "sim/solids/track_mesh.h"
+#include "view/colour_map.h"
+
+namespace coaster::gfx {
+namespace {
+
+base::Result<Program> make_scene_program(const Gl& gl, std::size_t index) {
+  struct Row {
+    const char* name;
+    const char* defines;
+    std::string_view shared;  // after common.glsl, in both stages
+    std::string_view vertex, fragment;
+  };
+  const std::array<Row, kScenePrograms> rows{{
+      // in the order of SceneProgram
+      {"ground", "", shade_glsl(), backdrop_vert(), ground_frag()},
+      {"ground_shadow", "", shade_glsl(), backdrop_vert(), ground_shadow_frag()},
+      {"sky", "", "", backdrop_vert(), sky_frag()},
+      {"solid", "", shade_glsl(), mesh_vert(), mesh_frag()},
+      {"outline", "#define OUTLINE\n", shade_glsl(), mesh_vert(), mesh_frag()},
+      {"shadow", "#define SHADOW\n", "", mesh_vert(), shadow_frag()},
+      {"polyline", "", line_glsl(), polyline_vert(), line_frag()},
+      {"coverage", "", "", coverage_vert(), coverage_frag()},
+      {"line", "", line_glsl(), line_vert(), line_frag()},
+      {"mark", "", "", mark_vert(), mark_frag()},
+  }};
+  const Row& row = rows[index];
+  const std::string common = row.defines + std::string(common_glsl()) + std::string(row.shared);
+  return make_program(gl, {.name = row.name, .common = common, .vertex = row.vertex, .fragment = row.fragment});
+}
+
+// A convex part of the viewport, -1 to 1, with the number of corners that the shader expects.
+struct Part {
+  std::array<glm::vec2, 6> corners{};
+  int count = 0;
+};
+
+// Returns the part where a + b x + c y is not negative.
+Part part_of_viewport(float a, float b, float c) {
+  constexpr glm::vec2 kCorners[] = {{-1, -1}, {1, -1}, {1, 1}, {-1, 1}};
+  const auto height = [&](glm::vec2 at) { return a + b * at.x + c * at.y; };
+  Part part;
+  for (int i = 0; i < 4; ++i) {
+    const glm::vec2 from = kCorners[i], to = kCorners[(i + 1) % 4];
+    const float before = height(from), after = height(to);
+    if (before >= 0) part.corners[static_cast<std::size_t>(part.count++)] = from;
+    if ((before >= 0) != (after >= 0))
+      part.corners[static_cast<std::size_t>(part.count++)] = glm::mix(from, to, before / (before - after));
+  }
+  return part;
+}
+
+struct Rays {
+  glm::vec3 forward, right, up;            // right and up: to the viewport's edges at distance 1
+  glm::vec3 eye, eye_right{0}, eye_up{0};  // m; origin of the rays, and its change towards the edges
+};
+
+void draw_part(const Pass& pass, const Program& program, const Rays& rays, const Part& part) {
+  program.set("forward", rays.forward);
+  program.set("right", rays.right);
+  program.set("up", rays.up);
+  program.set("eye", rays.eye);
+  program.set("eye_right", rays.eye_right);
+  program.set("eye_up", rays.eye_up);
+  for (std::size_t i = 0; i < part.corners.size(); ++i)
+    program.set(fmt::format("corners[{}]", i).c_str(), part.corners[i]);
+  if (!pass.scene.unseen) pass.gl.DrawArrays(GL_TRIANGLE_FAN, 0, part.count);
+  pass.count(part.count - 2);
+}
+
+// Draws twice: the sunlit ground, which writes depth 0.5 where a shadow may be; then the shadows, only there. Pixels
+// without shadow therefore cost little.
+void draw_ground(const Pass& pass, const SunShadows& shadows, const Rays& rays, const Part& part) {
+  const Gl& gl = pass.gl;
+  const Program& ground = pass.use(SceneProgram::ground);
+  shadows.bind(ground);
+  gl.Enable(GL_DEPTH_TEST);
+  gl.DepthFunc(GL_ALWAYS);
+  draw_part(pass, ground, rays, part);
+  if (!pass.scene.shadows) {
+    gl.Clear(GL_DEPTH_BUFFER_BIT);
+    return;
+  }
+  const Program& shadow = pass.use(SceneProgram::ground_shadow);
+  shadows.bind(shadow);
+  gl.DepthFunc(GL_EQUAL);
+  gl.DepthMask(GL_FALSE);
+  gl.Enable(GL_BLEND);
+  gl.BlendEquation(GL_FUNC_ADD);
+  gl.BlendFuncSeparate(GL_DST_COLOR, GL_ZERO, GL_ZERO, GL_ONE);
+  draw_part(pass, shadow, rays, part);
+  gl.DepthMask(GL_TRUE);
+  gl.Clear(GL_DEPTH_BUFFER_BIT);
+}
+
+void draw_sky(const Pass& pass, const Rays& rays, const Part& part) {
+  if (part.count < 3) return;
+  const view::View& view = pass.scene.view;
+  const float by_distance = view.parallel > 0 ? view.parallel : 1;
+  const Program& program = pass.use(SceneProgram::sky);
+  program.set("pixel", view::metres_per_pixel(view, 1) / by_distance);
+  draw_part(pass, program, rays, part);
+}
+
+// An orthographic view from above shows only ground. One along the ground shows it as a line: earth below it, and above
+// it the sky of a perspective view with the same horizon.
+void draw_parallel_backdrop(const Pass& pass, const SunShadows& shadows) {
+  const view::View& view = pass.scene.view;
+  const glm::mat3 axes = glm::transpose(glm::mat3(view.view));
+  const glm::vec3 right = axes[0] / view.projection[0][0], up = axes[1] / view.projection[1][1];
+  if (axes[2].y > 0.5f) {
+    const Rays down{-axes[2], glm::vec3(0), glm::vec3(0), view.eye, right, up};
+    return draw_ground(pass, shadows, down, part_of_viewport(1, 0, 0));
+  }
+  const float middle = view.eye.y / up.y;  // height of the picture's middle over the ground, in halves of the picture
+  const glm::vec3 right_at_1 = right / view.parallel, up_at_1 = up / view.parallel;
+  const Rays over{-axes[2] + middle * up_at_1, right_at_1, up_at_1, {0, 1, 0}},
+      under{over.forward, over.right, over.up, {0, -1, 0}};
+  draw_sky(pass, over, part_of_viewport(middle, 0, 1));
+  draw_sky(pass, under, part_of_viewport(-middle, 0, -1));
+}
+
+constexpr float kOutline = 0.9f;    // px, outline of solids in the blueprint style
+constexpr float kLeastTube = 1.6f;  // px, smallest half width of distant coloured rails
+
+// Returns the radius in metres per metre of distance that appears `pixels` wide: the projection scales a metre at
+// distance one to half the viewport's height times its entry. Exact for the subject of an orthographic view.
+float metres_of_pixels(const view::View& view, float pixels) {
+  return pixels * view::metres_per_pixel(view, 1) / (view.parallel > 0 ? view.parallel : 1);
+}
+
+// Returns the eye used for lighting: above the ground, so that an orthographic view from below is lit as well.
+glm::vec3 lit_from(const view::View& view) {
+  return view.parallel > 0 ? glm::vec3(view.eye.x, std::max(view.eye.y, view::kLowestEye), view.eye.z) : view.eye;
+}
+
+// Returns up to which distance a rail is more than two pixels wide, and up to which ties are a pixel apart.
+SweptTrack::Reach reach_of(const view::View& view, float detail) {
+  const float pixel = metres_of_pixels(view, 1) / detail;
+  return {static_cast<float>(sim::kRailRadius) / pixel, static_cast<float>(sim::kTieSpacing) / pixel};
+}
+
+// Call with the program in use and its matrix set.
+void draw_track(const Pass& pass, const TrackCache& track) {
+  if (!pass.scene.unseen) track.swept().draw();
+  pass.stats.draw_calls += track.swept().draw_calls();
+  pass.stats.triangles += track.swept().triangles();
+  for (const MeshPool* pool : {&track.mesh(), &track.supports().mesh()}) {
+    if (pool->index_count() == 0) continue;
+    pass.stats.draw_calls += pass.scene.unseen ? pool->draw_calls() : pool->draw();
+    pass.stats.triangles += pool->triangles();
+  }
+}
+
+void draw_carts(const Pass& pass, const Instances& instances) {
+  if (instances.cars() == 0) return;
+  pass.stats.draw_calls += pass.scene.unseen ? instances.car_draw_calls() : instances.draw_cars();
+  pass.stats.triangles += instances.car_triangles();
+}
+
+// Sets the track's colours: the scene's values, or paint.
+void set_colouring(const Pass& pass, const Program& program) {
+  const sim::TrackValues* const values = pass.scene.values;
+  const bool coloured = values != nullptr && !values->values.empty();
+  program.set("colouring", coloured ? 1 : 0);
+  program.set("values", kValueUnit);
+  program.set("least_width", coloured ? metres_of_pixels(pass.scene.view, kLeastTube) : 0.0f);
+  if (!coloured) return;
+  program.set("value_range", glm::vec2(values->low, values->high));
+  program.set("unknown", view::kUnknownColour);
+  for (std::size_t i = 0; i < view::kColourStops.size(); ++i)
+    program.set(fmt::format("stops[{}]", i).c_str(), view::kColourStops[i]);
+}
+
+// Draws everything by a program, without the faces that are `hidden`.
+void draw_all(const Pass& pass, SceneProgram name, GLenum hidden, const TrackCache& track, const Instances& instances,
+              const SunShadows& shadows) {
+  pass.gl.CullFace(hidden);
+  const Program& program = pass.use(name);
+  program.set("view_projection", pass.view_projection);
+  program.set("eye", lit_from(pass.scene.view));
+  program.set("outline", metres_of_pixels(pass.scene.view, kOutline));
+  set_colouring(pass, program);
+  shadows.bind(program);
+  draw_track(pass, track);
+  draw_carts(pass, instances);
+}
+
+constexpr float kPolylineWidth = 1.75f;  // points
+constexpr glm::vec4 kPolylineColour{1, 1, 1, 0.9f};
+
+// Draws the polyline's quads: from cached vertices, or from control points by the stage that evaluates them.
+void draw_lines(const Pass& pass, const TrackCache& track, GpuCurves& curves) {
+  const view::View& view = pass.scene.view;
+  const PolylinePen pen{pass.view_projection,
+                        view.eye,
+                        {view.viewport.width, view.viewport.height},
+                        kPolylineWidth * view.density,
+                        kPolylineColour};
+  if (pass.stats.drawn_by != curve::EvaluatedBy::processor) {
+    for (const CurveSlots& run : track.control_runs()) {
+      pass.count(2LL * run.count * run.steps);
+      if (!pass.scene.unseen) curves.draw(pass.stats.drawn_by, run, pen);
+    }
+    return;
+  }
+  pen.set(pass.use(SceneProgram::polyline));
+  track.bind_lines();
+  if (!pass.scene.unseen) pass.gl.DrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, track.line_count());
+  pass.count(2LL * track.line_count());
+}
+
+}  // namespace
+
+const Program& ScenePrograms::use(SceneProgram name) {
+  const auto index = static_cast<std::size_t>(name);
+  std::optional<Program>& program = programs_[index];
+  if (!program) {
+    auto made = make_scene_program(*gl_, index);
+    if (!made && failure_) failure_ = made.status();
+    program = made ? std::move(*made) : Program{};
+  }
+  gl_->UseProgram(program->object.id());
+  return *program;
+}
+
+void draw_backdrop(const Pass& pass, const SunShadows& shadows) {
+  const view::View& view = pass.scene.view;
+  blend(pass.gl, false);
+  pass.gl.Disable(GL_DEPTH_TEST);
+  pass.gl.BindVertexArray(pass.no_attributes);
+  if (view.parallel > 0) return draw_parallel_backdrop(pass, shadows);
+  // Rows of the view matrix are the camera's axes in the world; the projection is symmetric.
+  const glm::mat3 axes = glm::transpose(glm::mat3(view.view));
+  const Rays rays{-axes[2], axes[0] / view.projection[0][0], axes[1] / view.projection[1][1], view.eye};
+  const bool buried = view.eye.y <= 0;  // below the ground: earth all around
+  const Part above = buried ? part_of_viewport(1, 0, 0) : part_of_viewport(rays.forward.y, rays.right.y, rays.up.y);
+  const Part below = buried ? Part{} : part_of_viewport(-rays.forward.y, -rays.right.y, -rays.up.y);
+  draw_sky(pass, rays, above);
+  if (below.count > 2) draw_ground(pass, shadows, rays, below);
+}
+
+sim::Surroundings surroundings_of(const view::View& view) { return {view.eye, reach_of(view, 1).ties}; }
+
+void choose_levels(const Scene& scene, TrackCache& track) {
+  constexpr float kUnseen = 0.25f;  // px
+  const SweptTrack::Reach reach = reach_of(scene.view, scene.detail);
+  track.look_from({scene.view.eye, metres_of_pixels(scene.view, kUnseen / scene.detail), reach.full}, reach.ties);
+}
+
+void choose_detail(const Scene& scene, TrackCache& track) {
+  const SweptTrack::Reach reach = reach_of(scene.view, scene.detail);
+  track.swept().look_from(scene.view.eye, reach);
+  track.mesh().look_from(scene.view.eye, reach.full);
+  track.supports().mesh().look_from(scene.view.eye, reach.full);
+}
+
+void cast_track(const Pass& pass, TrackCache& track, const glm::mat4& light, float texel_metres) {
+  pass.use(SceneProgram::shadow).set("view_projection", light);
+  // Independent of the eye, because a map is kept while it moves.
+  const bool unseen = pass.scene.unseen;
+  for (const Cast& cast : {track.swept().cast(light, texel_metres, unseen), track.mesh().cast(light, unseen),
+                           track.supports().mesh().cast(light, unseen)}) {
+    pass.stats.draw_calls += cast.draw_calls;
+    pass.stats.triangles += cast.triangles;
+  }
+}
+
+void cast_carts(const Pass& pass, const Instances& instances, const glm::mat4& light) {
+  pass.use(SceneProgram::shadow).set("view_projection", light);
+  draw_carts(pass, instances);
+}
+
+void draw_solids(const Pass& pass, const TrackCache& track, const Instances& instances, ValueTexture& values,
+                 const SunShadows& shadows) {
+  blend(pass.gl, false);
+  pass.gl.Enable(GL_DEPTH_TEST);
+  pass.gl.DepthFunc(GL_LESS);
+  pass.gl.Enable(GL_CULL_FACE);
+  values.bind();  // the sampler always needs a texture
+  if (pass.scenery.drawing) draw_all(pass, SceneProgram::outline, GL_FRONT, track, instances, shadows);
+  draw_all(pass, SceneProgram::solid, GL_BACK, track, instances, shadows);
+  pass.gl.Disable(GL_CULL_FACE);
+}
+
+void draw_polyline(const Pass& pass, const TrackCache& track, GpuCurves& curves, GpuTimer& timer) {
+  if (!pass.scene.show_polyline || pass.scene.derived.order.empty()) return;
+  const Gl& gl = pass.gl;
+  gl.ColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_TRUE);
+  gl.ClearColor(0, 0, 0, 0);
+  gl.Clear(GL_COLOR_BUFFER_BIT);
+  gl.Enable(GL_BLEND);
+  gl.BlendEquation(GL_MAX);
+  gl.Enable(GL_DEPTH_TEST);
+  gl.DepthFunc(GL_LEQUAL);
+  gl.DepthMask(GL_FALSE);
+  timer.begin();
+  draw_lines(pass, track, curves);
+  timer.end();
+  pass.stats.gpu_ms = timer.ms();
+  gl.DepthMask(GL_TRUE);
+  gl.ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+  gl.Disable(GL_DEPTH_TEST);
+  gl.BlendEquation(GL_FUNC_ADD);
+  gl.BlendFuncSeparate(GL_DST_ALPHA, GL_ONE_MINUS_DST_ALPHA, GL_ONE, GL_ZERO);  // keeps the picture opaque
+  pass.use(SceneProgram::coverage).set("paint", glm::vec4(glm::vec3(kPolylineColour), 1));
+  gl.BindVertexArray(pass.no_attributes);
+  if (!pass.scene.unseen) gl.DrawArrays(GL_TRIANGLES, 0, 3);
+  pass.count(1);
+}
+
+constexpr float kMarkRim = 1.5f;  // points
+
+void draw_overlay(const Pass& pass, const Instances& instances) {
+  blend(pass.gl, true);
+  pass.gl.Disable(GL_DEPTH_TEST);
+  const view::Viewport& viewport = pass.scene.view.viewport;
+  const auto draw = [&](SceneProgram name, GLsizei count) {
+    if (count == 0) return;
+    const Program& program = pass.use(name);
+    program.set("rim", kMarkRim * pass.scene.view.density);
+    program.set("view_projection", pass.view_projection);
+    program.set("viewport", glm::vec2(viewport.width, viewport.height));
+    if (!pass.scene.unseen) pass.gl.DrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, count);
+    pass.count(2LL * count);
+  };
+  draw(SceneProgram::line, instances.bind_lines());
+  draw(SceneProgram::mark, instances.bind_marks());
+}
+
+}  // namespace coaster::gfx
