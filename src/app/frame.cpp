@@ -14,7 +14,7 @@
 #include "edit/commands/commands_force.h"
 #include "edit/commands/commands_sections.h"
 #include "exchange/formats.h"
-#include "exchange/own/force_text.h"
+#include "exchange/own/force_keys.h"
 #include "exchange/own/link.h"
 #include "world/look.h"
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -20,14 +21,16 @@ struct SplineVertex {
 };
 
 using Bezier = std::array<glm::dvec3, 4>;  // control points, m
-
 glm::dvec3 point(const Bezier& b, double t);
 glm::dvec3 slope(const Bezier& b, double t);  // the derivative
+
 // Returns the part between two parameters, 0 <= from < to <= 1. An end that is not cut stays exactly the same.
 Bezier part(const Bezier& b, double from, double to);
+
 // Return the unit direction of travel at the start and at the end; zero if the control points are within 0.1 mm.
 glm::dvec3 start_direction(const Bezier& b);
 glm::dvec3 end_direction(const Bezier& b);
+
 // Returns the curve as a cubic of the document, rounded to float.
 curve::Cubic in_float(const Bezier& b);
 
@@ -55,6 +58,26 @@ struct PlaceOnTrack {
   glm::dvec3 position;
   curve::Frame frame;
 };
+
 PlaceOnTrack place_on(const sim::Derived& derived, double distance);
+inline constexpr double kCornerOff = 0.03;    // m, the largest distance of a fillet from the corner it replaces
+inline constexpr double kSharpest = 90;       // degrees; sharper corners are rejected
+inline constexpr double kTurnedOff = 0.0001;  // m; handles are turned if that moves the curve by no more
+
+struct Corner {
+  std::size_t vertex = 0;
+  double angle = 0;  // rad between the directions before and after it
+  double off = 0;    // m, the largest distance of the fillet from the original curve
+};
+
+// Replaces each corner by a fillet, a cubic with the directions of its two ends. It takes at most 45 % of the length of
+// either neighbour. On a closed track the joint of the last piece and the first is also checked. Adds the corners to
+// `corners`; those sharper than kSharpest are unchanged.
+std::vector<SplinePiece> round_corners(const std::vector<SplinePiece>& pieces, bool closed,
+                                       std::vector<Corner>& corners);
+
+// Returns the first place where the curve turns by more than kSharpest within kCornerOff on either side, between
+// corners: a cusp, or nearly one. Vertices that lead back on one line make cusps.
+std::optional<Corner> find_fold(const std::vector<SplinePiece>& pieces, bool closed);
 
 }  // namespace coaster::exchange

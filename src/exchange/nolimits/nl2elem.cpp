@@ -1,23 +1,229 @@
-// Parses and checks the XML of a NoLimits 2 element: vertices and rolls. nl2elem_track.cpp makes the track.
+// Reads the XML of a NoLimits 2 element, makes a track of its vertices and rolls, and prints a track as one.
 #include "exchange/nolimits/nl2elem.h"
-
-#include <cmath>
-
-#include <fmt/format.h>
 
 #include <tinyxml2.h>
 
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "base/check.h"
+#include "base/portable_math.h"
 #include "base/text.h"
 #include "base/words.h"
-#include "exchange/nolimits/nl2elem_track.h"
-#include "exchange/nolimits/within_text.h"
+#include "exchange/nolimits/nl2_rolls.h"
+#include "exchange/nolimits/nl2_spline.h"
+#include "exchange/nolimits/text_rows.h"
+#include "exchange/own/track_file.h"
+#include "sim/fit/fit_track.h"
+#include "sim/shape/roll.h"
+#include "world/topology.h"
 
 namespace coaster::exchange {
 namespace {
 
-using glm::dvec3;
-using tinyxml2::XMLElement;
+struct ElementFile {
+  std::vector<SplineVertex> vertices;  // for a closed track the last repeats the first
+  std::vector<int> lines;              // line numbers of the vertices
+  std::vector<ElementRoll> rolls;      // in any order
+  bool closed = false;
+  std::string weights;  // the name of the member that holds the vertices' weights; empty if all are 1
+};
 
+// A vertex that makes the file unusable.
+struct ElementError {
+  std::size_t vertex = 0;
+  std::string expected, found;
+};
+
+struct ElementTrack {
+  world::Document document;
+  ImportReport report;
+  std::vector<std::pair<std::size_t, std::string>> warnings;  // each with the vertex it is about
+  std::optional<ElementError> error;                          // set: there is no document
+};
+
+using glm::dvec3;
+constexpr std::size_t kMaxTold = 20;  // corners with a warning each
+constexpr double kRollTold = 0.5;     // degrees from a roll: more is reported
+constexpr double kAlongTold = 45;     // degrees of a roll's up from perpendicular to the track: the same
+
+std::string rounded_degrees(double radians) { return fmt::format("{:.3g}", base::degrees(radians)); }
+double longest_leg(const Bezier& b) { return std::max(glm::distance(b[0], b[1]), glm::distance(b[2], b[3])); }
+
+// Halves the pieces with a handle over `bound` m; returns false if there is none.
+bool halve(std::vector<SplinePiece>& pieces, double bound) {
+  std::vector<SplinePiece> halves;
+  for (const SplinePiece& piece : pieces)
+    if (longest_leg(piece.curve) > bound)
+      for (const double from : {0.0, 0.5}) halves.push_back({part(piece.curve, from, from + 0.5), piece.vertex});
+    else halves.push_back(piece);
+  const bool changed = halves.size() > pieces.size();
+  pieces = std::move(halves);
+  return changed;
+}
+
+// Returns the curves between knots, corners rounded. Sets the error, or adds the warnings.
+std::vector<Bezier> curves_of(const ElementFile& file, ElementTrack& out) {
+  std::vector<SplinePiece> pieces = spline_pieces(file.vertices);
+  std::erase_if(pieces, [](const SplinePiece& piece) {  // between vertices at one place
+    return start_direction(piece.curve) == dvec3(0) || end_direction(piece.curve) == dvec3(0);
+  });
+  if (pieces.empty()) {
+    out.error = {0, "vertices at different places", "all at one"};
+    return {};
+  }
+  for (const SplinePiece& piece : pieces) out.report.max_error = std::max(out.report.max_error, piece.off);
+  if (const auto fold = find_fold(pieces, file.closed)) {
+    out.error = {fold->vertex, fmt::format("turns of at most {} degrees within {} cm", kSharpest, 200 * kCornerOff),
+                 fmt::format("one of {:.6g} degrees near vertex {}", base::degrees(fold->angle), fold->vertex + 1)};
+    return {};
+  }
+  std::vector<Corner> corners;
+  pieces = round_corners(pieces, file.closed, corners);
+  for (const Corner& corner : corners) {
+    if (corner.angle > base::radians(kSharpest) + 1e-6) {
+      out.error = {corner.vertex, fmt::format("corners of at most {} degrees", kSharpest),
+                   fmt::format("one of {:.6g} degrees at vertex {}", base::degrees(corner.angle), corner.vertex + 1)};
+      return {};
+    }
+    out.report.max_error = std::max(out.report.max_error, corner.off);
+    if (out.warnings.size() < kMaxTold)
+      out.warnings.emplace_back(corner.vertex,
+                                fmt::format("the corner of {} degrees at vertex {} was rounded, up to {:.1f} mm off",
+                                            rounded_degrees(corner.angle), corner.vertex + 1, 1000 * corner.off));
+  }
+  if (corners.size() > kMaxTold)
+    out.warnings.emplace_back(corners[kMaxTold].vertex,
+                              fmt::format("{} more corners were rounded", corners.size() - kMaxTold));
+  if (file.closed && pieces.size() < 2) halve(pieces, 0);  // a closed track has two knots
+  while (halve(pieces, world::kMaxHandle)) {
+  }
+  std::vector<Bezier> curves;
+  for (const SplinePiece& piece : pieces) curves.push_back(piece.curve);
+  return curves;
+}
+
+world::Knot knot_of(dvec3 position, dvec3 direction, double in, double out) {
+  world::Knot knot;
+  knot.position = glm::vec3(position);
+  knot.tangent = glm::vec3(glm::normalize(direction));
+  const auto handle = [](double m) { return std::clamp(static_cast<float>(m), world::kMinHandle, world::kMaxHandle); };
+  knot.in_length = handle(in), knot.out_length = handle(out);
+  knot.joint = knot.in_length == knot.out_length ? world::JointKind::smooth : world::JointKind::aligned;
+  world::orthonormalise(knot);
+  return knot;
+}
+
+std::size_t short_handles(const std::vector<Bezier>& segments) {
+  std::size_t count = 0;
+  for (const Bezier& b : segments)
+    for (const double leg : {glm::distance(b[0], b[1]), glm::distance(b[2], b[3])})
+      if (static_cast<float>(leg) < world::kMinHandle) ++count;
+  return count;
+}
+
+void append_knots(const std::vector<Bezier>& segments, const std::vector<Stop>& stops, bool closed,
+                  world::Document& document) {
+  for (std::size_t i = 0; i < segments.size() + (closed ? 0 : 1); ++i) {
+    const Bezier& after = segments[std::min(i, segments.size() - 1)];
+    const Bezier& before = i > 0 ? segments[i - 1] : closed ? segments.back() : after;
+    const bool first = i == 0 && !closed, last = i == segments.size();
+    const dvec3 comes = first ? start_direction(after) : end_direction(before),
+                goes = last ? comes : start_direction(after);
+    const double out = glm::distance(after[0], after[1]), in = glm::distance(before[2], before[3]);
+    world::Knot knot = knot_of(last ? after[3] : after[0], comes + goes, first ? out : in, last ? in : out);
+    if (stops[i].up) knot.up = glm::vec3(curve::perpendicular(dvec3(knot.tangent), *stops[i].up));
+    else world::set_roll(knot, 0);
+    if (std::abs(stops[i].spin) >= sim::kLeastSpin)
+      knot.spin = static_cast<float>(std::clamp<double>(stops[i].spin, -world::kMaxSpin, world::kMaxSpin));
+    world::orthonormalise(knot);
+    world::append_knot(document, knot);
+  }
+  if (closed) world::set_closed(document, true);
+}
+
+// Adds the whole turns that the smallest twist between the knots' `up` omits.
+void set_turns(const std::vector<Stop>& stops, world::Document& document) {
+  const sim::Derived derived = sim::shapes_of(document);
+  for (std::size_t i = 0; i < derived.order.size(); ++i) {
+    const double wanted = stops[i + 1].angle - stops[i].angle;
+    const double turns = std::round((wanted - derived.shape(derived.order[i]).roll.twist) / (2 * base::kPi));
+    document.entities.get<world::Segment>(derived.order[i]).turns =
+        std::clamp(static_cast<std::int32_t>(turns), -world::kMaxTurns, world::kMaxTurns);
+  }
+}
+
+// The roll whose up is furthest from perpendicular to the track, which says little about the track's roll.
+struct RollAlong {
+  double coord = 0, degrees = 0;
+};
+
+RollAlong measure(const world::Document& document, const std::vector<Bezier>& segments, const ElementFile& file,
+                  ImportReport& report) {
+  report.knots = static_cast<int>(document.track.knots.size());
+  const sim::Derived derived = sim::shapes_of(document);
+  sim::MeanSquare distances, angles;
+  for (std::size_t i = 0; i < segments.size(); ++i)
+    for (int k = 0; k <= 16; ++k) {
+      const dvec3 here = curve::point(derived.shape(derived.order[i]).key.cubic, k / 16.0);
+      const double distance = glm::distance(point(segments[i], k / 16.0), here);
+      report.max_error = std::max(report.max_error, distance);
+      distances.add(distance);
+    }
+  RollAlong along;
+  for (const ElementRoll& roll : file.rolls) {
+    const double fraction = std::min(roll.coord, derived.closed ? 1 - 1e-12 : 1.0);
+    const curve::Frame frame = place_on(derived, fraction * derived.length).frame;
+    const dvec3 wanted = curve::perpendicular(frame.forward, roll.up);
+    const double angle = base::degrees(std::abs(curve::signed_angle(frame.up, wanted, frame.forward)));
+    report.frame_error = std::max(report.frame_error, angle);
+    angles.add(angle);
+    const double sine = glm::dot(frame.forward, roll.up), cosine = glm::length(glm::cross(frame.forward, roll.up));
+    if (const double off = base::degrees(base::arc_tangent(std::abs(sine), cosine)); off > along.degrees)
+      along = {roll.coord, off};
+  }
+  report.rms_error = distances.root(), report.rms_frame_error = angles.root();
+  return along;
+}
+
+ElementTrack track_of(const ElementFile& file) {
+  ElementTrack out;
+  const std::vector<Bezier> curves = curves_of(file, out);
+  if (out.error) return out;
+  const std::vector<Stop> stops = stops_of(curves, file.closed, file.rolls);
+  if (stops.size() > world::kMaxKnots) {
+    out.error = {0, fmt::format("vertices and rolls for at most {} knots", world::kMaxKnots),
+                 std::to_string(stops.size())};
+    return out;
+  }
+  std::vector<Bezier> segments;
+  for (std::size_t i = 0; i + 1 < stops.size(); ++i)
+    segments.push_back(
+        part(curves[stops[i].piece], stops[i].t, stops[i + 1].piece == stops[i].piece ? stops[i + 1].t : 1));
+  if (const std::size_t count = short_handles(segments); count > 0)
+    out.warnings.emplace_back(
+        0, fmt::format("{} handles shorter than {} m were lengthened to it", count, base::to_text(world::kMinHandle)));
+  append_knots(segments, stops, file.closed, out.document);
+  if (!file.rolls.empty()) set_turns(stops, out.document);
+  else sim::set_automatic_spins(out.document);
+  world::add_cart(out.document, out.document.track.segments[0], 0);
+  const RollAlong along = measure(out.document, segments, file, out.report);
+  if (out.report.frame_error > kRollTold)
+    out.warnings.emplace_back(0, fmt::format("the track is up to {} degrees off the file's rolls",
+                                             rounded_degrees(base::radians(out.report.frame_error))));
+  if (along.degrees > kAlongTold)
+    out.warnings.emplace_back(
+        0, fmt::format("the up of the roll at coord {:.4g} is {:.0f} degrees off perpendicular to the track there",
+                       along.coord, along.degrees));
+  return out;
+}
+
+using tinyxml2::XMLElement;
 constexpr double kElementSquare = 0.05;  // tolerance for unit and perpendicular frames
 constexpr double kSameVertex = 1e-6;     // m between the last and the first vertex of a closed track
 
@@ -217,6 +423,32 @@ bool read_file(XmlReader& r, std::string_view text, ElementFile& file, std::vect
   return read_element(r, *elements[0], file);
 }
 
+void print_line(std::string& out, int depth, std::string_view tag, const std::string& value) {
+  out.append(static_cast<std::size_t>(depth), '\t');
+  out += fmt::format("<{}>{}</{}>\r\n", tag, value, tag);
+}
+
+void print_vector(std::string& out, std::string_view prefix, dvec3 v) {
+  for (int axis = 0; axis < 3; ++axis)
+    print_line(out, 3, fmt::format("{}{}", prefix, "xyz"[axis]), base::to_text(v[axis]));
+}
+
+void print_vertex(std::string& out, dvec3 p, bool strict) {
+  out += "\t\t<vertex>\r\n";
+  print_vector(out, "", p);
+  print_line(out, 3, "strict", strict ? "true" : "false");
+  out += "\t\t</vertex>\r\n";
+}
+
+void print_roll(std::string& out, const curve::Frame& frame, double coord) {
+  out += "\t\t<roll>\r\n";
+  print_vector(out, "u", frame.up);
+  print_vector(out, "r", -frame.left());
+  print_line(out, 3, "coord", base::to_text(std::min(coord, 1.0)));
+  print_line(out, 3, "strict", "false");
+  out += "\t\t</roll>\r\n";
+}
+
 }  // namespace
 
 base::Result<LoadedTrack> parse_nl2elem(std::string_view text, std::string_view name) {
@@ -240,6 +472,48 @@ base::Result<LoadedTrack> parse_nl2elem(std::string_view text, std::string_view 
     }
   }
   return base::Status{base::Code::bad_file, r.error};
+}
+
+base::Status check_nl2elem(const world::Document& document) {
+  if (document.track.segments.empty())
+    return {base::Code::refused, "error: expected a track with segments, found none"};
+  if (const double length = world::exact_length(document); !(length <= kMaxNl2ElemLength && length > 0.01))
+    return {base::Code::refused, fmt::format("error: expected a track of 0.01 to {} m, found {} m",
+                                             base::to_text(kMaxNl2ElemLength), base::to_text(length))};
+  std::vector<SplinePiece> pieces;
+  for (const world::Entity e : document.track.segments) {
+    const curve::Cubic cubic = world::cubic_of(document, e);
+    pieces.push_back({{dvec3(cubic.p0), dvec3(cubic.p1), dvec3(cubic.p2), dvec3(cubic.p3)}, pieces.size()});
+    for (const glm::vec3& handle : {cubic.p1, cubic.p2})
+      if (!(std::max({std::abs(handle.x), std::abs(handle.y), std::abs(handle.z)}) <= world::kMaxCoordinate))
+        return {base::Code::refused, fmt::format("error: expected handles within {} m of the origin, found one beyond",
+                                                 base::to_text(world::kMaxCoordinate))};
+  }
+  if (const auto fold = find_fold(pieces, document.track.closed))
+    return {base::Code::refused,
+            fmt::format("error: expected turns of at most {} degrees within {} cm, found one of {:.6g} degrees behind "
+                        "knot {}; a file with it could not be read",
+                        kSharpest, 200 * kCornerOff, base::degrees(fold->angle),
+                        world::label_of(document, document.track.knots[fold->vertex]))};
+  return {};
+}
+
+std::string print_nl2elem(const world::Document& document) {
+  COASTER_CHECK(check_nl2elem(document).ok(), "callers check the track first");
+  const sim::Derived derived = sim::shapes_of(document);
+  std::string out = "<?xml version=\"1.0\" encoding=\"UTF-8\" standalone=\"no\" ?>\r\n<root>\r\n\t<element>\r\n";
+  print_line(out, 2, "description", "coaster");
+  for (const world::Entity e : derived.order) {
+    const auto& segment = document.entities.get<world::Segment>(e);
+    const world::Knot &from = world::knot(document, segment.from), &to = world::knot(document, segment.to);
+    const dvec3 start(from.position), end(to.position);
+    if (e == derived.order.front()) print_vertex(out, start, true);
+    print_vertex(out, start + dvec3(from.tangent) * double{from.out_length}, false);
+    print_vertex(out, end - dvec3(to.tangent) * double{to.in_length}, false);
+    print_vertex(out, end, true);
+  }
+  for (const double s : roll_places(derived)) print_roll(out, place_on(derived, s).frame, s / derived.length);
+  return out + "\t</element>\r\n</root>\r\n";
 }
 
 }  // namespace coaster::exchange

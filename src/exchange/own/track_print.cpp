@@ -1,14 +1,15 @@
 // Prints a document as a track file. The same document always gives the same bytes.
+#include "exchange/own/track_file.h"
+
 #include <algorithm>
 #include <type_traits>
 
 #include <fmt/format.h>
 
 #include "base/text.h"
-#include "exchange/own/force_text.h"
-#include "exchange/own/json_reader.h"
-#include "exchange/own/section_text.h"
-#include "exchange/own/track_file.h"
+#include "base/utf8.h"
+#include "exchange/own/force_keys.h"
+#include "exchange/own/json.h"
 #include "world/element_rows.h"
 #include "world/equipment_rows.h"
 #include "world/sections.h"
@@ -22,6 +23,49 @@ using world::Entity;
 // -0 is read back as the whole number 0, so it is written as 0; otherwise printing twice would differ.
 std::string number(double value) { return value == 0 ? "0" : base::to_text(value); }
 
+// Returns `"segments": 3, "kind": "loop", "side": "left", "height": 16, ...`.
+std::string section_members(const world::Section& section, std::size_t segments) {
+  std::string text = fmt::format("\"segments\": {}, \"kind\": \"{}\"", segments, world::kind_name(section));
+  if (section.kind == world::SectionKind::element) {
+    const world::ElementRow& row = base::row_of(section.element.kind);
+    if (row.sided) text += fmt::format(", \"side\": \"{}\"", section.element.right ? "right" : "left");
+    for (std::size_t i = 0; i < row.parameters.size(); ++i) {
+      const double value = section.element.values[i];
+      const world::ElementParameter& parameter = row.parameters[i];
+      const std::string shown =
+          !parameter.names.empty() ? json_string(world::choice_of(parameter, value).name) : number(value);
+      text += fmt::format(", \"{}\": {}", parameter.name, shown);
+    }
+  }
+  if (!section.title.empty()) text += ", \"title\": " + json_string(section.title);
+  return text;
+}
+
+std::string key_text(const world::ForceKey& key) {
+  const bool shaped = key.slope != 0 || key.before != 0 || key.after != 0;
+  std::string text = fmt::format("[{}, {}", number(key.at), number(key.value));
+  if (shaped) text += fmt::format(", {}, {}, {}", number(key.slope), number(key.before), number(key.after));
+  return text + "]";
+}
+
+std::string list_text(const std::vector<world::ForceKey>& keys) {
+  std::string text = "[";
+  for (const world::ForceKey& key : keys) text += (text.size() == 1 ? "" : ", ") + key_text(key);
+  return text + "]";
+}
+
+// Returns `, "vertical": [[0, 1], [20, 3.5, 0.1, 5, 8]], "roll": [...]`: the position, the value and, if not 0, the
+// slope and the lengths of the handles of each key. Channels without keys are left out.
+std::string force_keys(const world::ForceProgram& force) {
+  std::string text;
+  for (std::size_t c = 0; c < force.channels.size(); ++c) {
+    if (force.channels[c].empty()) continue;
+    text +=
+        fmt::format(", \"{}\": {}", base::name_of(static_cast<world::ForceChannel>(c)), list_text(force.channels[c]));
+  }
+  return text;
+}
+
 // Readers parse to double. If rounding twice would miss the float, its exact value in double is written.
 std::string number(float value) {
   if (value == 0) return "0";
@@ -31,7 +75,6 @@ std::string number(float value) {
 }
 
 std::string vector(glm::vec3 v) { return fmt::format("[{}, {}, {}]", number(v.x), number(v.y), number(v.z)); }
-
 std::string id(const Document& document, Entity e) { return json_string(world::label_of(document, e)); }
 
 // Calls write(key, value text) for each unknown member that was kept.
@@ -54,6 +97,7 @@ std::string extra_members(const Document& document, Entity e) {
 std::string value_text(const Document&, glm::vec3 v) { return vector(v); }
 std::string value_text(const Document& document, Entity e) { return id(document, e); }
 std::string value_text(const Document&, bool value) { return value ? "true" : "false"; }
+
 template <class T>
 std::string value_text(const Document&, T value) {
   if constexpr (base::Named<T>) return fmt::format("\"{}\"", base::name_of(value));
@@ -115,6 +159,13 @@ void print_list(std::string& out, std::string_view key, const Document& document
 }
 
 }  // namespace
+
+std::string print_keys(const CopiedKeys& copied) {
+  const std::string of =
+      copied.of == world::ForceOf::forces ? "" : fmt::format("\"of\": \"{}\", ", base::name_of(copied.of));
+  return fmt::format("{{\"force-keys\": \"{}\", {}\"keys\": {}}}", base::name_of(copied.over), of,
+                     list_text(copied.keys));
+}
 
 std::string print_track(const Document& document) {
   std::string out = fmt::format("{{\n  \"format\": \"{}\",\n  \"version\": {},\n  \"name\": {},\n  \"closed\": {}{}",

@@ -1,4 +1,4 @@
-#include "exchange/fvd/fvd_function.h"
+#include "exchange/fvd/fvd_path.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "exchange/nolimits/nl2_corners.h"
+#include "exchange/nolimits/nl2_spline.h"
 
 #include <gtest/gtest.h>
 

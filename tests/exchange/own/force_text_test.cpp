@@ -1,4 +1,4 @@
-#include "exchange/own/force_text.h"
+#include "exchange/own/force_keys.h"
 
 #include <gtest/gtest.h>
 

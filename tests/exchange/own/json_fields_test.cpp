@@ -1,4 +1,4 @@
-#include "exchange/own/json_fields.h"
+#include "exchange/own/json.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "exchange/own/packed_text.h"
+#include "exchange/own/link.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>

@@ -1,11 +1,11 @@
-// The keys of a force section in a track file and on the clipboard.
+// Keys of a force section on the clipboard. track_parse.cpp and track_print.cpp hold both functions.
 #pragma once
 
 #include <string>
 #include <string_view>
 #include <vector>
 
-#include "exchange/own/json_fields.h"
+#include "base/status.h"
 #include "world/force.h"
 
 namespace coaster::exchange {
@@ -20,12 +20,5 @@ struct CopiedKeys {
 std::string print_keys(const CopiedKeys& copied);
 // Returns the keys, or the error in the text.
 base::Result<CopiedKeys> parse_keys(std::string_view text);
-
-// Returns `, "vertical": [[0, 1], [20, 3.5, 0.1, 5, 8]], "roll": [...]`: the position, the value and, if not 0, the
-// slope and the lengths of the handles of each key. Channels without keys are left out.
-std::string force_keys(const world::ForceProgram& force);
-
-// Reads the keys of all channels. Returns false after a failure, also for a program beyond its limits.
-bool read_force_keys(Fields& fields, world::ForceProgram& force);
 
 }  // namespace coaster::exchange

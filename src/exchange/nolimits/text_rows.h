@@ -1,11 +1,15 @@
-// The lines and cells of a NoLimits 2 CSV, as programs that people pass it through write them.
+// The rows of text files of numbers, as programs that people pass them through write them.
 #pragma once
 
 #include <algorithm>
 #include <array>
+#include <string>
 #include <string_view>
 
+#include <fmt/format.h>
+
 #include "exchange/nolimits/nl2_csv.h"
+#include "world/components.h"
 
 namespace coaster::exchange {
 
@@ -58,6 +62,7 @@ struct Separator {
   char mark;
   std::string_view name;
 };
+
 // Commas after semicolons: they may be decimal ones there.
 inline constexpr Separator kSeparators[]{{'\t', "tabs"}, {';', "semicolons"}, {',', "commas"}, {' ', "blanks"}};
 
@@ -74,6 +79,12 @@ inline std::size_t split(std::string_view line, char separator, Cells& cells) {
     line.remove_prefix(end + 1);
     if (separator == ' ') line.remove_prefix(std::min(line.find_first_not_of(' '), line.size()));
   }
+}
+
+// Returns what a file's number has to be, for messages: positions are in metres, and a file in millimetres goes beyond.
+inline std::string within_text(double limit) {
+  return limit == world::kMaxCoordinate ? fmt::format("a position within {:.0f} m", limit)
+                                        : fmt::format("a number within {:.6g}", limit);
 }
 
 }  // namespace coaster::exchange
