@@ -44,19 +44,21 @@ struct OptionRow {
       member;
   std::string_view modes;  // in which it has an effect, by the letters of mode_rows()
 };
+
 // What the program does, by the first of these that the options ask for: v checks files, p prints a report, f films a
 // script, s runs one, m films a ride, r rides, w opens a window. An option without an effect there is an error.
 struct ModeRow {
   char letter;
   std::string_view words;  // "--headless FILE"
 };
+
 std::span<const ModeRow> mode_rows();
 char mode_of(const Options& options);
 
 // Returns the options in the order of help, without --help and --version.
 std::span<const OptionRow> option_rows();
-
 inline constexpr std::string_view kSummary = "Builds and rides roller coasters made of cubic Bezier curves.";
+
 // Returns "coaster 0.1.0" and the libraries that the program was built with.
 std::string version_text();
 
@@ -69,7 +71,6 @@ struct ParsedOptions {
 // Return the manual page, roff with the macros of man(7), section 6 (games), and a file for bash-completion: options,
 // file names by extension, names of cameras and rates (manual.cpp).
 std::string manual_page();
-std::string bash_completion();
 
 // Parses the command line. Unknown arguments are errors: exit code 2.
 ParsedOptions parse_options(int argc, const char* const* argv);

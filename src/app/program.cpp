@@ -19,7 +19,6 @@
 #include "base/hash.h"
 #include "base/interrupted.h"
 #include "base/text.h"
-#include "base/utf8.h"
 #include "edit/commands/commands_force.h"
 #include "edit/commands/commands_operation.h"
 #include "edit/commands/commands_sections.h"

@@ -13,8 +13,6 @@
 #include <string>
 #include <utility>
 
-#include "base/memory_guard.h"
-
 namespace coaster::base {
 namespace {
 

@@ -1,9 +1,11 @@
-// Handles crashes: writes the copy of unsaved work that is ready, says what failed, explains crashes of drivers at
-// their start, and takes those of libraries that do not check their allocations for the end of memory.
+// Handles crashes and the end of memory: writes unsaved work or its copy that is ready, says what failed, explains
+// crashes of drivers at their start, and takes those of libraries that do not check their allocations for the end of
+// memory.
 #pragma once
 
 #include <csignal>
 #include <cstddef>
+#include <functional>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -13,8 +15,19 @@
 
 namespace coaster::base {
 
-inline constexpr std::size_t kLeastSpace = 64u << 20;  // bytes of address space; less counts as out of memory
+inline constexpr int kMemoryExitCode = 70;
+inline constexpr std::size_t kMemoryReserve = 64u << 20;  // bytes of address space; its pages are never touched
 
+// Allocates a reserve. An allocation by `new` that fails then frees it, calls the function of on_memory_end(), prints
+// "Out of memory." and the returned text, and ends with kMemoryExitCode, without destructors. On another thread, at the
+// end of memory while it saves, and in libraries that crash instead, what is ready for a crash is written
+// (base/crash_guard.h).
+void guard_memory();
+
+// Sets the function that saves at the end of memory. It runs once, and only on the thread that called guard_memory(),
+// because it reads that thread's state. It returns the text to print. Empty: nothing is saved so.
+void on_memory_end(std::function<std::string()> save);
+inline constexpr std::size_t kLeastSpace = 64u << 20;   // bytes of address space; less counts as out of memory
 inline constexpr std::size_t kLeastStack = 256u << 10;  // bytes, of the program and of each of its threads
 
 // Returns what to print if the stack is limited to less than kLeastStack; empty if it is not. With less the program

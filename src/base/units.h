@@ -8,13 +8,16 @@
 #include <string_view>
 
 #include "base/names.h"
+#include "base/status.h"
 
 namespace coaster::base {
 
 enum class Units : std::uint8_t { m_s, kmh, feet };
+
 inline constexpr NameRow kUnitSystems[] = {{"m_s", "Metres, m/s", "Lengths in metres, speeds in metres per second."},
                                            {"kmh", "Metres, km/h", "Lengths in metres, speeds in km/h."},
                                            {"feet", "Feet, mph", "Lengths in feet, speeds in miles per hour."}};
+
 constexpr std::span<const NameRow> rows_of(Units) { return kUnitSystems; }
 
 // Converts values of a metric unit to the shown one.
@@ -23,6 +26,7 @@ struct ShownUnit {
   double factor = 1;      // shown = factor * metric
   int more_decimals = 0;  // additional decimals that keep the precision of the metric value
 };
+
 // Returns the unit that shows values of a metric one: "m", "mm", "m/s", "1/m" and similar. Units that scripts write in
 // ASCII, such as "deg/s^2", get their signs. Other units are unchanged.
 ShownUnit shown_in(Units units, std::string_view metric);
@@ -30,8 +34,10 @@ ShownUnit shown_in(Units units, std::string_view metric);
 // Returns the limit of a ride's figures in a metric unit: 1,000 g, 100,000 g/s, 10,000 kN; infinity for other units.
 // Where a track bends at once, the arithmetic goes beyond it, to infinity; no train passes there.
 double figure_limit(std::string_view metric);
+
 // Returns a figure with these decimals, in `units`; "over 1,000", or "under -1,000", at its limit and beyond.
 std::string figure_text(double value, int decimals, std::string_view metric, Units units = Units::m_s);
+
 // Returns the figure, but at most its limit.
 double limited_figure(double value, std::string_view metric);
 
@@ -42,5 +48,22 @@ double metric_value(double shown, const ShownUnit& unit);
 // m/s" becomes "0 to 44.7 mph", "Position (m)" becomes "Position (ft)". Keeps the decimals, and at least three digits
 // that are not zeros at the end. Text in double quotes is unchanged.
 std::string in_units(std::string_view text, Units units);
+enum class Dimension : std::uint8_t { length, speed, acceleration, time, angle, spin, mass };
+
+struct Unit {
+  std::string_view name;
+  Dimension dimension;
+  double size;  // in the dimension's first unit of the table
+};
+
+// Returns all units that can be typed. To add one: a row.
+std::span<const Unit> units();
+
+// Evaluates numbers with + - * / and brackets, by the usual precedence, from left to right, in double precision. The
+// result is in `unit`, a name of the table or any other text ("" for a plain number). A number or bracket may be
+// followed by a unit, if it is `unit` itself or has the same dimension; a term without one is in `unit`. Code::usage
+// with the reason for everything else: other words, a decimal comma, a unit of another dimension, a product of two
+// units, division by zero, results beyond double. The result is finite, never inf or NaN.
+Result<double> evaluate(std::string_view text, std::string_view unit = {});
 
 }  // namespace coaster::base

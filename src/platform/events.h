@@ -48,6 +48,9 @@ struct Modifiers {
 
 enum class Button : std::uint8_t { left, right, middle };
 
+// How far the mouse moves before a press becomes a drag.
+inline constexpr float kDragThreshold = 3;  // points; less is a click
+
 struct MouseMove {
   float x = 0, y = 0;
   bool finger = false;  // on a touch screen, until a move without it

@@ -1,4 +1,5 @@
-#include "platform/loop.h"
+// The loop of frames.
+#include "platform/surface.h"
 
 #include <gtest/gtest.h>
 

@@ -5,7 +5,6 @@
 
 #include "base/interrupted.h"
 #include "base/text.h"
-#include "base/utf8.h"
 #include "edit/commands/commands_lab.h"
 #include "edit/commands/commands_operation.h"
 #include "edit/commands/commands_session.h"

@@ -9,7 +9,7 @@
 #include "edit/perform/force_replan.h"
 #include "edit/perform/placing.h"
 #include "edit/perform/replan.h"
-#include "exchange/own/force_keys.h"
+#include "exchange/own/track_file.h"
 #include "sim/plan/force_quantity.h"
 #include "world/section_words.h"
 #include "world/sections.h"

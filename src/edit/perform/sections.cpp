@@ -1,7 +1,7 @@
 // Commands that divide the track into sections, name them and equip them.
 #include <fmt/format.h>
 
-#include "base/utf8.h"
+#include "base/text.h"
 #include "edit/commands/commands_sections.h"
 #include "edit/perform/equipping.h"
 #include "edit/perform/knot_runs.h"

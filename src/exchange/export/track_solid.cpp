@@ -14,6 +14,7 @@
 #include "base/text.h"
 #include "exchange/export/track_shapes.h"
 #include "exchange/own/json.h"
+#include "exchange/own/link.h"
 #include "sim/shape/rails.h"
 #include "sim/solids/supports.h"
 #include "sim/solids/track_mesh.h"
@@ -31,7 +32,7 @@ struct SolidPart {
   std::vector<std::uint32_t> indices;
 };
 
-inline constexpr glm::vec3 kLineColour{1, 0.8f, 0};  // of the centre line
+constexpr glm::vec3 kLineColour{1, 0.8f, 0};  // of the centre line
 
 struct TrackSolid {
   std::array<SolidPart, 6> parts{
@@ -41,7 +42,7 @@ struct TrackSolid {
   std::vector<glm::vec3> centre_line;  // a closed track's line ends at its start; empty without segments
 };
 
-inline constexpr double kLineTolerance =
+constexpr double kLineTolerance =
     0.001;  // m, between the centre line and the rails (with at most 1000 chords per segment)
 
 constexpr std::uint32_t kNowhere = std::numeric_limits<std::uint32_t>::max();
@@ -139,7 +140,7 @@ constexpr int kFloat = 5126, kUnsigned = 5125, kVertices = 34962, kIndices = 349
 
 struct BinaryBuilder {
   Json views = Json::array(), accessors = Json::array();
-  std::string bytes;
+  std::string bytes;  // of points and triangles: three numbers each, so that base64 needs no padding
 
   // Adds an accessor with its own buffer view; sizes are multiples of 4 bytes, so everything is aligned. Returns the
   // accessor's index.
@@ -162,19 +163,6 @@ struct BinaryBuilder {
                {{"type", "VEC3"}, {"min", {low.x, low.y, low.z}}, {"max", {high.x, high.y, high.z}}});
   }
 };
-
-// Of points and triangles: three numbers each, so that no group of digits has to be filled.
-std::string base64(std::string_view bytes) {
-  constexpr std::string_view kDigits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::string text;
-  text.reserve(bytes.size() / 3 * 4);
-  std::uint32_t group = 0;
-  for (std::size_t i = 0; i < bytes.size(); ++i) {
-    group = group << 8 | static_cast<unsigned char>(bytes[i]);
-    for (std::size_t k = 0; k < 4 && i % 3 == 2; ++k) text += kDigits[group >> (18 - 6 * k) & 63];
-  }
-  return text;
-}
 
 Json material(std::string_view name, glm::vec3 colour) {
   return {
@@ -272,7 +260,7 @@ std::string print_gltf(const world::Document& document) {
     materials.push_back(material("centre line", kLineColour));
     file["materials"] = std::move(materials);
     const Json buffer{{"byteLength", builder.bytes.size()},
-                      {"uri", "data:application/octet-stream;base64," + base64(builder.bytes)}};
+                      {"uri", "data:application/octet-stream;base64," + base64(builder.bytes, "+/")}};
     file["buffers"] = Json::array({buffer});
     file["bufferViews"] = std::move(builder.views);
     file["accessors"] = std::move(builder.accessors);

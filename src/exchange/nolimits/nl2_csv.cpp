@@ -28,7 +28,7 @@ namespace coaster::exchange {
 namespace {
 
 // Returns how many decimals a number is written with.
-inline std::size_t decimals(std::string_view number) {
+std::size_t decimals(std::string_view number) {
   const std::size_t mark = number.find_first_of(".,");
   return mark == std::string_view::npos ? 0 : number.size() - mark - 1;
 }
@@ -97,7 +97,7 @@ std::string told_steps(const sim::RowSteps& steps) {
   return told + ": followed only within the steps, because riders would feel them as jolts; export with six decimals";
 }
 
-inline constexpr double kSamePlace = 2e-6;  // m: rounding of printed positions
+constexpr double kSamePlace = 2e-6;  // m: rounding of printed positions
 
 struct Nl2CsvReader {
   static constexpr double kAnywhere = 1e9;  // m

@@ -43,6 +43,9 @@ void bend(const sim::SpanEnds& ends, dvec3 from, dvec3 to, sim::Handles& handles
   if (moved < 1e-9 && h.out > 0 && h.in > 0 && most < kNear) handles = h;
 }
 
+// Control points times their weights (m), and the weights (> 0).
+using RationalBezier = std::array<glm::dvec4, 4>;
+
 SplinePiece fit(const RationalBezier& r, std::size_t vertex) {
   constexpr int kPlaces = 12;
   const Bezier b{point_of(r[0]), point_of(r[1]), point_of(r[2]), point_of(r[3])};
@@ -64,13 +67,17 @@ SplinePiece fit(const RationalBezier& r, std::size_t vertex) {
   return piece;
 }
 
-void append(const RationalBezier& r, std::size_t vertex, int halvings, std::vector<SplinePiece>& pieces) {
+constexpr int kMostHalvings = 12;
+
+// Appends cubics within kRationalOff of a rational one, halved until they are. They have its points and directions at
+// their ends and, where possible, its curvature within its plane there, which makes plane joints G2.
+void append_cubics(const RationalBezier& r, std::size_t vertex, int halvings, std::vector<SplinePiece>& pieces) {
   const SplinePiece piece = fit(r, vertex);
   if (piece.off <= kRationalOff || halvings == 0 || pieces.size() > world::kMaxKnots) return pieces.push_back(piece);
   const glm::dvec4 a = 0.5 * (r[0] + r[1]), b = 0.5 * (r[1] + r[2]), c = 0.5 * (r[2] + r[3]), d = 0.5 * (a + b),
                    e = 0.5 * (b + c), middle = 0.5 * (d + e);
-  append({r[0], a, d, middle}, vertex, halvings - 1, pieces);
-  append({middle, e, c, r[3]}, vertex, halvings - 1, pieces);
+  append_cubics({r[0], a, d, middle}, vertex, halvings - 1, pieces);
+  append_cubics({middle, e, c, r[3]}, vertex, halvings - 1, pieces);
 }
 
 constexpr double kNoDirection = 1e-4;  // m: shorter differences of control points have no direction
@@ -124,7 +131,7 @@ void append_run(std::span<const SplineVertex> run, std::size_t first, std::vecto
   const auto vertex = [first](std::size_t k) { return k == 0 ? first : first + k + 1; };
   std::size_t k = 0;
   if (rational)
-    for (const RationalBezier& span : spans_of(weighted)) append_cubics(span, vertex(k++), pieces);
+    for (const RationalBezier& span : spans_of(weighted)) append_cubics(span, vertex(k++), kMostHalvings, pieces);
   else
     for (const Bezier& span : spans_of(places)) pieces.push_back({span, vertex(k++)});
 }
@@ -206,11 +213,6 @@ dvec3 direction_beside(const Bezier& b, double t, double end) {
 }
 
 }  // namespace
-
-void append_cubics(const RationalBezier& rational, std::size_t vertex, std::vector<SplinePiece>& pieces) {
-  constexpr int kMostHalvings = 12;
-  append(rational, vertex, kMostHalvings, pieces);
-}
 
 dvec3 point(const Bezier& b, double t) {
   const double u = 1 - t;

@@ -40,12 +40,7 @@ struct SplinePiece {
   double off = 0;          // m, from the rational curve
 };
 
-using RationalBezier = std::array<glm::dvec4, 4>;  // control points times their weights (m), and the weights (> 0)
-inline constexpr double kRationalOff = 0.0005;     // m
-
-// Appends cubics within kRationalOff of a rational one, halved until they are (nl2_rational.cpp). They have its points
-// and directions at their ends and, where possible, its curvature within its plane there, which makes plane joints G2.
-void append_cubics(const RationalBezier& rational, std::size_t vertex, std::vector<SplinePiece>& pieces);
+inline constexpr double kRationalOff = 0.0005;  // m
 
 // Returns the curve in the order of travel, exact to rounding in double, or within kRationalOff where
 // the weights of a run differ. A run of vertices goes from one strict vertex

@@ -34,20 +34,26 @@ struct ElementFile {
   std::string weights;  // the name of the member that holds the vertices' weights; empty if all are 1
 };
 
-// A vertex that makes the file unusable.
-struct ElementError {
-  std::size_t vertex = 0;
-  std::string expected, found;
-};
-
-struct ElementTrack {
-  world::Document document;
-  ImportReport report;
-  std::vector<std::pair<std::size_t, std::string>> warnings;  // each with the vertex it is about
-  std::optional<ElementError> error;                          // set: there is no document
+// What is read, and the first error.
+struct ElementReader {
+  std::string name, error;
+  ElementFile file;
+  LoadedTrack loaded;
+  bool fail(int line, const std::string& expected, const std::string& found) {
+    error = fmt::format("{}:{}: error: expected {}, found {}", name, line, expected, found);
+    return false;
+  }
+  bool fail_at(std::size_t vertex, const std::string& expected, const std::string& found) {
+    return fail(file.lines[vertex], expected, found);
+  }
+  void warn(int line, const std::string& what) {
+    loaded.warnings.push_back(fmt::format("{}:{}: warning: {}", name, line, what));
+  }
+  void warn_at(std::size_t vertex, const std::string& what) { warn(file.lines[vertex], what); }
 };
 
 using glm::dvec3;
+using tinyxml2::XMLElement;
 constexpr std::size_t kMaxTold = 20;  // corners with a warning each
 constexpr double kRollTold = 0.5;     // degrees from a roll: more is reported
 constexpr double kAlongTold = 45;     // degrees of a roll's up from perpendicular to the track: the same
@@ -67,45 +73,38 @@ bool halve(std::vector<SplinePiece>& pieces, double bound) {
   return changed;
 }
 
-// Returns the curves between knots, corners rounded. Sets the error, or adds the warnings.
-std::vector<Bezier> curves_of(const ElementFile& file, ElementTrack& out) {
+// Makes the curves between knots, corners rounded.
+bool make_curves(ElementReader& r, std::vector<Bezier>& curves) {
+  const ElementFile& file = r.file;
+  double& off = r.loaded.import->max_error;
   std::vector<SplinePiece> pieces = spline_pieces(file.vertices);
   std::erase_if(pieces, [](const SplinePiece& piece) {  // between vertices at one place
     return start_direction(piece.curve) == dvec3(0) || end_direction(piece.curve) == dvec3(0);
   });
-  if (pieces.empty()) {
-    out.error = {0, "vertices at different places", "all at one"};
-    return {};
-  }
-  for (const SplinePiece& piece : pieces) out.report.max_error = std::max(out.report.max_error, piece.off);
-  if (const auto fold = find_fold(pieces, file.closed)) {
-    out.error = {fold->vertex, fmt::format("turns of at most {} degrees within {} cm", kSharpest, 200 * kCornerOff),
-                 fmt::format("one of {:.6g} degrees near vertex {}", base::degrees(fold->angle), fold->vertex + 1)};
-    return {};
-  }
+  if (pieces.empty()) return r.fail_at(0, "vertices at different places", "all at one");
+  for (const SplinePiece& piece : pieces) off = std::max(off, piece.off);
+  if (const auto fold = find_fold(pieces, file.closed))
+    return r.fail_at(fold->vertex, fmt::format("turns of at most {} degrees within {} cm", kSharpest, 200 * kCornerOff),
+                     fmt::format("one of {:.6g} degrees near vertex {}", base::degrees(fold->angle), fold->vertex + 1));
   std::vector<Corner> corners;
   pieces = round_corners(pieces, file.closed, corners);
   for (const Corner& corner : corners) {
-    if (corner.angle > base::radians(kSharpest) + 1e-6) {
-      out.error = {corner.vertex, fmt::format("corners of at most {} degrees", kSharpest),
-                   fmt::format("one of {:.6g} degrees at vertex {}", base::degrees(corner.angle), corner.vertex + 1)};
-      return {};
-    }
-    out.report.max_error = std::max(out.report.max_error, corner.off);
-    if (out.warnings.size() < kMaxTold)
-      out.warnings.emplace_back(corner.vertex,
-                                fmt::format("the corner of {} degrees at vertex {} was rounded, up to {:.1f} mm off",
-                                            rounded_degrees(corner.angle), corner.vertex + 1, 1000 * corner.off));
+    if (corner.angle > base::radians(kSharpest) + 1e-6)
+      return r.fail_at(
+          corner.vertex, fmt::format("corners of at most {} degrees", kSharpest),
+          fmt::format("one of {:.6g} degrees at vertex {}", base::degrees(corner.angle), corner.vertex + 1));
+    off = std::max(off, corner.off);
+    if (&corner < &corners[0] + kMaxTold)
+      r.warn_at(corner.vertex, fmt::format("the corner of {} degrees at vertex {} was rounded, up to {:.1f} mm off",
+                                           rounded_degrees(corner.angle), corner.vertex + 1, 1000 * corner.off));
   }
   if (corners.size() > kMaxTold)
-    out.warnings.emplace_back(corners[kMaxTold].vertex,
-                              fmt::format("{} more corners were rounded", corners.size() - kMaxTold));
+    r.warn_at(corners[kMaxTold].vertex, fmt::format("{} more corners were rounded", corners.size() - kMaxTold));
   if (file.closed && pieces.size() < 2) halve(pieces, 0);  // a closed track has two knots
   while (halve(pieces, world::kMaxHandle)) {
   }
-  std::vector<Bezier> curves;
   for (const SplinePiece& piece : pieces) curves.push_back(piece.curve);
-  return curves;
+  return true;
 }
 
 world::Knot knot_of(dvec3 position, dvec3 direction, double in, double out) {
@@ -191,49 +190,43 @@ RollAlong measure(const world::Document& document, const std::vector<Bezier>& se
   return along;
 }
 
-ElementTrack track_of(const ElementFile& file) {
-  ElementTrack out;
-  const std::vector<Bezier> curves = curves_of(file, out);
-  if (out.error) return out;
+bool make_track(ElementReader& r) {
+  const ElementFile& file = r.file;
+  world::Document& document = r.loaded.document;
+  std::vector<Bezier> curves;
+  ImportReport& report = r.loaded.import.emplace();
+  if (!make_curves(r, curves)) return false;
   const std::vector<Stop> stops = stops_of(curves, file.closed, file.rolls);
-  if (stops.size() > world::kMaxKnots) {
-    out.error = {0, fmt::format("vertices and rolls for at most {} knots", world::kMaxKnots),
-                 std::to_string(stops.size())};
-    return out;
-  }
+  if (stops.size() > world::kMaxKnots)
+    return r.fail_at(0, fmt::format("vertices and rolls for at most {} knots", world::kMaxKnots),
+                     std::to_string(stops.size()));
   std::vector<Bezier> segments;
   for (std::size_t i = 0; i + 1 < stops.size(); ++i)
     segments.push_back(
         part(curves[stops[i].piece], stops[i].t, stops[i + 1].piece == stops[i].piece ? stops[i + 1].t : 1));
   if (const std::size_t count = short_handles(segments); count > 0)
-    out.warnings.emplace_back(
+    r.warn_at(
         0, fmt::format("{} handles shorter than {} m were lengthened to it", count, base::to_text(world::kMinHandle)));
-  append_knots(segments, stops, file.closed, out.document);
-  if (!file.rolls.empty()) set_turns(stops, out.document);
-  else sim::set_automatic_spins(out.document);
-  world::add_cart(out.document, out.document.track.segments[0], 0);
-  const RollAlong along = measure(out.document, segments, file, out.report);
-  if (out.report.frame_error > kRollTold)
-    out.warnings.emplace_back(0, fmt::format("the track is up to {} degrees off the file's rolls",
-                                             rounded_degrees(base::radians(out.report.frame_error))));
+  append_knots(segments, stops, file.closed, document);
+  if (!file.rolls.empty()) set_turns(stops, document);
+  else sim::set_automatic_spins(document);
+  world::add_cart(document, document.track.segments[0], 0);
+  const RollAlong along = measure(document, segments, file, report);
+  if (report.frame_error > kRollTold)
+    r.warn_at(0, fmt::format("the track is up to {} degrees off the file's rolls",
+                             rounded_degrees(base::radians(report.frame_error))));
   if (along.degrees > kAlongTold)
-    out.warnings.emplace_back(
-        0, fmt::format("the up of the roll at coord {:.4g} is {:.0f} degrees off perpendicular to the track there",
-                       along.coord, along.degrees));
-  return out;
+    r.warn_at(0,
+              fmt::format("the up of the roll at coord {:.4g} is {:.0f} degrees off perpendicular to the track there",
+                          along.coord, along.degrees));
+  r.loaded.reshaped = file.rolls.size() > 1;
+  if (!file.weights.empty()) r.loaded.note = "The weights of vertices were read from " + file.weights + ".";
+  document.name = name_of_file(r.name);
+  return true;
 }
 
-using tinyxml2::XMLElement;
 constexpr double kElementSquare = 0.05;  // tolerance for unit and perpendicular frames
 constexpr double kSameVertex = 1e-6;     // m between the last and the first vertex of a closed track
-
-struct XmlReader {
-  std::string name, error;
-  bool fail(int line, const std::string& expected, const std::string& found) {
-    error = fmt::format("{}:{}: error: expected {}, found {}", name, line, expected, found);
-    return false;
-  }
-};
 
 std::string_view without_blanks(std::string_view text) {
   constexpr std::string_view kBlanks = " \t\r\n";
@@ -255,7 +248,7 @@ std::string text_of(const XMLElement& element) {
 }
 
 // Finds the tag in `parent`; null if there is none. Fails on a second one.
-bool find_one(XmlReader& r, const XMLElement& parent, std::string_view tag, const XMLElement*& found) {
+bool find_one(ElementReader& r, const XMLElement& parent, std::string_view tag, const XMLElement*& found) {
   found = nullptr;
   for (const XMLElement* e = parent.FirstChildElement(); e; e = e->NextSiblingElement()) {
     if (!is_tag(*e, tag)) continue;
@@ -265,7 +258,7 @@ bool find_one(XmlReader& r, const XMLElement& parent, std::string_view tag, cons
   return true;
 }
 
-bool read_number(XmlReader& r, const XMLElement& parent, std::string_view tag, double limit, double& value) {
+bool read_number(ElementReader& r, const XMLElement& parent, std::string_view tag, double limit, double& value) {
   const XMLElement* element = nullptr;
   if (!find_one(r, parent, tag, element)) return false;
   const std::string what = fmt::format("<{}>", tag);
@@ -281,13 +274,13 @@ bool read_number(XmlReader& r, const XMLElement& parent, std::string_view tag, d
 }
 
 // Reads "ux", "uy" and "uz" for the prefix "u".
-bool read_vector(XmlReader& r, const XMLElement& parent, std::string_view prefix, double limit, dvec3& v) {
+bool read_vector(ElementReader& r, const XMLElement& parent, std::string_view prefix, double limit, dvec3& v) {
   for (int axis = 0; axis < 3; ++axis)
     if (!read_number(r, parent, fmt::format("{}{}", prefix, "xyz"[axis]), limit, v[axis])) return false;
   return true;
 }
 
-bool read_strict(XmlReader& r, const XMLElement& parent, bool& strict) {
+bool read_strict(ElementReader& r, const XMLElement& parent, bool& strict) {
   strict = false;
   const XMLElement* element = nullptr;
   if (!find_one(r, parent, "strict", element)) return false;
@@ -300,7 +293,8 @@ bool read_strict(XmlReader& r, const XMLElement& parent, bool& strict) {
 
 // Vertices of NoLimits 2 can have a weight, but no public source names its member in an element: `w` and `weight` are
 // read, as a tag or an attribute. Any other name that speaks of a weight is rejected unless it is 1.
-bool read_weight(XmlReader& r, const XMLElement& vertex, ElementFile& file, double& weight) {
+bool read_weight(ElementReader& r, const XMLElement& vertex, double& weight) {
+  ElementFile& file = r.file;
   constexpr double kMostRatio = 100;
   bool found = false;
   const auto take = [&](int line, const char* name, std::string what, std::string_view value) {
@@ -327,19 +321,21 @@ bool read_weight(XmlReader& r, const XMLElement& vertex, ElementFile& file, doub
   return true;
 }
 
-bool read_vertex(XmlReader& r, const XMLElement& element, ElementFile& file) {
+bool read_vertex(ElementReader& r, const XMLElement& element) {
+  ElementFile& file = r.file;
   if (file.vertices.size() >= world::kMaxKnots)
     return r.fail(element.GetLineNum(), fmt::format("at most {} vertices", world::kMaxKnots), "more");
   SplineVertex v;
   if (!read_vector(r, element, "", world::kMaxCoordinate, v.position) || !read_strict(r, element, v.strict) ||
-      !read_weight(r, element, file, v.weight))
+      !read_weight(r, element, v.weight))
     return false;
   file.vertices.push_back(v);
   file.lines.push_back(element.GetLineNum());
   return true;
 }
 
-bool read_roll(XmlReader& r, const XMLElement& element, ElementFile& file) {
+bool read_roll(ElementReader& r, const XMLElement& element) {
+  ElementFile& file = r.file;
   if (file.rolls.size() >= world::kMaxKnots)
     return r.fail(element.GetLineNum(), fmt::format("at most {} rolls", world::kMaxKnots), "more");
   ElementRoll roll;
@@ -359,10 +355,11 @@ bool read_roll(XmlReader& r, const XMLElement& element, ElementFile& file) {
   return true;
 }
 
-bool read_element(XmlReader& r, const XMLElement& element, ElementFile& file) {
+bool read_element(ElementReader& r, const XMLElement& element) {
+  ElementFile& file = r.file;
   for (const XMLElement* e = element.FirstChildElement(); e; e = e->NextSiblingElement()) {
-    if (is_tag(*e, "vertex") && !read_vertex(r, *e, file)) return false;
-    if (is_tag(*e, "roll") && !read_roll(r, *e, file)) return false;
+    if (is_tag(*e, "vertex") && !read_vertex(r, *e)) return false;
+    if (is_tag(*e, "roll") && !read_roll(r, *e)) return false;
   }
   const int line = element.GetLineNum();
   if (file.vertices.size() < 2) return r.fail(line, "at least 2 vertices", std::to_string(file.vertices.size()));
@@ -404,7 +401,7 @@ std::string fault_of(tinyxml2::XMLError error) {
   }
 }
 
-bool read_file(XmlReader& r, std::string_view text, ElementFile& file, std::vector<std::string>& warnings) {
+bool read_file(ElementReader& r, std::string_view text) {
   if (const int line = line_of_long_tag(text); line > 0)
     return r.fail(line, "tags of at most 4096 bytes", "a longer one");
   tinyxml2::XMLDocument xml;
@@ -417,10 +414,8 @@ bool read_file(XmlReader& r, std::string_view text, ElementFile& file, std::vect
   for (const XMLElement* e = root->FirstChildElement(); e; e = e->NextSiblingElement())
     if (is_tag(*e, "element")) elements.push_back(e);
   if (elements.empty()) return r.fail(root->GetLineNum(), "<element> in <root>", "none");
-  if (elements.size() > 1)
-    warnings.push_back(
-        fmt::format("{}:{}: warning: only the first <element> is read", r.name, elements[1]->GetLineNum()));
-  return read_element(r, *elements[0], file);
+  if (elements.size() > 1) r.warn(elements[1]->GetLineNum(), "only the first <element> is read");
+  return read_element(r, *elements[0]);
 }
 
 void print_line(std::string& out, int depth, std::string_view tag, const std::string& value) {
@@ -452,26 +447,10 @@ void print_roll(std::string& out, const curve::Frame& frame, double coord) {
 }  // namespace
 
 base::Result<LoadedTrack> parse_nl2elem(std::string_view text, std::string_view name) {
-  XmlReader r{std::string(name), {}};
-  ElementFile file;
-  LoadedTrack loaded;
-  if (text.empty()) r.fail(1, "XML", "an empty file");
-  else if (read_file(r, text, file, loaded.warnings)) {
-    ElementTrack track = track_of(file);
-    if (track.error) {
-      r.fail(file.lines[track.error->vertex], track.error->expected, track.error->found);
-    } else {
-      loaded.document = std::move(track.document);
-      loaded.import = track.report;
-      loaded.reshaped = file.rolls.size() > 1;
-      if (!file.weights.empty()) loaded.note = "The weights of vertices were read from " + file.weights + ".";
-      loaded.document.name = name_of_file(r.name);
-      for (const auto& [vertex, warning] : track.warnings)
-        loaded.warnings.push_back(fmt::format("{}:{}: warning: {}", r.name, file.lines[vertex], warning));
-      return loaded;
-    }
-  }
-  return base::Status{base::Code::bad_file, r.error};
+  ElementReader r{.name = std::string(name)};
+  const bool read = text.empty() ? r.fail(1, "XML", "an empty file") : read_file(r, text) && make_track(r);
+  if (!read) return base::Status{base::Code::bad_file, r.error};
+  return std::move(r.loaded);
 }
 
 base::Status check_nl2elem(const world::Document& document) {

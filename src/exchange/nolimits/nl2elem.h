@@ -10,7 +10,7 @@
 namespace coaster::exchange {
 
 // Parses an element. Its curve (nl2_spline.h) becomes segments, exact except for the rounding of knots to float, for
-// runs with different weights (kRationalOff), and for corners, which become fillets (nl2_corners.h) with a warning
+// runs with different weights (kRationalOff), and for corners, which become fillets (nl2_spline.h) with a warning
 // each. Rolls that the track does not match add knots (nl2_rolls.h); without rolls the track follows the horizon. The
 // track is closed if the first and last vertices coincide. One train at the start. Errors are Code::bad_file, one line
 // "NAME:LINE: error: expected ..., found ...". Rejects broken XML, no root/element, missing, repeated or non-finite

@@ -140,19 +140,21 @@ bool read_view(const Json& tree, SharedView& view, std::string& hash, std::strin
 
 }  // namespace
 
-std::string pack(std::string_view text) {
-  const std::string bytes = deflate_raw(text);
-  std::string packed;
-  packed.reserve(bytes.size() * 4 / 3 + 3);
+std::string base64(std::string_view bytes, std::string_view last_two) {
+  std::string text;
+  text.reserve(bytes.size() * 4 / 3 + 3);
   std::uint32_t bits = 0;
   int count = 0;
+  const auto digit = [&](std::uint32_t value) { return value < 62 ? kAlphabet[value] : last_two[value - 62]; };
   for (const char c : bytes) {
     bits = bits << 8 | static_cast<unsigned char>(c);
-    for (count += 8; count >= 6; count -= 6) packed += kAlphabet[bits >> (count - 6) & 63];
+    for (count += 8; count >= 6; count -= 6) text += digit(bits >> (count - 6) & 63);
   }
-  if (count > 0) packed += kAlphabet[bits << (6 - count) & 63];
-  return packed;
+  if (count > 0) text += digit(bits << (6 - count) & 63);
+  return text;
 }
+
+std::string pack(std::string_view text) { return base64(deflate_raw(text), kAlphabet.substr(62)); }
 
 base::Result<std::string> unpack(std::string_view packed, std::size_t most_bytes) {
   std::string bytes;

@@ -25,6 +25,9 @@ bool is_link(std::string_view text);
 // from the shared one.
 base::Result<LoadedTrack> parse_link(std::string_view text);
 
+// Returns bytes as base64 (RFC 4648) without padding, whose last two digits are given.
+std::string base64(std::string_view bytes, std::string_view last_two);
+
 // Returns letters, digits, "-" and "_" only. unpack(pack(text)) is the text.
 std::string pack(std::string_view text);
 

@@ -18,8 +18,6 @@
 #include <glm/glm.hpp>
 
 #include "base/text.h"
-#include "base/utf8.h"
-#include "exchange/own/force_keys.h"
 #include "exchange/own/json.h"
 #include "sim/shape/roll.h"
 #include "world/components.h"

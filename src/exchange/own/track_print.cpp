@@ -7,8 +7,6 @@
 #include <fmt/format.h>
 
 #include "base/text.h"
-#include "base/utf8.h"
-#include "exchange/own/force_keys.h"
 #include "exchange/own/json.h"
 #include "world/element_rows.h"
 #include "world/equipment_rows.h"

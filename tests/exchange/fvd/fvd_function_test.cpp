@@ -1,4 +1,5 @@
-#include "exchange/fvd/fvd_path.h"
+// Functions of openFVD projects, and force keys that follow them.
+#include "exchange/fvd/fvd_detail.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,3 +1,4 @@
+// Fillets in place of the corners of elements.
 #include "exchange/nolimits/nl2_spline.h"
 
 #include <gtest/gtest.h>

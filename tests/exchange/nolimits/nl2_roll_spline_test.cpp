@@ -1,3 +1,4 @@
+// The spline through roll points.
 #include "exchange/nolimits/nl2_rolls.h"
 
 #include <random>

@@ -1,3 +1,4 @@
+// Checked getters for the members of a JSON object.
 #include "exchange/own/json.h"
 
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// JSON text parsed into a tree.
 #include "exchange/own/json.h"
 
 #include <gtest/gtest.h>

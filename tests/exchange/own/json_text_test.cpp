@@ -1,3 +1,4 @@
+// Printed JSON.
 #include "exchange/own/json.h"
 
 #include <gtest/gtest.h>

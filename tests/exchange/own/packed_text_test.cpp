@@ -1,3 +1,4 @@
+// Text packed for addresses.
 #include "exchange/own/link.h"
 
 #include <gtest/gtest.h>

@@ -6,7 +6,7 @@
 #include <cstring>
 #include <utility>
 
-#include "app/beside.h"
+#include "app/long_job.h"
 #include "base/interrupted.h"
 
 namespace coaster::app {
@@ -31,36 +31,36 @@ EM_JS(void, tell_part, (double part), { postMessage({ part: part }); });
 }  // namespace
 
 // Called in the worker: returns what the work finds, as text.
-extern "C" EMSCRIPTEN_KEEPALIVE const char* coaster_work(Beside::Work* work) {
+extern "C" EMSCRIPTEN_KEEPALIVE const char* coaster_work(BackgroundWork::Work* work) {
   base::Progress progress;
   progress.told = tell_part;
   const base::WorkFor watched(&progress);
-  return ::strdup(print_found((*work)()).c_str());
+  return ::strdup(print_job_result((*work)()).c_str());
 }
 
-Beside::Beside(Work work, const std::string& file) : work_(std::make_unique<Work>(std::move(work))) {
+BackgroundWork::BackgroundWork(Work work, const std::string& file) : work_(std::make_unique<Work>(std::move(work))) {
   if (begin_work(work_.get(), file.c_str()) != 0) in_worker_ = true;
 }
 
-Beside::~Beside() {
+BackgroundWork::~BackgroundWork() {
   if (in_worker_) end_work();
 }
 
-bool Beside::is_quick() { return false; }
-bool Beside::done() {
+bool BackgroundWork::is_quick() { return false; }
+bool BackgroundWork::done() {
   if (!in_worker_ || progress.cancelled) return true;
   progress.report(part_done());
   return is_over() != 0;
 }
 
-base::Result<Found> Beside::take() {
+base::Result<JobResult> BackgroundWork::take() {
   if (progress.cancelled) return base::Status{base::Code::refused, "cancelled"};
   if (!in_worker_) {
     const base::WorkFor watched(&progress);
     return (*work_)();
   }
   char* const text = found_text();
-  base::Result<Found> found = parse_found(text);
+  base::Result<JobResult> found = parse_job_result(text);
   std::free(text);
   return found;
 }

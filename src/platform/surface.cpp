@@ -1,4 +1,4 @@
-#include "platform/placement.h"
+#include "platform/surface.h"
 
 #include <algorithm>
 #include <cstdint>

@@ -1,7 +1,10 @@
-// fontconfig, loaded when a text first needs it.
-#include "platform/system_fonts.h"
-
+// What a desktop has in place of a page: the loop of frames, and the system's fonts by fontconfig, loaded when a text
+// first needs it. It has no encoder of movies.
 #include <dlfcn.h>
+
+#include "platform/encoder.h"
+#include "platform/surface.h"
+#include "platform/system_fonts.h"
 
 namespace coaster::platform {
 namespace {
@@ -39,6 +42,26 @@ SystemFont take_font(void* fc, std::vector<unsigned>& left) {
 }
 
 }  // namespace
+
+// NOLINTNEXTLINE(performance-unnecessary-value-param): a web page keeps them
+int run_frames(std::function<bool()> step, std::function<int()> finish) {
+  while (step()) {
+  }
+  return finish();
+}
+
+bool Encoder::in_page() { return false; }
+
+base::Result<std::unique_ptr<Encoder>> Encoder::start(int) {
+  return base::Status{base::Code::refused, "Only a browser has an encoder."};
+}
+
+Encoder::~Encoder() = default;
+bool Encoder::ready() const { return true; }
+base::Status Encoder::add(int, int, std::span<const std::uint8_t>) { return {}; }
+void Encoder::finish(const std::string&) {}
+std::optional<std::string> Encoder::poll() { return std::nullopt; }
+double Encoder::done() const { return 0; }
 
 std::vector<SystemFont> fonts_with(std::vector<unsigned> characters) {
   std::vector<SystemFont> fonts;

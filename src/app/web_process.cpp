@@ -1,17 +1,19 @@
-// The browser's file dialog: it gives the chosen file to the page.
+// A web page cannot start other programs. The browser's file dialog gives the chosen file to the page.
 #include <emscripten.h>
 
 #include <cstdlib>
 #include <filesystem>
 #include <utility>
 
-#include "app/system_dialog.h"
+#include "app/process.h"
 
 namespace coaster::app {
 namespace {
 
 // clang-format off
+
 EM_JS(int, open_dialog, (), { return Module.coasterPick ? Module.coasterPick() : 0; });
+
 // Returns "" while it is open, "-" if it was cancelled.
 EM_JS(char*, picked_file, (), {
   const path = Module.coasterPicked ? Module.coasterPicked() : "-";
@@ -19,10 +21,20 @@ EM_JS(char*, picked_file, (), {
   stringToUTF8(path, text, size);
   return text;
 });
+
 // clang-format on
 
 }  // namespace
 
+std::string find_program(const char*) { return {}; }
+Process::~Process() = default;
+
+base::Status Process::start(std::vector<std::string>, int, bool, int) {
+  return {base::Code::io, "a page starts no programs"};
+}
+
+std::optional<int> Process::poll() { return std::nullopt; }
+void Process::end() {}
 SystemDialogProcess::SystemDialogProcess() : program_("browser") {}
 
 // Saved files are also downloaded, and the browser asks where to: the suggested name is sufficient.

@@ -1,4 +1,5 @@
-#include "app/beside.h"
+// Work beside the frames in a thread.
+#include "app/long_job.h"
 
 #include <chrono>
 
@@ -7,7 +8,7 @@
 namespace coaster::app {
 
 // Where the system refuses a thread, take() does the work. std::async then needs it again: it may not be moved.
-Beside::Beside(Work work, const std::string&)
+BackgroundWork::BackgroundWork(Work work, const std::string&)
     : result_(std::async(
           std::launch::async | std::launch::deferred,
           [work](base::Progress* watched) {
@@ -16,10 +17,11 @@ Beside::Beside(Work work, const std::string&)
             return work();
           },
           &progress)) {}
-Beside::~Beside() { progress.cancelled = true; }  // the future waits for the thread
-bool Beside::is_quick() { return true; }
-bool Beside::done() { return result_.wait_for(std::chrono::seconds(0)) != std::future_status::timeout; }
-base::Result<Found> Beside::take() { return result_.get(); }
+
+BackgroundWork::~BackgroundWork() { progress.cancelled = true; }  // the future waits for the thread
+bool BackgroundWork::is_quick() { return true; }
+bool BackgroundWork::done() { return result_.wait_for(std::chrono::seconds(0)) != std::future_status::timeout; }
+base::Result<JobResult> BackgroundWork::take() { return result_.get(); }
 
 void watch_work(const std::function<void()>& work, base::Progress& progress, double patience,
                 const std::function<void()>& meanwhile) {
