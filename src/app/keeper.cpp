@@ -36,7 +36,6 @@ bool holds_everything(const std::filesystem::path& path) {
 std::filesystem::path below(const std::filesystem::path& folder, const char* name) {
   return folder.empty() ? folder : folder / name;
 }
-
 std::filesystem::path settings_file(const Keeper& keeper) { return below(keeper.folders.config, "settings.json"); }
 std::filesystem::path progress_file(const Keeper& keeper) { return below(keeper.folders.state, "progress.json"); }
 

@@ -61,7 +61,6 @@ void stop_keeping(Program& program, bool clean);
 // Carries out the requests of the panels: new settings, a new folder, the answer about an autosave, the desktop's file
 // dialog.
 void answer_keeping(Program& program, const ui::Output& output);
-
 // Writes changed settings and medals, and the autosave when it is due. Call it at the end of each frame.
 void keep(Program& program);
 

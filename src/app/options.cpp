@@ -11,7 +11,7 @@
 
 #include "app/version.h"
 #include "base/exit_codes.h"
-#include "base/words.h"
+#include "base/text.h"
 #include "exchange/formats.h"
 #include "platform/sound.h"
 #include "platform/surface.h"
@@ -24,7 +24,6 @@ namespace {
 constexpr ModeRow kModes[] = {{'v', "--validate"}, {'p', "--report"},           {'f', "--script F --movie"},
                               {'s', "--script F"}, {'m', "--headless --movie"}, {'r', "--headless FILE"},
                               {'w', "a window"}};
-
 constexpr std::string_view kAnywhere = "vpfsmrw";
 
 constexpr OptionRow kRows[] = {
@@ -189,7 +188,6 @@ void options_section(std::string& out) {
 }  // namespace
 
 std::span<const ModeRow> mode_rows() { return kModes; }
-
 char mode_of(const Options& o) {
   if (o.validate || o.report) return o.validate ? 'v' : 'p';
   if (!o.script.empty()) return o.movie.empty() ? 's' : 'f';

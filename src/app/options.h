@@ -44,21 +44,18 @@ struct OptionRow {
       member;
   std::string_view modes;  // in which it has an effect, by the letters of mode_rows()
 };
-
 // What the program does, by the first of these that the options ask for: v checks files, p prints a report, f films a
 // script, s runs one, m films a ride, r rides, w opens a window. An option without an effect there is an error.
 struct ModeRow {
   char letter;
   std::string_view words;  // "--headless FILE"
 };
-
 std::span<const ModeRow> mode_rows();
 char mode_of(const Options& options);
 
 // Returns the options in the order of help, without --help and --version.
 std::span<const OptionRow> option_rows();
 inline constexpr std::string_view kSummary = "Builds and rides roller coasters made of cubic Bezier curves.";
-
 // Returns "coaster 0.1.0" and the libraries that the program was built with.
 std::string version_text();
 

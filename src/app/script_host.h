@@ -22,14 +22,12 @@ std::string answer(Program& program, std::string_view question);
 // waits for the player. Call it after each frame of a window. The tutorial runs until its end, until the player leaves
 // it, or until end_tutorial(). A notice reports errors.
 void teach(Program& program);
-
 // Ends the tutorial and restores the settings that it changed.
 void end_tutorial(Program& program);
 
 template <auto A, auto B>
 inline constexpr bool kSameSetting =
     std::is_same_v<std::integral_constant<decltype(A), A>, std::integral_constant<decltype(B), B>>;
-
 template <auto Setting>
 inline constexpr bool kLentToTutorial =
     kSameSetting<Setting, &world::Panels::workspace> || kSameSetting<Setting, &world::Panels::show_panels> ||

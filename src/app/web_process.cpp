@@ -11,9 +11,7 @@ namespace coaster::app {
 namespace {
 
 // clang-format off
-
 EM_JS(int, open_dialog, (), { return Module.coasterPick ? Module.coasterPick() : 0; });
-
 // Returns "" while it is open, "-" if it was cancelled.
 EM_JS(char*, picked_file, (), {
   const path = Module.coasterPicked ? Module.coasterPicked() : "-";
@@ -21,18 +19,15 @@ EM_JS(char*, picked_file, (), {
   stringToUTF8(path, text, size);
   return text;
 });
-
 // clang-format on
 
 }  // namespace
 
 std::string find_program(const char*) { return {}; }
 Process::~Process() = default;
-
 base::Status Process::start(std::vector<std::string>, int, bool, int) {
   return {base::Code::io, "a page starts no programs"};
 }
-
 std::optional<int> Process::poll() { return std::nullopt; }
 void Process::end() {}
 SystemDialogProcess::SystemDialogProcess() : program_("browser") {}

@@ -87,7 +87,6 @@ std::string made_in(int folder) {
     text.append(chunk.data(), static_cast<std::size_t>(got));
   return text;
 }
-
 bool is_made(const std::string& list, std::string_view name) {
   return name.find('\n') == std::string_view::npos && list.find(fmt::format("\n{}\n", name)) != std::string::npos;
 }
@@ -181,7 +180,6 @@ bool is_trace(const std::string& list, const std::string& name) {
 }
 
 using Visit = std::function<bool(int folder, const std::string& list, const std::string& name)>;
-
 // Calls the visit for each file of an open folder, and with `deep` of those in it, until one returns false; the list
 // comes last. Returns whether all were visited. Opens each folder relative to the previous one, never through a link.
 bool visit_files(int folder, bool deep, const Visit& visit) {

@@ -15,7 +15,6 @@ HandlerStack::~HandlerStack() = default;
 void keep_for_crash(std::vector<CrashFile>) {}
 void explain_crashes(const std::string&, int) {}
 void end_if_out_of_memory() {}
-
 void crash_because(const char* reason) {
   print_error(reason);
   std::abort();

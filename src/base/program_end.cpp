@@ -26,7 +26,6 @@ struct Guard {
   std::function<std::string()> save;
   std::atomic<std::thread::id> ending;  // the thread that ends the program
 };
-
 Guard& guard() {
   static Guard one;
   return one;

@@ -1,5 +1,5 @@
-// Scanning and printing of text for scripts, commands and files: tokens with positions, exact numbers, suggestions, and
-// UTF-8 (RFC 3629) from outside.
+// Scanning and printing of text for scripts, commands and files: tokens with positions, the words of a line read one by
+// one, exact numbers, suggestions, and UTF-8 (RFC 3629) from outside.
 #pragma once
 
 #include <cstdint>
@@ -7,7 +7,10 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
+
+#include <glm/glm.hpp>
 
 #include "base/status.h"
 
@@ -36,10 +39,8 @@ bool tokenise(std::string_view line, std::vector<Token>& tokens, TextError& erro
 
 // Returns the text in quotes with escapes, so that tokenise reads it back unless it has a NUL.
 std::string quoted(std::string_view text);
-
 // Returns quoted text for messages, truncated to 200 bytes, followed by "...".
 std::string quoted_start(std::string_view text);
-
 // The same of a text that is not a number, for messages; says so if the reason may be a decimal comma.
 std::string quoted_number(std::string_view text);
 
@@ -47,7 +48,6 @@ std::string quoted_number(std::string_view text);
 std::optional<double> parse_double(std::string_view text);
 std::optional<float> parse_float(std::string_view text);
 std::optional<std::int64_t> parse_int(std::string_view text);
-
 // True if the whole text is a number of any size; "inf" and "nan" are numbers, too.
 bool is_number(std::string_view text);
 
@@ -88,5 +88,53 @@ std::string visible_text(std::string_view text);
 
 // Returns the longest start of at most `most` bytes that does not end within a character.
 std::string_view utf8_start(std::string_view text, std::size_t most);
+
+// Reads the words of one line for a grammar (commands, scripts, conditions); stores the first failure with its column.
+class Words {
+ public:
+  Words(std::span<const Token> words, TextError& error) : words_(words), error_(error) {}
+
+  bool at_end() const { return next_ >= words_.size(); }
+  const Token* peek() const { return at_end() ? nullptr : &words_[next_]; }
+  std::span<const Token> rest() const { return words_.subspan(next_); }
+  // Skips the next word and returns true if it is this one, unquoted.
+  bool accept(std::string_view word);
+  // Takes the next word; fails at the end of the line with "expected WHAT".
+  const Token* take(std::string_view what);
+  std::optional<double> number(std::string_view what);
+  // Takes a whole number in [low, high].
+  std::optional<std::int64_t> whole(std::string_view what, std::int64_t low, std::int64_t high);
+  std::optional<glm::vec3> vector(std::string_view what);
+  // Takes "on" or "off" (true, yes, 1; false, no, 0).
+  std::optional<bool> on_off();
+  // Takes one of the names; fails with a suggestion for other words.
+  std::optional<std::size_t> one_of(std::string_view what, std::span<const std::string> names);
+  // Returns true at the end of the line.
+  bool end();
+  // Fails at the last word taken: "expected WHAT, found ...".
+  bool reject(std::string_view what, std::string_view hint = {});
+  // The same; a number is out of range, another word is wrong.
+  bool reject_number(std::string_view what);
+  bool fail(int column, std::string message) { return fail({column, std::move(message)}); }
+  bool fail(TextError error);
+  bool failed() const { return failed_; }
+  int end_column() const;
+
+ private:
+  std::span<const Token> words_;
+  TextError& error_;
+  std::size_t next_ = 0;
+  bool failed_ = false;
+};
+
+// Parses "on", "true", "yes" and their opposites; nothing for other words.
+std::optional<bool> parse_switch(std::string_view word);
+inline constexpr std::int64_t kMaxPixels = 7680 * 4320;  // 1.4 GB of framebuffer with 4 samples
+// Parses "WIDTHxHEIGHT": sides of 1 to 16384, at most kMaxPixels together.
+bool parse_size(std::string_view text, int& width, int& height);
+// What parse_size() accepts, and the error for a text that it does not.
+inline constexpr std::string_view kSizeWords = "WIDTHxHEIGHT such as 1280x720, up to 7680x4320";
+TextError size_error(int column, std::string_view text);
+std::string lower(std::string_view text);
 
 }  // namespace coaster::base

@@ -22,7 +22,6 @@ constexpr double kFoot = 0.3048, kInch = 0.0254, kMilePerHour = 0.44704;  // exa
 struct UnitRow {
   std::array<ShownUnit, 3> in;  // by Units; the first one is the metric unit itself
 };
-
 constexpr UnitRow kRows[] = {
     {{{{"m"}, {"m"}, {"ft", 1 / kFoot}}}},
     {{{{"cm"}, {"cm"}, {"in", 0.01 / kInch, 1}}}},
@@ -85,7 +84,6 @@ struct Run {
   std::size_t size = 0;                           // of all numbers, with the blank before the unit
   const UnitRow* unit = nullptr;                  // null: no metric unit follows
 };
-
 Run run_at(std::string_view text) {
   Run run;
   std::size_t from = 0;

@@ -13,11 +13,9 @@
 namespace coaster::base {
 
 enum class Units : std::uint8_t { m_s, kmh, feet };
-
 inline constexpr NameRow kUnitSystems[] = {{"m_s", "Metres, m/s", "Lengths in metres, speeds in metres per second."},
                                            {"kmh", "Metres, km/h", "Lengths in metres, speeds in km/h."},
                                            {"feet", "Feet, mph", "Lengths in feet, speeds in miles per hour."}};
-
 constexpr std::span<const NameRow> rows_of(Units) { return kUnitSystems; }
 
 // Converts values of a metric unit to the shown one.
@@ -26,7 +24,6 @@ struct ShownUnit {
   double factor = 1;      // shown = factor * metric
   int more_decimals = 0;  // additional decimals that keep the precision of the metric value
 };
-
 // Returns the unit that shows values of a metric one: "m", "mm", "m/s", "1/m" and similar. Units that scripts write in
 // ASCII, such as "deg/s^2", get their signs. Other units are unchanged.
 ShownUnit shown_in(Units units, std::string_view metric);
@@ -34,10 +31,8 @@ ShownUnit shown_in(Units units, std::string_view metric);
 // Returns the limit of a ride's figures in a metric unit: 1,000 g, 100,000 g/s, 10,000 kN; infinity for other units.
 // Where a track bends at once, the arithmetic goes beyond it, to infinity; no train passes there.
 double figure_limit(std::string_view metric);
-
 // Returns a figure with these decimals, in `units`; "over 1,000", or "under -1,000", at its limit and beyond.
 std::string figure_text(double value, int decimals, std::string_view metric, Units units = Units::m_s);
-
 // Returns the figure, but at most its limit.
 double limited_figure(double value, std::string_view metric);
 
@@ -55,7 +50,6 @@ struct Unit {
   Dimension dimension;
   double size;  // in the dimension's first unit of the table
 };
-
 // Returns all units that can be typed. To add one: a row.
 std::span<const Unit> units();
 

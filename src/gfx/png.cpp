@@ -9,7 +9,7 @@
 
 #include <fmt/format.h>
 
-#include "base/words.h"
+#include "base/text.h"
 #include "gfx/image.h"
 
 #pragma GCC diagnostic push

@@ -10,7 +10,6 @@ void spare_driver_threads();
 struct GlVersion {
   int major = 0, minor = 0;
 };
-
 inline constexpr GlVersion kGlVersions[] = {{4, 0}, {3, 3}};
 
 }  // namespace coaster::platform

@@ -51,11 +51,9 @@ int run_frames(std::function<bool()> step, std::function<int()> finish) {
 }
 
 bool Encoder::in_page() { return false; }
-
 base::Result<std::unique_ptr<Encoder>> Encoder::start(int) {
   return base::Status{base::Code::refused, "Only a browser has an encoder."};
 }
-
 Encoder::~Encoder() = default;
 bool Encoder::ready() const { return true; }
 base::Status Encoder::add(int, int, std::span<const std::uint8_t>) { return {}; }

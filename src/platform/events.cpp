@@ -4,7 +4,7 @@
 #include <iterator>
 #include <utility>
 
-#include "base/words.h"
+#include "base/text.h"
 
 namespace coaster::platform {
 namespace {

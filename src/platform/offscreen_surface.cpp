@@ -59,12 +59,12 @@ bool look_up(void* library, const char* name, F& function) {
 }
 
 // X(member, function)
-#define COASTER_EGL(X)                                                                                        \
-  X(error, eglGetError)                                                                                       \
-  X(query, eglQueryString) X(display, eglGetPlatformDisplay) X(initialize, eglInitialize) X(bind, eglBindAPI) \
-      X(choose, eglChooseConfig) X(create, eglCreateContext) X(destroy, eglDestroyContext)                    \
-          X(create_buffer, eglCreatePbufferSurface) X(destroy_buffer, eglDestroySurface)                      \
-              X(make_current, eglMakeCurrent) X(proc, eglGetProcAddress)
+#define COASTER_EGL(X)                                                                                          \
+  X(error, eglGetError)                                                                                         \
+  X(query, eglQueryString)                                                                                      \
+  X(display, eglGetPlatformDisplay) X(initialize, eglInitialize) X(bind, eglBindAPI) X(choose, eglChooseConfig) \
+      X(create, eglCreateContext) X(destroy, eglDestroyContext) X(create_buffer, eglCreatePbufferSurface)       \
+          X(destroy_buffer, eglDestroySurface) X(make_current, eglMakeCurrent) X(proc, eglGetProcAddress)
 struct Egl {
 #define X(member, function) decltype(&(function)) member = nullptr;
   COASTER_EGL(X)
@@ -304,7 +304,6 @@ struct Library {
   base::Result<OffscreenContext> (*make)();
   bool by_name_alone = false;
 };
-
 constexpr Library kLibraries[] = {{"osmesa", "OSMesa", make_osmesa_context},
                                   {"egl", "EGL", [] { return make_egl_context(false); }},
                                   {"gles", "EGL", [] { return make_egl_context(true); }, true}};
@@ -322,7 +321,6 @@ void spare_driver_threads() {
   counted = true;
   counted.notify_all();
 }
-
 base::Result<std::unique_ptr<Surface>> make_offscreen(const SurfaceOptions& options) {
   // Mesa's software renderer optimises its shaders for longer than most off-screen runs take to draw. Its first context
   // reads this once.

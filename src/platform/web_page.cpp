@@ -31,14 +31,11 @@ EM_JS(int, js_has_encoder, (), { return Module.coasterMovie !== undefined && Mod
 EM_JS(void, js_begin, (int rate), { Module.coasterMovie.begin(rate); });
 EM_JS(void, js_end, (), { Module.coasterMovie.end(); });
 EM_JS(int, js_waiting, (), { return Module.coasterMovie.waiting(); });
-
 EM_JS(void, js_add, (const void* rgba, int width, int height), {
   Module.coasterMovie.add(HEAPU8.slice(rgba, rgba + 4 * width * height), width, height);
 });
-
 EM_JS(void, js_finish, (const char* name), { Module.coasterMovie.finish(UTF8ToString(name)); });
 EM_JS(double, js_part, (), { return Module.coasterMovie.part(); });
-
 // What is to be said at the end, or why it failed; "" before.
 EM_JS(char*, js_said, (int failure), {
   const text = failure ? Module.coasterMovie.failed : Module.coasterMovie.said;
@@ -47,7 +44,6 @@ EM_JS(char*, js_said, (int failure), {
   stringToUTF8(text, copy, size);
   return copy;
 });
-
 // clang-format on
 
 std::string said(bool failure) {

@@ -26,7 +26,6 @@ namespace {
 
 // Transform feedback is read by mapping a buffer, which WebGL lacks, so this returns a copy of its bytes.
 void* mapped = nullptr;
-
 void* map_range(GLenum target, GLintptr offset, GLsizeiptr length, GLbitfield) {
   mapped = std::malloc(static_cast<std::size_t>(length));
   // clang-format off
@@ -34,7 +33,6 @@ void* map_range(GLenum target, GLintptr offset, GLsizeiptr length, GLbitfield) {
   // clang-format on
   return mapped;
 }
-
 GLboolean unmap(GLenum) {
   std::free(std::exchange(mapped, nullptr));
   return GL_TRUE;
@@ -64,7 +62,6 @@ struct NamedKey {
   const char* code;
   Key key;
 };
-
 // clang-format off
 constexpr NamedKey kNamedKeys[] = {
     {"Space", Key::space}, {"Quote", Key::apostrophe}, {"Comma", Key::comma}, {"Minus", Key::minus},
@@ -76,7 +73,6 @@ constexpr NamedKey kNamedKeys[] = {
     {"PageDown", Key::page_down}, {"Home", Key::home}, {"End", Key::end}, {"Numpad1", Key::keypad_1},
     {"Numpad3", Key::keypad_3}, {"Numpad5", Key::keypad_5}, {"Numpad7", Key::keypad_7},
     {"NumpadEnter", Key::keypad_enter}};
-
 // clang-format on
 
 // Returns the key's place on a US layout.
@@ -393,11 +389,9 @@ EMSCRIPTEN_KEEPALIVE double coaster_allocated() { return static_cast<double>(::m
 base::Result<std::unique_ptr<Surface>> make_window(const SurfaceOptions& options) {
   return make_surface(true, options);
 }
-
 base::Result<std::unique_ptr<Surface>> make_offscreen(const SurfaceOptions& options) {
   return make_surface(false, options);
 }
-
 std::string window_library() { return "WebGL 2"; }
 
 }  // namespace coaster::platform

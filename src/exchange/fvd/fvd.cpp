@@ -11,7 +11,6 @@
 #include "base/portable_math.h"
 #include "base/text.h"
 #include "curve/frames.h"
-#include "exchange/fvd/fvd_detail.h"
 #include "sim/plan/elements.h"
 #include "sim/plan/force_plan.h"
 #include "world/components.h"

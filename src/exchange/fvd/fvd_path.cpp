@@ -1,4 +1,4 @@
-#include "exchange/fvd/fvd_detail.h"
+#include "exchange/fvd/fvd.h"
 
 #include <algorithm>
 #include <array>

@@ -16,7 +16,6 @@
 #include "base/check.h"
 #include "base/interrupted.h"
 #include "base/text.h"
-#include "base/words.h"
 #include "exchange/nolimits/nl2_spline.h"
 #include "exchange/nolimits/text_rows.h"
 #include "exchange/own/import.h"

@@ -1,5 +1,5 @@
 // The roll spline; the knots that a file's rolls need, and the rolls that a track needs.
-#include "exchange/nolimits/nl2_rolls.h"
+#include "exchange/nolimits/nl2_spline.h"
 
 #include <algorithm>
 #include <cmath>
@@ -218,7 +218,6 @@ struct Miss {
   std::size_t at = 0;
   double off = 0;  // rad; 0: all match
 };
-
 Miss worst_miss(const std::vector<Candidate>& all, std::size_t a, std::size_t b, const sim::Roll& roll) {
   if (b - a > 1 && std::abs(roll.twist) > kTurn * (world::kMaxTurns - 1)) return {(a + b) / 2, kTurn};
   Miss worst;

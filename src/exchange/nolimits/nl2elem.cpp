@@ -14,8 +14,6 @@
 #include "base/check.h"
 #include "base/portable_math.h"
 #include "base/text.h"
-#include "base/words.h"
-#include "exchange/nolimits/nl2_rolls.h"
 #include "exchange/nolimits/nl2_spline.h"
 #include "exchange/nolimits/text_rows.h"
 #include "exchange/own/track_file.h"

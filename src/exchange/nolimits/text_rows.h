@@ -62,7 +62,6 @@ struct Separator {
   char mark;
   std::string_view name;
 };
-
 // Commas after semicolons: they may be decimal ones there.
 inline constexpr Separator kSeparators[]{{'\t', "tabs"}, {';', "semicolons"}, {',', "commas"}, {' ', "blanks"}};
 

@@ -176,7 +176,6 @@ std::string limit_text(T limit) {
 }
 
 Json tree_of(const JsonMembers& members);
-
 Json tree_of(const JsonList& list) {
   Json tree = Json::array();
   for (const JsonMembers& members : list) tree.push_back(tree_of(members));
@@ -187,7 +186,6 @@ template <class T>
 Json tree_of(const T& value) {
   return Json(value);
 }
-
 Json tree_of(const JsonMembers& members) {
   Json tree = Json::object();
   for (const auto& [name, value] : members) tree[name] = std::visit([](const auto& v) { return tree_of(v); }, value);

@@ -35,7 +35,6 @@ inline std::string json_line(const Json& value) { return value.dump(-1, ' ', fal
 inline std::string json_string(std::string_view text) { return json_line(Json(std::string(text))); }
 
 inline constexpr std::size_t kMaxNesting = 32;
-
 // A tree of this many values takes at most 0.6 GB while it grows. A file of 64 MiB of knots has half as many.
 inline constexpr std::size_t kMaxValues = 8'000'000;
 inline constexpr std::size_t kMaxMembers = 200'000;  // of one object

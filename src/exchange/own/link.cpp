@@ -102,14 +102,12 @@ std::string print_view(const world::Document& document, const SharedView& view) 
                     {"resolution", view.steps}}) +
          "\n";
 }
-
 bool real(Fields& fields, std::string_view member, float& value, float low, float high) {
   double wide = 0;
   if (!fields.number(member, wide, low, high)) return false;
   value = static_cast<float>(wide);
   return true;
 }
-
 bool place(Fields& fields, std::string_view member, glm::vec3& value) {
   glm::dvec3 wide(0);
   if (!fields.vector(member, wide, world::kMaxCoordinate)) return false;

@@ -76,9 +76,7 @@ struct CopiedKeys {
   std::vector<world::ForceKey> keys;  // ascending, at least one
   world::ForceOf of{};
 };
-
 std::string print_keys(const CopiedKeys& copied);
-
 // Returns the keys, or the error in the text.
 base::Result<CopiedKeys> parse_keys(std::string_view text);
 

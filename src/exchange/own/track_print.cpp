@@ -95,7 +95,6 @@ std::string extra_members(const Document& document, Entity e) {
 std::string value_text(const Document&, glm::vec3 v) { return vector(v); }
 std::string value_text(const Document& document, Entity e) { return id(document, e); }
 std::string value_text(const Document&, bool value) { return value ? "true" : "false"; }
-
 template <class T>
 std::string value_text(const Document&, T value) {
   if constexpr (base::Named<T>) return fmt::format("\"{}\"", base::name_of(value));

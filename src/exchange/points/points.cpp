@@ -11,7 +11,6 @@
 
 #include "base/interrupted.h"
 #include "base/text.h"
-#include "base/words.h"
 #include "curve/natural_spline.h"
 #include "exchange/nolimits/text_rows.h"
 #include "sim/fit/fit_track.h"

@@ -1,5 +1,5 @@
 // Functions of openFVD projects, and force keys that follow them.
-#include "exchange/fvd/fvd_detail.h"
+#include "exchange/fvd/fvd.h"
 
 #include <algorithm>
 #include <cmath>

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "exchange/fvd/fvd_detail.h"
+#include "exchange/fvd/fvd.h"
 
 namespace coaster::test {
 

@@ -1,5 +1,5 @@
 // The spline through roll points.
-#include "exchange/nolimits/nl2_rolls.h"
+#include "exchange/nolimits/nl2_spline.h"
 
 #include <random>
 
