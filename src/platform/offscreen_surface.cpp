@@ -59,12 +59,13 @@ bool look_up(void* library, const char* name, F& function) {
 }
 
 // X(member, function)
-#define COASTER_EGL(X)                                                                                          \
-  X(error, eglGetError)                                                                                         \
-  X(query, eglQueryString)                                                                                      \
-  X(display, eglGetPlatformDisplay) X(initialize, eglInitialize) X(bind, eglBindAPI) X(choose, eglChooseConfig) \
-      X(create, eglCreateContext) X(destroy, eglDestroyContext) X(create_buffer, eglCreatePbufferSurface)       \
-          X(destroy_buffer, eglDestroySurface) X(make_current, eglMakeCurrent) X(proc, eglGetProcAddress)
+// clang-format off
+#define COASTER_EGL(X) \
+  X(error, eglGetError) X(query, eglQueryString) X(display, eglGetPlatformDisplay) X(initialize, eglInitialize) \
+  X(bind, eglBindAPI) X(choose, eglChooseConfig) X(create, eglCreateContext) X(destroy, eglDestroyContext) \
+  X(create_buffer, eglCreatePbufferSurface) X(destroy_buffer, eglDestroySurface) X(make_current, eglMakeCurrent) \
+  X(proc, eglGetProcAddress)
+// clang-format on
 struct Egl {
 #define X(member, function) decltype(&(function)) member = nullptr;
   COASTER_EGL(X)

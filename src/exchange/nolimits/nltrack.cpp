@@ -175,10 +175,10 @@ base::Result<NltrackRecords> read_nltrack_records(std::string_view bytes, std::s
 using glm::dvec3;
 constexpr double kWorthATell = base::radians(0.1);  // larger turns between handles are reported
 constexpr double kCorner = base::radians(90.0);     // larger turns are rejected
-constexpr double kRollSign = -1.0;  // roll is positive to the left in the file, to the right in the document
-constexpr double kSteep = 0.9;      // sine of the slope above which the horizon does not define roll well
-constexpr float kOneKnot = 1e-3f;   // m: closer knots are one
-constexpr int kHorizonSteps = 64;   // per segment, to follow the horizon's rotation relative to the frame
+constexpr double kRollSign = -1.0;   // roll is positive to the left in the file, to the right in the document
+constexpr double kSteepSlope = 0.9;  // sine of the slope above which the horizon does not define roll well
+constexpr float kOneKnot = 1e-3f;    // m: closer knots are one
+constexpr int kHorizonSteps = 64;    // per segment, to follow the horizon's rotation relative to the frame
 
 // Changes that were needed to fit a document.
 struct Changes {
@@ -271,7 +271,7 @@ Twist twist_of(const curve::Cubic& cubic, glm::vec3 up_from, glm::vec3 up_to, do
   for (int i = 1; i <= kHorizonSteps; ++i) {
     const double t = static_cast<double>(i) / kHorizonSteps;
     const dvec3 next = curve::point(cubic, t), forward = curve::unit_tangent(cubic, t);
-    const bool steep = std::abs(forward.y) > kSteep || std::abs(carried.forward.y) > kSteep;
+    const bool steep = std::abs(forward.y) > kSteepSlope || std::abs(carried.forward.y) > kSteepSlope;
     carried = curve::transport(carried, at, next, forward);
     const dvec3 before = curve::transport(horizon, at, next, forward).up;
     horizon = {forward, curve::perpendicular(forward, up)};
