@@ -8,7 +8,6 @@
 
 #include "app/long_job.h"
 #include "app/pictures.h"
-#include "app/program.h"
 #include "app/scene.h"
 #include "base/crash_guard.h"
 #include "base/interrupted.h"

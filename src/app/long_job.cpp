@@ -1,16 +1,13 @@
 #include "app/long_job.h"
 
 #include <algorithm>
-#include <optional>
 #include <span>
 #include <type_traits>
 #include <utility>
-#include <variant>
 
 #include <fmt/format.h>
 
 #include "app/program.h"
-#include "base/interrupted.h"
 #include "base/text.h"
 #include "edit/commands/codec.h"
 #include "edit/commands/commands_seek.h"
@@ -19,7 +16,6 @@
 #include "edit/perform/seek.h"
 #include "edit/session/found_way.h"
 #include "exchange/formats.h"
-#include "sim/study/way_change.h"
 
 namespace coaster::app {
 namespace {

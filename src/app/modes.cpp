@@ -6,7 +6,6 @@
 #include <fmt/ranges.h>
 
 #include "app/frame.h"
-#include "app/options.h"
 #include "app/pictures.h"
 #include "app/program.h"
 #include "app/ride_summary.h"

@@ -15,7 +15,6 @@
 
 #include "app/frame.h"
 #include "app/pictures.h"
-#include "app/process.h"
 #include "app/program.h"
 #include "app/scene.h"
 #include "base/console.h"
@@ -25,7 +24,6 @@
 #include "edit/commands/commands_ride.h"
 #include "gfx/image.h"
 #include "platform/signals.h"
-#include "script/movie_rates.h"
 
 namespace coaster::app {
 namespace {

@@ -1,4 +1,3 @@
-extern char** environ;
 #include "app/process.h"
 
 #include <fcntl.h>
@@ -10,11 +9,12 @@ extern char** environ;
 #include <cerrno>
 #include <cstdlib>
 #include <cstring>
-#include <filesystem>
 #include <sstream>
 #include <utility>
 
 #include <fmt/format.h>
+
+extern char** environ;
 
 namespace coaster::app {
 

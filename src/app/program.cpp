@@ -14,7 +14,6 @@
 
 #include "app/long_job.h"
 #include "base/console.h"
-#include "base/crash_guard.h"
 #include "base/folders.h"
 #include "base/hash.h"
 #include "base/interrupted.h"

@@ -7,10 +7,8 @@
 
 #include <array>
 #include <atomic>
-#include <csignal>
 #include <cstdlib>
 #include <exception>
-#include <string>
 #include <utility>
 
 namespace coaster::base {

@@ -6,13 +6,9 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <array>
 #include <cerrno>
 #include <csignal>
 #include <cstring>
-#include <string>
-#include <string_view>
-#include <utility>
 
 #include <fmt/format.h>
 

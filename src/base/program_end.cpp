@@ -7,7 +7,6 @@
 #include <cstdlib>
 #include <new>
 #include <stdexcept>
-#include <string_view>
 #include <thread>
 #include <utility>
 

@@ -7,10 +7,8 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <cstdint>
 #include <cstdlib>
 #include <numeric>
-#include <utility>
 
 #include <fast_float/fast_float.h>
 #include <fmt/format.h>

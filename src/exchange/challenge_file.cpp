@@ -1,8 +1,6 @@
 // Parses challenges from JSON.
 #include "exchange/challenge_file.h"
 
-#include <algorithm>
-
 #include <fmt/format.h>
 
 #include "exchange/formats.h"

@@ -1,6 +1,4 @@
 // The window surface: GLFW and an OpenGL 3.3 core context.
-struct GLFWwindow;
-#define GLFW_INCLUDE_NONE
 #define GLFW_INCLUDE_NONE
 #include <dlfcn.h>
 

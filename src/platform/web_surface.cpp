@@ -1,5 +1,4 @@
 // The surface of a browser's page: its canvas, by Emscripten's html5.h, and a WebGL 2 context.
-extern "C" void* emscripten_webgl_get_proc_address(const char* name);
 #include <emscripten.h>
 #include <malloc.h>
 
@@ -20,6 +19,8 @@ extern "C" void* emscripten_webgl_get_proc_address(const char* name);
 #include "platform/keyboard.h"
 #include "platform/surface.h"
 #include "platform/touch.h"
+
+extern "C" void* emscripten_webgl_get_proc_address(const char* name);
 
 namespace coaster::platform {
 namespace {

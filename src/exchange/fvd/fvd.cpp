@@ -230,7 +230,7 @@ world::ForceProgram program_of(const FvdSection& section, const FvdPath& path) {
         keys_along(f, corners_of(function), program.length, tolerance, gap, base::row_of(channel).limit);
   };
   const auto values = [](const FvdFunction& function) {
-    return [&function](double x) { return value_of(piece_at(function, x), x); };
+    return [&function](double x) { return value_at(function, x); };
   };
   keys(ForceChannel::vertical, section.vertical, kKeyTolerance, values(section.vertical));
   keys(ForceChannel::lateral, section.lateral, kKeyTolerance, values(section.lateral));

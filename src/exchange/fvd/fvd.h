@@ -83,8 +83,9 @@ struct FvdLevelling {
 // Returns a piece's value at x, clamped to the piece. `levelling` is used only for pieces `to_zero`.
 double value_of(const FvdPiece& piece, double x, const FvdLevelling& levelling = {});
 
-// Returns the piece for x; beyond the end the last one.
+// Returns the piece for x, beyond the end the last one; and its value there.
 const FvdPiece& piece_at(const FvdFunction& function, double x);
+inline double value_at(const FvdFunction& function, double x) { return value_of(piece_at(function, x), x); }
 
 // Shifts each piece to start with the value at which the previous one ends, as openFVD does when it opens a file, the
 // first with `start`, and sets the ends of pieces that follow the section's end.

@@ -230,8 +230,8 @@ Rates Walk::rates(const Train& train) const {
       break;
     }
     case FvdKind::forced: {
-      const dvec3 felt = value_of(piece_at(section_.vertical, train.at), train.at) * train.up +
-                         value_of(piece_at(section_.lateral, train.at), train.at) * left - kUp;
+      const dvec3 felt =
+          value_at(section_.vertical, train.at) * train.up + value_at(section_.lateral, train.at) * left - kUp;
       r.curvature = gravity_ / train.square * (felt - glm::dot(felt, train.forward) * train.forward);
       // Upwards it is that of the hearts, which have their own speed: k (1 - heart k) = up. That program goes on a
       // little beyond what can be solved.
@@ -240,8 +240,8 @@ Rates Walk::rates(const Train& train) const {
       break;
     }
     case FvdKind::geometric: {
-      const double pitch = value_of(piece_at(section_.vertical, train.at), train.at) * r.per_metre,
-                   yaw = value_of(piece_at(section_.lateral, train.at), train.at) * r.per_metre;
+      const double pitch = value_at(section_.vertical, train.at) * r.per_metre,
+                   yaw = value_at(section_.lateral, train.at) * r.per_metre;
       r.curvature = base::radians(pitch) / glm::length(train.right) * glm::cross(train.right, train.forward);
       r.curvature += base::radians(yaw) * glm::cross(kUp, train.forward);
       r.yaw = base::radians(yaw);

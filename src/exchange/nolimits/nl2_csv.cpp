@@ -2,13 +2,10 @@
 #include "exchange/nolimits/nl2_csv.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numbers>
 #include <optional>
 #include <span>
-#include <string>
-#include <string_view>
 #include <vector>
 
 #include <fmt/format.h>

@@ -5,8 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
-#include <string>
 #include <vector>
 
 #include <fmt/format.h>
@@ -16,7 +14,6 @@
 #include "base/text.h"
 #include "exchange/nolimits/nl2_spline.h"
 #include "exchange/nolimits/text_rows.h"
-#include "exchange/own/track_file.h"
 #include "sim/fit/fit_track.h"
 #include "sim/shape/roll.h"
 #include "world/topology.h"

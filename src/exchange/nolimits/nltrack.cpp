@@ -7,7 +7,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <string>
-#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -43,16 +42,13 @@ constexpr std::size_t kVerticesHead = 20;             // 16 bytes and the count
 constexpr std::size_t kRecordBytes = 60;
 constexpr std::size_t kSegmentsHead = 5;  // the count and the closed byte
 
-// Code::bad_file with "NAME: error: at byte OFFSET: MESSAGE".
-base::Status bad_nltrack(std::string_view name, std::size_t offset, const std::string& message) {
-  return {base::Code::bad_file, fmt::format("{}: error: at byte {}: {}", name, offset, message)};
-}
-
 struct ChunkReader {
   std::string_view bytes;
   std::string name;
 
-  base::Status fail(std::size_t offset, const std::string& message) const { return bad_nltrack(name, offset, message); }
+  base::Status fail(std::size_t offset, const std::string& message) const {
+    return {base::Code::bad_file, fmt::format("{}: error: at byte {}: {}", name, offset, message)};
+  }
   std::uint32_t whole(std::size_t at) const {
     std::uint32_t value = 0;
     for (std::size_t i = 0; i < 4; ++i) value = value << 8 | static_cast<unsigned char>(bytes[at + i]);
@@ -158,15 +154,14 @@ base::Result<std::vector<NltrackKnot>> read_records(const ChunkReader& reader, c
 // Returns the knots of chunk BEZR and the closed byte of chunk SEGM. Code::bad_file with the byte and the reason for
 // chunks that are missing or cut off, coordinates beyond world::kMaxCoordinate, fewer than 2 knots, and more than
 // world::kMaxKnots.
-base::Result<NltrackRecords> read_nltrack_records(std::string_view bytes, std::string_view name) {
-  const ChunkReader reader{bytes, std::string(name)};
+base::Result<NltrackRecords> read_nltrack(const ChunkReader& reader) {
   const auto vertices = find_chunk(reader, "BEZR", 0, kVerticesHead);
   if (!vertices) return vertices.status();
   auto knots = read_records(reader, *vertices);
   if (!knots) return knots.status();
   const auto place = closed_byte(reader, vertices->end(), knots->size());
   if (!place) return place.status();
-  const auto mark = static_cast<unsigned char>(bytes[*place]);
+  const auto mark = static_cast<unsigned char>(reader.bytes[*place]);
   if (mark != 0 && mark != 0xff)
     return reader.fail(*place, fmt::format("expected the closed byte 0 or 255, found {}", mark));
   return NltrackRecords{std::move(*knots), mark == 0xff};
@@ -214,7 +209,7 @@ dvec3 between_neighbours(const std::vector<NltrackKnot>& records, std::size_t i,
   return after - before;
 }
 
-base::Result<world::Knot> make_knot(std::string_view name, const std::vector<NltrackKnot>& records, std::size_t i,
+base::Result<world::Knot> make_knot(const ChunkReader& reader, const std::vector<NltrackKnot>& records, std::size_t i,
                                     bool closed, Changes& changes) {
   const NltrackKnot& r = records[i];
   const bool comes = i > 0 || closed, goes = i + 1 < records.size() || closed;  // whether a segment uses the handle
@@ -224,14 +219,13 @@ base::Result<world::Knot> make_knot(std::string_view name, const std::vector<Nlt
   const double a = glm::length(in), b = glm::length(out);
   dvec3 direction = a + b > 0 ? in + out : between_neighbours(records, i, closed);
   if (!(glm::length(direction) > 0))
-    return bad_nltrack(name, r.offset,
+    return reader.fail(r.offset,
                        fmt::format("knot {} has no direction: its handles cancel out or have no length", r.number));
   if (a > 0 && b > 0) {
     const double turn = base::arc_tangent(glm::length(glm::cross(in, out)), glm::dot(in, out));
     if (turn > kCorner)
-      return bad_nltrack(name, r.offset,
-                         fmt::format("knot {} is a corner of {} degrees", r.number,
-                                     base::to_text(static_cast<float>(base::degrees(turn)))));
+      return reader.fail(r.offset, fmt::format("knot {} is a corner of {} degrees", r.number,
+                                               base::to_text(static_cast<float>(base::degrees(turn)))));
     if (turn > kWorthATell) ++changes.straightened;
     if (turn > std::max(kWorthATell, changes.largest_turn)) changes.largest_turn = turn, changes.turned_most = r.number;
   }
@@ -241,7 +235,7 @@ base::Result<world::Knot> make_knot(std::string_view name, const std::vector<Nlt
   knot.tangent = glm::vec3(glm::normalize(direction));
   for (const auto& [length, stored, used] : {std::tuple{a, &knot.in_length, comes}, {b, &knot.out_length, goes}}) {
     if (length > world::kMaxHandle)
-      return bad_nltrack(name, r.offset,
+      return reader.fail(r.offset,
                          fmt::format("knot {} has a handle of {} m, over the limit of {}", r.number,
                                      base::to_text(static_cast<float>(length)), base::to_text(world::kMaxHandle)));
     *stored = std::max(static_cast<float>(length), world::kMinHandle);
@@ -290,7 +284,7 @@ Twist twist_of(const curve::Cubic& cubic, glm::vec3 up_from, glm::vec3 up_to, do
 }
 
 // Sets the whole turns that the smallest twist between the knots' `up` omits.
-base::Status set_turns(std::string_view name, world::Document& document, std::size_t i,
+base::Status set_turns(const ChunkReader& reader, world::Document& document, std::size_t i,
                        const std::vector<NltrackKnot>& records) {
   const NltrackKnot &from = records[i], &to = records[(i + 1) % records.size()];
   const world::Entity e = document.track.segments[i];
@@ -303,9 +297,8 @@ base::Status set_turns(std::string_view name, world::Document& document, std::si
       twist_of(cubic, world::knot(document, segment.from).up, world::knot(document, segment.to).up, rolled);
   const double turns = std::round((twist.whole - twist.least) / (2 * base::kPi));
   if (std::abs(turns) > world::kMaxTurns)
-    return bad_nltrack(name, to.offset + 36,
-                       fmt::format("the roll goes over {} turns from the knot before, the limit is {}",
-                                   base::to_text(turns), world::kMaxTurns));
+    return reader.fail(to.offset + 36, fmt::format("the roll goes over {} turns from the knot before, the limit is {}",
+                                                   base::to_text(turns), world::kMaxTurns));
   segment.turns = static_cast<std::int32_t>(turns);
   return {};
 }
@@ -362,24 +355,25 @@ std::vector<std::string> warnings_of(const Changes& changes) {
 }  // namespace
 
 base::Result<LoadedTrack> parse_nltrack(std::string_view bytes, std::string_view name) {
-  const auto file = read_nltrack_records(bytes, name);
+  const ChunkReader reader{bytes, std::string(name)};
+  const auto file = read_nltrack(reader);
   if (!file) return file.status();
   const bool closed = file->closed;
   Changes changes;
   const std::vector<NltrackKnot> records = without_repeats(file->knots, closed, changes);
-  if (records.size() < 2) return bad_nltrack(name, records[0].offset, "expected knots at different places, found one");
+  if (records.size() < 2) return reader.fail(records[0].offset, "expected knots at different places, found one");
 
   LoadedTrack track;
   world::Document& document = track.document;
   document.name = name_of_file(name);
   for (std::size_t i = 0; i < records.size(); ++i) {
-    const auto knot = make_knot(name, records, i, closed, changes);
+    const auto knot = make_knot(reader, records, i, closed, changes);
     if (!knot) return knot.status();
     world::append_knot(document, *knot);
   }
   if (closed) world::set_closed(document, true);
   for (std::size_t i = 0; i < document.track.segments.size(); ++i)
-    if (const base::Status status = set_turns(name, document, i, records); !status) return status;
+    if (const base::Status status = set_turns(reader, document, i, records); !status) return status;
   sim::set_automatic_spins(document);
   if (const auto broken = world::broken_invariant(document))
     return base::Status{base::Code::bad_file, fmt::format("{}: error: {}", name, *broken)};

@@ -1,8 +1,6 @@
 // Reads and writes force limits as JSON.
 #include "exchange/own/envelope_file.h"
 
-#include <array>
-
 #include <fmt/format.h>
 
 #include "base/text.h"

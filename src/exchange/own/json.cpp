@@ -4,12 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <set>
-#include <string>
-#include <vector>
-
-#include <fmt/format.h>
 
 #include "base/interrupted.h"
 #include "base/text.h"

@@ -4,8 +4,6 @@
 #include <zlib.h>
 
 #include <algorithm>
-#include <array>
-#include <cmath>
 #include <cstdint>
 #include <optional>
 

@@ -7,12 +7,9 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
-#include <string>
-#include <string_view>
 #include <type_traits>
 #include <unordered_map>
 #include <utility>
-#include <vector>
 
 #include <fmt/format.h>
 #include <glm/glm.hpp>
@@ -21,7 +18,6 @@
 #include "exchange/own/json.h"
 #include "sim/shape/roll.h"
 #include "world/components.h"
-#include "world/document.h"
 #include "world/element_rows.h"
 #include "world/equipment_rows.h"
 #include "world/sections.h"
@@ -264,9 +260,13 @@ bool create(TrackParse& parse, Fields& fields, Kind kind, Entity& e) {
   return true;
 }
 
-void keep_unknown(TrackParse& parse, const Fields& fields, Entity e) {
+// Adds the component and the unknown members.
+template <class Component>
+bool keep(TrackParse& parse, const Fields& fields, Entity e, Component component) {
+  parse.document.entities.put(e, std::move(component));
   std::string extra = fields.unknown(parse.warnings);
   if (!extra.empty()) parse.document.entities.put(e, world::Extra{std::move(extra)});
+  return true;
 }
 
 bool read_knot(TrackParse& parse, const Json& value, std::size_t index) {
@@ -280,10 +280,8 @@ bool read_knot(TrackParse& parse, const Json& value, std::size_t index) {
   if (knot.joint == world::JointKind::smooth && knot.in_length != knot.out_length)
     return fields.fail("joint", fmt::format("a smooth joint has equal handle lengths, found in {} and out {}",
                                             base::to_text(knot.in_length), base::to_text(knot.out_length)));
-  parse.document.entities.put(e, knot);
   parse.document.track.knots.push_back(e);
-  keep_unknown(parse, fields, e);
-  return true;
+  return keep(parse, fields, e, knot);
 }
 
 // A segment has a fitting if its first member is present.
@@ -317,10 +315,8 @@ bool read_segment(TrackParse& parse, const Json& value, std::size_t index) {
   bool good = true;
   world::Fittings::for_each([&]<class T>() { good = good && read_fitting<T>(parse, fields, e); });
   if (!good) return false;
-  parse.document.entities.put(e, segment);
   parse.document.track.segments.push_back(e);
-  keep_unknown(parse, fields, e);
-  return true;
+  return keep(parse, fields, e, segment);
 }
 
 // Reads the section of the segments from index `first` on, and moves `first` beyond them.
@@ -336,9 +332,7 @@ bool read_section(TrackParse& parse, Fields& fields, std::size_t& first) {
       !(read_component(parse, fields, section.force) && read_force_keys(fields, section.force)))
     return false;
   for (; count > 0; --count) parse.document.entities.get<world::Segment>(segments[first++]).section = e;
-  parse.document.entities.put(e, std::move(section));
-  keep_unknown(parse, fields, e);
-  return true;
+  return keep(parse, fields, e, std::move(section));
 }
 
 // Files before version 3 have no sections: the whole track is one free section.
@@ -358,9 +352,7 @@ bool read_cart(TrackParse& parse, const Json& value, std::size_t index) {
   world::Cart cart;
   if (!create(parse, fields, Kind::cart, e) || !read_component(parse, fields, cart)) return false;
   if (cart.fraction == 1.0) return fields.fail("fraction", "expected a number below 1 (1 is the next segment's 0)");
-  parse.document.entities.put(e, cart);
-  keep_unknown(parse, fields, e);
-  return true;
+  return keep(parse, fields, e, cart);
 }
 
 bool read_track_head(TrackParse& parse, Fields& fields) {

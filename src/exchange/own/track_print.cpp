@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <type_traits>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -75,21 +76,15 @@ std::string number(float value) {
 std::string vector(glm::vec3 v) { return fmt::format("[{}, {}, {}]", number(v.x), number(v.y), number(v.z)); }
 std::string id(const Document& document, Entity e) { return json_string(world::label_of(document, e)); }
 
-// Calls write(key, value text) for each unknown member that was kept.
-template <class Write>
-void for_each_extra(const world::Extra& extra, Write write) {
-  if (extra.json.empty()) return;
+// Returns the unknown members that were kept, each after `separator`.
+std::string extra_members(const world::Extra& extra, std::string_view separator) {
+  std::string text;
+  if (extra.json.empty()) return text;
   const auto tree = read_json(extra.json, "extra");
   COASTER_CHECK(tree && tree->is_object(), "kept members are the text of a JSON object");
-  for (const auto& [key, value] : tree->items()) write(json_string(key), json_line(value));
-}
-
-std::string extra_members(const Document& document, Entity e) {
-  std::string text;
-  if (const auto* const extra = document.entities.find<world::Extra>(e))
-    for_each_extra(
-        *extra, [&](const std::string& key, const std::string& value) { text += fmt::format(", {}: {}", key, value); });
-  return text + "}";
+  for (const auto& [key, value] : tree->items())
+    text += fmt::format("{}{}: {}", separator, json_string(key), json_line(value));
+  return text;
 }
 
 std::string value_text(const Document&, glm::vec3 v) { return vector(v); }
@@ -116,34 +111,33 @@ std::string members(const Document& document, const T& component, std::string_vi
   return text;
 }
 
-std::string knot_line(const Document& document, Entity e) {
-  return fmt::format("{{\"id\": {}{}{}", id(document, e), members(document, world::knot(document, e)),
-                     extra_members(document, e));
+// Returns the line of an entity with its members, each after a comma and a blank.
+std::string entity_line(const Document& document, Entity e, std::string text) {
+  if (const auto* const extra = document.entities.find<world::Extra>(e)) text += extra_members(*extra, ", ");
+  return fmt::format("{{\"id\": {}{}}}", id(document, e), text);
+}
+
+template <class Component>
+std::string component_line(const Document& document, Entity e) {
+  return entity_line(document, e, members(document, document.entities.get<Component>(e)));
 }
 
 std::string segment_line(const Document& document, Entity e) {
   const world::Segment& s = world::segment(document, e);
-  std::string text = fmt::format("{{\"id\": {}, \"from\": {}, \"to\": {}{}", id(document, e), id(document, s.from),
-                                 id(document, s.to), members(document, s));
+  std::string text =
+      fmt::format(", \"from\": {}, \"to\": {}{}", id(document, s.from), id(document, s.to), members(document, s));
   world::Fittings::for_each([&]<class T>() {
     if (const T* const fitting = document.entities.find<T>(e)) text += members(document, *fitting);
   });
-  return text + extra_members(document, e);
-}
-
-std::string cart_line(const Document& document, Entity e) {
-  return fmt::format("{{\"id\": {}{}{}", id(document, e), members(document, document.entities.get<world::Cart>(e)),
-                     extra_members(document, e));
+  return entity_line(document, e, std::move(text));
 }
 
 std::string section_line(const Document& document, const world::SectionRun& run) {
   const world::Section& section = world::section(document, run.section);
-  return fmt::format("{{\"id\": {}, {}{}{}", id(document, run.section), section_members(section, run.count),
-                     section.kind == world::SectionKind::complete ? members(document, section.way)
-                     : section.kind == world::SectionKind::force
-                         ? members(document, section.force) + force_keys(section.force)
-                         : "",
-                     extra_members(document, run.section));
+  std::string text = ", " + section_members(section, run.count);
+  if (section.kind == world::SectionKind::complete) text += members(document, section.way);
+  if (section.kind == world::SectionKind::force) text += members(document, section.force) + force_keys(section.force);
+  return entity_line(document, run.section, std::move(text));
 }
 
 // ,\n  "key": [ one line each ]
@@ -168,17 +162,14 @@ std::string print_track(const Document& document) {
   std::string out = fmt::format("{{\n  \"format\": \"{}\",\n  \"version\": {},\n  \"name\": {},\n  \"closed\": {}{}",
                                 kTrackFormat, kTrackVersion, json_string(document.name), document.track.closed,
                                 members(document, document, ",\n  "));
-  print_list(out, "knots", document, document.track.knots, knot_line);
+  print_list(out, "knots", document, document.track.knots, component_line<world::Knot>);
   print_list(out, "segments", document, document.track.segments, segment_line);
   print_list(out, "sections", document, world::sections_of(document), section_line);
   std::vector<Entity> carts = document.entities.pool<world::Cart>().entities();
   std::sort(carts.begin(), carts.end(),
             [&](Entity a, Entity b) { return world::name_of(document, a) < world::name_of(document, b); });
-  print_list(out, "carts", document, carts, cart_line);
-  for_each_extra(document.extra, [&](const std::string& key, const std::string& value) {
-    out += fmt::format(",\n  {}: {}", key, value);
-  });
-  return out + "\n}\n";
+  print_list(out, "carts", document, carts, component_line<world::Cart>);
+  return out + extra_members(document.extra, ",\n  ") + "\n}\n";
 }
 
 }  // namespace coaster::exchange
