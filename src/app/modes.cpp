@@ -25,6 +25,7 @@
 #include "exchange/own/link.h"
 #include "platform/signals.h"
 #include "platform/surface.h"
+#include "platform/system.h"
 #include "query/challenge.h"
 #include "script/grammar.h"
 #include "script/runner.h"

@@ -13,7 +13,6 @@
 #include "app/track_pictures.h"
 #include "base/crash_guard.h"
 #include "base/files.h"
-#include "base/planned_crash.h"
 #include "edit/session/session.h"
 #include "gfx/renderer.h"
 #include "platform/surface.h"

@@ -13,7 +13,6 @@
 #include "base/check.h"
 #include "base/console.h"
 #include "base/crash_guard.h"
-#include "base/planned_crash.h"
 
 namespace coaster::base {
 namespace {

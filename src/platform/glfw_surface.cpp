@@ -15,7 +15,6 @@
 
 #include "platform/contexts_detail.h"
 #include "platform/events.h"
-#include "platform/keyboard.h"
 #include "platform/surface.h"
 
 namespace coaster::platform {

@@ -5,9 +5,7 @@
 #include <cstdlib>
 #include <utility>
 
-#include "platform/encoder.h"
-#include "platform/surface.h"
-#include "platform/system_fonts.h"
+#include "platform/system.h"
 
 namespace coaster::platform {
 namespace {

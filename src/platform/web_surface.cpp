@@ -16,7 +16,6 @@
 #include <emscripten/html5.h>
 
 #include "platform/events.h"
-#include "platform/keyboard.h"
 #include "platform/surface.h"
 #include "platform/touch.h"
 

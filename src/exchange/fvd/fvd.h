@@ -39,7 +39,6 @@ struct FvdPiece {
   double centre = 0, tension = 0;  // shift of its middle; steepness there
   bool follows = false;            // it ends where the section does
 };
-
 using FvdFunction = std::vector<FvdPiece>;  // ascending, at least one
 enum class FvdKind : std::uint8_t { straight, curved, forced, geometric, bezier };
 

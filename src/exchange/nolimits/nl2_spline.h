@@ -24,14 +24,11 @@ struct SplineVertex {
 using Bezier = std::array<glm::dvec3, 4>;  // control points, m
 glm::dvec3 point(const Bezier& b, double t);
 glm::dvec3 slope(const Bezier& b, double t);  // the derivative
-
 // Returns the part between two parameters, 0 <= from < to <= 1. An end that is not cut stays exactly the same.
 Bezier part(const Bezier& b, double from, double to);
-
 // Return the unit direction of travel at the start and at the end; zero if the control points are within 0.1 mm.
 glm::dvec3 start_direction(const Bezier& b);
 glm::dvec3 end_direction(const Bezier& b);
-
 // Returns the curve as a cubic of the document, rounded to float.
 curve::Cubic in_float(const Bezier& b);
 
@@ -54,7 +51,6 @@ struct PlaceOnTrack {
   glm::dvec3 position;
   curve::Frame frame;
 };
-
 PlaceOnTrack place_on(const sim::Derived& derived, double distance);
 inline constexpr double kCornerOff = 0.03;    // m, the largest distance of a fillet from the corner it replaces
 inline constexpr double kSharpest = 90;       // degrees; sharper corners are rejected
