@@ -35,7 +35,7 @@
   };
 
   let worker = null;
-  // As app/found.h prints it.
+  // As app/long_job.h prints it.
   const failure = (why) => `6 failed1 5${new TextEncoder().encode(why).length} ${why}`;
   const beside = {
     part: 0,

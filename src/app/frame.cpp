@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <optional>
 #include <utility>
+#include <variant>
 
-#include "app/idle.h"
 #include "app/long_job.h"
 #include "app/pictures.h"
 #include "app/scene.h"
@@ -14,12 +14,44 @@
 #include "edit/commands/commands_force.h"
 #include "edit/commands/commands_sections.h"
 #include "exchange/formats.h"
-#include "exchange/own/force_text.h"
 #include "exchange/own/link.h"
+#include "exchange/own/track_file.h"
+#include "world/lab_view.h"
 #include "world/look.h"
 
 namespace coaster::app {
 namespace {
+
+// True while every frame shows something new.
+bool is_busy(Program& program) {
+  edit::Session& session = program.session;
+  return session.motion.state == world::RideState::running || session.measuring.measurement.running ||
+         program.picture.rig.ticks_left > 0 || program.stats.deviation_pending > 0 || program.pictures.busy() ||
+         (session.settings.lab->layers.has(world::Layer::conflicts) && !edit::Finder(session).all_conflicts()) ||
+         program.job || program.filming || program.tutorial.wanted || program.tutorial.card ||
+         program.ui->input_waits() || (program.keeper && program.keeper->dialog.running());
+}
+
+// Returns whether the events contain anything but elapsed time.
+bool has_input(const platform::Events& events) {
+  return std::ranges::any_of(events, [](const auto& event) { return !std::holds_alternative<platform::Tick>(event); });
+}
+
+// Returns whether the next frame would equal the last one, unless an event arrives. Always false without a window, and
+// with a number of frames or a log of hashes.
+bool is_idle(const Program& program) {
+  if (!program.surface->is_window() || program.options.frames || program.options.hash_log) return false;
+  const FrameClock& time = program.time;
+  return time.seconds >= time.idle_from && time.seconds < time.idle_until;
+}
+
+// Decides, after a frame with these events, from when the window is idle, and when it must draw without an event.
+void plan_idle(Program& program, const platform::Events& events, bool commanded) {
+  FrameClock& time = program.time;
+  constexpr double kAfter = 1;  // s without an event or a movement; tooltips need less
+  if (commanded || has_input(events) || is_busy(program)) time.idle_from = time.seconds + kAfter;
+  time.idle_until = time.seconds + program.ui->still_for(time.seconds);
+}
 
 // Reads time and a request to close. The panels get the request, because they ask about unsaved changes; a window of
 // zero size cannot ask.
@@ -141,6 +173,14 @@ void draw(Program& program, const ui::Output& output, const Look& look, const Se
   if (output.photo != ui::PhotoWish::none) take_photo(program, output.photo == ui::PhotoWish::window);
 }
 
+// Runs a frame of an idle window: everything that needs no picture.
+void pass_time(Program& program, const platform::Events& events) {
+  read_input(program, events, program.surface->size());
+  keep_sounding(program);
+  keep(program);
+  program.time.last_frame = program.surface->clock();
+}
+
 }  // namespace
 
 int take_ticks(FrameClock& time, const platform::Events& events) {
@@ -185,14 +225,6 @@ void run_frame(Program& program, const platform::Events& events, int ticks) {
   }
   reach(base::CrashPlace::keeping);
   keep(program);
-}
-
-// Runs a frame of an idle window: everything that needs no picture.
-void pass_time(Program& program, const platform::Events& events) {
-  read_input(program, events, program.surface->size());
-  keep_sounding(program);
-  keep(program);
-  program.time.last_frame = program.surface->clock();
 }
 
 void play_frame(Program& program) {

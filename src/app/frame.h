@@ -1,7 +1,9 @@
-// One frame, for windows, scripts and recordings.
+// One frame, for windows, scripts and recordings. A window whose picture would not change waits for events instead of
+// drawing.
 #pragma once
 
 #include "app/program.h"
+#include "platform/events.h"
 
 namespace coaster::app {
 
@@ -18,5 +20,7 @@ int take_ticks(FrameClock& time, const platform::Events& events);
 
 // True if the last frame shows the present ticks and commands.
 bool is_drawn(const Program& program);
+
+inline constexpr double kIdleWait = 1 / 30.0;  // s, longest wait of an idle window for events; gamepads are polled
 
 }  // namespace coaster::app

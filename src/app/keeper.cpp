@@ -1,17 +1,23 @@
-// Settings and autosaves, frame by frame.
+// A copy of unsaved changes for a crash, the lock on the document's file, settings and autosaves.
 #include "app/keeper.h"
 
+#include <chrono>
 #include <ctime>
+#include <memory>
 #include <system_error>
 #include <type_traits>
 #include <utility>
 
+#include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include "app/program.h"
-#include "app/tutorial_settings.h"
+#include "app/script_host.h"
+#include "base/parallel.h"
+#include "edit/commands/commands_challenge.h"
 #include "edit/commands/commands_session.h"
 #include "edit/commands/set_setting.h"
+#include "exchange/formats.h"
 #include "world/panels.h"
 #include "world/settings_groups.h"
 
@@ -19,6 +25,12 @@ namespace coaster::app {
 namespace {
 
 using edit::NoticeKind;
+using Outcome = base::LockAttempt::Outcome;
+
+bool holds_everything(const std::filesystem::path& path) {
+  const exchange::Format* const format = exchange::format_of(path);
+  return format != nullptr && format->whole;
+}
 
 // Returns a file below one of the user's folders; empty without that folder.
 std::filesystem::path below(const std::filesystem::path& folder, const char* name) {
@@ -26,6 +38,77 @@ std::filesystem::path below(const std::filesystem::path& folder, const char* nam
 }
 std::filesystem::path settings_file(const Keeper& keeper) { return below(keeper.folders.config, "settings.json"); }
 std::filesystem::path progress_file(const Keeper& keeper) { return below(keeper.folders.state, "progress.json"); }
+
+// Of autosaves; empty: there is none.
+std::filesystem::path recovery_folder(const Keeper& keeper) { return below(keeper.folders.state, "recovery"); }
+
+// The document's own file, absolute; empty: none.
+std::string original_of(const edit::Session& session) {
+  return session.file.path.empty() ? std::string() : base::canonical_path(session.file.path).string();
+}
+
+// Once per frame with unsaved changes. A frame without a change costs a comparison. Scripts print at once.
+void follow_crash_copy(Program& program) {
+  constexpr double kGap = 0.5;  // s
+  Keeper& keeper = *program.keeper;
+  CrashCopy& copy = keeper.crash_copy;
+  const edit::Session& session = program.session;
+  if (!base::has_threads() || copy.edits == session.edits) return;
+  const bool at_once = !program.surface->is_window() || !program.options.script.empty();
+  const double now = program.surface->clock();
+  if (!at_once && copy.edits && now - copy.since < kGap) return;
+  if (copy.printing.valid() && copy.printing.wait_for(std::chrono::seconds(0)) == std::future_status::timeout) return;
+  copy.edits = session.edits, copy.since = now;
+  base::Files files(keeper.files.root());  // without injected faults, which are meant for documents
+  if (!keeper.autosave.reserve(files, recovery_folder(keeper))) return;  // the next autosave reports it
+  // Where the system refuses a thread, std::async needs the function again: it may not be moved.
+  const auto print = [files, info = keeper.autosave.info(), original = original_of(session),
+                      document = std::make_shared<const world::Document>(session.document)]() mutable {
+    const base::HandlerStack stack;
+    std::vector<base::CrashFile> made =
+        exchange::crash_files(files, info, *document, original, static_cast<std::int64_t>(std::time(nullptr)));
+    if (!made.empty()) base::keep_for_crash(std::move(made));
+  };
+  copy.printing = std::async(std::launch::async | std::launch::deferred, print);
+  if (at_once || copy.printing.wait_for(std::chrono::seconds(0)) == std::future_status::deferred) copy.printing.get();
+}
+
+// Drops the copy: there is nothing unsaved any more.
+void forget_crash_copy(CrashCopy& copy) {
+  if (!copy.edits) return;
+  if (copy.printing.valid()) copy.printing.get();
+  base::keep_for_crash({});
+  copy.edits.reset();
+}
+
+// Removes autosave and copy: there is nothing unsaved any more.
+void forget_unsaved(Keeper& keeper) {
+  forget_crash_copy(keeper.crash_copy);
+  keeper.autosave.remove();
+  keeper.unsaved_since = -1;
+}
+
+// Called when the session has another file, or none.
+void follow_file(Program& program, Keeper& keeper) {
+  const std::filesystem::path& path = program.session.file.path;
+  const base::Root& root = program.files.root();
+  const bool locked = !path.empty() && root.contains(path);  // a script leaves no files outside its folder
+  keeper.state.holder.clear();
+  if (!locked) keeper.lock.release();
+  if (!locked || keeper.lock.covers(path)) return;
+  base::LockAttempt attempt = base::try_lock(path, root);
+  keeper.lock = std::move(attempt.lock);
+  if (attempt.outcome == Outcome::held) {
+    keeper.state.holder = fmt::format("another coaster ({})", attempt.holder);
+    edit::notify(program.session, NoticeKind::warning,
+                 fmt::format("{} is open in {}. Save your changes under another name.", path.filename().string(),
+                             keeper.state.holder));
+  } else if (attempt.outcome == Outcome::impossible && !keeper.unasked) {
+    edit::notify(program.session, NoticeKind::info,
+                 fmt::format("{} is opened without a lock ({}). Other programs can change it.",
+                             path.filename().string(), attempt.reason));
+  }
+}
 
 constexpr std::size_t kMaxKeptBytes = 1u << 20;  // limit of each of the user's files
 
@@ -213,7 +296,37 @@ void take_output(Program& program, Keeper& keeper, const ui::Output& output) {
 
 }  // namespace
 
-std::filesystem::path recovery_folder(const Keeper& keeper) { return below(keeper.folders.state, "recovery"); }
+base::Status before_command(Program& program, const edit::Command& command) {
+  const auto* const save = command.as<edit::Save>();
+  if (!program.keeper || save == nullptr || !holds_everything(save->path) || program.keeper->lock.covers(save->path))
+    return {};
+  base::LockAttempt attempt = base::try_lock(save->path, program.files.root());
+  if (attempt.outcome == Outcome::held)
+    return {base::Code::refused,
+            fmt::format("{} is open in another coaster ({}). Save under another name.", save->path, attempt.holder)};
+  program.keeper->next_lock = std::move(attempt.lock);
+  return {};
+}
+
+void after_command(Program& program, const edit::Command& command, const base::Status& applied) {
+  if (!program.keeper) return;
+  Keeper& keeper = *program.keeper;
+  base::FileLock next = std::move(keeper.next_lock);
+  if (!applied) return;
+  if (!edit::dirty(program.session))
+    forget_unsaved(keeper);  // at once, so that a crash before the next frame does not offer it
+  std::vector<std::string>& recent = keeper.state.settings.recent;
+  if (const auto* const save = command.as<edit::Save>(); save != nullptr && holds_everything(save->path)) {
+    if (next.held() || !keeper.lock.covers(save->path)) keeper.lock = std::move(next);
+    keeper.state.holder.clear();
+    exchange::remember(recent, base::canonical_path(save->path).string());
+  } else if (edit::info(command).traits.replaces) {
+    follow_file(program, keeper);
+    const auto* const load = command.as<edit::Load>();
+    if (load && !keeper.unasked && !edit::opens_link(command) && !exchange::is_pasted(load->path))
+      exchange::remember(recent, base::canonical_path(load->path).string());
+  }
+}
 
 void start_keeping(Program& program, const base::UserFolders& folders, const base::Root& root, bool default_layout) {
   auto made = std::make_unique<Keeper>();

@@ -3,11 +3,12 @@
 #pragma once
 
 #include <cstdint>
+#include <future>
+#include <optional>
 #include <string>
 #include <vector>
 
-#include "app/crash_copy.h"
-#include "app/system_dialog.h"
+#include "app/process.h"
 #include "base/file_lock.h"
 #include "base/folders.h"
 #include "exchange/own/autosave.h"
@@ -17,6 +18,14 @@
 namespace coaster::app {
 
 struct Program;
+
+// A copy of unsaved changes that is ready for a crash (base/crash_guard.h): printed in a thread, at most half a second
+// and one print older than the document.
+struct CrashCopy {
+  std::future<void> printing;
+  std::optional<std::uint64_t> edits;  // Session::edits of the newest copy, or of the newest try; nothing: no copy
+  double since = 0;                    // of it, s by the surface's clock
+};
 
 struct Keeper {
   base::Files files;               // for the kept data, not for the document
@@ -40,12 +49,6 @@ struct Keeper {
   SystemDialogProcess dialog;
 };
 
-std::filesystem::path recovery_folder(const Keeper& keeper);  // of autosaves; empty: there is none
-std::string original_of(const edit::Session& session);        // the document's own file, absolute; empty: none
-
-// Removes autosave and copy (crash_copy.cpp): there is nothing unsaved any more.
-void forget_unsaved(Keeper& keeper);
-
 // Reads the settings, applies them to session and panels, and looks for autosaves left by other runs. Reports errors in
 // the settings in one notice; a file that is not a settings file is renamed to settings.json.bad. Writes below `root`,
 // with the program's injected faults. `default_layout`: discards the state of panels, the scale and the position of the
@@ -61,7 +64,7 @@ void answer_keeping(Program& program, const ui::Output& output);
 // Writes changed settings and medals, and the autosave when it is due. Call it at the end of each frame.
 void keep(Program& program);
 
-// Update the lock on the document's file (keeper_lock.cpp). Before a command: refuses to save to a file that another
+// Update the lock on the document's file. Before a command: refuses to save to a file that another
 // program has open. After it: moves the lock to the document's file, and updates recent files.
 base::Status before_command(Program& program, const edit::Command& command);
 void after_command(Program& program, const edit::Command& command, const base::Status& applied);

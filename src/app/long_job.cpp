@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <span>
+#include <type_traits>
 #include <utility>
-#include <variant>
+
+#include <fmt/format.h>
 
 #include "app/program.h"
-#include "base/interrupted.h"
+#include "base/text.h"
 #include "edit/commands/codec.h"
 #include "edit/commands/commands_seek.h"
 #include "edit/commands/commands_session.h"
@@ -17,26 +19,123 @@
 namespace coaster::app {
 namespace {
 
+// Texts, each after its length: "5 track12 any bytes\n at".
+class Writer {
+ public:
+  void operator()(std::string_view part) { out_ += fmt::format("{} {}", part.size(), part); }
+  template <class Number>
+  requires std::is_arithmetic_v<Number> || std::is_enum_v<Number>
+  void operator()(Number value) {
+    if constexpr (std::is_floating_point_v<Number>) (*this)(base::to_text(double{value}));
+    else (*this)(std::to_string(static_cast<std::int64_t>(value)));
+  }
+  // The length of a list.
+  template <class List>
+  void size_of(const List& list) {
+    (*this)(list.size());
+  }
+  std::string take() { return std::move(out_); }
+
+ private:
+  std::string out_;
+};
+
+// Reads them in the same order. After the first error everything is empty.
+class Reader {
+ public:
+  explicit Reader(std::string_view text) : left_(text) {}
+  void operator()(std::string& part) {
+    part.clear();
+    const std::size_t end = std::min(left_.find(' '), left_.size());
+    const auto size = base::parse_int(left_.substr(0, end));
+    good_ = good_ && size && *size >= 0 && left_.size() - end > static_cast<std::size_t>(*size);
+    if (!good_) return;
+    part = left_.substr(end + 1, static_cast<std::size_t>(*size));
+    left_.remove_prefix(end + 1 + part.size());
+  }
+  template <class Number>
+  requires std::is_arithmetic_v<Number> || std::is_enum_v<Number>
+  void operator()(Number& value) {
+    std::string part;
+    (*this)(part);
+    const auto take = [&](const auto& read) { good_ = good_ && read, value = static_cast<Number>(read.value_or(0)); };
+    if constexpr (std::is_floating_point_v<Number>) take(base::parse_double(part));
+    else take(base::parse_int(part));
+  }
+  template <class List>
+  void size_of(List& list) {
+    std::size_t size = 0;
+    (*this)(size);
+    good_ = good_ && size <= left_.size();
+    list.resize(good_ ? size : 0);
+  }
+  bool done() const { return good_ && left_.empty(); }
+
+ private:
+  std::string_view left_;
+  bool good_ = true;
+};
+
+// Visits the numbers, enumerators and vectors of a component.
+template <class Archive, class Component>
+void visit_component(Archive& archive, Component& component) {
+  std::remove_const_t<Component>::fields([&](const world::Field&, auto member) {
+    auto& value = component.*member;
+    if constexpr (std::is_same_v<std::remove_cvref_t<decltype(value)>, glm::vec3>)
+      archive(value.x), archive(value.y), archive(value.z);
+    else archive(value);
+  });
+}
+
+// Writes or reads what is found, but for its kind and a track's document.
+template <class Archive, class T>
+void visit_result(Archive& archive, T& found) {
+  if constexpr (std::is_same_v<std::remove_const_t<T>, exchange::LoadedTrack>) {
+    archive.size_of(found.warnings);
+    for (auto& warning : found.warnings) archive(warning);
+    archive(found.note), archive(found.knows_speed);
+    bool imported = found.import.has_value();
+    archive(imported);
+    if constexpr (!std::is_const_v<T>)
+      if (imported) found.import.emplace();
+    if (imported) {  // a new member of the report does not compile before it is named here
+      auto& [max_error, frame_error, knots, jump_error, rms_error, rms_frame_error] = *found.import;
+      archive(max_error), archive(frame_error), archive(knots), archive(jump_error);
+      archive(rms_error), archive(rms_frame_error);
+    }
+    archive(found.content), archive(found.version);
+  } else if constexpr (std::is_same_v<std::remove_const_t<T>, edit::Sought>) {
+    archive(found.note);
+    archive.size_of(found.values);
+    for (auto& value : found.values) archive(value);
+  } else {
+    archive(found.refusal), archive(found.another);
+    visit_component(archive, found.way);
+    archive.size_of(found.fit.knots);
+    for (auto& knot : found.fit.knots) visit_component(archive, knot);
+  }
+}
+
 constexpr double kBarAfter = 0.15;  // s: shorter jobs show no bar
 
-Beside::Work reading(const edit::Load& command, const std::optional<base::PlannedCrash>& crash) {
-  return [command, crash]() -> base::Result<Found> {
+BackgroundWork::Work reading(const edit::Load& command, const std::optional<base::PlannedCrash>& crash) {
+  return [command, crash]() -> base::Result<JobResult> {
     base::Files files;
     crash_if_planned(crash, base::CrashPlace::job);
     base::Result<exchange::LoadedTrack> read = exchange::load_track(files, command.path, command.import);
-    return read ? base::Result<Found>(std::move(*read)) : read.status();
+    return read ? base::Result<JobResult>(std::move(*read)) : read.status();
   };
 }
 
-Beside::Work searching(const edit::Session& session, const edit::Seek& command) {
-  return [search = edit::search_for(session, command)]() -> base::Result<Found> {
+BackgroundWork::Work searching(const edit::Session& session, const edit::Seek& command) {
+  return [search = edit::search_for(session, command)]() -> base::Result<JobResult> {
     base::Result<edit::Sought> sought = search();
-    return sought ? base::Result<Found>(std::move(*sought)) : sought.status();
+    return sought ? base::Result<JobResult>(std::move(*sought)) : sought.status();
   };
 }
 
-Beside::Work planning(const sim::WayChange& change, sim::OpenedTrack& opened) {
-  return [change, &opened]() -> base::Result<Found> { return Found(sim::changed_way(change, opened)); };
+BackgroundWork::Work planning(const sim::WayChange& change, sim::OpenedTrack& opened) {
+  return [change, &opened]() -> base::Result<JobResult> { return JobResult(sim::changed_way(change, opened)); };
 }
 
 bool works_beside(const Program& program) {
@@ -59,7 +158,7 @@ void begin_way(Program& program, const edit::Command& command, sim::WayChange ch
   job->opened = std::make_unique<sim::OpenedTrack>(std::exchange(edit::opened_track_of(program.session), {}));
   job->in_gesture = program.session.history.in_gesture;
   job->rest.assign(rest.begin(), rest.end());
-  job->work = std::make_unique<Beside>(planning(*job->way, *job->opened), "");
+  job->work = std::make_unique<BackgroundWork>(planning(*job->way, *job->opened), "");
   start(program, std::move(job), command);
 }
 
@@ -71,13 +170,13 @@ bool begin_work(const Program& program, const edit::Command& command, LongJob& j
     job.panel = "Import", job.title = "Fitting a track to the imported points";
     const bool pasted = exchange::is_pasted(load->path);
     job.cancelled = "Cancelled the import of " + (pasted ? "pasted points" : load->path);
-    job.work = std::make_unique<Beside>(reading(*load, program.planned_crash), pasted ? "" : load->path);
+    job.work = std::make_unique<BackgroundWork>(reading(*load, program.planned_crash), pasted ? "" : load->path);
     return true;
   }
   if (const auto* const seek = command.as<edit::Seek>()) {
     job.panel = "Search", job.title = "Searching for " + seek->goal.text;
     job.cancelled = "Cancelled the search";
-    job.work = std::make_unique<Beside>(searching(program.session, *seek), "");
+    job.work = std::make_unique<BackgroundWork>(searching(program.session, *seek), "");
     return true;
   }
   return false;
@@ -86,7 +185,7 @@ bool begin_work(const Program& program, const edit::Command& command, LongJob& j
 // Applies a finished job's command, or says why not.
 void end_job(Program& program, LongJob& job) {
   edit::Session& session = program.session;
-  base::Result<Found> found = job.work->take();
+  base::Result<JobResult> found = job.work->take();
   // A cancelled job is dropped with what it keeps, even if the work was faster.
   if (job.opened && !job.work->progress.cancelled) edit::opened_track_of(session) = std::move(*job.opened);
   if (job.work->progress.cancelled) return edit::notify(session, edit::NoticeKind::info, job.cancelled);
@@ -130,6 +229,40 @@ std::string title_of(const edit::Command& command) {
 
 }  // namespace
 
+std::string print_job_result(const base::Result<JobResult>& found) {
+  constexpr std::string_view kKinds[] = {"track", "sought", "way"};  // as in JobResult
+  Writer to;
+  if (!found) {
+    to("failed"), to(found.status().code), to(found.status().message);
+    return to.take();
+  }
+  to(kKinds[found->index()]);
+  if (const auto* const track = std::get_if<exchange::LoadedTrack>(&*found)) to(exchange::print_track(track->document));
+  std::visit([&](const auto& one) { visit_result(to, one); }, *found);
+  return to.take();
+}
+
+base::Result<JobResult> parse_job_result(std::string_view text) {
+  const base::Status broken{base::Code::io, "what the page's worker sent cannot be read"};
+  Reader from(text);
+  const auto read = [&](auto one) {
+    visit_result(from, one);
+    return from.done() ? base::Result<JobResult>(std::move(one)) : broken;
+  };
+  std::string kind, part;
+  from(kind);
+  if (kind == "sought") return read(edit::Sought{});
+  if (kind == "way") return read(sim::ChangedWay{});
+  if (kind == "track") {
+    from(part);
+    auto track = exchange::parse_track(part, "a page's worker");
+    return track ? read(std::move(*track)) : broken;
+  }
+  int code = 0;
+  from(code), from(part);
+  return kind == "failed" && code != 0 && from.done() ? base::Status{base::Code{code}, std::move(part)} : broken;
+}
+
 base::Status apply_watched(Program& program, const edit::Command& command, edit::Search* search) {
   constexpr std::size_t kFew = 2000;  // segments: a move of a drag takes less than a frame, as a rule
   edit::Session& session = program.session;
@@ -159,7 +292,7 @@ void apply_by_hand(Program& program, const std::vector<edit::Command>& commands)
     if (program.job && edit::info(*command).effect != edit::Effect::settings) continue;
     if (begin_job(program, *command)) continue;
     edit::Search search;
-    search.leaves = works_beside(program) && (Beside::is_quick() || !program.session.history.in_gesture);
+    search.leaves = works_beside(program) && (BackgroundWork::is_quick() || !program.session.history.in_gesture);
     (void)apply(program, *command, &search);  // a rejected command shows a notice
     if (!search.wanted) continue;
     const auto next = static_cast<std::size_t>(command - commands.begin()) + 1;

@@ -6,7 +6,6 @@
 #include "app/modes.h"
 #include "base/console.h"
 #include "base/crash_guard.h"
-#include "base/memory_guard.h"
 
 namespace {
 

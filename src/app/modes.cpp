@@ -1,30 +1,154 @@
-// The program's modes and the order in which each starts up.
 #include "app/modes.h"
 
 #include <utility>
 
+#include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include "app/frame.h"
-#include "app/mode_parts.h"
 #include "app/pictures.h"
 #include "app/program.h"
 #include "app/ride_summary.h"
 #include "app/script_host.h"
 #include "base/console.h"
 #include "base/file_lock.h"
+#include "edit/commands/commands_challenge.h"
+#include "edit/commands/commands_operation.h"
 #include "edit/commands/commands_ride.h"
 #include "edit/commands/commands_session.h"
 #include "edit/commands/set_setting.h"
+#include "edit/perform/apply.h"
+#include "edit/session/ride_report.h"
+#include "edit/session/session.h"
+#include "exchange/challenge_file.h"
 #include "exchange/formats.h"
-#include "platform/loop.h"
+#include "exchange/own/link.h"
 #include "platform/signals.h"
+#include "platform/surface.h"
+#include "platform/system.h"
+#include "query/challenge.h"
+#include "script/grammar.h"
 #include "script/runner.h"
+#include "sim/shape/folds.h"
 #include "world/look.h"
 #include "world/panels.h"
 
 namespace coaster::app {
 namespace {
+
+// Errors of a script. finish_script() is finish(), and with --json prints "code" and the "errors" to stdout; an error
+// of no script is one with a message alone.
+using ScriptErrors = std::vector<script::ScriptError>;
+
+// Prints an error and returns the exit code of a status.
+int finish(const base::Status& status) {
+  if (!status) base::print_error(status.message);
+  return base::exit_code(status.code);
+}
+
+int finish_script(const Options& options, const base::Status& status, ScriptErrors errors) {
+  if (!options.json) return finish(status);
+  if (!status && errors.empty()) errors.push_back({{}, 0, 0, status.message, {}});
+  exchange::JsonList list;
+  for (const script::ScriptError& error : errors) list.push_back(script::to_json(error));
+  base::print(
+      exchange::json_members({{"code", std::int64_t{base::exit_code(status.code)}}, {"errors", std::move(list)}}));
+  return finish(status);
+}
+
+// Returns the script in a file, or all its errors, one a line.
+base::Result<script::Script> read_script(const std::string& path, ScriptErrors& errors) {
+  base::Files files;
+  auto parsed = script::parse_script_file(path, files);
+  if (!parsed) return parsed.status();
+  errors = parsed->problems;
+  if (parsed->errors.empty()) return std::move(parsed->script);
+  return base::Status{base::Code::usage, fmt::format("{}", fmt::join(parsed->errors, "\n"))};
+}
+
+// Prints the notices of a file that was opened, because without a window no panel shows them.
+void print_notices(const edit::Session& session) {
+  for (const edit::Notice& notice : session.notices.list) base::print_error(notice.text);
+}
+
+// Loads the force limits named by the options.
+base::Status open_envelope(edit::Session& session, base::Files& files, const Options& options) {
+  if (options.envelope.empty()) return {};
+  return edit::apply(session, files, edit::LoadEnvelope{options.envelope});
+}
+
+// Returns the track named by the options, else the default one.
+std::filesystem::path track_of(const Options& options) {
+  return options.file.empty() ? default_track() : std::filesystem::path(options.file);
+}
+
+// Checks that a challenge's start track does not pass it, without a picture.
+base::Status validate_challenge(const std::string& path) {
+  base::Files files;
+  edit::Session session = edit::make_session({});
+  session.game.referee = query::referee();
+  if (const base::Status begun = edit::apply(session, files, edit::StartChallenge{path}); !begun) return begun;
+  print_notices(session);
+  edit::Verdict verdict = session.game.referee.judge(session, nullptr);
+  if (session.game.challenge->file.judged != exchange::Judged::build &&
+      edit::apply(session, files, edit::RideStart{})) {
+    const int most = static_cast<int>(exchange::kMaxChallengeSeconds) * world::kTicksPerSecond;
+    edit::advance(session, most);
+    verdict = session.game.challenge->last;
+    if (session.game.challenge->judged == 0) verdict.reason = "its ride does not end";
+  }
+  if (verdict.medal > 0)
+    return {base::Code::bad_file,
+            fmt::format("{}: error: its start track passes it already ({}): expected one that does not", path,
+                        query::medal_name(verdict.medal))};
+  base::print(fmt::format("{}: the start track does not pass, as it must: {}\n", path, verdict.reason));
+  return {};
+}
+
+base::Status validate_file(const std::string& path) {
+  base::Files files;
+  if (std::filesystem::path(path).extension() == ".json")
+    if (const auto text = files.read(path); text && exchange::looks_like_challenge(*text))
+      return validate_challenge(path);
+  const auto track = exchange::load_track(files, path);
+  if (!track) {
+    base::Status status = track.status();
+    if (!exchange::is_link(path) && !exchange::format_of(path)) status.message += ", or a script ending in .coaster";
+    return status;
+  }
+  for (const std::string& warning : track->warnings) base::print_error(warning);
+  const sim::Derived shapes = sim::shapes_of(track->document);
+  for (const std::string& text :
+       {sim::tight_text(sim::tight_bends_of(shapes)), sim::deadlock_text(track->document, shapes)})
+    if (!text.empty()) base::print_error(fmt::format("{}: warning: {}", path, text));
+  return {};
+}
+
+// Check files, and print the report of the whole ride.
+int run_validate(const Options& options) {
+  ScriptErrors errors;
+  for (const std::string& path : {options.file, options.script}) {
+    if (path.empty()) continue;
+    const bool script = path == options.script || std::filesystem::path(path).extension() == ".coaster";
+    if (const base::Status valid = script ? read_script(path, errors).status() : validate_file(path); !valid)
+      return finish_script(options, valid, errors);
+  }
+  if (!options.json) base::print("ok\n");
+  return finish_script(options, {}, {});
+}
+
+int run_report(const Options& options) {
+  base::Files files;
+  edit::Session session = edit::make_session({});
+  if (const base::Status opened = edit::apply(session, files, edit::Load{track_of(options).string()}); !opened)
+    return finish({base::Code::bad_file, opened.message});
+  print_notices(session);
+  if (const base::Status limits = open_envelope(session, files, options); !limits) return finish(limits);
+  const auto report = options.json ? edit::ride_report_json(session) : edit::ride_report(session);
+  if (!report) return finish({base::Code::refused, "the track has no train, so there is no ride to report"});
+  base::print(*report);
+  return finish({});
+}
 
 // Draws a first frame, so that the viewport is known, then opens the track.
 base::Status open_track(Program& program, const std::filesystem::path& path) {

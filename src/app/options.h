@@ -55,7 +55,6 @@ char mode_of(const Options& options);
 
 // Returns the options in the order of help, without --help and --version.
 std::span<const OptionRow> option_rows();
-
 inline constexpr std::string_view kSummary = "Builds and rides roller coasters made of cubic Bezier curves.";
 // Returns "coaster 0.1.0" and the libraries that the program was built with.
 std::string version_text();
@@ -69,7 +68,6 @@ struct ParsedOptions {
 // Return the manual page, roff with the macros of man(7), section 6 (games), and a file for bash-completion: options,
 // file names by extension, names of cameras and rates (manual.cpp).
 std::string manual_page();
-std::string bash_completion();
 
 // Parses the command line. Unknown arguments are errors: exit code 2.
 ParsedOptions parse_options(int argc, const char* const* argv);

@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 
 #include "app/scene.h"
-#include "base/words.h"
+#include "base/text.h"
 #include "gfx/image.h"
 #include "world/track_name.h"
 

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "base/status.h"
+#include "ui/context/output.h"
 
 namespace coaster::app {
 
@@ -42,6 +43,26 @@ class Process {
 
   int pid_ = 0, pipe_ = -1;
   std::string output_;
+};
+
+class SystemDialogProcess {
+ public:
+  // Looks for the programs in PATH.
+  SystemDialogProcess();
+
+  bool available() const { return !program_.empty(); }
+  bool running() const { return running_; }
+  // Ends the previous dialog. Returns false if it cannot be started.
+  bool start(const ui::SystemDialogRequest& request);
+  // Polls without waiting: returns the chosen file once the dialog has ended, "" if it was cancelled.
+  std::optional<std::string> poll();
+
+ private:
+  std::vector<std::string> arguments(const ui::SystemDialogRequest& request) const;
+
+  std::string program_;  // full path
+  Process process_;
+  bool running_ = false;
 };
 
 }  // namespace coaster::app

@@ -14,12 +14,10 @@
 
 #include "app/long_job.h"
 #include "base/console.h"
-#include "base/crash_guard.h"
 #include "base/folders.h"
 #include "base/hash.h"
 #include "base/interrupted.h"
 #include "base/text.h"
-#include "base/utf8.h"
 #include "edit/commands/commands_force.h"
 #include "edit/commands/commands_operation.h"
 #include "edit/commands/commands_sections.h"

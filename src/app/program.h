@@ -6,14 +6,13 @@
 #include <optional>
 #include <string>
 
-#include "app/filming.h"
 #include "app/keeper.h"
+#include "app/movie.h"
 #include "app/options.h"
 #include "app/sounds.h"
 #include "app/track_pictures.h"
+#include "base/crash_guard.h"
 #include "base/files.h"
-#include "base/memory_guard.h"
-#include "base/planned_crash.h"
 #include "edit/session/session.h"
 #include "gfx/renderer.h"
 #include "platform/surface.h"

@@ -1,8 +1,12 @@
 // The host of scripts: the functions that they call in the running program. The tutorial is also a script.
 #pragma once
 
+#include <type_traits>
+
 #include "app/program.h"
 #include "script/host.h"
+#include "world/aids.h"
+#include "world/panels.h"
 
 namespace coaster::app {
 
@@ -20,5 +24,13 @@ std::string answer(Program& program, std::string_view question);
 void teach(Program& program);
 // Ends the tutorial and restores the settings that it changed.
 void end_tutorial(Program& program);
+
+template <auto A, auto B>
+inline constexpr bool kSameSetting =
+    std::is_same_v<std::integral_constant<decltype(A), A>, std::integral_constant<decltype(B), B>>;
+template <auto Setting>
+inline constexpr bool kLentToTutorial =
+    kSameSetting<Setting, &world::Panels::workspace> || kSameSetting<Setting, &world::Panels::show_panels> ||
+    kSameSetting<Setting, &world::Panels::show_laboratory> || kSameSetting<Setting, &world::Aids::show_hints>;
 
 }  // namespace coaster::app

@@ -10,7 +10,6 @@
 #include <fmt/format.h>
 
 #include "base/text.h"
-#include "base/utf8.h"
 
 namespace coaster::base {
 namespace {

@@ -7,13 +7,9 @@
 
 #include <array>
 #include <atomic>
-#include <csignal>
 #include <cstdlib>
 #include <exception>
-#include <string>
 #include <utility>
-
-#include "base/memory_guard.h"
 
 namespace coaster::base {
 namespace {

@@ -11,7 +11,6 @@
 
 #include <fmt/format.h>
 
-#include "base/files.h"
 #include "base/text.h"
 
 namespace coaster::base {

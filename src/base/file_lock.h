@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <string>
 
-#include "base/root.h"
+#include "base/files.h"
 
 namespace coaster::base {
 

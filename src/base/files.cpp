@@ -9,20 +9,90 @@
 #include <cerrno>
 #include <csignal>
 #include <cstring>
-#include <utility>
 
 #include <fmt/format.h>
 
 #include "base/check.h"
+#include "base/folders.h"
 #include "base/hash.h"
-#include "base/made_files.h"
 #include "base/text.h"
 
 namespace coaster::base {
 namespace {
 
-Status failure(Code code, const std::filesystem::path& path, std::string_view what, int error) {
+constexpr int kOpenFolder = O_RDONLY | O_DIRECTORY | O_CLOEXEC;
+
+Status failure(const std::filesystem::path& path, std::string_view what, int error, Code code = Code::io) {
   return {code, fmt::format("{}: {}: {}", path.string(), what, std::strerror(error))};
+}
+
+// Returns an absolute path without ".", ".." and a slash at the end. Uses only the text.
+std::filesystem::path plain(const std::filesystem::path& path) {
+  std::error_code ignored;
+  const std::filesystem::path whole = std::filesystem::absolute(path, ignored).lexically_normal();
+  return whole.has_filename() ? whole : whole.parent_path();
+}
+
+// Replaces a symbolic link by its target, which need not exist: std::filesystem::canonical would fail then.
+Status follow_links(std::filesystem::path& path) {
+  const std::filesystem::path asked = path;
+  std::error_code error;
+  for (int depth = 0; std::filesystem::is_symlink(path, error); ++depth) {
+    if (depth == 40) return failure(asked, "the symbolic link cannot be followed", ELOOP);
+    const std::filesystem::path next = std::filesystem::read_symlink(path, error);
+    if (error) return failure(asked, "the symbolic link cannot be followed", error.value());
+    path = path.parent_path() / next;  // an absolute `next` replaces the whole path
+  }
+  return {};
+}
+
+bool is_link(int folder, const char* name) {
+  struct stat info {};
+  return ::fstatat(folder, name, &info, AT_SYMLINK_NOFOLLOW) == 0 && S_ISLNK(info.st_mode);
+}
+
+Result<Place> locate_anywhere(std::filesystem::path target) {
+  const std::filesystem::path asked = target;
+  if (const Status followed = follow_links(target); !followed) return followed;
+  const std::filesystem::path folder = target.has_parent_path() ? target.parent_path() : ".";
+  Descriptor opened(::open(folder.c_str(), kOpenFolder));
+  if (!opened.valid()) return failure(asked, "open of the folder", errno);
+  return Place{std::move(opened), target.has_filename() ? target.filename().string() : "."};
+}
+
+// Opens the list of the files that runs made in a folder; invalid if something else has its name.
+Descriptor open_list(int folder, int flags) {
+  Descriptor list(::openat(folder, kMadeList.data(), flags | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC, 0666));
+  struct stat info {};
+  const bool own = ::fstat(list.get(), &info) == 0 && S_ISREG(info.st_mode) && info.st_nlink == 1;
+  return own ? std::move(list) : Descriptor();
+}
+
+// Returns whether an open folder has a file; links are not followed.
+bool is_there(int folder, const std::string& name) {
+  struct stat info {};
+  return ::fstatat(folder, name.c_str(), &info, AT_SYMLINK_NOFOLLOW) == 0;
+}
+
+// Returns the list's text, a line for each file, and whether it has a file.
+std::string made_in(int folder) {
+  const Descriptor list = open_list(folder, O_RDONLY);
+  std::string text = "\n";
+  std::array<char, 65536> chunk;
+  for (ssize_t got = 0; (got = ::read(list.get(), chunk.data(), chunk.size())) > 0;)
+    text.append(chunk.data(), static_cast<std::size_t>(got));
+  return text;
+}
+bool is_made(const std::string& list, std::string_view name) {
+  return name.find('\n') == std::string_view::npos && list.find(fmt::format("\n{}\n", name)) != std::string::npos;
+}
+
+// Adds a file to the list. Where that fails the file is not replaced later.
+void note_made(int folder, const std::string& name) {
+  if (name.find('\n') != std::string::npos || is_made(made_in(folder), name)) return;
+  const std::string line = name + '\n';
+  const Descriptor list = open_list(folder, O_WRONLY | O_CREAT | O_APPEND);
+  (void)!::write(list.get(), line.data(), line.size());
 }
 
 Status not_made(const std::filesystem::path& path) {
@@ -128,6 +198,98 @@ Result<Place> place_itself(const Root& root, const std::filesystem::path& path) 
 
 }  // namespace
 
+Descriptor::Descriptor(Descriptor&& other) noexcept : fd_(std::exchange(other.fd_, -1)) {}
+
+Descriptor& Descriptor::operator=(Descriptor&& other) noexcept {
+  if (this != &other) (void)close(), fd_ = std::exchange(other.fd_, -1);
+  return *this;
+}
+
+int Descriptor::close() { return fd_ < 0 ? 0 : ::close(std::exchange(fd_, -1)); }
+
+struct Root::Held {
+  Descriptor opened;
+  std::filesystem::path given;
+  std::array<std::filesystem::path, 2> names;  // absolute: as given, and with links followed
+};
+
+Result<Root> Root::open(const std::filesystem::path& folder) const {
+  if (const Status made = make_folders(folder); !made) return made;
+  Result<Descriptor> opened = limited() ? walk(*below(folder), std::nullopt)
+                                        : Result<Descriptor>(Descriptor(::open(folder.c_str(), kOpenFolder)));
+  if (!opened) return opened.status();
+  if (!opened->valid()) return failure(folder, "cannot be opened", errno);
+  if (::faccessat(opened->get(), ".", W_OK | X_OK, AT_EACCESS) != 0)
+    return failure(folder, "cannot be written to", errno);
+  std::error_code ignored;
+  Root root;
+  root.held_ = std::make_shared<const Held>(
+      Held{std::move(*opened), folder, {plain(folder), plain(std::filesystem::canonical(folder, ignored))}});
+  return root;
+}
+
+const std::filesystem::path& Root::folder() const {
+  static const std::filesystem::path none;
+  return limited() ? held_->given : none;
+}
+
+bool Root::contains(const std::filesystem::path& path) const { return !limited() || below(path); }
+
+// Returns the path relative to the folder; nothing for the folder itself.
+std::optional<std::filesystem::path> Root::below(const std::filesystem::path& path) const {
+  const std::filesystem::path inner = plain(path);
+  for (const std::filesystem::path& outer : held_->names) {
+    auto [at, rest] = std::mismatch(outer.begin(), outer.end(), inner.begin(), inner.end());
+    if (at != outer.end()) continue;
+    std::filesystem::path relative;
+    for (; rest != inner.end(); ++rest) relative /= *rest;
+    return relative;
+  }
+  return std::nullopt;
+}
+
+Status Root::link_refused(const std::filesystem::path& path) const {
+  return {Code::refused,
+          fmt::format("{}: is a symbolic link; this run writes only below {}", path.string(), folder().string())};
+}
+
+Status Root::outside(const std::filesystem::path& path) const {
+  return {Code::refused, fmt::format("{}: this run writes only below {}", path.string(), folder().string())};
+}
+
+// Opens each folder relative to the previous one, and never through a link. `make`: creates missing ones with that
+// mode.
+Result<Descriptor> Root::walk(const std::filesystem::path& relative, std::optional<unsigned> make) const {
+  std::filesystem::path now = held_->given;
+  Descriptor folder(::openat(held_->opened.get(), ".", kOpenFolder));
+  for (const std::filesystem::path& part : relative) {
+    if (!folder.valid()) break;
+    now /= part;
+    if (make && ::mkdirat(folder.get(), part.c_str(), static_cast<mode_t>(*make)) != 0 && errno != EEXIST)
+      return failure(now, "cannot be made", errno);
+    if (is_link(folder.get(), part.c_str())) return link_refused(now);
+    folder = Descriptor(::openat(folder.get(), part.c_str(), kOpenFolder | O_NOFOLLOW));
+  }
+  if (!folder.valid()) return failure(now, make ? "cannot be made" : "open of the folder", errno);
+  return folder;
+}
+
+Result<Place> Root::locate(const std::filesystem::path& path) const {
+  if (!limited()) return locate_anywhere(path);
+  const auto relative = below(path);
+  if (!relative) return outside(path);
+  Result<Descriptor> opened = walk(relative->parent_path(), std::nullopt);
+  if (!opened) return opened.status();
+  return Place{std::move(*opened), relative->empty() ? "." : relative->filename().string()};
+}
+
+Status Root::make_folders(const std::filesystem::path& folder, unsigned mode) const {
+  if (!limited()) return base::make_folders(folder, mode);
+  const auto relative = below(folder);
+  if (!relative) return outside(folder);
+  return walk(*relative, mode).status();
+}
+
 NewFile::~NewFile() {
   if (!placed_ && place_.folder.valid()) ::unlinkat(folder(), temporary_.c_str(), 0);
 }
@@ -173,10 +335,10 @@ Result<std::string> Files::read(const std::filesystem::path& path, std::size_t l
   Descriptor file(fails(IoOperation::open) ? -1 : ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
   if (!file.valid()) {
     const int error = errno;
-    return failure(code_of_open(error), path, "cannot be opened", error);
+    return failure(path, "cannot be opened", error, code_of_open(error));
   }
   struct stat info {};
-  if (::fstat(file.get(), &info) != 0) return failure(Code::io, path, "cannot be examined", errno);
+  if (::fstat(file.get(), &info) != 0) return failure(path, "cannot be examined", errno);
   if (S_ISDIR(info.st_mode)) return Status{Code::bad_file, path.string() + ": is a directory, expected a file"};
   if (!S_ISREG(info.st_mode)) return Status{Code::bad_file, path.string() + ": is not a regular file"};
   const Status too_large{Code::bad_file, fmt::format("{}: is larger than the limit of {} bytes", path.string(), limit)};
@@ -187,7 +349,7 @@ Result<std::string> Files::read(const std::filesystem::path& path, std::size_t l
   for (;;) {
     const ssize_t got = fails(IoOperation::read) ? -1 : ::read(file.get(), chunk.data(), chunk.size());
     if (got < 0 && errno == EINTR) continue;
-    if (got < 0) return failure(Code::io, path, "cannot be read", errno);
+    if (got < 0) return failure(path, "cannot be read", errno);
     if (got == 0) return bytes;
     bytes.append(chunk.data(), static_cast<std::size_t>(got));
     if (bytes.size() > limit) return too_large;
@@ -207,15 +369,15 @@ Result<NewFile> Files::create(const std::filesystem::path& path, Replaces replac
     return Status{Code::io, path.string() + ": is not a regular file, so it cannot be written"};
   if (exists && root_.limited() && replaces == Replaces::made && !is_made(made_in(folder), place->name))
     return not_made(path);
-  if (exists && ::faccessat(folder, name, W_OK, 0) != 0) return failure(Code::io, path, "is read-only", errno);
+  if (exists && ::faccessat(folder, name, W_OK, 0) != 0) return failure(path, "is read-only", errno);
   (void)sweep(folder, temporary_stem(place->name));
-  if (fails(IoOperation::open)) return failure(Code::io, path, "open of the folder", errno);
+  if (fails(IoOperation::open)) return failure(path, "open of the folder", errno);
   std::string temporary;
   Descriptor file = fails(IoOperation::open) ? Descriptor() : open_temporary(*place, temporary);
-  if (!file.valid()) return failure(Code::io, path, "open", errno);
+  if (!file.valid()) return failure(path, "open", errno);
   if (root_.limited()) note_made(folder, place->name);
   NewFile made(std::move(*place), std::move(temporary), std::move(file));
-  if (exists && ::fchmod(made.file().get(), old.st_mode & 07777) != 0) return failure(Code::io, path, "chmod", errno);
+  if (exists && ::fchmod(made.file().get(), old.st_mode & 07777) != 0) return failure(path, "chmod", errno);
   return made;
 }
 
@@ -224,14 +386,13 @@ Status Files::write_atomic(const std::filesystem::path& path, std::string_view b
   if (!made) return made.status();
   Descriptor& file = made->file();
   // From here on every error removes the temporary file and leaves the old one unchanged.
-  if (fails(IoOperation::write) || !made->write(bytes)) return failure(Code::io, path, "write", errno);
-  if (fails(IoOperation::fsync) || ::fsync(file.get()) != 0) return failure(Code::io, path, "fsync", errno);
-  if (fails(IoOperation::close) || file.close() != 0) return failure(Code::io, path, "close", errno);
-  if (fails(IoOperation::rename) || !made->put_in_place()) return failure(Code::io, path, "rename", errno);
+  if (fails(IoOperation::write) || !made->write(bytes)) return failure(path, "write", errno);
+  if (fails(IoOperation::fsync) || ::fsync(file.get()) != 0) return failure(path, "fsync", errno);
+  if (fails(IoOperation::close) || file.close() != 0) return failure(path, "close", errno);
+  if (fails(IoOperation::rename) || !made->put_in_place()) return failure(path, "rename", errno);
 
   // The new file is in place; without this a power cut could still restore the old one.
-  if (fails(IoOperation::fsync) || ::fsync(made->folder()) != 0)
-    return failure(Code::io, path, "fsync of the folder", errno);
+  if (fails(IoOperation::fsync) || ::fsync(made->folder()) != 0) return failure(path, "fsync of the folder", errno);
   return {};
 }
 
@@ -256,7 +417,7 @@ Status Files::remove_made(const std::filesystem::path& folder, const std::functi
   const auto remove = [&](int inner, const std::string&, const std::string& name) {
     return (only && !only(name)) || ::unlinkat(inner, name.c_str(), 0) == 0;
   };
-  if (!visit_files(place->folder.get(), !only, remove)) return failure(Code::io, folder, "cannot be emptied", errno);
+  if (!visit_files(place->folder.get(), !only, remove)) return failure(folder, "cannot be emptied", errno);
   return {};
 }
 

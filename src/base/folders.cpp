@@ -12,7 +12,7 @@
 #include <fmt/format.h>
 
 #include "base/files.h"
-#include "base/words.h"
+#include "base/text.h"
 
 namespace coaster::base {
 namespace {

@@ -1,9 +1,20 @@
 // Long work: how far it is, and its early end on a signal of the system or by Cancel.
 #pragma once
 
-#include "base/progress.h"
+#include <atomic>
 
 namespace coaster::base {
+
+struct Progress {
+  std::atomic<double> done{0};          // 0..1, never decreases; written by the worker
+  std::atomic<bool> cancelled{false};   // set by the waiting thread; the worker ends soon after, without a result
+  void (*told)(double done) = nullptr;  // also called by report(), where the two have no memory in common
+
+  void report(double part) {
+    done = part;
+    if (told) told(part);
+  }
+};
 
 // True if the system has asked the program to end, or the job of this thread is cancelled. Every loop that may take
 // more than 0.1 s asks this and ends early. What it has made by then is complete in form and is not used.

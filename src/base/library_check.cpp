@@ -1,5 +1,5 @@
-// In place of check.cpp where the curve room is a library (cmake/curve_library.cmake): its programs handle crashes
-// themselves.
+// In place of check_failed() of program_end.cpp where the curve room is a library (cmake/curve_library.cmake): its
+// programs handle crashes themselves.
 #include <cstdio>
 #include <cstdlib>
 

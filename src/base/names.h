@@ -82,7 +82,12 @@ std::vector<std::string> names_of() {
 }
 
 // Returns "a, b or c"; with quote '"': "\"a\", \"b\" or \"c\"".
-std::string alternatives(std::span<const std::string> names, std::string_view quote = {});
+inline std::string alternatives(std::span<const std::string> names, std::string_view quote = {}) {
+  std::string text;
+  for (std::size_t i = 0; i < names.size(); ++i)
+    text.append(i == 0 ? "" : i + 1 < names.size() ? ", " : " or ").append(quote).append(names[i]).append(quote);
+  return text;
+}
 template <Named E>
 std::string alternatives_of(std::string_view quote = {}) {
   return alternatives(names_of<E>(), quote);

@@ -9,6 +9,7 @@
 
 #include <fmt/format.h>
 
+#include "base/portable_math.h"
 #include "base/text.h"
 
 namespace coaster::base {
@@ -34,19 +35,22 @@ constexpr UnitRow kRows[] = {
 constexpr std::pair<std::string_view, std::string_view> kSigns[] = {
     {"deg", "\u00B0"}, {"deg/m", "\u00B0/m"}, {"deg/s", "\u00B0/s"}, {"deg/s^2", "\u00B0/s\u00B2"}, {"m^2", "m\u00B2"}};
 
-bool is_decimal(char c) { return c >= '0' && c <= '9'; }
-// True for letters, digits and characters that join them to one word.
-bool in_word(char c) {
-  return is_decimal(c) || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_' || c == '/' || c == '^' ||
-         static_cast<unsigned char>(c) >= 0x80;
+bool is_digit(char c) { return c >= '0' && c <= '9'; }
+
+// True for letters, including those beyond ASCII, which unit names consist of.
+bool is_letter(char c) {
+  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || static_cast<unsigned char>(c) >= 0x80;
 }
+
+// True for letters, digits and characters that join them to one word.
+bool in_word(char c) { return is_digit(c) || is_letter(c) || c == '_' || c == '/' || c == '^'; }
 
 // Returns the length of the number at the start of a text, such as 12 or 0.25. 0: none.
 std::size_t number_size(std::string_view text) {
   std::size_t size = 0;
-  while (size < text.size() && is_decimal(text[size])) ++size;
-  if (size == 0 || size + 1 >= text.size() || text[size] != '.' || !is_decimal(text[size + 1])) return size;
-  for (++size; size < text.size() && is_decimal(text[size]);) ++size;
+  while (size < text.size() && is_digit(text[size])) ++size;
+  if (size == 0 || size + 1 >= text.size() || text[size] != '.' || !is_digit(text[size + 1])) return size;
+  for (++size; size < text.size() && is_digit(text[size]);) ++size;
   return size;
 }
 
@@ -100,6 +104,218 @@ Run run_at(std::string_view text) {
     if (at < text.size() && (text[at] == '-' || text[at] == '+')) ++at;
   }
 }
+
+constexpr std::array kUnits{Unit{"m", Dimension::length, 1},
+                            Unit{"cm", Dimension::length, 0.01},
+                            Unit{"mm", Dimension::length, 0.001},
+                            Unit{"km", Dimension::length, 1000},
+                            Unit{"ft", Dimension::length, kFoot},
+                            Unit{"in", Dimension::length, kInch},
+                            Unit{"m/s", Dimension::speed, 1},
+                            Unit{"km/h", Dimension::speed, 1 / 3.6},
+                            Unit{"ft/s", Dimension::speed, kFoot},
+                            Unit{"mph", Dimension::speed, kMilePerHour},
+                            Unit{"m/s\u00B2", Dimension::acceleration, 1},
+                            Unit{"m/s^2", Dimension::acceleration, 1},
+                            Unit{"m/s2", Dimension::acceleration, 1},
+                            Unit{"ft/s\u00B2", Dimension::acceleration, kFoot},
+                            Unit{"ft/s^2", Dimension::acceleration, kFoot},
+                            Unit{"g", Dimension::acceleration, 9.80665},
+                            Unit{"s", Dimension::time, 1},
+                            Unit{"ms", Dimension::time, 0.001},
+                            Unit{"min", Dimension::time, 60},
+                            Unit{"\u00B0", Dimension::angle, 1},
+                            Unit{"deg", Dimension::angle, 1},
+                            Unit{"degrees", Dimension::angle, 1},
+                            Unit{"rad", Dimension::angle, 180 / kPi},
+                            Unit{"\u00B0/m", Dimension::spin, 1},
+                            Unit{"deg/m", Dimension::spin, 1},
+                            Unit{"\u00B0/ft", Dimension::spin, 1 / kFoot},
+                            Unit{"deg/ft", Dimension::spin, 1 / kFoot},
+                            Unit{"kg", Dimension::mass, 1},
+                            Unit{"t", Dimension::mass, 1000},
+                            Unit{"lb", Dimension::mass, 0.45359237}};
+
+constexpr std::array<std::string_view, 7> kDimensions{
+    "a length", "a speed", "an acceleration", "a time", "an angle", "an angle by length", "a mass"};
+
+bool is_sign(char c) { return c == '+' || c == '-'; }
+
+const Unit* find_unit(std::string_view name) {
+  for (const Unit& unit : kUnits)
+    if (unit.name == name) return &unit;
+  return nullptr;
+}
+
+// Returns the units that a field in `unit` accepts, for messages.
+std::string known_units(std::string_view unit) {
+  const Unit* const own = find_unit(unit);
+  std::vector<std::string> names;
+  if (own == nullptr) names.emplace_back(unit);
+  else
+    for (const Unit& other : kUnits)
+      if (other.dimension == own->dimension) names.emplace_back(other.name);
+  return alternatives(names);
+}
+
+struct Value {
+  double number = 0;
+  bool measured = false;  // has a unit, and is in the wanted one
+};
+
+// Reads by recursive descent, one function for each level of precedence; keeps the first error.
+class Reader {
+ public:
+  Reader(std::string_view text, std::string_view unit) : rest_(text), unit_(unit) {}
+
+  Result<double> read() {
+    const Value value = sum();
+    skip_blanks();
+    if (error_.empty() && !rest_.empty()) fail(fmt::format("unexpected {}", quoted_start(next_word())));
+    if (!error_.empty()) return Status{Code::usage, error_};
+    return value.number;
+  }
+
+ private:
+  Value sum() {
+    Value value = product();
+    for (char sign = take_one_of("+-"); sign != 0; sign = take_one_of("+-")) {
+      const Value other = product();
+      value.number = checked(sign == '+' ? value.number + other.number : value.number - other.number);
+      value.measured = value.measured || other.measured;
+    }
+    return value;
+  }
+
+  Value product() {
+    Value value = signed_value();
+    for (char sign = take_one_of("*/"); sign != 0; sign = take_one_of("*/")) {
+      const Value other = signed_value();
+      if (sign == '*' && value.measured && other.measured) fail("a product of two units");
+      if (sign == '/' && other.measured && !value.measured) fail("a unit below the division line");
+      if (sign == '/' && other.number == 0) fail("a division by zero");
+      value.number = checked(sign == '*' ? value.number * other.number : value.number / other.number);
+      value.measured = sign == '*' ? value.measured || other.measured : value.measured && !other.measured;
+    }
+    return value;
+  }
+
+  Value signed_value() {
+    bool negative = false;
+    for (char sign = take_one_of("+-"); sign != 0; sign = take_one_of("+-")) negative ^= sign == '-';
+    Value value = measured(take_one_of("(") != 0 ? bracket() : plain_number());
+    if (negative) value.number = -value.number;
+    return value;
+  }
+
+  Value bracket() {
+    constexpr int kMostNested = 64;
+    if (++nested_ > kMostNested) return fail("too many brackets");
+    const Value value = sum();
+    --nested_;
+    if (take_one_of(")") == 0) return fail("expected a closing bracket");
+    return value;
+  }
+
+  Value plain_number() {
+    std::size_t size = 0;
+    const auto digits = [&] {
+      const std::size_t from = size;
+      while (size < rest_.size() && is_digit(rest_[size])) ++size;
+      return size > from;
+    };
+    const bool whole = digits();
+    const bool point = size < rest_.size() && rest_[size] == '.';
+    if (point) ++size;
+    const bool part = point && digits();
+    if (!whole && !part)
+      return fail(rest_.empty() ? "expected a number at the end"
+                                : fmt::format("expected a number, found {}", quoted_start(next_word())));
+    if (const std::size_t before = size; size < rest_.size() && (rest_[size] == 'e' || rest_[size] == 'E')) {
+      ++size;
+      if (size < rest_.size() && is_sign(rest_[size])) ++size;
+      if (!digits()) size = before;  // no exponent
+    }
+    const std::string_view word = rest_.substr(0, size);
+    const auto number = parse_double(word.back() == '.' ? word.substr(0, size - 1) : word);
+    if (!number) return fail(fmt::format("{} is too large or too small", word));
+    rest_.remove_prefix(size);
+    if (!rest_.empty() && rest_.front() == ',') return fail("a comma; decimals follow a point, as in 7.25");
+    return {*number, false};
+  }
+
+  // Converts a value followed by a unit.
+  Value measured(Value value) {
+    skip_blanks();
+    if (!error_.empty() || rest_.empty() || !is_letter(rest_.front())) return own_sign(value);
+    const std::string_view name = unit_name();
+    const Unit* const unit = find_unit(name);
+    const Unit* const wanted = find_unit(unit_);
+    if (value.measured) return fail(fmt::format("a second unit, {}", quoted_start(name)));
+    if (name != unit_) {
+      if (unit_.empty()) return fail(fmt::format("{}, but the number takes no unit", quoted_start(name)));
+      if (!unit) return fail(fmt::format("no unit {}; expected {}", quoted_start(name), known_units(unit_)));
+      if (!wanted || unit->dimension != wanted->dimension)
+        return fail(fmt::format("{} is {}; expected {}", name, kDimensions[static_cast<std::size_t>(unit->dimension)],
+                                known_units(unit_)));
+      value.number = checked(value.number * (unit->size / wanted->size));
+    }
+    rest_.remove_prefix(name.size());
+    value.measured = true;
+    return value;
+  }
+
+  // Accepts a wanted unit that is not a word, such as "%".
+  Value own_sign(Value value) {
+    if (error_.empty() && !unit_.empty() && !is_letter(unit_.front()) && rest_.starts_with(unit_) && !value.measured) {
+      rest_.remove_prefix(unit_.size());
+      value.measured = true;
+    }
+    return value;
+  }
+
+  // Returns the longest name of a unit here, else the word.
+  std::string_view unit_name() const {
+    std::size_t longest = 0;
+    const auto consider = [&](std::string_view name) {
+      const bool ends = rest_.size() <= name.size() || !(is_letter(rest_[name.size()]) || is_digit(rest_[name.size()]));
+      if (rest_.starts_with(name) && ends && name.size() > longest) longest = name.size();
+    };
+    for (const Unit& unit : kUnits) consider(unit.name);
+    consider(unit_);
+    return longest > 0 ? rest_.substr(0, longest) : next_word();
+  }
+  // Returns a run of letters, digits and points, or one character.
+  std::string_view next_word() const {
+    std::size_t size = 0;
+    while (size < rest_.size() && (is_letter(rest_[size]) || is_digit(rest_[size]) || rest_[size] == '.')) ++size;
+    return rest_.substr(0, std::max<std::size_t>(size, 1));
+  }
+
+  char take_one_of(std::string_view wanted) {
+    skip_blanks();
+    if (!error_.empty() || rest_.empty() || wanted.find(rest_.front()) == std::string_view::npos) return 0;
+    const char taken = rest_.front();
+    rest_.remove_prefix(1);
+    skip_blanks();
+    return taken;
+  }
+  void skip_blanks() {
+    while (!rest_.empty() && (rest_.front() == ' ' || rest_.front() == '\t')) rest_.remove_prefix(1);
+  }
+  double checked(double number) {
+    if (!std::isfinite(number)) fail("the result is too large");
+    return number;
+  }
+  Value fail(std::string reason) {
+    if (error_.empty()) error_ = std::move(reason);
+    return {};
+  }
+
+  std::string_view rest_, unit_;
+  std::string error_;
+  int nested_ = 0;
+};
 
 }  // namespace
 
@@ -158,7 +374,7 @@ std::string in_units(std::string_view text, Units units) {
       result += fmt::format("({})", alone->in[row].name), at += alone->in[0].name.size() + 2;
       continue;
     }
-    if (const Run run = word_begins && is_decimal(rest.front()) ? run_at(rest) : Run{}; run.unit != nullptr) {
+    if (const Run run = word_begins && is_digit(rest.front()) ? run_at(rest) : Run{}; run.unit != nullptr) {
       for (std::size_t i = 0; i < run.numbers.size(); ++i) {
         result += run.before[i];
         result += converted(run.numbers[i], run.unit->in[row]);
@@ -170,5 +386,8 @@ std::string in_units(std::string_view text, Units units) {
   }
   return result;
 }
+
+std::span<const Unit> units() { return kUnits; }
+Result<double> evaluate(std::string_view text, std::string_view unit) { return Reader(text, unit).read(); }
 
 }  // namespace coaster::base

@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "base/names.h"
+#include "base/status.h"
 
 namespace coaster::base {
 
@@ -42,5 +43,21 @@ double metric_value(double shown, const ShownUnit& unit);
 // m/s" becomes "0 to 44.7 mph", "Position (m)" becomes "Position (ft)". Keeps the decimals, and at least three digits
 // that are not zeros at the end. Text in double quotes is unchanged.
 std::string in_units(std::string_view text, Units units);
+enum class Dimension : std::uint8_t { length, speed, acceleration, time, angle, spin, mass };
+
+struct Unit {
+  std::string_view name;
+  Dimension dimension;
+  double size;  // in the dimension's first unit of the table
+};
+// Returns all units that can be typed. To add one: a row.
+std::span<const Unit> units();
+
+// Evaluates numbers with + - * / and brackets, by the usual precedence, from left to right, in double precision. The
+// result is in `unit`, a name of the table or any other text ("" for a plain number). A number or bracket may be
+// followed by a unit, if it is `unit` itself or has the same dimension; a term without one is in `unit`. Code::usage
+// with the reason for everything else: other words, a decimal comma, a unit of another dimension, a product of two
+// units, division by zero, results beyond double. The result is finite, never inf or NaN.
+Result<double> evaluate(std::string_view text, std::string_view unit = {});
 
 }  // namespace coaster::base

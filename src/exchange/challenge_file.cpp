@@ -1,21 +1,14 @@
 // Parses challenges from JSON.
 #include "exchange/challenge_file.h"
 
-#include <algorithm>
-
 #include <fmt/format.h>
 
 #include "exchange/formats.h"
-#include "exchange/own/json_fields.h"
+#include "exchange/own/json.h"
 #include "exchange/own/track_file.h"
 
 namespace coaster::exchange {
 namespace {
-
-struct ChallengeParse {
-  LoadedChallenge loaded;
-  std::string error;  // the first error, without the file's name
-};
 
 // Reads a text of at least one character and at most the limit.
 bool read_text(Fields& fields, std::string_view member, std::string& to) {
@@ -25,63 +18,50 @@ bool read_text(Fields& fields, std::string_view member, std::string& to) {
          fields.fail(member, fmt::format("longer than the limit of {} bytes", kMaxChallengeText));
 }
 
-bool read_challenge_head(ChallengeParse& parse, Fields& fields) {
-  ChallengeFile& to = parse.loaded.challenge;
-  std::string judged;
-  if (!fields.head(kChallengeFormat, kChallengeVersion)) return false;
-  if (!read_text(fields, "name", to.name) || !read_text(fields, "teaches", to.teaches) ||
-      !fields.text("judged", judged))
-    return false;
-  const auto found = base::value_named<Judged>(judged);
-  if (!found) return fields.reject("judged", base::alternatives_of<Judged>("\""));
-  to.judged = *found;
+bool read_challenge_head(Fields& fields, ChallengeFile& to) {
   constexpr double kShortest = 1;  // s
-  return to.judged != Judged::time || fields.number("seconds", to.seconds, kShortest, kMaxChallengeSeconds);
+  return fields.head(kChallengeFormat, kChallengeVersion) && read_text(fields, "name", to.name) &&
+         read_text(fields, "teaches", to.teaches) && fields.named("judged", to.judged) &&
+         (to.judged != Judged::time || fields.number("seconds", to.seconds, kShortest, kMaxChallengeSeconds));
 }
 
-bool read_rules(ChallengeParse& parse, Fields& fields, RuleList which) {
+bool read_rules(Fields& fields, RuleList which, LoadedChallenge& to) {
   const std::string_view name = base::name_of(which);
   if (which != RuleList::goals && !fields.has(name)) return true;
-  const Json* const list = fields.list(name, kMaxChallengeRules);
-  if (!list) return false;
-  if (which == RuleList::goals && list->empty()) return fields.fail(name, "expected one goal at least");
-  for (std::size_t i = 0; i < list->size(); ++i) {
-    Fields entry((*list)[i], {name, i}, parse.error);
-    ChallengeRule rule;
+  std::vector<ChallengeRule>& rules = to.challenge.rules[static_cast<std::size_t>(which)];
+  const auto read_rule = [&](Fields& entry, auto) {
+    ChallengeRule& rule = rules.emplace_back();
     if (!read_text(entry, "expect", rule.expect) || !read_text(entry, "text", rule.text)) return false;
-    (void)entry.unknown(parse.loaded.warnings);
-    parse.loaded.challenge.rules[static_cast<std::size_t>(which)].push_back(std::move(rule));
-  }
-  return true;
+    (void)entry.unknown(to.warnings);
+    return true;
+  };
+  return fields.each(name, kMaxChallengeRules, read_rule) &&
+         (which != RuleList::goals || !rules.empty() || fields.fail(name, "expected one goal at least"));
 }
 
 // Reads an optional list of texts.
 bool read_texts(Fields& fields, std::string_view member, std::size_t most, std::vector<std::string>& to) {
   if (!fields.has(member)) return true;
   const Json* const list = fields.list(member, most);
-  if (!list) return false;
-  for (std::size_t i = 0; i < list->size(); ++i) {
+  for (std::size_t i = 0; list && i < list->size(); ++i) {
     const Json& text = (*list)[i];
     const bool fits = text.is_string() && !text.get_ref<const std::string&>().empty() &&
                       text.get_ref<const std::string&>().size() <= kMaxChallengeText;
     if (!fits) return fields.fail(fmt::format("{}[{}]", member, i), "expected a text, found " + describe(text));
     to.push_back(text.get<std::string>());
   }
-  return true;
+  return list != nullptr;
 }
 
 // Reads the start track: a file next to the challenge, or a whole track as a member. Errors in it are reported as for
 // any track.
-bool read_track(ChallengeParse& parse, Fields& fields, const Json& tree, const std::filesystem::path& folder,
-                base::Files& files) {
-  ChallengeFile& to = parse.loaded.challenge;
-  const auto inside = tree.find("track");
+bool read_track(Fields& fields, LoadedChallenge& to, const std::filesystem::path& folder, base::Files& files) {
   base::Result<LoadedTrack> track = base::Status{base::Code::bad_file, "no track"};
-  if (inside != tree.end() && inside->is_object()) {
-    track = parse_track(json_line(*fields.object("track")), "track");
+  if (const Json* const inside = fields.has_object("track") ? fields.object("track") : nullptr) {
+    track = parse_track(json_line(*inside), "track");
   } else {
-    if (!read_text(fields, "track", to.track)) return false;
-    const std::filesystem::path path = folder / to.track;
+    if (!read_text(fields, "track", to.challenge.track)) return false;
+    const std::filesystem::path path = folder / to.challenge.track;
     const Format* const format = format_of(path);
     if (format == nullptr || !format->parse)
       return fields.reject("track",
@@ -89,21 +69,8 @@ bool read_track(ChallengeParse& parse, Fields& fields, const Json& tree, const s
     track = load_track(files, path);
   }
   if (!track) return fields.fail("track", track.status().message);
-  for (std::string& warning : track->warnings) parse.loaded.warnings.push_back("track: " + std::move(warning));
-  to.start = std::move(track->document);
-  return true;
-}
-
-bool read_all(ChallengeParse& parse, const Json& tree, const std::filesystem::path& folder, base::Files& files) {
-  Fields fields(tree, {}, parse.error);
-  if (!parse.error.empty() || !read_challenge_head(parse, fields)) return false;
-  for (const RuleList which : {RuleList::goals, RuleList::limits, RuleList::bronze, RuleList::silver, RuleList::gold})
-    if (!read_rules(parse, fields, which)) return false;
-  ChallengeFile& to = parse.loaded.challenge;
-  if (!read_texts(fields, "hints", kMaxChallengeHints, to.hints) ||
-      !read_texts(fields, "locks", kMaxChallengeLocks, to.locks) || !read_track(parse, fields, tree, folder, files))
-    return false;
-  (void)fields.unknown(parse.loaded.warnings);
+  for (std::string& warning : track->warnings) to.warnings.push_back("track: " + std::move(warning));
+  to.challenge.start = std::move(track->document);
   return true;
 }
 
@@ -111,12 +78,19 @@ bool read_all(ChallengeParse& parse, const Json& tree, const std::filesystem::pa
 
 base::Result<LoadedChallenge> parse_challenge(std::string_view text, std::string_view name,
                                               const std::filesystem::path& folder, base::Files& files) {
-  const base::Result<Json> tree = read_json(text, name);
-  if (!tree) return tree.status();
-  ChallengeParse parse;
-  if (!read_all(parse, *tree, folder, files)) return bad_file(name, parse.error);
-  name_ignored(parse.loaded.warnings, name);
-  return std::move(parse.loaded);
+  const auto read = [&](Fields& fields, LoadedChallenge& to) {
+    if (!read_challenge_head(fields, to.challenge)) return false;
+    for (std::size_t which = 0; which < base::count_of<RuleList>(); ++which)
+      if (!read_rules(fields, static_cast<RuleList>(which), to)) return false;
+    const bool good = read_texts(fields, "hints", kMaxChallengeHints, to.challenge.hints) &&
+                      read_texts(fields, "locks", kMaxChallengeLocks, to.challenge.locks) &&
+                      read_track(fields, to, folder, files);
+    if (good) (void)fields.unknown(to.warnings);
+    return good;
+  };
+  base::Result<LoadedChallenge> loaded = read_object<LoadedChallenge>(text, name, read);
+  if (loaded) name_ignored(loaded->warnings, name);
+  return loaded;
 }
 
 base::Result<LoadedChallenge> load_challenge(base::Files& files, const std::filesystem::path& path) {

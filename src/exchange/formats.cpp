@@ -11,8 +11,6 @@
 
 #include "base/hash.h"
 #include "base/text.h"
-#include "base/utf8.h"
-#include "base/words.h"
 #include "exchange/export/track_shapes.h"
 #include "exchange/fvd/fvd.h"
 #include "exchange/nolimits/nl2_csv.h"

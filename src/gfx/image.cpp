@@ -13,7 +13,7 @@
 
 #include <fmt/format.h>
 
-#include "base/words.h"
+#include "base/text.h"
 
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wunused-function"

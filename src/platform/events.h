@@ -12,7 +12,7 @@
 
 namespace coaster::platform {
 
-// Keys by what is printed on them (platform/keyboard.h), named as on a US layout. X(enumerator, code, name): GLFW's
+// Keys by what is printed on them (key_at()), named as on a US layout. X(enumerator, code, name): GLFW's
 // codes, which are ASCII for printable keys.
 // clang-format off
 #define COASTER_KEYS(X) \
@@ -47,6 +47,9 @@ struct Modifiers {
 };
 
 enum class Button : std::uint8_t { left, right, middle };
+
+// How far the mouse moves before a press becomes a drag.
+inline constexpr float kDragThreshold = 3;  // points; less is a click
 
 struct MouseMove {
   float x = 0, y = 0;
@@ -111,5 +114,15 @@ struct Chord {
 };
 std::optional<Chord> parse_chord(std::string_view text);
 std::string to_text(const Chord& chord);
+
+// Returns the key at a place of the US layout that types `print` without modifiers (UTF-8; "" if nothing or a dead
+// key); Key::unknown if it has no name. A Latin letter is the printed one. The row of digits has the digits, also where
+// they need Shift. Other keys are the printed ones, or have their place if the US layout has no key for what is
+// printed. In a layout of another script all letters have their US places.
+Key key_at(Key place, std::string_view print, bool other_script);
+
+// True if a character is no Latin letter and no symbol. If a key at a letter's place types it, the layout is of another
+// script: Cyrillic, Greek, Hebrew.
+bool is_other_script(std::string_view print);
 
 }  // namespace coaster::platform

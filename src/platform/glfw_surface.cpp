@@ -1,23 +1,99 @@
 // The window surface: GLFW and an OpenGL 3.3 core context.
 #define GLFW_INCLUDE_NONE
-#include <GL/glcorearb.h>
-#include <GLFW/glfw3.h>
+#include <dlfcn.h>
 
 #include <array>
 #include <cstdlib>
+#include <functional>
 #include <optional>
+#include <string>
 #include <utility>
 
+#include <GL/glcorearb.h>
+#include <GLFW/glfw3.h>
 #include <fmt/format.h>
 
-#include "platform/driver_threads.h"
-#include "platform/gl_versions.h"
-#include "platform/glfw_keys.h"
-#include "platform/lost_display.h"
+#include "platform/contexts_detail.h"
+#include "platform/events.h"
 #include "platform/surface.h"
 
 namespace coaster::platform {
 namespace {
+
+// Returns what a key types in the first layout, if that is its only one: X11 drops what all layouts have in common, and
+// GLFW asks for the present layout alone. Empty for others.
+std::string only_print_of(int scancode) {
+  using Display = void*();
+  using KeySymbol = unsigned long(void*, unsigned char, int group, int level);
+  static void* const x11 = dlopen("libX11.so.6", RTLD_LAZY | RTLD_NOLOAD);
+  static const auto display = reinterpret_cast<Display*>(dlsym(RTLD_DEFAULT, "glfwGetX11Display"));
+  static const auto symbol = x11 ? reinterpret_cast<KeySymbol*>(dlsym(x11, "XkbKeycodeToKeysym")) : nullptr;
+  void* const connection = display && symbol ? display() : nullptr;
+  const auto code = static_cast<unsigned char>(scancode);
+  if (!connection || symbol(connection, code, 1, 0) != 0) return {};
+  const unsigned long first = symbol(connection, code, 0, 0);
+  return first > ' ' && first <= '~' ? std::string(1, static_cast<char>(first)) : std::string();
+}
+
+// Returns what a key types without modifiers, in the present layout.
+std::string print_of(int scancode) {
+  const char* const text = glfwGetKeyName(GLFW_KEY_UNKNOWN, scancode);
+  return text ? text : only_print_of(scancode);
+}
+
+// Returns the key of a press, by GLFW's codes; Key::unknown with AltGr, which makes text.
+Key key_of(GLFWwindow* window, int code, int scancode, int mods) {
+  if (glfwGetKey(window, GLFW_KEY_RIGHT_ALT) == GLFW_PRESS && (mods & GLFW_MOD_ALT) == 0) return Key::unknown;
+  bool other_script = false, tells = false;
+  for (int letter = GLFW_KEY_A; letter <= GLFW_KEY_Z; ++letter) {
+    const std::string print = print_of(glfwGetKeyScancode(letter));
+    other_script = other_script || is_other_script(print);
+    tells = tells || !print.empty();
+  }
+  return key_at(Key{code}, print_of(scancode), other_script || !tells);
+}
+
+// Xlib's handler gets no argument, so this is global.
+std::function<void()>& lost_handler() {
+  static std::function<void()> handler;
+  return handler;
+}
+
+void call_lost() {
+  // At most once: the handler may be called again if it uses the display.
+  if (const auto handler = std::exchange(lost_handler(), {})) handler();
+}
+
+extern "C" int note_lost(void*) {
+  call_lost();
+  return 0;
+}
+
+// Returns a function of a library that GLFW has loaded; null without that library.
+template <class Function>
+Function* loaded(const char* library, const char* name) {
+  void* const handle = dlopen(library, RTLD_LAZY | RTLD_NOLOAD);
+  return handle ? reinterpret_cast<Function*>(dlsym(handle, name)) : nullptr;
+}
+
+// Calls `lost` when Xlib loses its connection. It must end the program, or Xlib will.
+void watch_display(std::function<void()> lost) {
+  lost_handler() = std::move(lost);
+  if (!lost_handler()) return;
+  using SetHandler = void*(int (*)(void*));
+  if (const auto set = loaded<SetHandler>("libX11.so.6", "XSetIOErrorHandler")) set(note_lost);
+}
+
+// Calls `lost` if the connection to a Wayland compositor is broken. Call it after each poll.
+void check_display() {
+  if (!lost_handler()) return;
+  using Display = void*();
+  using Error = int(void*);
+  static const auto display = reinterpret_cast<Display*>(dlsym(RTLD_DEFAULT, "glfwGetWaylandDisplay"));
+  static const auto error = loaded<Error>("libwayland-client.so.0", "wl_display_get_error");
+  void* const connection = display && error ? display() : nullptr;
+  if (connection && error(connection) != 0) call_lost();
+}
 
 Modifiers modifiers_of(int mods) {
   return {(mods & GLFW_MOD_SHIFT) != 0, (mods & GLFW_MOD_CONTROL) != 0, (mods & GLFW_MOD_ALT) != 0};

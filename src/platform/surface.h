@@ -5,13 +5,25 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 
 #include "base/status.h"
 #include "platform/events.h"
-#include "platform/placement.h"
 
 namespace coaster::platform {
+
+// Position and size in the window system's coordinates, without the window frame.
+struct Placement {
+  int x = 0, y = 0, width = 0, height = 0;
+  bool maximised = false;
+  friend bool operator==(const Placement&, const Placement&) = default;
+};
+
+// The area of a screen that windows may cover.
+struct Screen {
+  int x = 0, y = 0, width = 0, height = 0;
+};
 
 struct Size {
   int width = 0, height = 0;
@@ -81,5 +93,10 @@ std::string window_library();
 // the message names the packages to install. Code::usage for another name. Sets GALLIVM_PERF unless it is set: Mesa's
 // software renderer then compiles shaders in half the time and draws up to 13 % slower.
 base::Result<std::unique_ptr<Surface>> make_offscreen(const SurfaceOptions& options);
+
+// Returns `wanted` adjusted to the screens: not larger than the screen it is mostly on, and moved there if less than
+// 100 px of its top edge, which holds the title, is on a screen. If it is on no screen: centred on the first. Without
+// screens: unchanged.
+Placement fitted(const Placement& wanted, std::span<const Screen> screens);
 
 }  // namespace coaster::platform

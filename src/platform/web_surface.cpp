@@ -1,25 +1,122 @@
 // The surface of a browser's page: its canvas, by Emscripten's html5.h, and a WebGL 2 context.
-#include <GL/glcorearb.h>
 #include <emscripten.h>
-#include <emscripten/html5.h>
 #include <malloc.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdlib>
+#include <cstring>
 #include <deque>
+#include <string>
+#include <string_view>
 #include <utility>
 
+#include <GL/glcorearb.h>
+#include <emscripten/html5.h>
+
+#include "platform/events.h"
 #include "platform/surface.h"
 #include "platform/touch.h"
-#include "platform/web_gl.h"
-#include "platform/web_keys.h"
+
+extern "C" void* emscripten_webgl_get_proc_address(const char* name);
 
 namespace coaster::platform {
 namespace {
 
-constexpr const char* kCanvas = "#canvas";
+// Transform feedback is read by mapping a buffer, which WebGL lacks, so this returns a copy of its bytes.
+void* mapped = nullptr;
+void* map_range(GLenum target, GLintptr offset, GLsizeiptr length, GLbitfield) {
+  mapped = std::malloc(static_cast<std::size_t>(length));
+  // clang-format off
+  EM_ASM({ GLctx.getBufferSubData($0, $1, HEAPU8, $2, $3); }, target, offset, mapped, length);
+  // clang-format on
+  return mapped;
+}
+GLboolean unmap(GLenum) {
+  std::free(std::exchange(mapped, nullptr));
+  return GL_TRUE;
+}
 
+// Returns null for functions that a page lacks.
+void* web_gl_function(const char* name) {
+  if (std::strcmp(name, "glMapBufferRange") == 0) return reinterpret_cast<void*>(&map_range);
+  if (std::strcmp(name, "glUnmapBuffer") == 0) return reinterpret_cast<void*>(&unmap);
+  return emscripten_webgl_get_proc_address(name);
+}
+
+// A page knows the layout only by the keys that are pressed.
+class WebKeyboard {
+ public:
+  // Returns the key of an event. A layout is of another script from the first letter of it on.
+  KeyPress read(const EmscriptenKeyboardEvent& event, bool down, Modifiers held);
+  // Returns the text that the event types, in which AltGr or Option may be held; "" for none.
+  std::string text(const EmscriptenKeyboardEvent& event, Modifiers held) const;
+  void release() { alt_graph_ = false; }
+
+ private:
+  bool alt_graph_ = false, other_script_ = false;
+};
+
+struct NamedKey {
+  const char* code;
+  Key key;
+};
+// clang-format off
+constexpr NamedKey kNamedKeys[] = {
+    {"Space", Key::space}, {"Quote", Key::apostrophe}, {"Comma", Key::comma}, {"Minus", Key::minus},
+    {"Period", Key::period}, {"Slash", Key::slash}, {"Semicolon", Key::semicolon}, {"Equal", Key::equal},
+    {"BracketLeft", Key::left_bracket}, {"Backslash", Key::backslash}, {"BracketRight", Key::right_bracket},
+    {"Backquote", Key::grave}, {"Escape", Key::escape}, {"Enter", Key::enter}, {"Tab", Key::tab},
+    {"Backspace", Key::backspace}, {"Insert", Key::insert}, {"Delete", Key::del}, {"ArrowRight", Key::right},
+    {"ArrowLeft", Key::left}, {"ArrowDown", Key::down}, {"ArrowUp", Key::up}, {"PageUp", Key::page_up},
+    {"PageDown", Key::page_down}, {"Home", Key::home}, {"End", Key::end}, {"Numpad1", Key::keypad_1},
+    {"Numpad3", Key::keypad_3}, {"Numpad5", Key::keypad_5}, {"Numpad7", Key::keypad_7},
+    {"NumpadEnter", Key::keypad_enter}};
+// clang-format on
+
+// Returns the key's place on a US layout.
+Key place_of(const EmscriptenKeyboardEvent& event) {
+  for (const NamedKey& named : kNamedKeys)
+    if (std::strcmp(named.code, event.code) == 0) return named.key;
+  const std::string_view code = event.code;
+  if (code.size() == 4 && code.starts_with("Key")) return Key{code[3]};
+  if (code.size() == 6 && code.starts_with("Digit")) return Key{code[5]};
+  if (code.size() >= 2 && code[0] == 'F') {
+    const int number = std::atoi(event.code + 1);
+    if (number >= 1 && number <= 12) return Key{static_cast<int>(Key::f1) + number - 1};
+  }
+  return Key{code.starts_with("Numpad") ? 320 : -1};  // one without a name, of the keypad or elsewhere
+}
+
+// Returns the character of the event, "" for keys with names of several letters.
+std::string_view character_of(const EmscriptenKeyboardEvent& event) {
+  const std::string_view typed = event.key;
+  return typed.size() == 1 || (!typed.empty() && (typed[0] & 0x80) != 0) ? typed : "";
+}
+
+// True if Option makes another character than a letter or digit: @ on macOS.
+bool is_option_text(std::string_view print, Modifiers held) {
+  const auto is = [&](char first, char last) { return (print[0] | 32) >= first && (print[0] | 32) <= last; };
+  return held.alt && !held.ctrl && !print.empty() && !is('a', 'z') && !is('0', '9');
+}
+
+KeyPress WebKeyboard::read(const EmscriptenKeyboardEvent& event, bool down, Modifiers held) {
+  if (std::strcmp(event.key, "AltGraph") == 0) alt_graph_ = down;
+  const Key place = place_of(event);
+  const std::string_view print = character_of(event);
+  const bool text = (alt_graph_ && down) || is_option_text(print, held);
+  if (place >= Key::a && place <= Key::z && !print.empty() && !text) other_script_ = is_other_script(print);
+  return {text ? Key::unknown : key_at(place, print, other_script_), down, event.repeat != 0, held, place};
+}
+
+std::string WebKeyboard::text(const EmscriptenKeyboardEvent& event, Modifiers held) const {
+  const std::string_view print = character_of(event);
+  const bool shortcut = held.ctrl || (held.alt && !is_option_text(print, held));
+  return std::string(shortcut && !alt_graph_ ? "" : print);
+}
+
+constexpr const char* kCanvas = "#canvas";
 class WebSurface;
 WebSurface* of_page = nullptr;  // for functions that the page calls by name
 
@@ -266,8 +363,6 @@ base::Result<std::unique_ptr<Surface>> make_surface(bool window, const SurfaceOp
   return std::unique_ptr<Surface>(std::make_unique<WebSurface>(context, window, options));
 }
 
-}  // namespace
-
 extern "C" {
 EMSCRIPTEN_KEEPALIVE void coaster_open(const char* path) {
   if (of_page != nullptr) of_page->drop(path);
@@ -288,6 +383,8 @@ EMSCRIPTEN_KEEPALIVE const char* coaster_answer(const char* question) {
 // Bytes that the program has allocated.
 EMSCRIPTEN_KEEPALIVE double coaster_allocated() { return static_cast<double>(::mallinfo().uordblks); }
 }
+
+}  // namespace
 
 base::Result<std::unique_ptr<Surface>> make_window(const SurfaceOptions& options) {
   return make_surface(true, options);

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "base/words.h"
+#include "base/text.h"
 #include "query/query.h"
 
 namespace coaster::query {

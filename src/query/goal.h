@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-#include "base/words.h"
+#include "base/text.h"
 #include "edit/session/session.h"
 
 namespace coaster::query {

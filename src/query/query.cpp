@@ -7,8 +7,8 @@
 
 #include <fmt/format.h>
 
+#include "base/text.h"
 #include "base/units.h"
-#include "base/words.h"
 #include "query/rows.h"
 
 namespace coaster::query {

@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "base/utf8.h"
+#include "base/text.h"
 #include "script/paths.h"
 #include "script/rows.h"
 

@@ -10,8 +10,8 @@
 #include <string_view>
 #include <vector>
 
+#include "base/crash_guard.h"
 #include "base/files.h"
-#include "base/planned_crash.h"
 #include "edit/commands/command.h"
 #include "platform/events.h"
 #include "query/lesson.h"

@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-#include "base/root.h"
+#include "base/files.h"
 
 namespace coaster::script {
 

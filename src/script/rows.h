@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "base/words.h"
+#include "base/text.h"
 #include "script/statements.h"
 
 namespace coaster::script {

@@ -11,7 +11,7 @@
 #include "edit/commands/commands_sections.h"
 #include "edit/commands/commands_session.h"
 #include "edit/commands/commands_settings.h"
-#include "platform/drag_threshold.h"
+#include "platform/events.h"
 #include "query/condition.h"
 #include "query/context.h"
 #include "query/rows.h"

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "base/root.h"
+#include "base/files.h"
 #include "script/frame_driver.h"
 #include "script/grammar.h"
 #include "script/host.h"

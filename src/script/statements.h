@@ -8,8 +8,8 @@
 #include <variant>
 #include <vector>
 
+#include "base/crash_guard.h"
 #include "base/files.h"
-#include "base/planned_crash.h"
 #include "base/text.h"
 #include "curve/evaluators.h"
 #include "edit/commands/command.h"

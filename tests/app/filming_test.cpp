@@ -1,4 +1,5 @@
-#include "app/filming.h"
+// Recording a movie while the program runs.
+#include "app/movie.h"
 
 #include <cstdlib>
 #include <optional>

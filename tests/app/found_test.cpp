@@ -1,4 +1,5 @@
-#include "app/found.h"
+// What a long job finds, as text.
+#include "app/long_job.h"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +10,7 @@ namespace coaster::app {
 namespace found_test {
 
 // As a worker hands it over.
-base::Result<Found> sent(const base::Result<Found>& found) { return parse_found(print_found(found)); }
+base::Result<JobResult> sent(const base::Result<JobResult>& found) { return parse_job_result(print_job_result(found)); }
 
 TEST(found, a_track_arrives_whole) {
   base::Files files;
@@ -21,7 +22,7 @@ TEST(found, a_track_arrives_whole) {
   track->import = exchange::ImportReport{0.1, 1e-300, 7, 1.0 / 3, 12345.678901234567, 5e-324};
   track->content = 0xfedcba9876543210;
   track->version = 3;
-  const base::Result<Found> arrived = sent(Found(*track));
+  const base::Result<JobResult> arrived = sent(JobResult(*track));
   ASSERT_TRUE(arrived.ok()) << arrived.status().message;
   const auto& read = std::get<exchange::LoadedTrack>(*arrived);
   EXPECT_EQ(world::hash(read.document), world::hash(track->document));
@@ -35,13 +36,13 @@ TEST(found, a_track_arrives_whole) {
 
 TEST(found, a_search_and_a_failure_arrive_whole) {
   const edit::Sought sought{{0.1, -1.0 / 3, 1e300}, "ride.lap_time is 40 s."};
-  const base::Result<Found> arrived = sent(Found(sought));
+  const base::Result<JobResult> arrived = sent(JobResult(sought));
   ASSERT_TRUE(arrived.ok());
   EXPECT_EQ(std::get<edit::Sought>(*arrived).values, sought.values);
   EXPECT_EQ(std::get<edit::Sought>(*arrived).note, sought.note);
   const base::Status failed{base::Code::bad_file, "rows.csv:4: error: expected 13 numbers"};
   EXPECT_EQ(sent(failed).status(), failed);
-  EXPECT_EQ(parse_found("6 failed1 55 grave").status(), (base::Status{base::Code::io, "grave"}))
+  EXPECT_EQ(parse_job_result("6 failed1 55 grave").status(), (base::Status{base::Code::io, "grave"}))
       << "as a page's script writes it";
 }
 
@@ -54,20 +55,21 @@ TEST(found, a_way_home_arrives_with_what_a_command_needs) {
     knot.position = {x, 1 - x, 3e5f}, knot.in_length = x * 2, knot.spin = 0.123456789f;
     knot.joint = world::JointKind::aligned;
   }
-  const base::Result<Found> arrived = sent(Found(way));
+  const base::Result<JobResult> arrived = sent(JobResult(way));
   ASSERT_TRUE(arrived.ok()) << arrived.status().message;
   const auto& read = std::get<sim::ChangedWay>(*arrived);
   EXPECT_EQ(read.way, way.way);
   EXPECT_EQ(read.fit.knots, way.fit.knots);
   EXPECT_TRUE(read.another);
-  EXPECT_EQ(std::get<sim::ChangedWay>(*sent(Found(sim::ChangedWay{.refusal = "no room"}))).refusal, "no room");
+  EXPECT_EQ(std::get<sim::ChangedWay>(*sent(JobResult(sim::ChangedWay{.refusal = "no room"}))).refusal, "no room");
 }
 
 TEST(found, a_damaged_text_is_refused) {
-  const std::string whole = print_found(Found(edit::Sought{{0.1, 2}, "a note"}));
-  for (std::size_t size = 0; size < whole.size(); ++size) EXPECT_FALSE(parse_found(whole.substr(0, size)).ok()) << size;
-  EXPECT_FALSE(parse_found(whole + "1 x").ok());
-  EXPECT_FALSE(parse_found("6 sought1 x99999999999 1").ok());
+  const std::string whole = print_job_result(JobResult(edit::Sought{{0.1, 2}, "a note"}));
+  for (std::size_t size = 0; size < whole.size(); ++size)
+    EXPECT_FALSE(parse_job_result(whole.substr(0, size)).ok()) << size;
+  EXPECT_FALSE(parse_job_result(whole + "1 x").ok());
+  EXPECT_FALSE(parse_job_result("6 sought1 x99999999999 1").ok());
 }
 
 }  // namespace found_test

@@ -1,5 +1,4 @@
 // A window draws while something changes, and otherwise waits for events.
-#include "app/idle.h"
 
 #include <vector>
 

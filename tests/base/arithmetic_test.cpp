@@ -1,6 +1,6 @@
 // Typed arithmetic against two other evaluators: the tree that a text was printed from, and the shunting yard
 // (Dijkstra 1961) over random texts, most of which are wrong.
-#include "base/arithmetic.h"
+#include "base/units.h"
 
 #include <gtest/gtest.h>
 

@@ -8,7 +8,7 @@
 
 #include <cstdlib>
 
-#include "base/utf8.h"
+#include "base/text.h"
 
 namespace coaster::base {
 namespace console_test {

@@ -14,7 +14,6 @@
 #include <thread>
 
 #include "base/check.h"
-#include "base/memory_guard.h"
 #include "base/scratch_folder.h"
 
 namespace coaster::base {

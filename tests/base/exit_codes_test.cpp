@@ -8,7 +8,7 @@
 #include <sstream>
 #include <vector>
 
-#include "base/memory_guard.h"
+#include "base/crash_guard.h"
 #include "base/status.h"
 
 namespace coaster::base {

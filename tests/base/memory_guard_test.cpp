@@ -1,4 +1,5 @@
-#include "base/memory_guard.h"
+// The end of memory.
+#include "base/crash_guard.h"
 
 #include <gtest/gtest.h>
 

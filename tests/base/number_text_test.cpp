@@ -1,3 +1,4 @@
+// Numbers as text.
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 

@@ -1,4 +1,5 @@
-#include "base/planned_crash.h"
+// Crashes on purpose.
+#include "base/crash_guard.h"
 
 #include <gtest/gtest.h>
 

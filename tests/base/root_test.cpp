@@ -1,6 +1,5 @@
 // Writing below a folder: links, pipes and names prepared in it never lead to a file outside it being created, changed
 // or removed.
-#include "base/root.h"
 
 #include <fcntl.h>
 #include <gtest/gtest.h>

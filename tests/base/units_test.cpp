@@ -6,8 +6,6 @@
 
 #include <gtest/gtest.h>
 
-#include "base/arithmetic.h"
-
 namespace coaster::base {
 namespace units_test {
 

@@ -1,4 +1,5 @@
-#include "base/utf8.h"
+// UTF-8 text.
+#include "base/text.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>

@@ -1,4 +1,5 @@
-#include "base/words.h"
+// The words of a line.
+#include "base/text.h"
 
 #include <gtest/gtest.h>
 

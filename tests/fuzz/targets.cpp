@@ -15,7 +15,6 @@
 #include "exchange/challenge_file.h"
 #include "exchange/own/envelope_file.h"
 #include "exchange/own/link.h"
-#include "exchange/own/packed_text.h"
 #include "exchange/own/progress_file.h"
 #include "exchange/own/settings_file.h"
 #include "exchange/own/track_file.h"

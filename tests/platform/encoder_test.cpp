@@ -1,4 +1,5 @@
-#include "platform/encoder.h"
+// The encoder of movies outside a page.
+#include "platform/system.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // Keys by what is printed on them, in layouts as xkeyboard-config 2.35 has them.
-#include "platform/keyboard.h"
+#include "platform/events.h"
 
 #include <gtest/gtest.h>
 

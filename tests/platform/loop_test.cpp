@@ -1,4 +1,5 @@
-#include "platform/loop.h"
+// The loop of frames.
+#include "platform/system.h"
 
 #include <gtest/gtest.h>
 

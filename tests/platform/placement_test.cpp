@@ -1,4 +1,5 @@
-#include "platform/placement.h"
+// Windows on the screens that there are.
+#include "platform/surface.h"
 
 #include <gtest/gtest.h>
 

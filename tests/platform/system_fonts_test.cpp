@@ -1,4 +1,5 @@
-#include "platform/system_fonts.h"
+// The fonts of the system.
+#include "platform/system.h"
 
 #include <gtest/gtest.h>
 

@@ -18,11 +18,11 @@ MADE, ASKED, OWN = ("below a folder, only files that runs made", "the user named
                     "a name that only the program uses")
 # Of each file of src: the calls, the rule, and its tests.
 SRC = {
-    "base/files.cpp": ("O_CREAT put_in_place renameat renameat unlinkat unlinkat unlinkat unlinkat", MADE,
+    "base/files.cpp": ("O_CREAT O_CREAT put_in_place renameat renameat unlinkat unlinkat unlinkat unlinkat", MADE,
                        "root.a_file_that_no_run_made_is_neither_replaced_nor_removed",
                        "root.a_folder_is_emptied_only_if_runs_made_all_of_it",
-                       "files.names_that_look_alike_are_nobody_s_leftovers"),
-    "base/made_files.cpp": ("O_CREAT", OWN, "root.the_list_of_made_files_is_no_way_out"),
+                       "files.names_that_look_alike_are_nobody_s_leftovers",
+                       "root.the_list_of_made_files_is_no_way_out"),
     "base/file_lock.cpp": ("O_CREAT ftruncate unlinkat", OWN, "root.a_lock_s_name_with_other_words_is_left_alone",
                            "root.a_lock_is_a_new_file_below"),
     "script/runner.cpp": ("remove_made", MADE, "script.overwrites_check"),

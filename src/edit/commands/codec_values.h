@@ -10,7 +10,7 @@
 
 #include <fmt/format.h>
 
-#include "base/words.h"
+#include "base/text.h"
 #include "edit/commands/command.h"
 #include "exchange/own/import.h"
 #include "sim/ride/ride.h"

@@ -14,7 +14,7 @@
 #include "edit/commands/codec.h"
 #include "edit/commands/command_list.h"
 #include "edit/perform/follow.h"
-#include "edit/perform/found.h"
+#include "edit/perform/job_result.h"
 #include "edit/perform/perform.h"
 #include "edit/perform/replan.h"
 #include "edit/perform/set.h"

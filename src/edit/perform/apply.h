@@ -14,7 +14,7 @@ struct Search;
 // is one undo step; a command that does not change the document adds none. undo inside a gesture cancels it.
 // If the job of this thread is cancelled meanwhile, it returns an error without a notice, and the session is as before
 // once settle() is called; or the command is done, if the old state was gone already.
-// `search` lets another thread search for it, before or after (edit/perform/found.h).
+// `search` lets another thread search for it, before or after (edit/perform/job_result.h).
 base::Status apply(Session& session, base::Files& files, const Command& command, Search* search = nullptr);
 
 // Restores what depends on the document after a cancelled apply().

@@ -5,12 +5,11 @@
 
 #include "base/interrupted.h"
 #include "base/text.h"
-#include "base/utf8.h"
 #include "edit/commands/commands_lab.h"
 #include "edit/commands/commands_operation.h"
 #include "edit/commands/commands_session.h"
 #include "edit/commands/commands_settings.h"
-#include "edit/perform/found.h"
+#include "edit/perform/job_result.h"
 #include "edit/perform/perform.h"
 #include "exchange/formats.h"
 #include "exchange/own/envelope_file.h"

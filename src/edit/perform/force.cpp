@@ -8,7 +8,7 @@
 #include "edit/commands/commands_force.h"
 #include "edit/perform/knot_runs.h"
 #include "edit/perform/replan.h"
-#include "exchange/own/force_text.h"
+#include "exchange/own/track_file.h"
 #include "sim/plan/force_quantity.h"
 #include "sim/plan/force_reading.h"
 #include "world/sections.h"

@@ -19,7 +19,7 @@ struct MotionFollowUp {
   double first_length = 0, second_length = 0;  // m, merged: before the change
 };
 
-struct Search;  // edit/perform/found.h
+struct Search;  // edit/perform/job_result.h
 
 // The files that a command may use, and its report besides the status.
 struct Change {

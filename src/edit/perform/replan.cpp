@@ -14,7 +14,7 @@
 #include "curve/continuity.h"
 #include "curve/frames.h"
 #include "edit/commands/commands_sections.h"
-#include "edit/perform/found.h"
+#include "edit/perform/job_result.h"
 #include "sim/plan/force_plan.h"
 #include "world/sections.h"
 #include "world/topology.h"

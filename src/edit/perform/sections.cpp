@@ -5,7 +5,6 @@
 
 #include "base/portable_math.h"
 #include "base/text.h"
-#include "base/utf8.h"
 #include "edit/commands/commands_sections.h"
 #include "edit/perform/equipping.h"
 #include "edit/perform/knot_runs.h"

@@ -7,7 +7,7 @@
 
 #include "base/least_change.h"
 #include "edit/commands/commands_seek.h"
-#include "edit/perform/found.h"
+#include "edit/perform/job_result.h"
 #include "edit/perform/perform.h"
 #include "edit/session/session.h"
 

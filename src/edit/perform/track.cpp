@@ -4,7 +4,7 @@
 
 #include <fmt/format.h>
 
-#include "base/utf8.h"
+#include "base/text.h"
 #include "edit/commands/commands_document.h"
 #include "edit/commands/commands_shape.h"
 #include "edit/perform/append_shape.h"

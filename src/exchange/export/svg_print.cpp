@@ -1,6 +1,5 @@
 // Plan and elevation of a track as SVG, one above the other at the same scale.
 #include <algorithm>
-#include <cmath>
 #include <vector>
 
 #include <fmt/format.h>

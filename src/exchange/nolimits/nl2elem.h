@@ -10,8 +10,8 @@
 namespace coaster::exchange {
 
 // Parses an element. Its curve (nl2_spline.h) becomes segments, exact except for the rounding of knots to float, for
-// runs with different weights (kRationalOff), and for corners, which become fillets (nl2_corners.h) with a warning
-// each. Rolls that the track does not match add knots (nl2_rolls.h); without rolls the track follows the horizon. The
+// runs with different weights (kRationalOff), and for corners, which become fillets (nl2_spline.h) with a warning
+// each. Rolls that the track does not match add knots (nl2_spline.h); without rolls the track follows the horizon. The
 // track is closed if the first and last vertices coincide. One train at the start. Errors are Code::bad_file, one line
 // "NAME:LINE: error: expected ..., found ...". Rejects broken XML, no root/element, missing, repeated or non-finite
 // numbers, positions beyond world::kMaxCoordinate, weights that are not positive or differ by more than 100 times from
@@ -27,7 +27,7 @@ inline constexpr std::size_t kMaxNl2ElemBytes = 4u
 inline constexpr double kMaxNl2ElemLength = 100'000;    // m
 
 // Returns an element whose curve is the track's: each segment is a run of four vertices, its control points, and the
-// knots are strict. Rolls are at the knots and between them as described in nl2_rolls.h. A closed track's last vertex
+// knots are strict. Rolls are at the knots and between them as described in nl2_spline.h. A closed track's last vertex
 // repeats the first. check_nl2elem() must be ok. Lines end with CRLF. The same document always gives the same bytes.
 std::string print_nl2elem(const world::Document& document);
 

@@ -1,31 +1,179 @@
-// Converts the records of a NoLimits 1 track to a document.
+// Reads the chunks and numbers of a NoLimits 1 track file, and makes a document of them.
 #include "exchange/nolimits/nltrack.h"
 
+#include <algorithm>
+#include <bit>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
+#include <glm/glm.hpp>
 
 #include "base/portable_math.h"
+#include "base/status.h"
 #include "base/text.h"
 #include "curve/frames.h"
-#include "exchange/nolimits/nltrack_records.h"
 #include "sim/fit/fit_track.h"
 #include "sim/shape/roll.h"
+#include "world/components.h"
 #include "world/topology.h"
 
 namespace coaster::exchange {
 namespace {
 
-using glm::dvec3;
+struct NltrackKnot {
+  glm::vec3 point, in, out;  // m: the knot, the ends of its handles
+  float roll = 0;            // radians, within 10,000 turns; positive to the left in the file
+  std::size_t number = 0;    // in the file, from 1
+  std::size_t offset = 0;    // byte of the record in the file
+};
 
+struct NltrackRecords {
+  std::vector<NltrackKnot> knots;
+  bool closed = false;
+};
+
+constexpr std::size_t kTagBytes = 4, kHeadBytes = 8;  // a chunk's tag and size
+constexpr std::size_t kVerticesHead = 20;             // 16 bytes and the count
+constexpr std::size_t kRecordBytes = 60;
+constexpr std::size_t kSegmentsHead = 5;  // the count and the closed byte
+
+struct ChunkReader {
+  std::string_view bytes;
+  std::string name;
+
+  base::Status fail(std::size_t offset, const std::string& message) const {
+    return {base::Code::bad_file, fmt::format("{}: error: at byte {}: {}", name, offset, message)};
+  }
+  std::uint32_t whole(std::size_t at) const {
+    std::uint32_t value = 0;
+    for (std::size_t i = 0; i < 4; ++i) value = value << 8 | static_cast<unsigned char>(bytes[at + i]);
+    return value;
+  }
+  float number(std::size_t at) const { return std::bit_cast<float>(whole(at)); }
+};
+
+struct Chunk {
+  std::size_t start = 0, payload = 0, size = 0;
+  std::size_t end() const { return payload + size; }
+};
+
+// Returns the first chunk with that tag at or after `from` that lies within the file and has at least `least` bytes.
+// Earlier bytes may contain the tag as text: then the next one counts, and the first one's error is reported if there
+// is none.
+base::Result<Chunk> find_chunk(const ChunkReader& reader, std::string_view tag, std::size_t from, std::size_t least) {
+  base::Status fault =
+      reader.fail(from, fmt::format("expected a chunk \"{}\", found none to the end of the file", tag));
+  bool found = false;
+  for (std::size_t at = reader.bytes.find(tag, from); at != std::string_view::npos;
+       at = reader.bytes.find(tag, at + 1)) {
+    const std::size_t left = reader.bytes.size() - at;
+    base::Status wrong;
+    if (left < kHeadBytes) {
+      wrong = reader.fail(at, fmt::format("the file ends within the head of chunk \"{}\"", tag));
+    } else {
+      const Chunk chunk{at, at + kHeadBytes, reader.whole(at + kTagBytes)};
+      if (chunk.size > left - kHeadBytes)
+        wrong = reader.fail(at + kTagBytes, fmt::format("chunk \"{}\" has {} bytes, but the file {} more", tag,
+                                                        chunk.size, left - kHeadBytes));
+      else if (chunk.size < least)
+        wrong = reader.fail(at + kTagBytes, fmt::format("expected a chunk \"{}\" of at least {} bytes, found {}", tag,
+                                                        least, chunk.size));
+      else return chunk;
+    }
+    if (!found) fault = std::move(wrong);
+    found = true;
+  }
+  return fault;
+}
+
+// Returns the position of the closed byte. Chunk SEGM has a size before its count of segments, which some writers omit:
+// the count, which is that of `knots` or one less, shows which it is. If it is neither, the chunk is read by its size.
+base::Result<std::size_t> closed_byte(const ChunkReader& reader, std::size_t from, std::size_t knots) {
+  const auto counts = [&](std::size_t at) { return reader.whole(at) == knots || reader.whole(at) + 1 == knots; };
+  for (std::size_t at = reader.bytes.find("SEGM", from); at != std::string_view::npos;
+       at = reader.bytes.find("SEGM", at + 1)) {
+    const std::size_t left = reader.bytes.size() - at;
+    if (left >= kHeadBytes + kSegmentsHead && counts(at + kHeadBytes)) break;
+    if (left >= kTagBytes + kSegmentsHead && counts(at + kTagBytes)) return at + kHeadBytes;
+  }
+  const auto chunk = find_chunk(reader, "SEGM", from, kSegmentsHead);
+  if (!chunk) return chunk.status();
+  return chunk->payload + 4;
+}
+
+std::string number_or_none(float value) { return std::isfinite(value) ? base::to_text(value) : "no finite number"; }
+
+base::Result<glm::vec3> read_point(const ChunkReader& reader, std::size_t at, const char* what) {
+  glm::vec3 value(0);
+  for (int axis = 0; axis < 3; ++axis) {
+    const std::size_t place = at + 4u * static_cast<std::size_t>(axis);
+    value[axis] = reader.number(place);
+    if (!(std::abs(value[axis]) <= world::kMaxCoordinate))
+      return reader.fail(place, fmt::format("expected a coordinate of the {} within {} m, found {}", what,
+                                            base::to_text(world::kMaxCoordinate), number_or_none(value[axis])));
+  }
+  return value;
+}
+
+base::Result<std::vector<NltrackKnot>> read_records(const ChunkReader& reader, const Chunk& chunk) {
+  const std::size_t count = reader.whole(chunk.payload + 16), room = (chunk.size - kVerticesHead) / kRecordBytes;
+  if (count > room || count > world::kMaxKnots)
+    return reader.fail(chunk.payload + 16,
+                       fmt::format("expected at most {} knots, found {}", std::min(room, world::kMaxKnots), count));
+  if (count < 2) return reader.fail(chunk.payload + 16, fmt::format("expected at least 2 knots, found {}", count));
+  std::vector<NltrackKnot> records;
+  records.reserve(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    NltrackKnot record;
+    record.number = i + 1;
+    record.offset = chunk.payload + kVerticesHead + i * kRecordBytes;
+    const std::pair<glm::vec3*, const char*> points[]{
+        {&record.point, "point"}, {&record.in, "in-handle"}, {&record.out, "out-handle"}};
+    std::size_t at = record.offset;
+    for (const auto& [point, what] : points) {
+      const auto value = read_point(reader, at, what);
+      if (!value) return value.status();
+      *point = *value;
+      at += 12;
+    }
+    record.roll = reader.number(at);
+    constexpr double kMostRoll = 2.0 * base::kPi * 1e4;
+    if (!(std::abs(record.roll) <= kMostRoll))
+      return reader.fail(
+          at, fmt::format("expected a roll in radians within 10000 turns, found {}", number_or_none(record.roll)));
+    records.push_back(record);
+  }
+  return records;
+}
+
+// Returns the knots of chunk BEZR and the closed byte of chunk SEGM. Code::bad_file with the byte and the reason for
+// chunks that are missing or cut off, coordinates beyond world::kMaxCoordinate, fewer than 2 knots, and more than
+// world::kMaxKnots.
+base::Result<NltrackRecords> read_nltrack(const ChunkReader& reader) {
+  const auto vertices = find_chunk(reader, "BEZR", 0, kVerticesHead);
+  if (!vertices) return vertices.status();
+  auto knots = read_records(reader, *vertices);
+  if (!knots) return knots.status();
+  const auto place = closed_byte(reader, vertices->end(), knots->size());
+  if (!place) return place.status();
+  const auto mark = static_cast<unsigned char>(reader.bytes[*place]);
+  if (mark != 0 && mark != 0xff)
+    return reader.fail(*place, fmt::format("expected the closed byte 0 or 255, found {}", mark));
+  return NltrackRecords{std::move(*knots), mark == 0xff};
+}
+
+using glm::dvec3;
 constexpr double kWorthATell = base::radians(0.1);  // larger turns between handles are reported
 constexpr double kCorner = base::radians(90.0);     // larger turns are rejected
-constexpr double kRollSign = -1.0;  // roll is positive to the left in the file, to the right in the document
-constexpr double kSteep = 0.9;      // sine of the slope above which the horizon does not define roll well
-constexpr float kOneKnot = 1e-3f;   // m: closer knots are one
-constexpr int kHorizonSteps = 64;   // per segment, to follow the horizon's rotation relative to the frame
+constexpr double kRollSign = -1.0;   // roll is positive to the left in the file, to the right in the document
+constexpr double kSteepSlope = 0.9;  // sine of the slope above which the horizon does not define roll well
+constexpr float kOneKnot = 1e-3f;    // m: closer knots are one
+constexpr int kHorizonSteps = 64;    // per segment, to follow the horizon's rotation relative to the frame
 
 // Changes that were needed to fit a document.
 struct Changes {
@@ -61,7 +209,7 @@ dvec3 between_neighbours(const std::vector<NltrackKnot>& records, std::size_t i,
   return after - before;
 }
 
-base::Result<world::Knot> make_knot(std::string_view name, const std::vector<NltrackKnot>& records, std::size_t i,
+base::Result<world::Knot> make_knot(const ChunkReader& reader, const std::vector<NltrackKnot>& records, std::size_t i,
                                     bool closed, Changes& changes) {
   const NltrackKnot& r = records[i];
   const bool comes = i > 0 || closed, goes = i + 1 < records.size() || closed;  // whether a segment uses the handle
@@ -71,14 +219,13 @@ base::Result<world::Knot> make_knot(std::string_view name, const std::vector<Nlt
   const double a = glm::length(in), b = glm::length(out);
   dvec3 direction = a + b > 0 ? in + out : between_neighbours(records, i, closed);
   if (!(glm::length(direction) > 0))
-    return bad_nltrack(name, r.offset,
+    return reader.fail(r.offset,
                        fmt::format("knot {} has no direction: its handles cancel out or have no length", r.number));
   if (a > 0 && b > 0) {
     const double turn = base::arc_tangent(glm::length(glm::cross(in, out)), glm::dot(in, out));
     if (turn > kCorner)
-      return bad_nltrack(name, r.offset,
-                         fmt::format("knot {} is a corner of {} degrees", r.number,
-                                     base::to_text(static_cast<float>(base::degrees(turn)))));
+      return reader.fail(r.offset, fmt::format("knot {} is a corner of {} degrees", r.number,
+                                               base::to_text(static_cast<float>(base::degrees(turn)))));
     if (turn > kWorthATell) ++changes.straightened;
     if (turn > std::max(kWorthATell, changes.largest_turn)) changes.largest_turn = turn, changes.turned_most = r.number;
   }
@@ -88,7 +235,7 @@ base::Result<world::Knot> make_knot(std::string_view name, const std::vector<Nlt
   knot.tangent = glm::vec3(glm::normalize(direction));
   for (const auto& [length, stored, used] : {std::tuple{a, &knot.in_length, comes}, {b, &knot.out_length, goes}}) {
     if (length > world::kMaxHandle)
-      return bad_nltrack(name, r.offset,
+      return reader.fail(r.offset,
                          fmt::format("knot {} has a handle of {} m, over the limit of {}", r.number,
                                      base::to_text(static_cast<float>(length)), base::to_text(world::kMaxHandle)));
     *stored = std::max(static_cast<float>(length), world::kMinHandle);
@@ -118,7 +265,7 @@ Twist twist_of(const curve::Cubic& cubic, glm::vec3 up_from, glm::vec3 up_to, do
   for (int i = 1; i <= kHorizonSteps; ++i) {
     const double t = static_cast<double>(i) / kHorizonSteps;
     const dvec3 next = curve::point(cubic, t), forward = curve::unit_tangent(cubic, t);
-    const bool steep = std::abs(forward.y) > kSteep || std::abs(carried.forward.y) > kSteep;
+    const bool steep = std::abs(forward.y) > kSteepSlope || std::abs(carried.forward.y) > kSteepSlope;
     carried = curve::transport(carried, at, next, forward);
     const dvec3 before = curve::transport(horizon, at, next, forward).up;
     horizon = {forward, curve::perpendicular(forward, up)};
@@ -137,7 +284,7 @@ Twist twist_of(const curve::Cubic& cubic, glm::vec3 up_from, glm::vec3 up_to, do
 }
 
 // Sets the whole turns that the smallest twist between the knots' `up` omits.
-base::Status set_turns(std::string_view name, world::Document& document, std::size_t i,
+base::Status set_turns(const ChunkReader& reader, world::Document& document, std::size_t i,
                        const std::vector<NltrackKnot>& records) {
   const NltrackKnot &from = records[i], &to = records[(i + 1) % records.size()];
   const world::Entity e = document.track.segments[i];
@@ -150,9 +297,8 @@ base::Status set_turns(std::string_view name, world::Document& document, std::si
       twist_of(cubic, world::knot(document, segment.from).up, world::knot(document, segment.to).up, rolled);
   const double turns = std::round((twist.whole - twist.least) / (2 * base::kPi));
   if (std::abs(turns) > world::kMaxTurns)
-    return bad_nltrack(name, to.offset + 36,
-                       fmt::format("the roll goes over {} turns from the knot before, the limit is {}",
-                                   base::to_text(turns), world::kMaxTurns));
+    return reader.fail(to.offset + 36, fmt::format("the roll goes over {} turns from the knot before, the limit is {}",
+                                                   base::to_text(turns), world::kMaxTurns));
   segment.turns = static_cast<std::int32_t>(turns);
   return {};
 }
@@ -209,24 +355,25 @@ std::vector<std::string> warnings_of(const Changes& changes) {
 }  // namespace
 
 base::Result<LoadedTrack> parse_nltrack(std::string_view bytes, std::string_view name) {
-  const auto file = read_nltrack_records(bytes, name);
+  const ChunkReader reader{bytes, std::string(name)};
+  const auto file = read_nltrack(reader);
   if (!file) return file.status();
   const bool closed = file->closed;
   Changes changes;
   const std::vector<NltrackKnot> records = without_repeats(file->knots, closed, changes);
-  if (records.size() < 2) return bad_nltrack(name, records[0].offset, "expected knots at different places, found one");
+  if (records.size() < 2) return reader.fail(records[0].offset, "expected knots at different places, found one");
 
   LoadedTrack track;
   world::Document& document = track.document;
   document.name = name_of_file(name);
   for (std::size_t i = 0; i < records.size(); ++i) {
-    const auto knot = make_knot(name, records, i, closed, changes);
+    const auto knot = make_knot(reader, records, i, closed, changes);
     if (!knot) return knot.status();
     world::append_knot(document, *knot);
   }
   if (closed) world::set_closed(document, true);
   for (std::size_t i = 0; i < document.track.segments.size(); ++i)
-    if (const base::Status status = set_turns(name, document, i, records); !status) return status;
+    if (const base::Status status = set_turns(reader, document, i, records); !status) return status;
   sim::set_automatic_spins(document);
   if (const auto broken = world::broken_invariant(document))
     return base::Status{base::Code::bad_file, fmt::format("{}: error: {}", name, *broken)};

@@ -10,7 +10,7 @@
 #include "base/folders.h"
 #include "base/hash.h"
 #include "base/text.h"
-#include "exchange/own/json_fields.h"
+#include "exchange/own/json.h"
 #include "exchange/own/track_file.h"
 
 namespace coaster::exchange {
@@ -44,22 +44,17 @@ std::string print_info(const std::filesystem::path& track, const world::Document
 }  // namespace
 
 base::Result<AutosaveInfo> parse_autosave_info(std::string_view text, std::string_view name) {
-  const base::Result<Json> tree = read_json(text, name);
-  if (!tree) return tree.status();
-  std::string error, track;
-  std::int64_t pid = 0;
-  AutosaveInfo info;
-  Fields fields(*tree, {}, error);
-  constexpr std::int64_t kMost = std::numeric_limits<std::int64_t>::max() / 2;
-  const bool read = fields.head(kAutosaveFormat, kAutosaveVersion) && fields.text("track", track) &&
-                    fields.text("original", info.original) && fields.text("name", info.name) &&
-                    fields.whole("time", info.time, 0, kMost) &&
-                    fields.whole("pid", pid, 0, std::numeric_limits<int>::max()) && fields.text("hash", info.hash);
-  if (read && std::filesystem::path(track).filename() != track) fields.reject("track", "a name without a folder");
-  if (!error.empty()) return bad_file(name, error);
-  info.track = track;
-  info.pid = static_cast<int>(pid);
-  return info;
+  return read_object<AutosaveInfo>(text, name, [](Fields& fields, AutosaveInfo& info) {
+    constexpr std::int64_t kMost = std::numeric_limits<std::int64_t>::max() / 2;
+    std::string track;
+    std::int64_t pid = 0;
+    const bool read = fields.head(kAutosaveFormat, kAutosaveVersion) && fields.text("track", track) &&
+                      fields.text("original", info.original) && fields.text("name", info.name) &&
+                      fields.whole("time", info.time, 0, kMost) &&
+                      fields.whole("pid", pid, 0, std::numeric_limits<int>::max()) && fields.text("hash", info.hash);
+    info.track = track, info.pid = static_cast<int>(pid);
+    return read && (info.track.filename() == track || fields.reject("track", "a name without a folder"));
+  });
 }
 
 std::string print_autosave_info(const AutosaveInfo& info) {

@@ -1,18 +1,67 @@
 // A link packs a line of JSON, the view, and the text of a track file.
 #include "exchange/own/link.h"
 
-#include <cmath>
+#include <zlib.h>
+
+#include <algorithm>
+#include <cstdint>
 #include <optional>
 
 #include <fmt/format.h>
 
+#include "base/check.h"
 #include "base/hash.h"
 #include "base/text.h"
-#include "exchange/own/json_fields.h"
-#include "exchange/own/packed_text.h"
+#include "exchange/own/json.h"
 
 namespace coaster::exchange {
 namespace {
+
+constexpr std::string_view kAlphabet = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789-_";
+constexpr int kRawDeflate = -15;  // zlib's windowBits: the largest window, without header and checksum
+constexpr std::size_t kUnpackStep = std::size_t{64} << 10;  // bytes unpacked at once
+
+base::Status damaged(std::string message) { return {base::Code::bad_file, std::move(message)}; }
+
+// zlib reads through a pointer that is not const, but does not write.
+Bytef* bytes_of(std::string_view text) { return reinterpret_cast<Bytef*>(const_cast<char*>(text.data())); }
+
+std::string deflate_raw(std::string_view text) {
+  constexpr int kMemory = 9;  // the maximum, for the best compression
+  z_stream stream{};
+  COASTER_CHECK(deflateInit2(&stream, Z_BEST_COMPRESSION, Z_DEFLATED, kRawDeflate, kMemory, Z_DEFAULT_STRATEGY) == Z_OK,
+                "deflate starts if there is memory");
+  std::string out(deflateBound(&stream, static_cast<uLong>(text.size())), '\0');
+  stream.next_in = bytes_of(text), stream.avail_in = static_cast<uInt>(text.size());
+  stream.next_out = reinterpret_cast<Bytef*>(out.data()), stream.avail_out = static_cast<uInt>(out.size());
+  const int ended = deflate(&stream, Z_FINISH);
+  out.resize(stream.total_out);
+  deflateEnd(&stream);
+  COASTER_CHECK(ended == Z_STREAM_END, "the bound of deflate holds");
+  return out;
+}
+
+base::Result<std::string> inflate_raw(std::string_view bytes, std::size_t most_bytes) {
+  z_stream stream{};
+  COASTER_CHECK(inflateInit2(&stream, kRawDeflate) == Z_OK, "inflate starts if there is memory");
+  stream.next_in = bytes_of(bytes), stream.avail_in = static_cast<uInt>(bytes.size());
+  std::string out;
+  int state = Z_OK;
+  while (state == Z_OK && out.size() <= most_bytes) {
+    const std::size_t before = out.size();
+    out.resize(before + std::min(kUnpackStep, most_bytes + 1 - before));
+    stream.next_out = reinterpret_cast<Bytef*>(out.data()) + before;
+    stream.avail_out = static_cast<uInt>(out.size() - before);
+    state = inflate(&stream, Z_NO_FLUSH);
+    out.resize(out.size() - stream.avail_out);
+  }
+  const bool all_read = stream.avail_in == 0;
+  inflateEnd(&stream);
+  if (out.size() > most_bytes) return damaged(fmt::format("it unpacks to more than {} bytes", most_bytes));
+  if (state == Z_BUF_ERROR) return damaged("it is cut off");
+  if (state != Z_STREAM_END || !all_read) return damaged("it is damaged");
+  return out;
+}
 
 constexpr std::string_view kMark = "#coaster=", kName = "link";
 
@@ -51,15 +100,6 @@ std::string print_view(const world::Document& document, const SharedView& view) 
                     {"resolution", view.steps}}) +
          "\n";
 }
-
-template <class T>
-bool named(Fields& fields, std::string_view member, T& value) {
-  std::string name;
-  if (!fields.text(member, name)) return false;
-  const auto found = base::value_named<T>(name);
-  if (found) value = *found;
-  return found.has_value() || fields.reject(member, base::alternatives_of<T>());
-}
 bool real(Fields& fields, std::string_view member, float& value, float low, float high) {
   double wide = 0;
   if (!fields.number(member, wide, low, high)) return false;
@@ -80,21 +120,52 @@ bool read_view(const Json& tree, SharedView& view, std::string& hash, std::strin
   world::Camera& orbit = view.camera;
   std::int64_t steps = 0;
   const bool read =
-      fields.text("hash", hash) && named(fields, "camera", view.mode) && place(fields, "target", orbit.target) &&
+      fields.text("hash", hash) && fields.named("camera", view.mode, "") && place(fields, "target", orbit.target) &&
       real(fields, "yaw", orbit.yaw_deg, -kTurn, kTurn) &&
       real(fields, "pitch", orbit.pitch_deg, -world::kMaxPitch, world::kMaxPitch) &&
       real(fields, "distance", orbit.distance, 0, kFarthest) &&
       real(fields, "field_of_view", orbit.field_of_view_deg, world::kMinFieldOfView, world::kMaxFieldOfView) &&
-      named(fields, "projection", orbit.projection) && place(fields, "eye", view.fly.eye) &&
+      fields.named("projection", orbit.projection, "") && place(fields, "eye", view.fly.eye) &&
       real(fields, "eye_yaw", view.fly.yaw_deg, -kTurn, kTurn) &&
       real(fields, "eye_pitch", view.fly.pitch_deg, -world::kMaxPitch, world::kMaxPitch) &&
-      named(fields, "evaluator", view.evaluator) &&
+      fields.named("evaluator", view.evaluator, "") &&
       fields.whole("resolution", steps, curve::kMinSteps, curve::kMaxSteps);
   view.steps = static_cast<int>(steps);
   return read;
 }
 
 }  // namespace
+
+std::string base64(std::string_view bytes, std::string_view last_two) {
+  std::string text;
+  text.reserve(bytes.size() * 4 / 3 + 3);
+  std::uint32_t bits = 0;
+  int count = 0;
+  const auto digit = [&](std::uint32_t value) { return value < 62 ? kAlphabet[value] : last_two[value - 62]; };
+  for (const char c : bytes) {
+    bits = bits << 8 | static_cast<unsigned char>(c);
+    for (count += 8; count >= 6; count -= 6) text += digit(bits >> (count - 6) & 63);
+  }
+  if (count > 0) text += digit(bits << (6 - count) & 63);
+  return text;
+}
+
+std::string pack(std::string_view text) { return base64(deflate_raw(text), kAlphabet.substr(62)); }
+
+base::Result<std::string> unpack(std::string_view packed, std::size_t most_bytes) {
+  std::string bytes;
+  bytes.reserve(packed.size() * 3 / 4);
+  std::uint32_t bits = 0;
+  int count = 0;
+  for (std::size_t i = 0; i < packed.size(); ++i) {
+    const std::size_t value = kAlphabet.find(packed[i]);
+    if (value == std::string_view::npos)
+      return damaged(fmt::format("character {} is none of A-Z, a-z, 0-9, - and _", i + 1));
+    bits = bits << 6 | static_cast<std::uint32_t>(value);
+    if ((count += 6) >= 8) bytes += static_cast<char>(bits >> (count -= 8) & 255);
+  }
+  return inflate_raw(bytes, most_bytes);
+}
 
 std::string print_link(const world::Document& document, const SharedView& view) {
   return fmt::format("{}{}.{}", kMark, kLinkVersion, pack(print_view(document, view) + print_track(document)));

@@ -5,6 +5,7 @@
 #include <string>
 #include <string_view>
 
+#include "base/status.h"
 #include "exchange/own/track_file.h"
 
 namespace coaster::exchange {
@@ -23,5 +24,16 @@ bool is_link(std::string_view text);
 // is cut off, damaged or larger than a track file may be, an invalid track (parse_track()), a document that differs
 // from the shared one.
 base::Result<LoadedTrack> parse_link(std::string_view text);
+
+// Returns bytes as base64 (RFC 4648) without padding, whose last two digits are given.
+std::string base64(std::string_view bytes, std::string_view last_two);
+
+// Returns letters, digits, "-" and "_" only. unpack(pack(text)) is the text.
+std::string pack(std::string_view text);
+
+// Returns the text, of at most `most_bytes`. Stops unpacking there, so that memory stays below `most_bytes` and 64 KiB.
+// Code::bad_file with a line that describes the error: an invalid character, a text that is cut off or damaged, too
+// large.
+base::Result<std::string> unpack(std::string_view packed, std::size_t most_bytes);
 
 }  // namespace coaster::exchange

@@ -6,61 +6,41 @@
 
 #include <fmt/format.h>
 
-#include "exchange/own/json_fields.h"
+#include "exchange/own/json.h"
 
 namespace coaster::exchange {
 namespace {
 
-bool read_values(const Json& list, std::string_view place, ChallengeProgress& to, std::string& error) {
-  for (std::size_t i = 0; i < list.size(); ++i) {
-    Fields fields(list[i], {place, i}, error);
-    BestValue best;
-    std::string better;
-    constexpr double kLargest = std::numeric_limits<double>::max();
-    if (!fields.text("query", best.query) || !fields.number("value", best.value, -kLargest, kLargest) ||
-        !fields.text("better", better))
-      return false;
-    if (better != "less" && better != "more") return fields.reject("better", "\"less\" or \"more\"");
-    best.less_is_better = better == "less";
-    to.best.push_back(std::move(best));
-  }
-  return true;
+bool read_value(Fields& fields, BestValue& best) {
+  std::string better;
+  constexpr double kLargest = std::numeric_limits<double>::max();
+  if (!fields.text("query", best.query) || !fields.number("value", best.value, -kLargest, kLargest) ||
+      !fields.text("better", better))
+    return false;
+  best.less_is_better = better == "less";
+  return best.less_is_better || better == "more" || fields.reject("better", "\"less\" or \"more\"");
 }
 
-bool read_entry(const Json& value, std::size_t index, Progress& progress, std::string& error) {
-  Fields fields(value, {"challenges", index}, error);
+bool read_entry(Fields& fields, Progress& progress) {
   ChallengeProgress entry;
   std::int64_t medal = 0;
   if (!fields.text("challenge", entry.challenge) || !fields.whole("medal", medal, 0, kMostMedals)) return false;
   entry.medal = static_cast<int>(medal);
   if (entry.challenge.empty() || find(progress, entry.challenge)) return fields.reject("challenge", "a unique name");
-  const Json* const best = fields.list("best", kMaxProgressValues);
-  if (!best) return false;
-  const std::string place = fmt::format("challenges[{}].best", index);
-  if (!read_values(*best, place, entry, error)) return false;
+  const auto read_best = [&](Fields& value, auto) { return read_value(value, entry.best.emplace_back()); };
+  if (!fields.each("best", kMaxProgressValues, read_best)) return false;
   progress.challenges.push_back(std::move(entry));
-  return true;
-}
-
-bool read_all(const Json& tree, Progress& progress, std::string& error) {
-  Fields fields(tree, {}, error);
-  if (!error.empty() || !fields.head(kProgressFormat, kProgressVersion)) return false;
-  const Json* const list = fields.list("challenges", kMaxProgressEntries);
-  if (!list) return false;
-  for (std::size_t i = 0; i < list->size(); ++i)
-    if (!read_entry((*list)[i], i, progress, error)) return false;
   return true;
 }
 
 }  // namespace
 
 base::Result<Progress> parse_progress(std::string_view text, std::string_view name) {
-  const base::Result<Json> tree = read_json(text, name);
-  if (!tree) return tree.status();
-  Progress progress;
-  std::string error;
-  if (!read_all(*tree, progress, error)) return bad_file(name, error);
-  return progress;
+  return read_object<Progress>(text, name, [](Fields& fields, Progress& progress) {
+    return fields.head(kProgressFormat, kProgressVersion) &&
+           fields.each("challenges", kMaxProgressEntries,
+                       [&](Fields& entry, auto) { return read_entry(entry, progress); });
+  });
 }
 
 std::string print_progress(const Progress& progress) {

@@ -10,7 +10,7 @@
 #include <fmt/format.h>
 
 #include "base/text.h"
-#include "exchange/own/json_fields.h"
+#include "exchange/own/json.h"
 #include "world/settings_groups.h"
 
 namespace coaster::exchange {

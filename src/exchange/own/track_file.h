@@ -9,15 +9,18 @@
 #include <vector>
 
 #include "base/files.h"
+#include "base/status.h"
 #include "world/camera.h"
 #include "world/document.h"
 #include "world/evaluation.h"
+#include "world/force.h"
 
 namespace coaster::exchange {
 
 inline constexpr std::string_view kTrackFormat = "coaster-track";
 inline constexpr int kTrackVersion = 3;  // 1: without spins, which become automatic. 1 and 2: without
-                                         // sections, so that all is one free section
+
+// sections, so that all is one free section
 
 // The errors of a track that was fitted to a file's rows (sim/fit/fit_track.h), measured at every row on the document
 // itself.
@@ -65,5 +68,16 @@ std::string print_track(const world::Document& document);
 
 // Returns the name of a track from a file without one: the file's name without folder and extension, made valid.
 std::string name_of_file(std::string_view path);
+
+// Keys of one channel on the clipboard: `{"force-keys": "time", "keys": [[0, 1], [20, 3.5, 0.1, 5, 8]]}`, those of
+// curvature with `"of": "curvature"`.
+struct CopiedKeys {
+  world::ForceOver over{};
+  std::vector<world::ForceKey> keys;  // ascending, at least one
+  world::ForceOf of{};
+};
+std::string print_keys(const CopiedKeys& copied);
+// Returns the keys, or the error in the text.
+base::Result<CopiedKeys> parse_keys(std::string_view text);
 
 }  // namespace coaster::exchange

@@ -1,18 +1,26 @@
 // Builds a document from a track file's tree. Checks everything that docs/track-format.md promises.
+#include "exchange/own/track_file.h"
+
 #include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
 #include <functional>
+#include <type_traits>
+#include <unordered_map>
 #include <utility>
 
 #include <fmt/format.h>
+#include <glm/glm.hpp>
 
 #include "base/text.h"
-#include "base/utf8.h"
-#include "exchange/own/force_text.h"
-#include "exchange/own/json_fields.h"
-#include "exchange/own/section_text.h"
-#include "exchange/own/track_file.h"
-#include "exchange/own/track_values.h"
+#include "exchange/own/json.h"
 #include "sim/shape/roll.h"
+#include "world/components.h"
+#include "world/element_rows.h"
+#include "world/equipment_rows.h"
+#include "world/sections.h"
 #include "world/topology.h"
 
 namespace coaster::exchange {
@@ -21,6 +29,220 @@ namespace {
 using world::Document;
 using world::Entity;
 using world::Kind;
+
+// The state of a parse. `error` is the first error, without the file's name.
+struct TrackParse {
+  world::Document document;
+  std::vector<std::string> warnings;
+  std::string error;
+  int version = kTrackVersion;
+  // Knots or segments read while the file was parsed: how many, and why the next one could not be read.
+  struct Taken {
+    std::size_t count = 0;
+    std::string error;
+  };
+  Taken knots, segments;
+  std::array<std::unordered_map<std::uint32_t, world::Entity>, base::count_of<world::Kind>()>
+      by_number;  // by world::Kind
+};
+
+constexpr std::uint32_t kMaxIdNumber = 1'000'000'000;  // leaves room for the numbers of new entities
+constexpr double kShortVector = 1e-9;
+
+// Unit vectors keep their bits; others are normalised before they are rounded to float.
+glm::vec3 direction(glm::dvec3 v) {
+  const double square = glm::dot(v, v);
+  return glm::vec3(std::abs(square - 1.0) <= 1e-6 ? v : v / std::sqrt(square));
+}
+
+// Returns "k3" in quotation marks.
+std::string quoted_id(world::Kind kind, std::uint32_t number) {
+  return fmt::format("\"{}\"", world::to_text(world::Name{kind, number}));
+}
+
+// Reads a member that names an entity: "k3".
+bool read_id(Fields& fields, std::string_view member, world::Kind kind, std::uint32_t& number) {
+  std::string text;
+  if (!fields.text(member, text)) return false;
+  const auto name = world::parse_name(text);
+  if (!name || name->kind != kind || name->number > kMaxIdNumber)
+    return fields.reject(member, "an id such as " + quoted_id(kind, 3));
+  number = name->number;
+  return true;
+}
+
+// Reads a unit vector: any vector with a direction is normalised before it is rounded.
+bool read_direction(Fields& fields, std::string_view member, glm::vec3& value) {
+  constexpr double kAny = 1e30;  // squares stay finite
+  glm::dvec3 v;
+  if (!fields.vector(member, v, kAny)) return false;
+  if (!(glm::length(v) >= kShortVector)) return fields.reject(member, "a vector with a direction");
+  value = direction(v);
+  return true;
+}
+
+// Reads the value of one field, within its limits.
+template <class T>
+bool read_value(TrackParse& parse, Fields& fields, const world::Field& field, T& value) {
+  if constexpr (std::is_same_v<T, bool>) {
+    return fields.flag(field.name, value);
+  } else if constexpr (std::is_same_v<T, double>) {
+    return fields.number(field.name, value, field.low, field.high);
+  } else if constexpr (std::is_same_v<T, float>) {
+    return fields.length(field.name, value, static_cast<float>(field.low), static_cast<float>(field.high));
+  } else if constexpr (std::is_same_v<T, std::int32_t>) {
+    std::int64_t whole = 0;
+    if (!fields.whole(field.name, whole, static_cast<std::int64_t>(field.low), static_cast<std::int64_t>(field.high)))
+      return false;
+    value = static_cast<std::int32_t>(whole);
+    return true;
+  } else if constexpr (std::is_same_v<T, glm::vec3>) {
+    if (field.high == 0) return read_direction(fields, field.name, value);
+    glm::dvec3 v;
+    if (!fields.vector(field.name, v, field.high)) return false;
+    value = glm::vec3(v);
+    return true;
+  } else if constexpr (base::Named<T>) {
+    return fields.named(field.name, value);
+  } else {
+    static_assert(std::is_same_v<T, world::Entity>);
+    std::uint32_t number = 0;
+    if (!read_id(fields, field.name, world::Kind::segment, number)) return false;
+    const auto& segments = parse.by_number[static_cast<std::size_t>(world::Kind::segment)];
+    const auto found = segments.find(number);
+    if (found == segments.end())
+      return fields.fail(field.name, "there is no segment " + quoted_id(world::Kind::segment, number));
+    value = found->second;
+    return true;
+  }
+}
+
+// Reads the fields of a component, in order. Optional fields that are missing keep their default values.
+template <class T>
+bool read_component(TrackParse& parse, Fields& fields, T& component) {
+  bool good = true;
+  T::fields([&](const world::Field& field, auto member) {
+    auto& value = component.*member;
+    if constexpr (world::HasFields<std::remove_cvref_t<decltype(value)>>) {
+      good = good && read_component(parse, fields, value);
+    } else if (good && (field.in_file == world::InFile::required || fields.has(field.name))) {
+      good = read_value(parse, fields, field, value);
+    }
+  });
+  return good;
+}
+
+constexpr world::SectionKind kOwnKinds[] = {world::SectionKind::free, world::SectionKind::complete,
+                                            world::SectionKind::force};
+
+// Returns the values of "kind".
+std::vector<std::string> kinds() {
+  std::vector<std::string> names = base::names_in(world::elements());
+  names.insert(names.begin(), std::string(base::name_of(world::SectionKind::free)));
+  for (const world::SectionKind own : kOwnKinds)
+    if (own != world::SectionKind::free) names.emplace_back(base::name_of(own));
+  return names;
+}
+
+bool read_side(Fields& fields, world::Element& element) {
+  if (!fields.has("side")) return true;
+  std::string side;
+  if (!fields.text("side", side)) return false;
+  element.right = side == "right";
+  return element.right || side == "left" || fields.reject("side", R"("left" or "right")");
+}
+
+bool read_choice(Fields& fields, const world::ElementParameter& parameter, double& value) {
+  std::string name;
+  if (!fields.text(parameter.name, name)) return false;
+  const std::vector<std::string> names = base::names_in(parameter.names);
+  const auto found = std::find(names.begin(), names.end(), name);
+  if (found == names.end()) return fields.reject(parameter.name, base::alternatives(names, "\""));
+  value = static_cast<double>(found - names.begin());
+  return true;
+}
+
+bool read_parameters(Fields& fields, world::Element& element) {
+  const std::span<const world::ElementParameter> parameters = base::row_of(element.kind).parameters;
+  for (std::size_t i = 0; i < parameters.size(); ++i) {
+    const world::ElementParameter& parameter = parameters[i];
+    double& value = element.values[i];
+    if (!fields.has(parameter.name)) continue;
+    if (!parameter.names.empty()) {
+      if (!read_choice(fields, parameter, value)) return false;
+      continue;
+    }
+    if (!fields.number(parameter.name, value, parameter.low, parameter.high)) return false;
+    if (value == 0) value = 0;  // not -0, which is printed as 0
+  }
+  return true;
+}
+
+bool read_kind(Fields& fields, world::Section& section) {
+  std::string kind;
+  if (!fields.text("kind", kind)) return false;
+  for (const world::SectionKind own : kOwnKinds)
+    if (kind == base::name_of(own)) return section.kind = own, true;
+  const auto element = base::value_named<world::ElementKind>(kind);
+  if (!element || world::is_of_forces(*element)) return fields.reject("kind", base::alternatives(kinds(), "\""));
+  section.kind = world::SectionKind::element;
+  section.element = world::usual_element(*element);
+  if (base::row_of(*element).sided && !read_side(fields, section.element)) return false;
+  return read_parameters(fields, section.element);
+}
+
+bool read_title(Fields& fields, std::string& title) {
+  if (!fields.has("title")) return true;
+  if (!fields.text("title", title)) return false;
+  const bool fits = title.size() <= world::kMaxNameBytes && base::is_printable_utf8(title);
+  return fits || fields.reject("title", fmt::format("a line of at most {} bytes", world::kMaxNameBytes));
+}
+
+// Reads the section. Missing parameters have their default values. Returns false after a failure, also with more
+// segments than are `left`.
+bool read_section_members(Fields& fields, std::size_t left, world::Section& section, std::size_t& segments) {
+  std::int64_t count = 0;
+  if (!fields.whole("segments", count, 1, world::kMaxKnots)) return false;
+  segments = static_cast<std::size_t>(count);
+  if (segments > left) return fields.reject("segments", fmt::format("at most the {} segments that are left", left));
+  return read_kind(fields, section) && read_title(fields, section.title);
+}
+
+constexpr std::size_t kFew = 2, kAll = 5;  // numbers in a key, at least and at most
+
+bool read_key(Fields& fields, std::string_view channel, std::size_t index, const Json& value, world::ForceKey& key) {
+  const auto wrong = [&] {
+    return fields.fail(fmt::format("{}[{}]", channel, index),
+                       fmt::format("expected {} or {} numbers, found {}", kFew, kAll, describe(value)));
+  };
+  if (!value.is_array() || (value.size() != kFew && value.size() != kAll)) return wrong();
+  double* const members[] = {&key.at, &key.value, &key.slope, &key.before, &key.after};
+  for (std::size_t i = 0; i < value.size(); ++i) {
+    if (!value[i].is_number()) return wrong();
+    *members[i] = value[i].get<double>();
+    if (*members[i] == 0) *members[i] = 0;  // not -0, which is printed as 0
+  }
+  return true;
+}
+
+bool read_list(Fields& fields, std::string_view member, std::vector<world::ForceKey>& keys) {
+  const Json* const list = fields.list(member, world::kMostForceKeys);
+  if (!list) return false;
+  keys.resize(list->size());
+  for (std::size_t i = 0; i < list->size(); ++i)
+    if (!read_key(fields, member, i, (*list)[i], keys[i])) return false;
+  return true;
+}
+
+// Reads the keys of all channels. Returns false after a failure, also for a program beyond its limits.
+bool read_force_keys(Fields& fields, world::ForceProgram& force) {
+  for (std::size_t c = 0; c < force.channels.size(); ++c) {
+    const std::string_view name = base::name_of(static_cast<world::ForceChannel>(c));
+    if (fields.has(name) && !read_list(fields, name, force.channels[c])) return false;
+  }
+  const auto wrong = world::broken(force);
+  return !wrong || fields.fail({}, *wrong);
+}
 
 constexpr double kParallel = 1e-6;  // sine of the angle between tangent and up
 
@@ -38,9 +260,13 @@ bool create(TrackParse& parse, Fields& fields, Kind kind, Entity& e) {
   return true;
 }
 
-void keep_unknown(TrackParse& parse, const Fields& fields, Entity e) {
+// Adds the component and the unknown members.
+template <class Component>
+bool keep(TrackParse& parse, const Fields& fields, Entity e, Component component) {
+  parse.document.entities.put(e, std::move(component));
   std::string extra = fields.unknown(parse.warnings);
   if (!extra.empty()) parse.document.entities.put(e, world::Extra{std::move(extra)});
+  return true;
 }
 
 bool read_knot(TrackParse& parse, const Json& value, std::size_t index) {
@@ -54,10 +280,8 @@ bool read_knot(TrackParse& parse, const Json& value, std::size_t index) {
   if (knot.joint == world::JointKind::smooth && knot.in_length != knot.out_length)
     return fields.fail("joint", fmt::format("a smooth joint has equal handle lengths, found in {} and out {}",
                                             base::to_text(knot.in_length), base::to_text(knot.out_length)));
-  parse.document.entities.put(e, knot);
   parse.document.track.knots.push_back(e);
-  keep_unknown(parse, fields, e);
-  return true;
+  return keep(parse, fields, e, knot);
 }
 
 // A segment has a fitting if its first member is present.
@@ -91,15 +315,12 @@ bool read_segment(TrackParse& parse, const Json& value, std::size_t index) {
   bool good = true;
   world::Fittings::for_each([&]<class T>() { good = good && read_fitting<T>(parse, fields, e); });
   if (!good) return false;
-  parse.document.entities.put(e, segment);
   parse.document.track.segments.push_back(e);
-  keep_unknown(parse, fields, e);
-  return true;
+  return keep(parse, fields, e, segment);
 }
 
 // Reads the section of the segments from index `first` on, and moves `first` beyond them.
-bool read_section(TrackParse& parse, const Json& value, std::size_t index, std::size_t& first) {
-  Fields fields(value, {"sections", index}, parse.error);
+bool read_section(TrackParse& parse, Fields& fields, std::size_t& first) {
   const std::vector<Entity>& segments = parse.document.track.segments;
   Entity e;
   world::Section section;
@@ -111,9 +332,7 @@ bool read_section(TrackParse& parse, const Json& value, std::size_t index, std::
       !(read_component(parse, fields, section.force) && read_force_keys(fields, section.force)))
     return false;
   for (; count > 0; --count) parse.document.entities.get<world::Segment>(segments[first++]).section = e;
-  parse.document.entities.put(e, std::move(section));
-  keep_unknown(parse, fields, e);
-  return true;
+  return keep(parse, fields, e, std::move(section));
 }
 
 // Files before version 3 have no sections: the whole track is one free section.
@@ -121,12 +340,10 @@ bool read_sections(TrackParse& parse, Fields& fields) {
   const std::size_t count = parse.document.track.segments.size();
   if (parse.version < 3 && !fields.has("sections"))
     return count == 0 || world::make_section(parse.document, 0, count, {}).valid();
-  const Json* const sections = fields.list("sections");
   std::size_t first = 0;
-  for (std::size_t i = 0; sections && i < sections->size(); ++i)
-    if (!read_section(parse, (*sections)[i], i, first)) return false;
-  return sections && (first == count ||
-                      fields.fail("sections", fmt::format("expected {} segments in all, found {}", count, first)));
+  return fields.each("sections", kAnyNumber, [&](Fields& entry, auto) {
+    return read_section(parse, entry, first);
+  }) && (first == count || fields.fail("sections", fmt::format("expected {} segments in all, found {}", count, first)));
 }
 
 bool read_cart(TrackParse& parse, const Json& value, std::size_t index) {
@@ -135,9 +352,7 @@ bool read_cart(TrackParse& parse, const Json& value, std::size_t index) {
   world::Cart cart;
   if (!create(parse, fields, Kind::cart, e) || !read_component(parse, fields, cart)) return false;
   if (cart.fraction == 1.0) return fields.fail("fraction", "expected a number below 1 (1 is the next segment's 0)");
-  parse.document.entities.put(e, cart);
-  keep_unknown(parse, fields, e);
-  return true;
+  return keep(parse, fields, e, cart);
 }
 
 bool read_track_head(TrackParse& parse, Fields& fields) {
@@ -207,6 +422,20 @@ void shorten(std::vector<std::string>& warnings) {
 }
 
 }  // namespace
+
+base::Result<CopiedKeys> parse_keys(std::string_view text) {
+  return read_object<CopiedKeys>(text, "clipboard", [](Fields& fields, CopiedKeys& copied) {
+    if (!fields.named("force-keys", copied.over) || (fields.has("of") && !fields.named("of", copied.of)) ||
+        !read_list(fields, "keys", copied.keys))
+      return false;
+    world::ForceProgram program;  // for its limits
+    program.over = copied.over, program.of = copied.of, program.length = world::longest_of(copied.over);
+    program.keys(world::ForceChannel::roll) = copied.keys;
+    if (copied.keys.empty()) return fields.fail({}, "no keys");
+    const auto wrong = world::broken(program);
+    return !wrong || fields.fail({}, *wrong);
+  });
+}
 
 base::Result<LoadedTrack> parse_track(std::string_view text, std::string_view name) {
   TrackParse parse;

@@ -1,14 +1,14 @@
 // Prints a document as a track file. The same document always gives the same bytes.
+#include "exchange/own/track_file.h"
+
 #include <algorithm>
 #include <type_traits>
+#include <utility>
 
 #include <fmt/format.h>
 
 #include "base/text.h"
-#include "exchange/own/force_text.h"
-#include "exchange/own/json_reader.h"
-#include "exchange/own/section_text.h"
-#include "exchange/own/track_file.h"
+#include "exchange/own/json.h"
 #include "world/element_rows.h"
 #include "world/equipment_rows.h"
 #include "world/sections.h"
@@ -22,6 +22,49 @@ using world::Entity;
 // -0 is read back as the whole number 0, so it is written as 0; otherwise printing twice would differ.
 std::string number(double value) { return value == 0 ? "0" : base::to_text(value); }
 
+// Returns `"segments": 3, "kind": "loop", "side": "left", "height": 16, ...`.
+std::string section_members(const world::Section& section, std::size_t segments) {
+  std::string text = fmt::format("\"segments\": {}, \"kind\": \"{}\"", segments, world::kind_name(section));
+  if (section.kind == world::SectionKind::element) {
+    const world::ElementRow& row = base::row_of(section.element.kind);
+    if (row.sided) text += fmt::format(", \"side\": \"{}\"", section.element.right ? "right" : "left");
+    for (std::size_t i = 0; i < row.parameters.size(); ++i) {
+      const double value = section.element.values[i];
+      const world::ElementParameter& parameter = row.parameters[i];
+      const std::string shown =
+          !parameter.names.empty() ? json_string(world::choice_of(parameter, value).name) : number(value);
+      text += fmt::format(", \"{}\": {}", parameter.name, shown);
+    }
+  }
+  if (!section.title.empty()) text += ", \"title\": " + json_string(section.title);
+  return text;
+}
+
+std::string key_text(const world::ForceKey& key) {
+  const bool shaped = key.slope != 0 || key.before != 0 || key.after != 0;
+  std::string text = fmt::format("[{}, {}", number(key.at), number(key.value));
+  if (shaped) text += fmt::format(", {}, {}, {}", number(key.slope), number(key.before), number(key.after));
+  return text + "]";
+}
+
+std::string list_text(const std::vector<world::ForceKey>& keys) {
+  std::string text = "[";
+  for (const world::ForceKey& key : keys) text += (text.size() == 1 ? "" : ", ") + key_text(key);
+  return text + "]";
+}
+
+// Returns `, "vertical": [[0, 1], [20, 3.5, 0.1, 5, 8]], "roll": [...]`: the position, the value and, if not 0, the
+// slope and the lengths of the handles of each key. Channels without keys are left out.
+std::string force_keys(const world::ForceProgram& force) {
+  std::string text;
+  for (std::size_t c = 0; c < force.channels.size(); ++c) {
+    if (force.channels[c].empty()) continue;
+    text +=
+        fmt::format(", \"{}\": {}", base::name_of(static_cast<world::ForceChannel>(c)), list_text(force.channels[c]));
+  }
+  return text;
+}
+
 // Readers parse to double. If rounding twice would miss the float, its exact value in double is written.
 std::string number(float value) {
   if (value == 0) return "0";
@@ -31,24 +74,17 @@ std::string number(float value) {
 }
 
 std::string vector(glm::vec3 v) { return fmt::format("[{}, {}, {}]", number(v.x), number(v.y), number(v.z)); }
-
 std::string id(const Document& document, Entity e) { return json_string(world::label_of(document, e)); }
 
-// Calls write(key, value text) for each unknown member that was kept.
-template <class Write>
-void for_each_extra(const world::Extra& extra, Write write) {
-  if (extra.json.empty()) return;
+// Returns the unknown members that were kept, each after `separator`.
+std::string extra_members(const world::Extra& extra, std::string_view separator) {
+  std::string text;
+  if (extra.json.empty()) return text;
   const auto tree = read_json(extra.json, "extra");
   COASTER_CHECK(tree && tree->is_object(), "kept members are the text of a JSON object");
-  for (const auto& [key, value] : tree->items()) write(json_string(key), json_line(value));
-}
-
-std::string extra_members(const Document& document, Entity e) {
-  std::string text;
-  if (const auto* const extra = document.entities.find<world::Extra>(e))
-    for_each_extra(
-        *extra, [&](const std::string& key, const std::string& value) { text += fmt::format(", {}: {}", key, value); });
-  return text + "}";
+  for (const auto& [key, value] : tree->items())
+    text += fmt::format("{}{}: {}", separator, json_string(key), json_line(value));
+  return text;
 }
 
 std::string value_text(const Document&, glm::vec3 v) { return vector(v); }
@@ -75,34 +111,33 @@ std::string members(const Document& document, const T& component, std::string_vi
   return text;
 }
 
-std::string knot_line(const Document& document, Entity e) {
-  return fmt::format("{{\"id\": {}{}{}", id(document, e), members(document, world::knot(document, e)),
-                     extra_members(document, e));
+// Returns the line of an entity with its members, each after a comma and a blank.
+std::string entity_line(const Document& document, Entity e, std::string text) {
+  if (const auto* const extra = document.entities.find<world::Extra>(e)) text += extra_members(*extra, ", ");
+  return fmt::format("{{\"id\": {}{}}}", id(document, e), text);
+}
+
+template <class Component>
+std::string component_line(const Document& document, Entity e) {
+  return entity_line(document, e, members(document, document.entities.get<Component>(e)));
 }
 
 std::string segment_line(const Document& document, Entity e) {
   const world::Segment& s = world::segment(document, e);
-  std::string text = fmt::format("{{\"id\": {}, \"from\": {}, \"to\": {}{}", id(document, e), id(document, s.from),
-                                 id(document, s.to), members(document, s));
+  std::string text =
+      fmt::format(", \"from\": {}, \"to\": {}{}", id(document, s.from), id(document, s.to), members(document, s));
   world::Fittings::for_each([&]<class T>() {
     if (const T* const fitting = document.entities.find<T>(e)) text += members(document, *fitting);
   });
-  return text + extra_members(document, e);
-}
-
-std::string cart_line(const Document& document, Entity e) {
-  return fmt::format("{{\"id\": {}{}{}", id(document, e), members(document, document.entities.get<world::Cart>(e)),
-                     extra_members(document, e));
+  return entity_line(document, e, std::move(text));
 }
 
 std::string section_line(const Document& document, const world::SectionRun& run) {
   const world::Section& section = world::section(document, run.section);
-  return fmt::format("{{\"id\": {}, {}{}{}", id(document, run.section), section_members(section, run.count),
-                     section.kind == world::SectionKind::complete ? members(document, section.way)
-                     : section.kind == world::SectionKind::force
-                         ? members(document, section.force) + force_keys(section.force)
-                         : "",
-                     extra_members(document, run.section));
+  std::string text = ", " + section_members(section, run.count);
+  if (section.kind == world::SectionKind::complete) text += members(document, section.way);
+  if (section.kind == world::SectionKind::force) text += members(document, section.force) + force_keys(section.force);
+  return entity_line(document, run.section, std::move(text));
 }
 
 // ,\n  "key": [ one line each ]
@@ -116,21 +151,25 @@ void print_list(std::string& out, std::string_view key, const Document& document
 
 }  // namespace
 
+std::string print_keys(const CopiedKeys& copied) {
+  const std::string of =
+      copied.of == world::ForceOf::forces ? "" : fmt::format("\"of\": \"{}\", ", base::name_of(copied.of));
+  return fmt::format("{{\"force-keys\": \"{}\", {}\"keys\": {}}}", base::name_of(copied.over), of,
+                     list_text(copied.keys));
+}
+
 std::string print_track(const Document& document) {
   std::string out = fmt::format("{{\n  \"format\": \"{}\",\n  \"version\": {},\n  \"name\": {},\n  \"closed\": {}{}",
                                 kTrackFormat, kTrackVersion, json_string(document.name), document.track.closed,
                                 members(document, document, ",\n  "));
-  print_list(out, "knots", document, document.track.knots, knot_line);
+  print_list(out, "knots", document, document.track.knots, component_line<world::Knot>);
   print_list(out, "segments", document, document.track.segments, segment_line);
   print_list(out, "sections", document, world::sections_of(document), section_line);
   std::vector<Entity> carts = document.entities.pool<world::Cart>().entities();
   std::sort(carts.begin(), carts.end(),
             [&](Entity a, Entity b) { return world::name_of(document, a) < world::name_of(document, b); });
-  print_list(out, "carts", document, carts, cart_line);
-  for_each_extra(document.extra, [&](const std::string& key, const std::string& value) {
-    out += fmt::format(",\n  {}: {}", key, value);
-  });
-  return out + "\n}\n";
+  print_list(out, "carts", document, carts, component_line<world::Cart>);
+  return out + extra_members(document.extra, ",\n  ") + "\n}\n";
 }
 
 }  // namespace coaster::exchange

@@ -12,7 +12,6 @@
 #include <fmt/format.h>
 
 #include "base/text.h"
-#include "base/words.h"
 #include "edit/commands/codec.h"
 #include "edit/commands/commands_challenge.h"
 #include "edit/commands/commands_session.h"

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "base/progress.h"
+#include "base/interrupted.h"
 #include "edit/session/findings.h"
 #include "edit/session/session.h"
 #include "exchange/own/progress_file.h"

@@ -12,7 +12,7 @@
 #include "edit/commands/commands_challenge.h"
 #include "edit/commands/commands_session.h"
 #include "edit/commands/commands_settings.h"
-#include "platform/drag_threshold.h"
+#include "platform/events.h"
 #include "ui/actions/actions.h"
 #include "ui/actions/command_palette.h"
 #include "ui/actions/gamepad.h"

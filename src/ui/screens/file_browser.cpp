@@ -9,7 +9,7 @@
 
 #include <fmt/format.h>
 
-#include "base/words.h"
+#include "base/text.h"
 #include "exchange/formats.h"
 #include "exchange/own/link.h"
 #include "ui/widgets/theme.h"

@@ -3,7 +3,7 @@
 #include <utility>
 #include <variant>
 
-#include "base/utf8.h"
+#include "base/text.h"
 #include "ui/screens/file_browser.h"
 
 namespace coaster::ui {

@@ -7,9 +7,9 @@
 
 #include <fmt/format.h>
 
-#include "base/arithmetic.h"
 #include "base/portable_math.h"
 #include "base/text.h"
+#include "base/units.h"
 #include "edit/commands/codec.h"
 #include "edit/commands/commands_session.h"
 #include "edit/commands/commands_shape.h"

@@ -7,8 +7,8 @@
 
 #include <fmt/format.h>
 
-#include "base/arithmetic.h"
 #include "base/text.h"
+#include "base/units.h"
 #include "ui/widgets/theme.h"
 #include "ui/widgets/typing.h"
 #include "ui/widgets/widgets.h"

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "base/files.h"
-#include "platform/system_fonts.h"
+#include "platform/system.h"
 #include "ui/widgets/imgui_compat.h"
 #include "ui/widgets/letters.h"
 #include "ui/widgets/theme.h"

@@ -10,7 +10,7 @@
 
 #include <fmt/format.h>
 
-#include "base/utf8.h"
+#include "base/text.h"
 #include "ui/widgets/theme.h"
 
 namespace coaster::ui {

@@ -186,7 +186,7 @@ struct Number {
   bool whole = false;                      // typed numbers must be whole
   const char* typed_in = unit;             // unit of typed numbers; not shown in a narrow field
 };
-// Shows a number field: drag it, or click and type a number, arithmetic or another unit (base/arithmetic.h); anything
+// Shows a number field: drag it, or click and type a number, arithmetic or another unit (base/units.h); anything
 // else is rejected with a notice. Returns the new value during a drag (within a gesture) or when typed.
 std::optional<double> number(WidgetFrame& ui, std::string_view label, const Number& number, std::string_view tooltip,
                              bool enabled = true);

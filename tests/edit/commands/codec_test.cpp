@@ -105,7 +105,8 @@ TEST(codec, commands_read_as_documented) {
   const auto former = parsed("translate @k1,@k12 by 1 2 3 anew on", error);
   ASSERT_TRUE(former.ok()) << error.message;
   EXPECT_EQ(print(*former), "translate @k1,@k12 by 1 2 3 from_start on") << "by its former name";
-  for (const auto& [line, now] : {std::pair{"split @s3 at 0.4", "split @s3:0.4"}, {"select @s2 at 1", "select @s2:1"}}) {
+  for (const auto& [line, now] :
+       {std::pair{"split @s3 at 0.4", "split @s3:0.4"}, {"select @s2 at 1", "select @s2:1"}}) {
     const auto place = parsed(line, error);
     ASSERT_TRUE(place.ok()) << error.message;
     EXPECT_EQ(print(*place), now) << "by its former form";

@@ -1,11 +1,11 @@
-// Changes of a circuit whose closing section is searched beside the frames (edit/perform/found.h: Search).
+// Changes of a circuit whose closing section is searched beside the frames (edit/perform/job_result.h: Search).
 #include <cstdio>
 #include <ctime>
 #include <utility>
 
 #include <gtest/gtest.h>
 
-#include "edit/perform/found.h"
+#include "edit/perform/job_result.h"
 #include "edit/session_fixture.h"
 
 namespace coaster::edit {

@@ -6,7 +6,7 @@
 
 #include "base/scratch_folder.h"
 #include "edit/session_fixture.h"
-#include "exchange/own/json_text.h"
+#include "exchange/own/json.h"
 
 namespace coaster::edit {
 namespace ride_report_test {

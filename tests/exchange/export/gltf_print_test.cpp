@@ -1,3 +1,4 @@
+// glTF 2.0.
 #include <algorithm>
 
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// Wavefront OBJ.
 #include <algorithm>
 #include <array>
 #include <cmath>

@@ -10,7 +10,7 @@
 
 #include <gtest/gtest.h>
 
-#include "exchange/own/json_reader.h"
+#include "exchange/own/json.h"
 #include "world/sample_documents.h"
 
 namespace coaster::test {

@@ -1,4 +1,5 @@
-#include "exchange/fvd/fvd_function.h"
+// Functions of openFVD projects, and force keys that follow them.
+#include "exchange/fvd/fvd.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,5 @@
 // The train of openFVD moves on the rails, a heartline below the hearts. Here its law is integrated by another method,
 // in other variables and far finer steps.
-#include "exchange/fvd/fvd_path.h"
 
 #include <array>
 #include <cmath>

@@ -8,7 +8,6 @@
 
 #include "base/portable_math.h"
 #include "exchange/formats.h"
-#include "exchange/fvd/fvd_path.h"
 #include "exchange/fvd/fvd_writer.h"
 #include "world/sections.h"
 

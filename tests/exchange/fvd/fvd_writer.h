@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "exchange/fvd/fvd_file.h"
+#include "exchange/fvd/fvd.h"
 
 namespace coaster::test {
 

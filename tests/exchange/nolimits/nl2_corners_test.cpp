@@ -1,4 +1,5 @@
-#include "exchange/nolimits/nl2_corners.h"
+// Fillets in place of the corners of elements.
+#include "exchange/nolimits/nl2_spline.h"
 
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// Printed rows of NoLimits 2.
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 

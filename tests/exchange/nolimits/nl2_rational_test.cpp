@@ -1,3 +1,4 @@
+// Elements whose vertices have weights.
 #include "exchange/nolimits/nl2_spline.h"
 
 #include <random>

@@ -1,4 +1,5 @@
-#include "exchange/nolimits/nl2_rolls.h"
+// The spline through roll points.
+#include "exchange/nolimits/nl2_spline.h"
 
 #include <random>
 

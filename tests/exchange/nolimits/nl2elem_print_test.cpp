@@ -1,3 +1,4 @@
+// Printed elements of NoLimits 2.
 #include <gtest/gtest.h>
 
 #include "exchange/nolimits/nl2_rule.h"

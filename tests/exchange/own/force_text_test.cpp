@@ -1,4 +1,5 @@
-#include "exchange/own/force_text.h"
+// Keys of force sections on the clipboard.
+#include "exchange/own/track_file.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,5 @@
-#include "exchange/own/json_fields.h"
+// Checked getters for the members of a JSON object.
+#include "exchange/own/json.h"
 
 #include <gtest/gtest.h>
 

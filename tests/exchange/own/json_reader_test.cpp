@@ -1,4 +1,5 @@
-#include "exchange/own/json_reader.h"
+// JSON text parsed into a tree.
+#include "exchange/own/json.h"
 
 #include <gtest/gtest.h>
 

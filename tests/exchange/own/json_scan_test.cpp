@@ -12,7 +12,7 @@
 
 #include "base/files.h"
 #include "base/tries.h"
-#include "exchange/own/json_text.h"
+#include "exchange/own/json.h"
 #include "exchange/own/track_file.h"
 #include "world/sample_documents.h"
 

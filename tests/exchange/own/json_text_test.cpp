@@ -1,8 +1,7 @@
-#include "exchange/own/json_text.h"
+// Printed JSON.
+#include "exchange/own/json.h"
 
 #include <gtest/gtest.h>
-
-#include "exchange/own/json_reader.h"
 
 namespace coaster::exchange {
 namespace json_text_test {

@@ -5,7 +5,6 @@
 #include <gtest/gtest.h>
 
 #include "exchange/formats.h"
-#include "exchange/own/packed_text.h"
 #include "world/sample_documents.h"
 
 namespace coaster::exchange {

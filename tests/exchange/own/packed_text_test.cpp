@@ -1,4 +1,5 @@
-#include "exchange/own/packed_text.h"
+// Text packed for addresses.
+#include "exchange/own/link.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>

@@ -4,7 +4,7 @@
 
 #include <ctime>
 
-#include "base/utf8.h"
+#include "base/text.h"
 #include "edit/commands/commands_document.h"
 #include "edit/commands/commands_elements.h"
 #include "edit/commands/set_setting.h"

@@ -1,0 +1,38 @@
+// Work beside the frames in a thread.
+#include "app/long_job.h"
+
+#include <chrono>
+
+#include "base/crash_guard.h"
+
+namespace coaster::app {
+
+// Where the system refuses a thread, take() does the work. std::async then needs it again: it may not be moved.
+BackgroundWork::BackgroundWork(Work work, const std::string&)
+    : result_(std::async(
+          std::launch::async | std::launch::deferred,
+          [work](base::Progress* watched) {
+            const base::HandlerStack stack;
+            const base::WorkFor cancellable(watched);
+            return work();
+          },
+          &progress)) {}
+
+BackgroundWork::~BackgroundWork() { progress.cancelled = true; }  // the future waits for the thread
+bool BackgroundWork::is_quick() { return true; }
+bool BackgroundWork::done() { return result_.wait_for(std::chrono::seconds(0)) != std::future_status::timeout; }
+base::Result<JobResult> BackgroundWork::take() { return result_.get(); }
+
+void watch_work(const std::function<void()>& work, base::Progress& progress, double patience,
+                const std::function<void()>& meanwhile) {
+  std::future<void> done = std::async(std::launch::async | std::launch::deferred, [&] {
+    const base::HandlerStack stack;
+    const base::WorkFor cancellable(&progress);
+    work();
+  });
+  std::chrono::duration<double> pause(patience);
+  for (; done.wait_for(pause) == std::future_status::timeout; meanwhile()) pause = std::chrono::milliseconds(50);
+  done.get();
+}
+
+}  // namespace coaster::app
