@@ -9,8 +9,8 @@
 
 #include <fmt/format.h>
 
-#include "ui/actions/actions_parts.h"
-#include "ui/context/rows.h"
+#include "ui/actions/actions_detail.h"
+#include "ui/context/query_rows.h"
 #include "ui/widgets/imgui_compat.h"
 #include "ui/widgets/theme.h"
 #include "world/panels.h"

@@ -11,11 +11,11 @@
 #include "edit/commands/commands_ride.h"
 #include "edit/session/locks.h"
 #include "query/challenge.h"
-#include "ui/context/challenge_files.h"
-#include "ui/context/rows.h"
+#include "ui/context/kept_files.h"
+#include "ui/context/query_rows.h"
 #include "ui/panels/panels.h"
-#include "ui/tools/places.h"
-#include "ui/widgets/medals.h"
+#include "ui/tools/show_places.h"
+#include "ui/widgets/icons.h"
 #include "ui/widgets/theme.h"
 
 namespace coaster::ui {

@@ -2,7 +2,7 @@
 #include <fmt/format.h>
 
 #include "edit/commands/commands_operation.h"
-#include "ui/panels/equipment_form.h"
+#include "ui/panels/forms.h"
 #include "world/selection.h"
 
 namespace coaster::ui {

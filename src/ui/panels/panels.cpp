@@ -1,4 +1,4 @@
-// The table of panels, and their columns. To add a panel: a file with its function, and a row here.
+// The table of panels, and their columns. To add a panel: its function, and a row here.
 #include "ui/panels/panels.h"
 
 #include <imgui.h>

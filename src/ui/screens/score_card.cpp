@@ -14,9 +14,9 @@
 #include "edit/commands/commands_challenge.h"
 #include "edit/commands/commands_ride.h"
 #include "edit/commands/commands_sections.h"
-#include "ui/context/challenge_files.h"
-#include "ui/tools/places.h"
-#include "ui/widgets/medals.h"
+#include "ui/context/kept_files.h"
+#include "ui/tools/show_places.h"
+#include "ui/widgets/icons.h"
 #include "ui/widgets/theme.h"
 
 namespace coaster::ui {

@@ -1,6 +1,6 @@
 // The start screen: choices on the left, pictures on the right.
 #include "ui/screens/start_screen.h"
-#include "ui/context/rows.h"
+#include "ui/context/query_rows.h"
 
 #include <imgui.h>
 
@@ -13,8 +13,8 @@
 
 #include "base/folders.h"
 #include "ui/screens/dialogs.h"
+#include "ui/widgets/icons.h"
 #include "ui/widgets/imgui_compat.h"
-#include "ui/widgets/medals.h"
 #include "ui/widgets/theme.h"
 #include "world/track_name.h"
 

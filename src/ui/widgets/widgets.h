@@ -227,4 +227,15 @@ void read_out(WidgetFrame& ui, std::string_view label, std::string_view value, s
 // Returns "12345.60", without a "-" before zero; "--" for NaN.
 std::string fixed(double value, int decimals);
 
+struct ButtonRows {
+  WidgetFrame& ui;
+  int columns;              // buttons in a row, or fewer where the widest label does not fit
+  std::string_view widest;  // label
+  int placed = 0;
+  float width = 0;  // px, of a button; set with the first one
+
+  // Adds a button; returns whether it is pressed.
+  bool operator()(std::string_view label, std::string_view tooltip, bool enabled = true);
+};
+
 }  // namespace coaster::ui
