@@ -4,15 +4,13 @@
 
 #include <string>
 #include <string_view>
-#include <variant>
 
-#include "edit/session/session.h"
-#include "exchange/own/track_file.h"
-#include "sim/study/way_change.h"
+#include "base/status.h"
+#include "edit/perform/found.h"
 
 namespace coaster::app {
 
-using Found = std::variant<exchange::LoadedTrack, edit::Sought, sim::ChangedWay>;
+using edit::Found;
 
 // parse_found(print_found(f)) equals f: documents by hash, numbers exactly. Of a way home only what a command needs:
 // not the figures of its fit. Tracks have no SharedView: links are read at once.

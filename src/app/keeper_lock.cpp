@@ -67,12 +67,11 @@ void after_command(Program& program, const edit::Command& command, const base::S
     if (next.held() || !keeper.lock.covers(save->path)) keeper.lock = std::move(next);
     keeper.state.holder.clear();
     exchange::remember(recent, base::canonical_path(save->path).string());
-  } else if (const auto* const load = command.as<edit::Load>()) {
+  } else if (edit::info(command).traits.replaces) {
     follow_file(program, keeper);
-    if (!keeper.unasked && !edit::opens_link(command) && !exchange::is_pasted(load->path))
+    const auto* const load = command.as<edit::Load>();
+    if (load && !keeper.unasked && !edit::opens_link(command) && !exchange::is_pasted(load->path))
       exchange::remember(recent, base::canonical_path(load->path).string());
-  } else if (command.is<edit::RecoverTrack>() || command.is<edit::NewTrack>() || command.is<edit::StartChallenge>()) {
-    follow_file(program, keeper);
   }
 }
 

@@ -12,7 +12,6 @@
 #include "edit/commands/commands_session.h"
 #include "edit/perform/apply.h"
 #include "edit/perform/seek.h"
-#include "edit/session/found_way.h"
 #include "exchange/formats.h"
 
 namespace coaster::app {
@@ -84,18 +83,6 @@ bool begin_work(const Program& program, const edit::Command& command, LongJob& j
   return false;
 }
 
-// Hands what was found to the session, for the command.
-void hand_over(edit::Session& session, const LongJob& job, Found found) {
-  if (auto* const track = std::get_if<exchange::LoadedTrack>(&found)) {
-    const edit::Load& load = *job.command.as<edit::Load>();
-    session.file.read_ahead = edit::ReadAhead{load.path, load.import, std::move(*track)};
-  } else if (auto* const sought = std::get_if<edit::Sought>(&found))
-    session.sought = edit::SoughtAhead{edit::print(job.command), job.edits, std::move(*sought)};
-  else
-    session.way_search.found =
-        std::make_shared<edit::FoundWay>(edit::FoundWay{*job.way, std::get<sim::ChangedWay>(std::move(found))});
-}
-
 // Applies a finished job's command, or says why not.
 void end_job(Program& program, LongJob& job) {
   edit::Session& session = program.session;
@@ -104,9 +91,9 @@ void end_job(Program& program, LongJob& job) {
   if (job.opened && !job.work->progress.cancelled) edit::opened_track_of(session) = std::move(*job.opened);
   if (job.work->progress.cancelled) return edit::notify(session, edit::NoticeKind::info, job.cancelled);
   if (!found) return edit::notify(session, found.status());
-  hand_over(session, job, std::move(*found));
-  (void)apply(program, job.command);
-  session.way_search.found.reset();
+  edit::Search search{.found = std::move(*found), .asked = job.way};
+  if (session.edits != job.edits && std::holds_alternative<edit::Sought>(*search.found)) search.found.reset();
+  (void)apply(program, job.command, &search);
 }
 
 // True for input that begins something on the track: it is for the track as it will be.
@@ -143,18 +130,18 @@ std::string title_of(const edit::Command& command) {
 
 }  // namespace
 
-base::Status apply_watched(Program& program, const edit::Command& command) {
+base::Status apply_watched(Program& program, const edit::Command& command, edit::Search* search) {
   constexpr std::size_t kFew = 2000;  // segments: a move of a drag takes less than a frame, as a rule
   edit::Session& session = program.session;
   const bool dragged = session.history.in_gesture;
   if (!works_beside(program) || (dragged && session.document.track.segments.size() < kFew))
-    return edit::apply(session, program.files, command);
+    return edit::apply(session, program.files, command, search);
   base::Status applied;
   base::Progress progress;
   const std::string title = title_of(command);
   std::unique_ptr<ui::WaitCard> card;
   const auto work = [&] {
-    applied = edit::apply(session, program.files, command);
+    applied = edit::apply(session, program.files, command, search);
     const base::WorkFor whole(nullptr);
     if (!applied && progress.cancelled) edit::settle(session);
   };
@@ -168,16 +155,15 @@ base::Status apply_watched(Program& program, const edit::Command& command) {
 
 void apply_by_hand(Program& program, const std::vector<edit::Command>& commands) {
   program.by_hand = true;
-  edit::WaySearch& ways = program.session.way_search;
   for (auto command = commands.begin(); command != commands.end(); ++command) {
     if (program.job && edit::info(*command).effect != edit::Effect::settings) continue;
     if (begin_job(program, *command)) continue;
-    ways.beside = works_beside(program) && (Beside::is_quick() || !program.session.history.in_gesture);
-    (void)apply(program, *command);  // a rejected command shows a notice
-    ways.beside = false;
-    if (!ways.wanted) continue;
+    edit::Search search;
+    search.leaves = works_beside(program) && (Beside::is_quick() || !program.session.history.in_gesture);
+    (void)apply(program, *command, &search);  // a rejected command shows a notice
+    if (!search.wanted) continue;
     const auto next = static_cast<std::size_t>(command - commands.begin()) + 1;
-    begin_way(program, *command, *std::exchange(ways.wanted, nullptr), std::span(commands).subspan(next));
+    begin_way(program, *command, std::move(*search.wanted), std::span(commands).subspan(next));
     break;
   }
   program.by_hand = false;

@@ -12,6 +12,10 @@
 #include "platform/events.h"
 #include "sim/study/way_change.h"
 
+namespace coaster::edit {
+struct Search;
+}
+
 namespace coaster::app {
 
 struct Program;
@@ -40,7 +44,7 @@ void apply_by_hand(Program& program, const std::vector<edit::Command>& commands)
 // Applies a command to the session. One of the user in a window may be cancelled: when it takes longer than a moment, a
 // card shows over the last picture, and nothing else happens until it ends, neither ticks nor other input. A cancelled
 // one changes nothing.
-base::Status apply_watched(Program& program, const edit::Command& command);
+base::Status apply_watched(Program& program, const edit::Command& command, edit::Search* search);
 
 // Starts an import or a search of the user in a thread; returns false for every other command.
 bool begin_job(Program& program, const edit::Command& command);

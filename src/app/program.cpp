@@ -66,7 +66,7 @@ void keep_recording(Program& program, const base::Status& wrote) {
 }
 
 // Applies and records one command.
-base::Status apply_one(Program& program, const edit::Command& command) {
+base::Status apply_one(Program& program, const edit::Command& command, edit::Search* search) {
   if (const std::string* const path = edit::output_path(command); path && !program.files.root().contains(*path)) {
     const base::Status refused{base::Code::refused,
                                fmt::format("{}: {}", edit::info(command).name, script::not_below_out(*path))};
@@ -78,7 +78,7 @@ base::Status apply_one(Program& program, const edit::Command& command) {
     return allowed;
   }
   crash_if_planned(program.planned_crash, base::CrashPlace::command);
-  const base::Status applied = apply_watched(program, command);
+  const base::Status applied = apply_watched(program, command, search);
   after_command(program, command, applied);
   if (applied && command.is<edit::Set<&world::Evaluation::evaluator>>())
     if (const std::string reason = program.renderer->refusal(program.session.derived.evaluated_by); !reason.empty())
@@ -171,9 +171,9 @@ base::Result<std::unique_ptr<Program>> make_program(const Options& options, plat
   return program;
 }
 
-base::Status apply(Program& program, const edit::Command& command) {
+base::Status apply(Program& program, const edit::Command& command, edit::Search* search) {
   const std::uint64_t notices = program.session.notices.serial;
-  const base::Status applied = apply_one(program, command);
+  const base::Status applied = apply_one(program, command, search);
   if (program.session.notices.serial != notices)
     program.picture.toast = program.session.notices.list.back().text;  // the panels show it in the next frame
   if (applied && (command.is<edit::CopySection>() || command.is<edit::CopyForceKeys>()))
@@ -183,13 +183,10 @@ base::Status apply(Program& program, const edit::Command& command) {
       if (!file.empty()) program.surface->offer(file.string());
   if (applied && command.is<edit::Share>())
     program.surface->set_clipboard(program.options.address + program.session.shared);
-  if (!applied || edit::info(command).effect != edit::Effect::session || edit::output_path(command) ||
-      command.is<edit::LoadEnvelope>() || edit::opens_link(command))
-    return applied;
-  // For another track: frames the whole track.
+  if (!applied || !edit::info(command).traits.replaces || edit::opens_link(command)) return applied;
   const edit::Session& session = program.session;
   const world::Camera camera = ui::framed_all(session, program.picture.view.viewport, program.picture.free);
-  (void)apply_one(program, edit::set_camera(camera));
+  (void)apply_one(program, edit::set_camera(camera), nullptr);
   return applied;
 }
 

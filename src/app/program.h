@@ -23,6 +23,10 @@
 #include "ui/host/host.h"
 #include "view/camera_rig.h"
 
+namespace coaster::edit {
+struct Search;
+}
+
 namespace coaster::app {
 
 // Clocks of the frames, s.
@@ -111,7 +115,7 @@ base::Result<std::unique_ptr<Program>> make_program(const Options& options, plat
 
 // Applies a command and records it. Errors also show as a notice. After opening or creating a track, the camera frames
 // all of it, with the viewport of the last frame, so a frame must have been drawn.
-base::Status apply(Program& program, const edit::Command& command);
+base::Status apply(Program& program, const edit::Command& command, edit::Search* search = nullptr);
 
 // Ends the recording, if there is one. Returns the error because of which it is not complete.
 base::Status finish_recording(Program& program);

@@ -1,7 +1,11 @@
-// Queries of the track's sections.
+// Queries of sections: those of the track, those of forces, and the palette's element at the open end.
 #include <array>
+#include <cmath>
 
+#include "base/portable_math.h"
 #include "query/rows.h"
+#include "sim/plan/force_quantity.h"
+#include "sim/study/complete_circuit.h"
 #include "sim/study/section_figures.h"
 #include "world/sections.h"
 
@@ -110,5 +114,241 @@ constexpr std::array kSectionRows{
 }  // namespace
 
 std::span<const Query> section_rows() { return kSectionRows; }
+
+namespace {
+
+const sim::ElementPlan& plan(const Context& c) { return c.find.element(); }
+
+Answer element(const Context& c, View) { return text(base::row_of(c.session.settings.element.kind).name); }
+Answer side(const Context& c, View) {
+  const world::Element& e = c.session.settings.element;
+  return base::row_of(e.kind).sided ? text(e.right ? "right" : "left") : none("the element has no side");
+}
+Answer value(const Context& c, View argument) { return parameter_of(plan(c).element, argument); }
+// Returns a member of the plan; none if it has no spans.
+template <auto... path>
+Answer of_plan(const Context& c, View) {
+  const sim::ElementPlan& found = plan(c);
+  return found.spans() > 0 ? value_of(member_at(found, path...)) : none(found.refusal);
+}
+Answer roll_error(const Context& c, View) {
+  const Answer radians = of_plan<&sim::ElementPlan::fit, &sim::ElementFit::roll_error>(c, {});
+  return is_none(*radians) ? radians : number(base::degrees(std::get<double>(*radians)));
+}
+Answer spans(const Context& c, View) { return number(plan(c).spans()); }
+Answer missing(const Context& c, View) {
+  return plan(c).spans() > 0 ? number(sim::worst(c.find.room())) : none(plan(c).refusal);
+}
+Answer refusal(const Context& c, View) {
+  return plan(c).refusal.empty() ? none("it can be placed") : text(plan(c).refusal);
+}
+
+const sim::CircuitProposals& circuit(const Context& c) { return c.find.circuit(); }
+Answer proposals(const Context& c, View) { return number(circuit(c).list.size()); }
+constexpr ArgumentPart kWay[]{{.usage = "N", .most = sim::kMostProposals}};
+// Returns function(index) of the proposal that the argument names, none without it.
+template <class Function>
+Answer of_proposal(const Context& c, View argument, Function function) {
+  const auto i = static_cast<std::size_t>(*base::parse_int(argument)) - 1;
+  return i < circuit(c).list.size() ? number(function(i)) : none("there is no such closing section");
+}
+Answer circuit_length(const Context& c, View argument) {
+  return of_proposal(c, argument, [&](std::size_t i) { return circuit(c).list[i].plan.length; });
+}
+Answer circuit_g(const Context& c, View argument) {
+  return of_proposal(c, argument, [&](std::size_t i) { return circuit(c).list[i].felt.most; });
+}
+Answer circuit_jolt(const Context& c, View argument) {
+  return of_proposal(c, argument, [&](std::size_t i) { return c.find.way_jolt(i); });
+}
+Answer circuit_refusal(const Context& c, View) {
+  return circuit(c).refusal.empty() ? none("there is a closing section") : text(circuit(c).refusal);
+}
+
+constexpr ArgumentPart kParameter[]{{.words = parameter_names}};
+std::vector<std::string> sides() { return {"left", "right"}; }
+
+constexpr std::array kElementRows{
+    Query{"element", kNoArgument, "", "The palette's element, such as loop.", element, kOneOf<world::ElementKind>},
+    Query{"element.side", kNoArgument, "", "left or right; none for an element without a side.", side,
+          or_none({Type::text, sides})},
+    Query{"element.value", kParameter, "",
+          "A parameter of the palette's element, such as radius, within its limits; none if it has no such parameter.",
+          value, or_none({Type::parameter})},
+    Query{"element.error", kNoArgument, "m",
+          "Largest distance of the palette's element, as Bezier spans, from its ideal curve; none without a plan.",
+          of_plan<&sim::ElementPlan::fit, &sim::ElementFit::error>, or_none()},
+    Query{"element.roll_error", kNoArgument, "deg", "Largest angle between the spans' frames and the ideal curve's.",
+          roll_error, or_none()},
+    Query{"element.jump", kNoArgument, "1/m",
+          "Largest jump of curvature at the joints of the palette's element, including its first.",
+          of_plan<&sim::ElementPlan::fit, &sim::ElementFit::jump>, or_none()},
+    Query{"element.spans", kNoArgument, "", "Number of Bezier spans of the palette's element.", spans},
+    Query{"element.length", kNoArgument, "m", "Length of the palette's element with its lead-in.",
+          of_plan<&sim::ElementPlan::length>, or_none()},
+    Query{"element.lead", kNoArgument, "m",
+          "Length of its lead-in, which eases the curvature of the open end and levels it.",
+          of_plan<&sim::ElementPlan::lead>, or_none()},
+    Query{"element.lowest", kNoArgument, "m", "Lowest height of its rails above the ground.",
+          of_plan<&sim::ElementPlan::lowest>, or_none()},
+    Query{"element.missing", kNoArgument, "m", "Clearance missing between it and other track; 0 if there is enough.",
+          missing, or_none()},
+    Query{"element.refusal", kNoArgument, "", "Why it cannot be placed; none if it can.", refusal, or_none(kText)},
+    Query{"complete.proposals", kNoArgument, "", "Number of closing sections that are proposed: 0 to 3.", proposals},
+    Query{"complete.length", kWay, "m", "Length of a closing section; none without it.", circuit_length, or_none()},
+    Query{"complete.worst_g", kWay, "g",
+          "Largest vertical felt g on a closing section, not low-passed; none without it.", circuit_g, or_none()},
+    Query{"complete.jolt", kWay, "g",
+          "Largest jolt at the joints of a closing section on a whole ride; none without it.", circuit_jolt, or_none()},
+    Query{"complete.refusal", kNoArgument, "", "Why there is no closing section; none if there is one.",
+          circuit_refusal, or_none(kText)},
+};
+
+}  // namespace
+
+std::span<const Query> element_rows() { return kElementRows; }
+
+namespace {
+
+// Returns the value of `function` for the plan of the force section that the argument names; "none" for others.
+template <class Function>
+Answer of_plan(const Context& c, View argument, Function function) {
+  const auto section = entity_of(c, argument, world::Kind::section);
+  if (!section) return section.status();
+  const sim::ForcePlan* const plan = c.find.force(*section);
+  return plan != nullptr ? function(*plan) : Answer(none("it is not a force section"));
+}
+
+// A position of a channel: "@q3.vertical/40".
+struct ForcePlace {
+  View section;
+  world::ForceChannel channel{};
+  double at = 0;
+};
+ForcePlace force_place(View word) {
+  const std::size_t dot = word.find('.'), slash = word.find('/', dot);
+  return {word.substr(0, dot), *base::value_named<world::ForceChannel>(word.substr(dot + 1, slash - dot - 1)),
+          *base::parse_double(word.substr(slash + 1))};
+}
+
+// Returns a value of the plan's points at a position, linear between them.
+double asked_at(const sim::ForcePlan& plan, const ForcePlace& spot) {
+  const auto value = [&](std::size_t i) { return plan.path.points[i].asked(spot.channel); };
+  return sim::between_points(plan, spot.at, value);
+}
+
+// Returns nothing where the ride does not arrive.
+std::optional<double> met_at(const Context& c, const sim::ForcePlan& plan, const ForcePlace& spot, std::size_t first) {
+  const double start = c.session.derived.starts[first];
+  const sim::Ghost* const ride = c.find.ride();
+  const sim::RailTables& tables = c.find.tables();
+  const auto length = [&](std::size_t i) { return plan.path.curve.points[i].s; };
+  const double place = start + sim::between_points(plan, spot.at, length);
+  if (plan.task.program.of == world::ForceOf::curvature)
+    return sim::curvature_at(c.session.derived, first, place)[static_cast<std::size_t>(spot.channel)];
+  const auto passing = ride != nullptr ? sim::passing(*ride, place) : std::nullopt;
+  if (!passing) return std::nullopt;
+  std::size_t index = 0;
+  const double s = tables.locate(place, index), g = world::kGravity;
+  if (spot.channel == world::ForceChannel::roll) {
+    const double spin = base::degrees(c.session.derived.shape_at(index).roll.spin(s));
+    return plan.task.program.over == world::ForceOver::distance ? spin : spin * passing->speed;
+  }
+  const glm::vec3 felt = sim::felt_at(tables.segment(index), s, static_cast<float>(passing->along / g),
+                                      static_cast<float>(passing->speed * passing->speed / g));
+  return double{spot.channel == world::ForceChannel::vertical ? felt.z : felt.y};
+}
+
+Answer force_asked(const Context& c, View word) {
+  const ForcePlace spot = force_place(word);
+  return of_plan(c, spot.section, [&](const sim::ForcePlan& plan) { return number(asked_at(plan, spot)); });
+}
+Answer force_met(const Context& c, View word) {
+  const ForcePlace spot = force_place(word);
+  return of_plan(c, spot.section, [&](const sim::ForcePlan& plan) {
+    const auto section = entity_of(c, spot.section, world::Kind::section);
+    const world::SectionRun run = world::run_of(c.session.document, *section);
+    return value_of(met_at(c, plan, spot, run.first));
+  });
+}
+Answer force_keys(const Context& c, View word) {
+  const std::size_t dot = word.find('.');
+  const auto channel = *base::value_named<world::ForceChannel>(word.substr(dot + 1));
+  return of_plan(c, word.substr(0, dot),
+                 [&](const sim::ForcePlan& plan) { return number(plan.task.program.keys(channel).size()); });
+}
+template <auto... path>
+Answer of_program(const Context& c, View word) {
+  return of_plan(c, word, [](const sim::ForcePlan& plan) { return value_of(member_at(plan.task.program, path...)); });
+}
+template <auto... path>
+Answer of_force(const Context& c, View word) {
+  return of_plan(c, word, [](const sim::ForcePlan& plan) { return value_of(member_at(plan, path...)); });
+}
+Answer force_unmet_at(const Context& c, View word) {
+  return of_plan(c, word, [](const sim::ForcePlan& plan) {
+    return plan.unmet > 0 ? number(plan.unmet_at) : none("the keys are met");
+  });
+}
+Answer force_stopped(const Context& c, View word) {
+  return of_plan(c, word, [](const sim::ForcePlan& plan) {
+    const std::string stopped = sim::stop_text(plan);
+    return stopped.empty() ? none("it has its whole length") : text(stopped);
+  });
+}
+
+constexpr ArgumentPart kOfSection = kSection[0],
+                       kOfChannel{.usage = "CHANNEL", .words = base::names_of<world::ForceChannel>, .before = '.'};
+constexpr ArgumentPart kChannel[]{kOfSection, kOfChannel};
+constexpr ArgumentPart kChannelPlace[]{kOfSection, kOfChannel, {.usage = "PLACE", .number = true, .before = '/'}};
+
+constexpr std::array kForceRows{
+    Query{"force.asked", kChannelPlace, "",
+          "The value that a force section requires at a position (m or s from its start), such as @q3.vertical/40: "
+          "vertical or lateral g, or roll in degrees per metre or second; of curvature 1/m, or degrees. With the ramp "
+          "at its start.",
+          force_asked, or_none()},
+    Query{"force.met", kChannelPlace, "",
+          "What the riders of the first car feel there, none where the ride does not arrive; of curvature, what the "
+          "track "
+          "has there.",
+          force_met, or_none()},
+    Query{"force.keys", kChannel, "", "Number of keys of a channel.", force_keys, or_none()},
+    Query{"force.over", kSection, "", "Axis of the keys: distance or time.", of_program<&world::ForceProgram::over>,
+          or_none(kOneOf<world::ForceOver>)},
+    Query{"force.of", kSection, "", "Quantity of the keys: forces or curvature.", of_program<&world::ForceProgram::of>,
+          or_none(kOneOf<world::ForceOf>)},
+    Query{"force.length", kSection, "", "Length of a force section's program, m or s.",
+          of_program<&world::ForceProgram::length>, or_none()},
+    Query{"force.tolerance", kSection, "g",
+          "Largest allowed difference between what riders feel and the keys; of curvature, at 20 m/s.",
+          of_program<&world::ForceProgram::tolerance>, or_none()},
+    Query{"force.speed", kSection, "m/s", "The speed at its start that a force section was planned for.",
+          of_program<&world::ForceProgram::speed>, or_none()},
+    Query{"force.error", kSection, "g",
+          "Largest difference between what riders feel on its spans and the required value, vertical or lateral; of "
+          "curvature, at 20 m/s.",
+          of_force<&sim::ForcePlan::fit, &sim::ForceFit::felt_error>, or_none()},
+    Query{"force.shape_error", kSection, "m", "Largest distance of its spans from the path with those forces.",
+          of_force<&sim::ForcePlan::fit, &sim::ForceFit::spans, &sim::ElementFit::error>, or_none()},
+    Query{"force.hold", kSection, "", "Whether both ends of a force section stay.",
+          of_program<&world::ForceProgram::hold>, or_none(kSwitch)},
+    Query{
+        "force.unmet", kSection, "",
+        "Largest difference between what riders feel and the keys, vertical or lateral, because both ends stay: g; of "
+        "curvature 1/m.",
+        of_force<&sim::ForcePlan::unmet>, or_none()},
+    Query{"force.unmet_at", kSection, "", "Where that is, m or s from its start; none if it is 0.", force_unmet_at,
+          or_none()},
+    Query{"force.ramp", kSection, "",
+          "Length of the ramp at its start from the felt values to those of the keys, m or s.",
+          of_force<&sim::ForcePlan::path, &sim::ForcePath::ramp>, or_none()},
+    Query{"force.stopped", kSection, "", "Why a force section is shorter than its program; none if it is not.",
+          force_stopped, or_none(kText)},
+};
+
+}  // namespace
+
+std::span<const Query> force_rows() { return kForceRows; }
 
 }  // namespace coaster::query

@@ -1,11 +1,20 @@
-// Queries of the session: settings, selection, history, the camera, the cost of the last frame.
+// Queries of the session: settings, selection, history, the camera, the last frame and the laboratory.
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
+#include <vector>
 
 #include "query/rows.h"
+#include "sim/ride/ride.h"
+#include "sim/shape/deviation.h"
 #include "sim/shape/frame_methods.h"
+#include "sim/study/rounding.h"
+#include "world/evaluation.h"
 #include "world/lab_view.h"
+#include "world/laboratory.h"
 #include "world/selection.h"
+#include "world/settings_groups.h"
 
 namespace coaster::query {
 namespace {
@@ -141,5 +150,158 @@ constexpr std::array kSessionRows{
 }  // namespace
 
 std::span<const Query> session_rows() { return kSessionRows; }
+
+namespace {
+
+template <auto Member>
+Answer setting(const Context& c, View) {
+  return value_of(world::value_in<Member>(c.session.settings));
+}
+
+}  // namespace
+
+std::span<const Query> setting_rows() {
+  static const std::vector<Query> rows = [] {
+    std::vector<Query> made;
+    world::for_each_setting([&]<auto Member>() {
+      static constexpr world::SettingRow kRow = world::setting_row<Member>();
+      made.push_back(
+          {kRow.query_name(), kNoArgument, kRow.unit, kRow.help, setting<Member>, values_of<world::ValueOf<Member>>()});
+    });
+    return made;
+  }();
+  return rows;
+}
+
+namespace {
+
+// Times and rates are 0 until they are measured.
+template <const auto& table, std::size_t row>
+Answer number_of_frame(const Context& c, View) {
+  const auto& [query, unit, text, member] = table[row];
+  const double value = std::visit([&](auto of) { return static_cast<double>(c.stats.*of); }, member);
+  if (c.stats.frame == 0 && query != "frame") return none(kNoFrame);
+  return value == 0 && (unit == "ms" || unit == "1/s") ? none("it was not measured") : number(value);
+}
+
+template <const auto& table, std::size_t... row>
+constexpr auto rows_of(std::index_sequence<row...>) {
+  return std::array{Query{table[row].query,
+                          {},
+                          table[row].unit,
+                          table[row].text,
+                          number_of_frame<table, row>,
+                          table[row].query == "frame" ? Values{} : or_none()}...};
+}
+
+// The deviation of the processor, or the one captured from the GPU.
+Answer deviation(const Context& c, View) {
+  const sim::Derived& derived = c.session.derived;
+  if (derived.order.empty()) return none(kNoSegment);
+  if (derived.evaluated_by == curve::EvaluatedBy::processor) return number(derived.deviation);
+  return c.stats.frame > 0 && c.stats.deviation_pending == 0 ? number(c.stats.deviation)
+                                                             : none("it is not measured yet");
+}
+Answer chord_error(const Context& c, View) {
+  return c.session.derived.order.empty() ? none(kNoSegment) : number(c.find.chord_error());
+}
+Answer ns_per_point(const Context& c, View) {
+  if (c.stats.evaluated_vertices == 0) return none("nothing has been evaluated");
+  return number(c.stats.evaluation_ms * 1e6 / static_cast<double>(c.stats.evaluated_vertices));
+}
+
+constexpr auto kDrawRows = rows_of<view::kDrawNumbers>(std::make_index_sequence<view::kDrawNumbers.size()>());
+constexpr auto kFrameRows = rows_of<kFrameNumbers>(std::make_index_sequence<kFrameNumbers.size()>());
+constexpr std::array kMoreRows{
+    Query{"deviation", kNoArgument, "m", "Largest distance of a vertex from the exact point at the same parameter.",
+          deviation, or_none()},
+    Query{"chord_error", kNoArgument, "m", "Largest distance of a piece of the curve from its chord.", chord_error,
+          or_none()},
+    Query{"drawn_by", kNoArgument, "",
+          "Where the polylines were evaluated: processor, vertex_shader, geometry_shader or tessellation_shader.",
+          of_frame<&FrameStats::drawn_by>, or_none(kOneOf<curve::EvaluatedBy>)},
+    Query{"ns_per_point", kNoArgument, "ns", "Time of evaluators per vertex in the last frame that evaluated anything.",
+          ns_per_point, or_none()},
+};
+
+}  // namespace
+
+std::span<const Query> draw_rows() { return kDrawRows; }
+std::span<const Query> frame_rows() { return kFrameRows; }
+std::span<const Query> evaluation_rows() { return kMoreRows; }
+
+namespace {
+
+Answer shown(const Context& c, View word) {
+  return yes_no(c.session.settings.lab->layers.has(*base::value_named<world::Layer>(word)));
+}
+
+const sim::SegmentShape* selected_shape(const Context& c) {
+  return c.session.derived.segments.find(c.session.settings.selected);
+}
+constexpr View kNoSegmentSelected = "no segment is selected";
+Answer construction_point(const Context& c, View) {
+  const sim::SegmentShape* const shape = selected_shape(c);
+  if (!shape) return none(kNoSegmentSelected);
+  return Value(curve::point(shape->key.cubic, c.session.settings.selected_t));
+}
+
+// sim::largest or sim::seam of the selected segment's rounding.
+template <auto figure>
+Answer rounding(const Context& c, View) {
+  const sim::SegmentShape* const shape = selected_shape(c);
+  const world::Evaluation& evaluation = *c.session.settings.evaluation;
+  if (!shape) return none(kNoSegmentSelected);
+  return number(figure(sim::rounding(shape->curve, base::row_of(evaluation.evaluator), evaluation.steps)));
+}
+
+Answer measuring(const Context& c, View) { return yes_no(c.session.measuring.measurement.running); }
+Answer measure_progress(const Context& c, View) { return number(sim::progress(c.session.measuring.measurement)); }
+Answer measure_rows(const Context& c, View) { return number(c.session.measuring.measurement.rows.size()); }
+
+std::vector<std::string> measured_steps() {
+  std::vector<std::string> words;
+  for (const int steps : sim::kMeasuredSteps) words.push_back(std::to_string(steps));
+  return words;
+}
+constexpr ArgumentPart kMeasured[]{{.usage = "EVALUATOR", .words = base::names_of<curve::EvaluatorId>},
+                                   {.usage = "STEPS", .words = measured_steps, .before = '/'}};
+// Returns a figure of the measurement of "horner/64".
+template <auto member>
+Answer measured(const Context& c, View word) {
+  const std::size_t slash = word.find('/');
+  const auto evaluator = *base::value_named<curve::EvaluatorId>(word.substr(0, slash));
+  const std::vector<std::string> steps = measured_steps();
+  const auto index = std::find(steps.begin(), steps.end(), word.substr(slash + 1)) - steps.begin();
+  const sim::MeasuredRow* const row = sim::row_of(c.session.measuring.measurement, evaluator);
+  if (row == nullptr || row->cells[static_cast<std::size_t>(index)].rounds == 0)
+    return none("it has not been measured");
+  if (member == &sim::MeasuredCell::ns_per_point && !row->is_timed())
+    return none("it runs on the GPU and has no time of the processor");
+  return value_of(row->cells[static_cast<std::size_t>(index)].*member);
+}
+
+constexpr std::array kLabRows{
+    Query{"shown", kWordOf<world::Layer>, "", "on if a layer of the laboratory is drawn.", shown, kSwitch},
+    Query{"construction_point", kNoArgument, "m",
+          "Point at the selected position of the selected segment; none if none is selected.", construction_point,
+          or_none(kVector)},
+    Query{"rounding", kNoArgument, "m", "Largest rounding error of the evaluator's vertices on the selected segment.",
+          rounding<sim::largest>, or_none()},
+    Query{"seam", kNoArgument, "m", "Rounding error of the last vertex before the selected segment's exact end.",
+          rounding<sim::seam>, or_none()},
+    Query{"measuring", kNoArgument, "", "on during the measurement of evaluators.", measuring, kSwitch},
+    Query{"measure.progress", kNoArgument, "", "Progress of the measurement, 0 to 1.", measure_progress},
+    Query{"measure.rows", kNoArgument, "", "Number of evaluators measured; 0 before the first measurement.",
+          measure_rows},
+    Query{"measure.error", kMeasured, "m", "Measured largest error over all segments, for example of horner/64.",
+          measured<&sim::MeasuredCell::worst_error>, or_none()},
+    Query{"measure.time", kMeasured, "ns", "Measured time per point on the processor, for example of horner/64.",
+          measured<&sim::MeasuredCell::ns_per_point>, or_none()},
+};
+
+}  // namespace
+
+std::span<const Query> lab_rows() { return kLabRows; }
 
 }  // namespace coaster::query

@@ -93,15 +93,15 @@ base::Status Recorder::snapshot(const edit::Session& session) {
 }
 
 base::Status Recorder::command(const edit::Command& command, const edit::Session& after) {
-  // Exports and force limits do not affect document or motion, so they are left out.
-  if (edit::output_path(command) != nullptr || command.is<edit::LoadEnvelope>()) return {};
+  using edit::Recorded;
+  const Recorded recorded = edit::opens_link(command) ? Recorded::line : edit::info(command).traits.recorded;
+  if (recorded == Recorded::nothing) return {};
   if (const base::Status written = write_ticks(); !written) return written;
-  if (edit::opens_link(command)) return line(edit::print(command));
-  if (command.is<edit::Load>() || command.is<edit::OpenSections>() || command.is<edit::RecoverTrack>())
-    return snapshot(after);
-  if (const auto* const challenge = command.as<edit::StartChallenge>())
-    return line(edit::print(edit::StartChallenge{base::canonical_path(challenge->path).string()}));
-  return line(edit::print(command));
+  if (recorded == Recorded::track) return snapshot(after);
+  edit::Command written = command;
+  if (std::string* const path = edit::path_of(written); path && recorded == Recorded::whole_path)
+    *path = base::canonical_path(*path).string();
+  return line(edit::print(written));
 }
 
 base::Status Recorder::ticks(int count) {

@@ -28,16 +28,6 @@ using platform::Button;
 using platform::MouseButton;
 using platform::MouseMove;
 
-// Returns the file that a command opens, or null.
-std::string* opened_path(edit::Command& command) {
-  if (auto* const load = command.as<edit::Load>()) return &load->path;
-  if (auto* const recover = command.as<edit::RecoverTrack>()) return &recover->path;
-  if (auto* const limits = command.as<edit::LoadEnvelope>()) return &limits->path;
-  if (auto* const sections = command.as<edit::OpenSections>()) return &sections->path;
-  if (auto* const challenge = command.as<edit::StartChallenge>()) return &challenge->path;
-  return nullptr;
-}
-
 constexpr int kDragSteps = 6;
 
 std::string name_of(const world::Document& document, const view::Pick& pick) {
@@ -165,8 +155,10 @@ void Runner::report_since(std::uint64_t serial) {
 
 Status Runner::perform(const RunCommand& run) {
   edit::Command command = run.command;
-  if (std::string* const path = opened_path(command)) {
-    *path = input(*path).string();
+  const edit::PathUse use = edit::info(command).traits.path;
+  if (use == edit::PathUse::opens) {
+    std::string& path = *edit::path_of(command);
+    path = input(path).string();
     if (auto* const recover = command.as<edit::RecoverTrack>(); recover && !recover->original.empty())
       recover->original = input(recover->original).string();
     // A file that cannot be opened counts as a bad file: the exit code gives the kind of error, not the reason.
@@ -176,10 +168,11 @@ Status Runner::perform(const RunCommand& run) {
     report_since(before);
     return {};
   }
-  if (const std::string* const written = edit::output_path(command)) {
-    const auto path = find_output(*written, files_.root());
-    if (!path) return path.status();
-    edit::set_output_path(command, path->string());
+  if (use == edit::PathUse::writes) {
+    std::string& path = *edit::path_of(command);
+    const auto found = find_output(path, files_.root());
+    if (!found) return found.status();
+    path = found->string();
   }
   return frames_.apply(command);
 }

@@ -4,7 +4,7 @@
 
 namespace coaster::world {
 
-// Never empty. Copying copies the value; it cannot be moved. The functions are in world/box_detail.h: one file makes
+// Never empty. Copying copies the value; it cannot be moved. The functions are in world/box_functions.h: one file makes
 // those of a type.
 template <class T>
 class Box {

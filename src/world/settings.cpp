@@ -2,7 +2,7 @@
 #include "world/settings.h"
 
 #include "world/aids.h"
-#include "world/box_detail.h"
+#include "world/box_functions.h"
 #include "world/camera_feel.h"
 #include "world/evaluation.h"
 #include "world/lab_view.h"

@@ -51,7 +51,6 @@ TEST_F(LongJobs, opens_the_same_track_as_a_load_that_waits) {
   wait();
   finish_job(*program_);
   EXPECT_FALSE(program_->job);
-  EXPECT_FALSE(program_->session.file.read_ahead) << "it has been taken";
   const auto direct = exchange::load_track(program_->files, file("rows.csv"));
   ASSERT_TRUE(direct.ok()) << direct.status().message;
   ASSERT_FALSE(direct->document.track.knots.empty());

@@ -1,4 +1,4 @@
-// Tests the queries of force sections (query/rows_force.cpp).
+// Tests the queries of force sections (query/rows_sections.cpp).
 #include <gtest/gtest.h>
 
 #include "edit/session_fixture.h"

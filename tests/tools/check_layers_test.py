@@ -20,6 +20,7 @@ tool = sys.argv[1]
 for clean in [
     {"world/a.h": '#include "curve/cubic.h"\n#include "base/check.h"\n'},
     {"sim/study/a.h": '#include "sim/shape/derived.h"\n#include "world/document.h"\n'},
+    {"ui/tools/a.cpp": '#include "ui/tools/keys_detail.h"\n'},
     {"exchange/formats.cpp": '#include "exchange/formats.h"\n#include "exchange/own/track_file.h"\n'},
 ]:
     assert run(tool, clean) == (0, "layers: clean\n"), clean
@@ -34,6 +35,7 @@ for files, expected in [
     ({"sim/a.h": "\n"}, "'' is not a sub-room of sim"),
     ({"curve/attic/a.h": "\n"}, "'attic' is not a sub-room of curve"),
     ({"cellar/a.cpp": "\n"}, "'cellar' is not a room"),
+    ({"ui/lab/a.cpp": '#include "ui/tools/keys_detail.h"\n'}, "ui/tools/keys_detail.h is private to its folder"),
 ]:
     code, out = run(tool, files)
     assert code == 1 and expected in out, (files, code, out)

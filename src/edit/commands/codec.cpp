@@ -15,14 +15,17 @@
 namespace coaster::edit {
 namespace {
 
-// "at?" is the keyword "at" of an optional field, "at?|by" one whose former name was "by". A command that takes
-// entities of any kind works only on segments, and help shows a segment.
+// "at?" is the keyword "at" of an optional field, "at?|by" one whose former name was "by". ":at" is a place on the
+// segment before it, "@s3:0.5", which was written "@s3 at 0.5". A command that takes entities of any kind works only on
+// segments, and help shows a segment.
 struct Keyword {
   std::string word, former;
-  bool optional = false;
-  explicit Keyword(std::string_view text) : word(text.substr(0, text.find('|'))), optional(word.ends_with('?')) {
+  bool optional = false, place = false;
+  explicit Keyword(std::string_view text)
+      : word(text.substr(0, text.find('|'))), optional(word.ends_with('?')), place(word.starts_with(':')) {
     if (const std::size_t bar = text.find('|'); bar != std::string_view::npos) former = text.substr(bar + 1);
     if (optional) word.pop_back();
+    if (place) word.erase(0, 1);
   }
   bool is(std::string_view text) const { return text == word || (!former.empty() && text == former); }
 };
@@ -78,15 +81,22 @@ struct CommandKind {
   std::string_view target;
   Command (*make)();
   void (*fields)(Command& command, Fields& fields);
+  std::string* (*path)(Command& command);  // null: it uses no file
 };
 template <class C>
 constexpr CommandKind kind() {
-  return {&C::kInfo, target_usage<C>(), []() -> Command { return C{}; },
-          [](Command& command, Fields& fields) {
-            C::fields(*command.as<C>(), [&]<class T>(std::string_view name, T& value) {
-              fields.push_back({Keyword(name), &value, &kFieldType<T>});
-            });
-          }};
+  constexpr bool uses_file = requires(C c) { c.path; };
+  static_assert(uses_file == (C::kInfo.traits.path != PathUse::none),
+                "a command with a member `path` says in its traits whether it opens or writes that file");
+  CommandKind kind{&C::kInfo, target_usage<C>(), []() -> Command { return C{}; },
+                   [](Command& command, Fields& fields) {
+                     C::fields(*command.as<C>(), [&]<class T>(std::string_view name, T& value) {
+                       fields.push_back({Keyword(name), &value, &kFieldType<T>});
+                     });
+                   },
+                   nullptr};
+  if constexpr (uses_file) kind.path = [](Command& command) { return &command.as<C>()->path; };
+  return kind;
 }
 constexpr auto kKinds = Commands::table([]<class C>() { return kind<C>(); });
 
@@ -106,10 +116,12 @@ std::string usage(const CommandKind& row) {
   Command command = row.make();
   std::string text(row.info->name);
   for (const Field& field : fields_of(command)) {
-    std::string part = field.keyword.word;
-    if (!part.empty() && !field.flag()) part += ' ';
-    part += field.is_target() ? std::string(row.target) : field.type->usage(field.value);
-    text += field.keyword.optional ? " [" + part + "]" : " " + part;
+    const bool place = field.keyword.place;
+    std::string part = place ? ":" : field.keyword.word;
+    if (!part.empty() && !place && !field.flag()) part += ' ';
+    part += field.is_target() ? std::string(row.target) : place ? "T" : field.type->usage(field.value);
+    if (field.keyword.optional) part = "[" + part + "]";
+    text += place ? part : " " + part;
   }
   return text;
 }
@@ -121,7 +133,8 @@ bool read_field(base::Words& words, const Field& field) {
     const bool here = words.peek() && keyword.is(words.peek()->text);
     if (keyword.optional && !here) return true;
     const Names one{here ? words.peek()->text : keyword.word};
-    if (!words.one_of(fmt::format("\"{}\"", keyword.word), one)) return false;
+    if (!words.one_of(keyword.place ? "a place such as @s3:0.5" : fmt::format("\"{}\"", keyword.word), one))
+      return false;
   }
   return field.type->read(words, field.value);
 }
@@ -139,6 +152,23 @@ std::string done_part(const Fields& fields, std::string_view part, const world::
   return std::string(words == "on" ? part.substr(choice + 1, other - choice - 1) : part.substr(other + 1));
 }
 
+// Returns the words with "@s3:0.5" as the three of its former form, "@s3", "at" and "0.5".
+std::vector<base::Token> apart(std::span<const base::Token> tokens, const std::string& at) {
+  std::vector<base::Token> all;
+  for (const base::Token& token : tokens) {
+    const std::size_t colon = token.quoted || token.text.starts_with(':') ? std::string::npos : token.text.find(':');
+    if (colon == std::string::npos) {
+      all.push_back(token);
+      continue;
+    }
+    const int column = token.column + static_cast<int>(colon);
+    all.push_back({token.text.substr(0, colon), token.column});
+    all.push_back({at, column});
+    if (colon + 1 < token.text.size()) all.push_back({token.text.substr(colon + 1), column + 1});
+  }
+  return all;
+}
+
 }  // namespace
 
 Command::Command() : Command(Undo{}) {}
@@ -148,19 +178,13 @@ bool opens_link(const Command& command) {
   return load != nullptr && exchange::is_link(load->path);
 }
 
-const std::string* output_path(const Command& command) {
-  if (const Save* const save = command.as<Save>()) return &save->path;
-  if (const SaveMeasurements* const save = command.as<SaveMeasurements>()) return &save->path;
-  if (const SaveReport* const save = command.as<SaveReport>()) return &save->path;
-  if (const SaveSections* const save = command.as<SaveSections>()) return &save->path;
-  return nullptr;
+std::string* path_of(Command& command) {
+  const CommandKind& kind = kKinds[index_of(command)];
+  return kind.path ? kind.path(command) : nullptr;
 }
 
-void set_output_path(Command& command, std::string path) {
-  if (Save* const save = command.as<Save>()) save->path = std::move(path);
-  else if (SaveMeasurements* const table = command.as<SaveMeasurements>()) table->path = std::move(path);
-  else if (SaveReport* const report = command.as<SaveReport>()) report->path = std::move(path);
-  else if (SaveSections* const sections = command.as<SaveSections>()) sections->path = std::move(path);
+const std::string* output_path(const Command& command) {
+  return info(command).traits.path == PathUse::writes ? path_of(const_cast<Command&>(command)) : nullptr;
 }
 
 std::string print(const Command& command) {
@@ -178,8 +202,13 @@ std::string print(const Command& command) {
     if (field.keyword.optional && of_anything && !on_segment) continue;
     const Flag* const flag = field.flag();
     if (flag && !flag->set) continue;
+    const std::string value = field.type->print(field.value);
+    if (field.keyword.place) {
+      text += ":" + value;
+      continue;
+    }
     if (!field.keyword.word.empty()) text += " " + field.keyword.word;
-    if (const std::string value = field.type->print(field.value); !value.empty()) text += " " + value;
+    if (!value.empty()) text += " " + value;
   }
   return text;
 }
@@ -227,10 +256,13 @@ base::Result<Command> parse(std::span<const base::Token> tokens, base::TextError
                                            base::suggestion(tokens[0].text, command_names()))};
     return failed();
   }
-  base::Words words(tokens, error);
-  words.take("a command");
   Command result = row->make();
   const Fields fields = fields_of(result);
+  const auto place = std::ranges::find_if(fields, [](const Field& field) { return field.keyword.place; });
+  std::vector<base::Token> former;
+  if (place != fields.end()) tokens = former = apart(tokens, place->keyword.word);
+  base::Words words(tokens, error);
+  words.take("a command");
   const bool read =
       std::all_of(fields.begin(), fields.end(), [&](const Field& field) { return read_field(words, field); });
   if (read && words.at_end()) return result;

@@ -45,10 +45,9 @@ inline const CommandInfo& info(const Command& command) { return command.info(); 
 
 // True if a command loads a shared link.
 bool opens_link(const Command& command);
-// Returns the file that a command writes, or null. Such commands change nothing else, and scripts may write only below
-// $OUT.
+// Returns the file that a command uses (CommandTraits::path), or null.
+std::string* path_of(Command& command);
+// Returns the file that a command writes, or null. Such commands change nothing else.
 const std::string* output_path(const Command& command);
-// Sets the file of a command that writes one; does nothing for others.
-void set_output_path(Command& command, std::string path);
 
 }  // namespace coaster::edit

@@ -91,6 +91,19 @@ struct HandleTarget {
 // What a command changes, for undo and recording.
 enum class Effect : std::uint8_t { document, settings, motion, history, session };
 
+// What a command does with the file that its member `path` names. Scripts may write only below $OUT.
+enum class PathUse : std::uint8_t { none, opens, writes };
+// What a recording keeps of a command: its line; the line with the whole path; a copy of the track as the command left
+// it, which the recording loads; or nothing, because neither document nor motion depends on it.
+enum class Recorded : std::uint8_t { line, whole_path, track, nothing };
+struct CommandTraits {
+  PathUse path = PathUse::none;
+  Recorded recorded = Recorded::line;
+  bool replaces = false;  // the whole track, by another: windows ask about unsaved changes, then frame the new track
+};
+inline constexpr CommandTraits kWritesFile{PathUse::writes, Recorded::nothing};
+inline constexpr CommandTraits kOpensTrack{PathUse::opens, Recorded::track, true};
+
 struct CommandInfo {
   std::string_view name;  // the first word of its line
   std::string_view help;
@@ -98,6 +111,7 @@ struct CommandInfo {
   // The sentence in the history for a command that changes the document: "Set the roll of {} to {to}°". Braces contain
   // a field's keyword (empty for the first field); "{to?Closed|Opened}" gives one word for each state of a switch.
   std::string_view done = {};
+  CommandTraits traits = {};
 };
 
 struct Session;

@@ -12,7 +12,7 @@ struct StartChallenge {
   COASTER_COMMAND(
       StartChallenge, "challenge",
       "Begin a challenge: opens its start track as an unsaved track. Forces are compared with the built-in limits.",
-      Effect::session);
+      Effect::session, {}, {PathUse::opens, Recorded::whole_path, true});
   COASTER_FIELDS(visit("", self.path))
 };
 struct LeaveChallenge {

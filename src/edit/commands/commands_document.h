@@ -81,7 +81,7 @@ struct SplitSegment {
   COASTER_COMMAND(SplitSegment, "split",
                   "Insert a knot into a segment at a parameter, keeping the shape (de Casteljau).", Effect::document,
                   "Inserted a knot into {}");
-  COASTER_FIELDS(visit("", self.segment), visit("at", self.at))
+  COASTER_FIELDS(visit("", self.segment), visit(":at", self.at))
 };
 struct AddCurve {
   COASTER_COMMAND(AddCurve, "add_curve",

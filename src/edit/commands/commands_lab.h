@@ -29,7 +29,7 @@ struct StopMeasuring {
 struct SaveMeasurements {
   std::string path;
   COASTER_COMMAND(SaveMeasurements, "measure.save", "Write the measurements to a file of comma-separated values.",
-                  Effect::session);
+                  Effect::session, {}, kWritesFile);
   COASTER_FIELDS(visit("", self.path))
 };
 

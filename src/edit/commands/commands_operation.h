@@ -79,14 +79,14 @@ struct SaveReport {
   COASTER_COMMAND(SaveReport, "report",
                   "Write the report of the selected train's whole ride, else the first one's, to a file; one that ends "
                   "in .csv gets the ride by time.",
-                  Effect::session);
+                  Effect::session, {}, kWritesFile);
   COASTER_FIELDS(visit("", self.path))
 };
 struct LoadEnvelope {
   std::string path;
   COASTER_COMMAND(LoadEnvelope, "envelope",
                   "Compare forces with the limits by duration in a file (.json): data to edit, not a compliance check.",
-                  Effect::session);
+                  Effect::session, {}, {PathUse::opens, Recorded::nothing});
   COASTER_FIELDS(visit("", self.path))
 };
 struct AutoBank {

@@ -106,7 +106,7 @@ struct SaveSections {
   Sections sections;
   COASTER_COMMAND(SaveSections, "section.save",
                   "Save sections to a file, as a track: the extension selects the format. See section.open.",
-                  Effect::session);
+                  Effect::session, {}, kWritesFile);
   COASTER_FIELDS(visit("", self.path), visit("", self.sections))
 };
 struct OpenSections {
@@ -114,7 +114,7 @@ struct OpenSections {
   COASTER_COMMAND(
       OpenSections, "section.open",
       "Add the sections of a track file at the open end of the track; planned ones are planned again there.",
-      Effect::document, "Added sections of {}");
+      Effect::document, "Added sections of {}", {PathUse::opens, Recorded::track});
   COASTER_FIELDS(visit("", self.path))
 };
 

@@ -37,7 +37,7 @@ struct Load {
       Load, "load",
       "Open a track file; its extension selects the format. Or open a shared link. The words say how a list "
       "of points becomes a track; origin moves it, or NoLimits 2 rows, to the origin.",
-      Effect::session);
+      Effect::session, {}, kOpensTrack);
   COASTER_FIELDS(visit("", self.path), visit("", self.import))
 };
 // Refused with Code::io if another program changed the document's own file since it was opened, unless `overwrite`.
@@ -47,7 +47,7 @@ struct Save {
   COASTER_COMMAND(Save, "save",
                   "Save the track to a file, or export it: the extension selects the format. With overwrite, also "
                   "replace changes by another program.",
-                  Effect::session);
+                  Effect::session, {}, kWritesFile);
   COASTER_FIELDS(visit("", self.path), visit("overwrite?", self.overwrite))
 };
 struct Share {
@@ -61,11 +61,11 @@ struct RecoverTrack {
   std::string path, original;
   COASTER_COMMAND(RecoverTrack, "recover",
                   "Open an autosaved track as the unsaved state of another file, which may be \"\": none.",
-                  Effect::session);
+                  Effect::session, {}, kOpensTrack);
   COASTER_FIELDS(visit("", self.path), visit("as", self.original))
 };
 struct NewTrack {
-  COASTER_COMMAND(NewTrack, "new", "Start an empty track.", Effect::session);
+  COASTER_COMMAND(NewTrack, "new", "Start an empty track.", Effect::session, {}, {.replaces = true});
   COASTER_FIELDS()
 };
 

@@ -35,7 +35,7 @@ struct Select {
   double at = 0.5;
   COASTER_COMMAND(Select, "select", "Select a knot, a train, or a segment with a place on it; none clears.",
                   Effect::settings);
-  COASTER_FIELDS(visit("", self.what), visit("at?", self.at))
+  COASTER_FIELDS(visit("", self.what), visit(":at?", self.at))
 };
 struct SelectKnots {
   Knots knots;

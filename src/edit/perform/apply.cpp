@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <type_traits>
 #include <utility>
 
 #include <fmt/format.h>
@@ -11,10 +13,10 @@
 #include "base/portable_math.h"
 #include "edit/commands/codec.h"
 #include "edit/commands/command_list.h"
-#include "edit/perform/force_replan.h"
-#include "edit/perform/hand_shaped.h"
-#include "edit/perform/motion_follow.h"
+#include "edit/perform/follow.h"
+#include "edit/perform/found.h"
 #include "edit/perform/perform.h"
+#include "edit/perform/replan.h"
 #include "edit/perform/set.h"
 #include "edit/session/history.h"
 #include "edit/session/locks.h"
@@ -28,49 +30,48 @@ namespace {
 
 using base::Status;
 
-// A ride that has not started (or has no trains) puts the trains at their start; any other keeps their positions.
-void settle_motion(Session& session) {
-  if (base::interrupted()) return;
-  if (session.motion.state == world::RideState::stopped || session.document.entities.pool<world::Cart>().size() == 0)
-    sim::reset(session.document, session.derived, session.motion);
-  else sim::reconcile(session.document, session.derived, session.motion);
+template <class T>
+bool finite(const T& value) {
+  if constexpr (std::is_floating_point_v<T>) return std::isfinite(value);
+  else if constexpr (std::is_same_v<T, glm::vec3>) return finite(value.x) && finite(value.y) && finite(value.z);
+  else if constexpr (std::is_same_v<T, world::Element>) return std::ranges::all_of(value.values, finite<double>);
+  else if constexpr (requires { value.has_value(); }) return !value || finite(*value);
+  else if constexpr (requires { T::fields(value, [](std::string_view, const auto&) {}); }) {
+    bool all = true;
+    T::fields(value, [&](std::string_view, const auto& part) { all = all && finite(part); });
+    return all;
+  } else return true;
 }
 
-// A split only knows `up` at the new knot, which determines the twist of both halves except for whole turns: those
-// follow from the segment's roll.
-void share_turns(Session& session, const MotionFollowUp& split, const sim::Roll& roll) {
-  const double left = session.derived.shape(split.first).arc.length(),
-               right = session.derived.shape(split.second).arc.length();
-  if (!(left + right > 0)) return;
-  const double first = roll.angle(roll.length * (left / (left + right)));
-  bool changed = false;
-  for (const auto& [e, twist] : {std::pair{split.first, first}, std::pair{split.second, roll.twist - first}}) {
-    const double missing = twist - session.derived.shape(e).roll.twist;
-    const auto turns = static_cast<std::int32_t>(std::lround(missing / (2 * base::kPi)));
-    if (turns == 0) continue;
-    std::int32_t& own = session.document.entities.get<world::Segment>(e).turns;
-    own = std::clamp(own + turns, -world::kMaxTurns, world::kMaxTurns);
-    changed = true;
-  }
-  if (changed) derive(session);
+// Returns the kind of the entity that a command names in a field of that name; nothing where several kinds may be.
+template <class C>
+constexpr std::optional<world::Kind> named_kind(const C&) {
+  if constexpr (std::is_same_v<C, RemoveKnot>) return std::nullopt;
+  else if constexpr (requires(C c) { c.segment.name; }) return world::Kind::segment;
+  else if constexpr (requires(C c) { c.cart.name; }) return world::Kind::cart;
+  else if constexpr (requires(C c) { c.section.name; }) return world::Kind::section;
+  else if constexpr (requires(C c) { c.knot.name; }) return world::Kind::knot;
+  else return std::nullopt;
 }
 
-// Restores everything that must hold after a change of the document whose joints are settled.
-void follow_document(Session& session, const Change& change, const sim::Roll& roll_before) {
-  derive(session);
-  if (base::interrupted()) return;
-  if (change.motion.kind == MotionFollowUp::Kind::split) share_turns(session, change.motion, roll_before);
-  if (sim::set_automatic_spins(session.derived, change.respun, session.document)) derive(session);
-  follow(change.motion, session.document, session.derived, session.motion);
-  settle_motion(session);
-  if (change.select) session.settings.selected = *change.select, session.settings.also = change.also;
-  world::drop_dead(session.document, session.settings);
+// Refuses a command whose entity does not exist, or whose numbers are not finite.
+template <class C>
+Status checked(const Session& session, const C& command) {
+  Status status;
+  C::fields(command, [&]<class T>(std::string_view, const T& value) {
+    if constexpr (std::is_same_v<T, Target>)
+      if (const auto kind = named_kind(command); kind && status) status = require(session, value, *kind).status();
+    if (status && !finite(value)) status = refused("expected finite numbers");
+  });
+  return status;
 }
 
 using Perform = Status (*)(Session&, Change&, const Command&);
 constexpr auto kPerform = Commands::table([]<class C>() -> Perform {
   return [](Session& session, Change& change, const Command& command) -> Status {
-    return perform(session, change, *command.as<C>());
+    const C& one = *command.as<C>();
+    const Status status = checked(session, one);
+    return status ? perform(session, change, one) : status;
   };
 });
 
@@ -93,13 +94,8 @@ Status document_command(Session& session, Change& change, const Command& command
   const std::vector<PlannedSection> planned = planned_sections(session.document);
   const Status status = perform_one(session, change, command);
   if (!status || base::interrupted()) return stopped(status);
-  session.way_search.beside = false;  // the document has changed: the command can no longer be refused
-  world::settle_joints(session.document);
-  free_hand_shaped(planned, session, change);
-  // The derived data are still those of the previous document.
-  const sim::SegmentShape* const split = session.derived.segments.find(change.motion.first);
-  follow_document(session, change, split ? split->roll : sim::Roll{});
-  if (!base::interrupted() && follow_speeds(session, change)) follow_document(session, Change{change.files}, {});
+  change.search = nullptr;  // the document has changed: the command can no longer be refused
+  follow_change(session, change, planned);
   if (base::interrupted()) return stopped(status);
   const auto text = [&](const world::Document& from) { return StepText{print(command), done(command, from)}; };
   if (history.in_gesture) {
@@ -128,8 +124,7 @@ bool exchange_document(Session& session, Exchange exchange) {
   session.document = std::move(next);
   fit_budget(session);
   derive(session);
-  settle_motion(session);
-  world::drop_dead(session.document, session.settings);
+  settle_trains(session);
   return true;
 }
 
@@ -155,8 +150,8 @@ void warn_of_tight_bends(Session& session) {
     notify(session, NoticeKind::warning, sim::tight_text(bends) + ". No train can pass there.");
 }
 
-Status carry_out(Session& session, base::Files& files, const Command& command) {
-  Change change{files};
+Status carry_out(Session& session, base::Files& files, const Command& command, Search* search) {
+  Change change{files, search};
   const Effect effect = info(command).effect;
   const bool complete = session.history.dropped == 0;
   const Status open = allowed(session, command);
@@ -164,7 +159,7 @@ Status carry_out(Session& session, base::Files& files, const Command& command) {
                         : effect == Effect::document ? document_command(session, change, command)
                         : effect == Effect::settings ? settings_command(session, change, command)
                                                      : perform_one(session, change, command);
-  if (session.way_search.wanted) return status;  // to be applied again: nothing has happened
+  if (search && search->wanted) return status;  // to be applied again: nothing has happened
   if (effect != Effect::settings && effect != Effect::motion) ++session.edits;
   if (!status && base::interrupted()) return status;
   const base::WorkFor whole(nullptr);  // it is done: Cancel comes too late
@@ -215,13 +210,12 @@ Status perform(Session& session, Change& change, const CancelGesture&) {
 
 void settle(Session& session) {
   derive(session);
-  settle_motion(session);
-  world::drop_dead(session.document, session.settings);
+  settle_trains(session);
 }
 
-Status apply(Session& session, base::Files& files, const Command& command) {
+Status apply(Session& session, base::Files& files, const Command& command, Search* search) {
   const std::uint64_t serial = session.notices.serial;
-  const Status status = carry_out(session, files, command);
+  const Status status = carry_out(session, files, command, search);
   if (session.notices.serial != serial) session.notices.before = serial;
   return status;
 }

@@ -5,6 +5,8 @@
 
 namespace coaster::edit {
 
+struct Search;
+
 // Checks first, changes nothing on error. On success document, settings, motion, derived and history are consistent
 // again (derive and reconcile have run). Numbers beyond the limits are clamped with a warning notice that contains the
 // word "limit"; impossible commands (unknown names, over the vertex budget, too short handles) are refused with
@@ -12,7 +14,8 @@ namespace coaster::edit {
 // is one undo step; a command that does not change the document adds none. undo inside a gesture cancels it.
 // If the job of this thread is cancelled meanwhile, it returns an error without a notice, and the session is as before
 // once settle() is called; or the command is done, if the old state was gone already.
-base::Status apply(Session& session, base::Files& files, const Command& command);
+// `search` lets another thread search for it, before or after (edit/perform/found.h).
+base::Status apply(Session& session, base::Files& files, const Command& command, Search* search = nullptr);
 
 // Restores what depends on the document after a cancelled apply().
 void settle(Session& session);

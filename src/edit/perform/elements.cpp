@@ -5,7 +5,7 @@
 
 #include "base/units.h"
 #include "edit/commands/commands_elements.h"
-#include "edit/perform/placing.h"
+#include "edit/perform/replan.h"
 #include "sim/study/complete_circuit.h"
 #include "sim/study/jolt.h"
 #include "world/aids.h"

@@ -1,8 +1,6 @@
 // The equipment that a command describes, and its notice. Private to this room.
 #pragma once
 
-#include <cmath>
-
 #include <span>
 
 #include <fmt/format.h>
@@ -12,10 +10,8 @@
 
 namespace coaster::edit {
 
-// Returns it with its numbers clamped to their limits; refused if one is not finite.
-inline base::Result<world::Equipment> equipment_of(world::Equipment equipment, Change& change) {
-  for (const float value : {equipment.speed, equipment.acceleration, equipment.hysteresis, equipment.seconds})
-    if (!std::isfinite(value)) return refused("expected finite numbers");
+// Returns it with its numbers clamped to their limits.
+inline world::Equipment equipment_of(world::Equipment equipment, Change& change) {
   const auto fastest = static_cast<float>(world::kMaxSpeed);
   equipment.speed = change.clamp("speed", equipment.speed, 0.0f, fastest, "m/s");
   equipment.acceleration =

@@ -10,6 +10,7 @@
 #include "edit/commands/commands_operation.h"
 #include "edit/commands/commands_session.h"
 #include "edit/commands/commands_settings.h"
+#include "edit/perform/found.h"
 #include "edit/perform/perform.h"
 #include "exchange/formats.h"
 #include "exchange/own/envelope_file.h"
@@ -69,10 +70,10 @@ void start_over(Session& session, world::Document document, std::filesystem::pat
 }
 
 Status perform(Session& session, Change& change, const Load& command) {
-  std::optional<ReadAhead> ahead = std::exchange(session.file.read_ahead, std::nullopt);
-  const bool read = ahead && ahead->path == command.path && ahead->import == command.import;
+  auto* const read =
+      change.search && change.search->found ? std::get_if<exchange::LoadedTrack>(&*change.search->found) : nullptr;
   base::Result<exchange::LoadedTrack> loaded =
-      read ? std::move(ahead->track) : exchange::load_track(change.files, command.path, command.import);
+      read ? std::move(*read) : exchange::load_track(change.files, command.path, command.import);
   if (!loaded) return loaded.status();
   // A format that does not hold everything is an import: the next save needs a file name, and until then the track
   // counts as unsaved. A link holds everything.

@@ -19,9 +19,12 @@ struct MotionFollowUp {
   double first_length = 0, second_length = 0;  // m, merged: before the change
 };
 
+struct Search;  // edit/perform/found.h
+
 // The files that a command may use, and its report besides the status.
 struct Change {
   base::Files& files;
+  Search* search = nullptr;            // what another thread has found, or may search for
   std::vector<std::string> clamped{};  // one sentence for each clamped value or other warning
   std::string note{};                  // result to show on success, if it is not obvious
   MotionFollowUp motion{};
@@ -42,11 +45,14 @@ struct Change {
 };
 
 base::Status refused(std::string message);
-bool finite(glm::vec3 v);
 // Returns the living entity of a target, of the wanted kind; else an error that says what is missing.
 base::Result<world::Entity> require(const Session& session, Target target, world::Kind kind);
 
-// Refused if an element's kind is invalid or one of its values is not finite.
+// Returns the entity of a command's field segment, knot, cart or section: apply() has refused the command otherwise,
+// and if one of its numbers is not finite.
+world::Entity entity_of(const Session& session, Target target);
+
+// Refused if an element's kind is invalid.
 base::Status well_formed(const world::Element& element);
 
 // Refused unless `value`, a place on a curve, is in [low,high], with the range in the message: such numbers are not

@@ -1,18 +1,22 @@
+// Plans sections again in their place, with what follows them, and keeps circuits closed.
 #include "edit/perform/replan.h"
 
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <optional>
+#include <utility>
 
 #include <fmt/format.h>
 
 #include "base/text.h"
 #include "curve/arc_length.h"
+#include "curve/continuity.h"
+#include "curve/frames.h"
 #include "edit/commands/commands_sections.h"
-#include "edit/perform/force_replan.h"
-#include "edit/perform/placing.h"
-#include "edit/perform/take_up.h"
+#include "edit/perform/found.h"
 #include "sim/plan/force_plan.h"
+#include "world/section_words.h"
 #include "world/sections.h"
 #include "world/topology.h"
 
@@ -122,7 +126,7 @@ float lowest_below_ground(const Document& document) {
 }  // namespace
 
 Status adopt(Session& session, Change& change, const Document& former, Document&& next) {
-  if (const Status taken = take_up(session, change, former, next); !taken) return taken;
+  if (const Status taken = keep_closed(session, change, former, next); !taken) return taken;
   if (const auto broken = world::broken_invariant(next)) return refused("the track would leave the world: " + *broken);
   if (const float lowest = lowest_below_ground(next);
       change.clamped.empty() && lowest < lowest_below_ground(former) - 0.05f)
@@ -190,8 +194,8 @@ Status put_in_place(Document& document, const SectionRun& run, const sim::Elemen
   return {};
 }
 
-Status replan(Session& session, Change& change, Document& document, Entity section, const world::Element& as,
-              Following following) {
+Status replan_element(Session& session, Change& change, Document& document, Entity section, const world::Element& as,
+                      Following following) {
   const SectionRun run = world::run_of(document, section);
   const sim::ElementPlan plan = sim::plan_element(as, sim::start_of(document, run));
   if (!plan.refusal.empty()) return refused(plan.refusal);
@@ -209,16 +213,263 @@ Status replan(Session& session, Change& change, Document& document, Entity secti
 }
 
 Status perform(Session& session, Change& change, const ChangeSection& command) {
-  const auto section = require(session, command.section, world::Kind::section);
-  if (!section) return section.status();
+  const world::Entity section = entity_of(session, command.section);
   if (const Status good = well_formed(command.to); !good) return good;
   const Document& start = session.history.gesture_start;
   const bool from_start =
-      command.from_start && session.history.in_gesture && start.entities.find<world::Section>(*section);
+      command.from_start && session.history.in_gesture && start.entities.find<world::Section>(section);
   const Document& former = from_start ? start : session.document;
   Document next = former;
-  if (const Status planned = replan(session, change, next, *section, command.to); !planned) return planned;
+  if (const Status planned = replan_element(session, change, next, section, command.to); !planned) return planned;
   return adopt(session, change, former, std::move(next));
+}
+
+namespace {
+
+using glm::dvec3;
+using world::SectionKind;
+
+// Properties of a section's end that the following track shares, besides the knot's frame.
+struct BendAndSpin {
+  dvec3 curvature;  // 1/m
+  double spin;      // rad/m
+};
+BendAndSpin bend_and_spin(const Document& document, const SectionRun& run) {
+  const Knot& knot = nth_knot(document, run.end());
+  const curve::Cubic cubic = world::cubic_of(document, document.track.segments[run.end() - 1]);
+  return {curve::across(curve::curvature_vector(cubic, 1.0), glm::normalize(dvec3(knot.tangent))), knot.spin};
+}
+
+bool alike(const BendAndSpin& a, const BendAndSpin& b, const sim::Carry& carry) {
+  constexpr double kBend = 5e-5, kSpin = 1e-4;  // 1/m, rad/m
+  return glm::distance(carry.direction(a.curvature), b.curvature) <= kBend && std::abs(a.spin - b.spin) <= kSpin;
+}
+
+// Returns the section that begins where a run ends; none at the end of an open track.
+Entity section_after(const Document& document, const SectionRun& run) {
+  const std::vector<Entity>& segments = document.track.segments;
+  if (!document.track.closed && run.end() == segments.size()) return world::kNone;
+  return world::segment(document, segments[run.end() % segments.size()]).section;
+}
+
+// Changes of speed up to this leave a section as it is.
+constexpr double kSameSpeed = 0.002;  // m/s
+
+// Returns the energy with which the train comes to a force section of the document, m^2/s^2: twice that of a kilogram.
+// Nothing for other sections, and where the document has none of that name.
+std::optional<double> energy_at(const Document& document, Entity section) {
+  const auto* const value = document.entities.find<world::Section>(section);
+  if (value == nullptr || value->kind != SectionKind::force) return std::nullopt;
+  const double height = nth_knot(document, world::run_of(document, section).first).position.y;
+  return value->force.speed * value->force.speed + 2 * world::kGravity * height;
+}
+
+// Gives a force section the speed at which the train comes with what it has gained.
+void put_speed(const Session& session, const Change& change, Document& document, Entity section) {
+  const std::optional<double> former = energy_at(session.document, section);
+  if (!change.gained || !former) return;
+  double& speed = document.entities.get<world::Section>(section).force.speed;
+  const double square = speed * speed + *former + *change.gained - *energy_at(document, section);
+  if (square < world::kSlowestForce * world::kSlowestForce) return;
+  if (const double now = std::sqrt(square); std::abs(now - speed) > kSameSpeed) speed = now;
+}
+
+bool has_equipment(const Document& document, const SectionRun& run) {
+  for (std::size_t i = run.first; i < run.end(); ++i)
+    if (document.entities.find<world::Equipment>(document.track.segments[i]) != nullptr) return true;
+  return false;
+}
+
+// How a section of each kind is planned again from its start when planned track before it ends in another way. Null: it
+// is moved along; the one that closes a circuit adapts at the end (keep_closed).
+using PlanAgain = Status (*)(Session& session, Change& change, Document& document, Entity section);
+PlanAgain planner_of(SectionKind kind) {
+  switch (kind) {
+    case SectionKind::element:
+      return [](Session& session, Change& change, Document& document, Entity section) {
+        const world::Element as = world::section(document, section).element;
+        return replan_element(session, change, document, section, as, Following::planned);
+      };
+    case SectionKind::force: return replan_force;
+    case SectionKind::free:
+    case SectionKind::complete: return nullptr;
+  }
+  return nullptr;
+}
+
+// Gives the section the fit's shape and its last knot the fit's spin; the following track does not move.
+void put_end(Document& document, const SectionRun& run, const sim::ElementFit& fit) {
+  reshape(document, run.section, fit, SectionEnd::moves);
+  const std::size_t end = world::run_of(document, run.section).end();
+  const auto& knots = document.track.knots;
+  document.entities.get<Knot>(knots[end % knots.size()]).spin = fit.knots.back().spin;
+}
+
+}  // namespace
+
+Status put_and_follow(Session& session, Change& change, Document& document, const SectionRun& run,
+                      const sim::ElementFit& fit) {
+  const Entity next = section_after(document, run);
+  const auto home = world::completing(document, run.end());
+  if (home && home->first == run.end()) return put_end(document, run, fit), Status{};
+  const SectionKind kind = next.valid() ? world::section(document, next).kind : SectionKind::free;
+  const PlanAgain plan_again = planner_of(kind);
+  if (plan_again == nullptr) return put_in_place(document, run, fit);
+  const BendAndSpin before = bend_and_spin(document, run);
+  const base::Result<sim::Carry> carry = sim::carry_between(nth_knot(document, run.end()), fit.knots.back());
+  Document moved = document;
+  put_end(document, run, fit);
+  if (carry && alike(before, bend_and_spin(document, world::run_of(document, run.section)), *carry)) {
+    document = std::move(moved);
+    return put_in_place(document, run, fit);
+  }
+  change.planned.push_back(next);
+  if (has_equipment(document, run)) change.gained.reset();
+  return plan_again(session, change, document, next);
+}
+
+Status replan_force(Session& session, Change& change, Document& document, Entity section) {
+  const SectionRun run = world::run_of(document, section);
+  put_speed(session, change, document, section);
+  if (const std::optional<double> former = energy_at(session.document, section))
+    change.gained = *energy_at(document, section) - *former;
+  const sim::ForceTask task = sim::force_task(document, run, world::section(document, section).force);
+  const sim::ForcePlan& plan = force_plans_of(session).plan(task);
+  if (!plan.refusal.empty()) return refused(plan.refusal);
+  if (const Status room = room_for_spans(session, document, run, plan.spans()); !room) return room;
+  if (const std::string stopped = sim::stop_text(plan); !stopped.empty())
+    change.clamped.push_back(base::sentence(stopped));
+  if (!session.history.in_gesture) report_missed(plan, change);
+  if (task.held) {
+    if (const std::string unmet = sim::unmet_text(plan); !unmet.empty() && !session.history.in_gesture)
+      change.clamped.push_back(unmet);
+    return reshape(document, section, plan.fit.spans, SectionEnd::stays), Status{};
+  }
+  const sim::ElementFit fit = plan.fit.spans;  // the memory may move while what follows is planned
+  return put_and_follow(session, change, document, run, fit);
+}
+
+bool follow_speeds(Session& session, Change& change) {
+  std::vector<Entity> sections;
+  const auto& all = session.document.entities.pool<world::Section>().items();
+  const auto count = std::count_if(all.begin(), all.end(), [](const auto& s) { return s.kind == SectionKind::force; });
+  if (count == 0) return false;
+  force_plans_of(session).make_room(static_cast<std::size_t>(count));
+  for (const SectionRun& run : world::sections_of(session.document)) sections.push_back(run.section);
+  bool changed = false;
+  for (const Entity section : sections) {
+    const world::Section& value = world::section(session.document, section);
+    if (value.kind != SectionKind::force) continue;
+    const SectionRun run = world::run_of(session.document, section);
+    world::ForceProgram program = value.force;
+    const std::optional<double> speed = Finder(session).speed_at(session.derived.starts[run.first]);
+    if (speed && !(std::abs(*speed - program.speed) <= kSameSpeed)) program.speed = *speed;
+    const sim::ForceTask task = sim::force_task(session.document, run, program);
+    if (force_plans_of(session).has(task)) continue;
+    Document next = session.document;
+    next.entities.get<world::Section>(section).force = program;
+    change.gained.reset();
+    Status status = replan_force(session, change, next, section);
+    const bool differs = !(next == session.document);
+    if (status && differs) status = adopt(session, change, session.document, std::move(next));
+    if (!status) {
+      change.clamped.push_back(
+          base::sentence(fmt::format("{} keeps its shape: {}", world::words_of(value), status.message)));
+    } else if (differs) {
+      changed = true;
+      change.planned.push_back(section);
+      world::settle_joints(session.document);
+      derive(session);
+    }
+  }
+  return changed;
+}
+
+namespace {
+
+// The conditions that the track imposes on a section's ends.
+struct Ends {
+  Knot start, end;
+  glm::dvec3 before, after;  // 1/m, the curvature of the track beside them
+};
+bool alike(const Ends& a, const Ends& b) {
+  return a.start == b.start && a.end == b.end && glm::distance(a.before, b.before) <= sim::kElementJump &&
+         glm::distance(a.after, b.after) <= sim::kElementJump;
+}
+Ends ends_of(const Document& document, const SectionRun& run) {
+  const auto& segments = document.track.segments;
+  const auto cubic = [&](std::size_t i) { return world::cubic_of(document, segments[i % segments.size()]); };
+  Ends ends{nth_knot(document, run.first), nth_knot(document, run.end()),
+            curve::curvature_vector(cubic(run.first + segments.size() - 1), 1.0),
+            curve::curvature_vector(cubic(run.end()), 0.0)};
+  // These belong to the section or follow from the curvatures of the track beside it.
+  ends.start.out_length = ends.end.in_length = ends.start.in_length = ends.end.out_length = 0;
+  ends.start.joint = ends.end.joint = world::JointKind::aligned;
+  return ends;
+}
+
+// True if equipment between the first changed knot and the section gives trains a speed.
+bool driven_between(const Document& former, const SectionRun& was, const Document& next, const SectionRun& run) {
+  std::size_t same = 0;
+  while (same < std::min(was.first, run.first) && nth_knot(former, same).position == nth_knot(next, same).position)
+    ++same;
+  const auto driven = [&](const Document& document, std::size_t end) {
+    for (std::size_t i = same > 0 ? same - 1 : 0; i < end; ++i)
+      if (document.entities.find<world::Equipment>(document.track.segments[i])) return true;
+    return false;
+  };
+  return driven(former, was.first) || driven(next, run.first);
+}
+
+// Returns what the change asks of the section that completes the circuit.
+sim::WayChange change_of(const Session& session, const Document& former, const SectionRun& was, const Document& next,
+                         const SectionRun& run) {
+  const std::size_t count = next.track.segments.size();
+  sim::WayChange change{.opened = stretch_of(next, run.end() % count, count - run.count),
+                        .former = world::section(next, run.section).way,
+                        .losses = session.document.resistance,
+                        .whole = !session.history.in_gesture};
+  for (std::size_t i = was.first; i < was.end(); ++i)
+    change.lengths.push_back(curve::arc_length(world::cubic_of(former, former.track.segments[i])));
+  if (!driven_between(former, was, next, run))
+    change.risen = double{nth_knot(next, run.first).position.y} - double{nth_knot(former, was.first).position.y};
+  if (const world::Cart* const cart = session.document.entities.find<world::Cart>(chosen_cart(session)))
+    change.losses.drag *= world::kCarMass / cart->mass;
+  return change;
+}
+
+// Returns the closing section: the one that was found for this change, else searches for it. Nothing if another thread
+// is to find it.
+std::optional<sim::ChangedWay> way_for(Session& session, Search* search, sim::WayChange change) {
+  if (search && search->found && search->asked == change)
+    return std::get<sim::ChangedWay>(*std::exchange(search->found, std::nullopt));
+  if (!search || !search->leaves) return sim::changed_way(change, opened_track_of(session));
+  search->wanted = std::move(change);
+  return std::nullopt;
+}
+
+}  // namespace
+
+Status keep_closed(Session& session, Change& change, const Document& former, Document& next) {
+  const std::optional<SectionRun> run = world::completing(next, 0);
+  const std::size_t count = next.track.segments.size();
+  if (!run || !former.entities.find<world::Section>(run->section)) return {};
+  if (run->count == count) return refused("a circuit needs a section besides the one that completes it");
+  const SectionRun was = world::run_of(former, run->section);
+  if (alike(ends_of(former, was), ends_of(next, *run))) return {};
+  const std::optional<sim::ChangedWay> found =
+      way_for(session, change.search, change_of(session, former, was, next, *run));
+  if (!found) return refused("the closing section is not found yet");
+  if (!found->refusal.empty()) return refused(found->refusal);
+  if (found->another) change.note = "The closing section takes another route.";
+  const std::size_t spans = found->fit.knots.size() - 1;
+  if (const Status room = room_for(session, next.track.knots.size() + spans - run->count, count + spans - run->count);
+      !room)
+    return room;
+  reshape(next, run->section, found->fit, SectionEnd::stays);
+  next.entities.get<world::Section>(run->section).way = found->way;
+  change.planned.push_back(run->section);
+  return {};
 }
 
 }  // namespace coaster::edit

@@ -2,9 +2,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "edit/commands/commands_challenge.h"
 #include "edit/commands/commands_ride.h"
 #include "edit/perform/perform.h"
 #include "edit/session/ride_watch.h"
+#include "exchange/challenge_file.h"
 
 namespace coaster::edit {
 namespace {
@@ -69,7 +71,6 @@ Status perform(Session& session, Change& change, const RideStep& command) {
 Status perform(Session& session, Change&, const RideSeek& command) {
   const Status status = rideable(session);
   if (!status) return status;
-  if (!std::isfinite(command.to)) return refused("expected a finite distance");
   const double length = session.derived.length, end = std::max(length, double{static_cast<float>(length)});
   if (const Status on = within("a distance along the track", command.to, 0, end, "m"); !session.derived.closed && !on)
     return on;
@@ -79,6 +80,43 @@ Status perform(Session& session, Change&, const RideSeek& command) {
   session.motion.failure = {};
   watch_disturbed(session);
   if (session.motion.state != RideState::running) session.motion.state = RideState::paused;
+  return {};
+}
+
+// The referee must be able to parse its rules.
+Status perform(Session& session, Change& change, const StartChallenge& command) {
+  base::Result<exchange::LoadedChallenge> loaded = exchange::load_challenge(change.files, command.path);
+  if (!loaded) return loaded.status();
+  if (session.game.referee.check)
+    if (const Status readable = session.game.referee.check(loaded->challenge, command.path); !readable) return readable;
+  start_over(session, loaded->challenge.start, {});
+  session.limits.envelope = sim::default_envelope(), session.limits.name = "default";
+  ++session.limits.serial;
+  session.game.challenge.emplace();
+  session.game.challenge->shape = sim::trace_of(session.document);
+  session.game.challenge->file = std::move(loaded->challenge);
+  session.game.challenge->path = command.path;
+  warn(session, loaded->warnings);
+  return {};
+}
+
+Status perform(Session& session, Change&, const LeaveChallenge&) {
+  if (!session.game.challenge) return refused("there is no challenge to leave");
+  session.game.challenge.reset();
+  if (session.game.result) session.game.result->verdict.reset();
+  return {};
+}
+
+Status perform(Session& session, Change&, const ShowHint&) {
+  if (!session.game.challenge) return refused("there is no challenge");
+  ActiveChallenge& challenge = *session.game.challenge;
+  if (challenge.hints >= static_cast<int>(challenge.file.hints.size())) return refused("there is no further hint");
+  ++challenge.hints;
+  return {};
+}
+
+Status perform(Session& session, Change&, const CloseCard&) {
+  session.game.show_result = false;
   return {};
 }
 

@@ -8,12 +8,20 @@
 #include <fmt/format.h>
 
 #include "base/interrupted.h"
+#include "base/text.h"
 #include "edit/commands/codec.h"
-#include "edit/perform/force_replan.h"
-#include "edit/perform/hand_shaped.h"
-#include "edit/perform/seek_numbers.h"
+#include "edit/commands/commands_document.h"
+#include "edit/commands/commands_sections.h"
+#include "edit/perform/follow.h"
+#include "edit/perform/knot_runs.h"
+#include "edit/perform/replan.h"
 #include "sim/shape/roll.h"
+#include "world/element.h"
+#include "world/element_rows.h"
+#include "world/force_steps.h"
+#include "world/section_words.h"
 #include "world/sections.h"
+#include "world/selection.h"
 #include "world/topology.h"
 
 namespace coaster::edit {
@@ -72,11 +80,8 @@ class Trial {
     edit::derive(session_);
     Change change{files_};
     if (const Status given = give(session_, change, numbers_, values); !given) return given;
-    world::settle_joints(session_.document);
-    free_hand_shaped(planned_, session_, change);
-    edit::derive(session_);
-    if (sim::set_automatic_spins(session_.derived, change.respun, session_.document)) edit::derive(session_);
-    if (follow_speeds(session_, change)) edit::derive(session_);
+    follow_change(session_, change, planned_);
+    session_.motion = {};  // goals are measured on whole rides
     ++session_.edits;
     replanned_ = std::move(change.planned), note_ = std::move(change.note);
     return {};
@@ -159,18 +164,18 @@ base::Result<std::shared_ptr<Trial>> trial_for(const Session& session, const See
 
 }  // namespace
 
-Search search_for(const Session& session, const Seek& command) {
+std::function<base::Result<Sought>()> search_for(const Session& session, const Seek& command) {
   return
       [trial = trial_for(session, command)]() { return trial ? run(**trial) : base::Result<Sought>(trial.status()); };
 }
 
 Status perform(Session& session, Change& change, const Seek& command) {
   if (session.history.in_gesture) return refused("a gesture is open");
-  const std::optional<SoughtAhead> ahead = std::exchange(session.sought, std::nullopt);
-  const bool fits = ahead && ahead->edits == session.edits && ahead->command == print(command);
+  const auto* const sought =
+      change.search && change.search->found ? std::get_if<Sought>(&*change.search->found) : nullptr;
   const base::Result<std::shared_ptr<Trial>> trial = trial_for(session, command);
   if (!trial) return trial.status();
-  base::Result<Sought> found = fits ? base::Result<Sought>(ahead->found) : run(**trial);
+  base::Result<Sought> found = sought ? base::Result<Sought>(*sought) : run(**trial);
   if (!found) return found.status();
   if (const Status set = (*trial)->set(found->values); !set) return set;
   world::Document document = (*trial)->document();
@@ -179,6 +184,270 @@ Status perform(Session& session, Change& change, const Seek& command) {
   session.document = std::move(document);
   change.note = found->note + ((*trial)->note().empty() ? "" : " ") + (*trial)->note();
   return {};
+}
+
+namespace {
+
+using base::Unknown;
+using world::Entity;
+using Numbers = std::vector<SeekNumber>;
+
+constexpr double kCoordinateStep = 0.25;  // m, of coordinates
+constexpr double kSeekRollStep = 1;       // degrees
+constexpr double kParameterStep = 0.01;   // fraction of the parameter's default value, or of its range if that is 0
+
+struct ByRow {
+  std::string_view name;
+  std::vector<SeekKind> kinds;
+};
+const std::vector<ByRow>& knot_rows() {
+  static const std::vector<ByRow> kRows{{"height", {SeekKind::height}},
+                                        {"x", {SeekKind::x}},
+                                        {"z", {SeekKind::z}},
+                                        {"place", {SeekKind::x, SeekKind::height, SeekKind::z}},
+                                        {"roll", {SeekKind::roll}}};
+  return kRows;
+}
+// Returns the kinds of a knot's numbers with that name; none for other words.
+std::vector<SeekKind> kinds_of(std::string_view by) {
+  const auto& rows = knot_rows();
+  const auto row = std::find_if(rows.begin(), rows.end(), [&](const ByRow& r) { return r.name == by; });
+  return row == rows.end() ? std::vector<SeekKind>() : row->kinds;
+}
+
+int axis_of(SeekKind kind) { return static_cast<int>(kind); }
+
+bool names_sections(const Session& session, const Seek& command) {
+  const Knots& of = command.of;
+  if (of.which == Knots::Which::selected) return !world::selected_sections(session.document, session.settings).empty();
+  if (of.which == Knots::Which::all) return kinds_of(command.by.text).empty();
+  return !of.names.empty() && of.names.front().kind == world::Kind::section;
+}
+
+// Limits the unknown to the command's limits; false if it starts beyond them.
+bool limit(const Seek& command, Unknown& unknown) {
+  unknown.low = std::max(unknown.low, command.above), unknown.high = std::min(unknown.high, command.below);
+  return unknown.low <= unknown.start && unknown.start <= unknown.high;
+}
+
+base::Status beyond_limits(const Session& session, world::Entity e, const Seek& command, double value) {
+  return refused(fmt::format("the {} of @{} is {:.6g}, which is beyond the limits {:.6g} to {:.6g}", command.by.text,
+                             world::label_of(session.document, e), value, command.above, command.below));
+}
+
+Unknown of_knot(const world::Knot& knot, SeekKind kind) {
+  if (kind == SeekKind::roll) return {world::roll_deg(knot), kSeekRollStep, -360, 360};
+  const double most = world::kMaxCoordinate, start = knot.position[axis_of(kind)];
+  // Knots at or above the ground stay there.
+  return {start, kCoordinateStep, kind == SeekKind::height && start >= 0 ? 0 : -most, most};
+}
+
+base::Result<Numbers> of_knots(const Session& session, const Seek& command) {
+  const std::vector<SeekKind> kinds = kinds_of(command.by.text);
+  if (kinds.empty())
+    return refused(
+        fmt::format("expected height, x, z, place or roll of knots, found {}", base::quoted_start(command.by.text)));
+  const auto knots = knots_of(session, command.of);
+  if (!knots) return knots.status();
+  std::vector<world::Entity> stay;
+  if (command.except.which != Knots::Which::named || !command.except.names.empty()) {
+    const auto found = knots_of(session, command.except);
+    if (!found) return found.status();
+    stay = *found;
+  }
+  Numbers numbers;
+  for (const world::Entity e : *knots) {
+    if (std::find(stay.begin(), stay.end(), e) != stay.end()) continue;
+    for (const SeekKind kind : kinds) {
+      SeekNumber number{
+          kind, e, {}, kind == SeekKind::roll ? "deg" : "m", of_knot(world::knot(session.document, e), kind)};
+      if (!limit(command, number.unknown)) return beyond_limits(session, e, command, number.unknown.start);
+      numbers.push_back(std::move(number));
+    }
+  }
+  return numbers;
+}
+
+// The numbers of a force section that a word names: "length", "vertical", or "vertical at 40" for a single key.
+struct ForceBy {
+  std::optional<world::ForceChannel> channel;  // nothing: the length
+  std::optional<double> at;                    // m or s
+};
+std::optional<ForceBy> force_by(std::string_view by) {
+  if (by == "length") return ForceBy{};
+  constexpr std::string_view kAt = " at ";
+  const std::size_t end = by.find(kAt);
+  const auto channel = base::value_named<world::ForceChannel>(by.substr(0, end));
+  if (!channel) return std::nullopt;
+  if (end == std::string_view::npos) return ForceBy{channel, {}};
+  const auto at = base::parse_double(by.substr(end + kAt.size()));
+  return at ? std::optional(ForceBy{channel, at}) : std::nullopt;
+}
+
+// Returns the length or the keys of a force section that the command names; empty if it has none of them.
+Numbers of_forces(const world::ForceProgram& program, Entity section, std::string_view by) {
+  const std::optional<ForceBy> named = force_by(by);
+  if (!named) return {};
+  if (!named->channel) {
+    const Unknown length{program.length, kParameterStep * program.length, world::shortest_of(program.over),
+                         world::longest_of(program.over)};
+    return {{SeekKind::force_length, section, {}, world::unit_of(program.over), length}};
+  }
+  Numbers numbers;
+  const world::ForceChannel channel = *named->channel;
+  const double step = world::steps_of(program, channel).value, limit = world::channel_of(program.of, channel).limit;
+  const std::vector<world::ForceKey>& keys = program.keys(channel);
+  for (std::size_t i = 0; i < keys.size(); ++i)
+    if (constexpr double kSame = 1e-6; !named->at || std::abs(keys[i].at - *named->at) <= kSame * (1 + keys[i].at))
+      numbers.push_back({SeekKind::force_key,
+                         section,
+                         {},
+                         world::unit_of(program, channel),
+                         {keys[i].value, step, -limit, limit},
+                         channel,
+                         i});
+  return numbers;
+}
+
+// Returns the parameter of a planned section that the command names; empty if it has none.
+Numbers of_element(const world::Element& element, Entity section, std::string_view by) {
+  const auto rows = base::row_of(element.kind).parameters;
+  const auto row = std::find_if(rows.begin(), rows.end(), [&](const auto& r) { return r.name == by; });
+  if (row == rows.end() || !row->names.empty()) return {};
+  const double usual = row->usual != 0 ? std::abs(row->usual) : row->high - row->low;
+  return {{SeekKind::parameter,
+           section,
+           std::string(row->name),
+           row->unit,
+           {*world::found_value(element, row->name), kParameterStep * usual, row->low, row->high}}};
+}
+
+base::Result<Numbers> of_sections(const Session& session, const Seek& command) {
+  Sections named;
+  named.which = command.of.which, named.names = command.of.names;
+  const auto sections = chosen_sections(session, named);
+  if (!sections) return sections.status();
+  Numbers numbers;
+  for (const Entity e : *sections) {
+    const world::Section& section = world::section(session.document, e);
+    const std::string_view by = command.by.text;
+    const Numbers own = section.kind == world::SectionKind::force     ? of_forces(section.force, e, by)
+                        : section.kind == world::SectionKind::element ? of_element(section.element, e, by)
+                                                                      : Numbers{};
+    if (own.empty() && command.of.which != Knots::Which::all) {
+      const std::string label = world::label_of(session.document, e);
+      if (section.kind != world::SectionKind::element && section.kind != world::SectionKind::force)
+        return refused(fmt::format("@{} has no parameters: name its knots", label));
+      return refused(fmt::format("{} @{} has no number {}", world::words_of(section), label, base::quoted_start(by)));
+    }
+    for (SeekNumber number : own) {
+      if (!limit(command, number.unknown)) return beyond_limits(session, e, command, number.unknown.start);
+      numbers.push_back(std::move(number));
+    }
+  }
+  return numbers;
+}
+
+Status give_one(Session& session, Change& change, const SeekNumber& number, double value) {
+  const world::Name name = world::name_of(session.document, number.entity);
+  if (number.kind == SeekKind::roll) return perform(session, change, SetRoll{name, value});
+  if (number.kind == SeekKind::parameter) {
+    world::Element element = world::section(session.document, number.entity).element;
+    world::set_value(element, number.parameter, value);
+    ChangeSection command;
+    command.section = {name}, command.to = element;
+    return perform(session, change, command);
+  }
+  glm::vec3 position = world::knot(session.document, number.entity).position;
+  position[axis_of(number.kind)] = static_cast<float>(value);
+  return perform(session, change, MoveKnot{{name}, position});
+}
+
+bool of_program(SeekKind kind) { return kind == SeekKind::force_length || kind == SeekKind::force_key; }
+
+// Returns the names of all numbers of sections.
+std::vector<std::string> section_numbers() {
+  std::vector<std::string> names = base::names_of<world::ForceChannel>();
+  names.insert(names.begin(), "length");
+  for (const world::ElementRow& row : world::elements())
+    for (const world::ElementParameter& p : row.parameters)
+      if (p.names.empty() && std::find(names.begin(), names.end(), p.name) == names.end()) names.emplace_back(p.name);
+  return names;
+}
+
+}  // namespace
+
+std::optional<std::string> wrong_by(const Seek& command) {
+  const std::vector<world::Name>& of = command.of.names;
+  const bool knots = of.empty() || of.front().kind != world::Kind::section, sections = of.empty() || !knots;
+  std::vector<std::string> names = knots ? base::names_in(knot_rows()) : std::vector<std::string>();
+  if (sections) {
+    if (force_by(command.by.text)) return std::nullopt;
+    for (std::string& name : section_numbers())
+      if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(std::move(name));
+  }
+  const std::string& by = command.by.text;
+  if (std::find(names.begin(), names.end(), by) != names.end()) return std::nullopt;
+  return fmt::format("expected {} of {}, found {}{}", base::alternatives(names),
+                     !sections ? "knots"
+                     : knots   ? "knots or sections"
+                               : "sections",
+                     base::quoted_start(by), base::suggestion(by, names));
+}
+
+base::Result<Numbers> seek_numbers(const Session& session, const Seek& command) {
+  if (command.above > command.below) return refused("expected limits with above <= below");
+  base::Result<Numbers> numbers =
+      names_sections(session, command) ? of_sections(session, command) : of_knots(session, command);
+  if (!numbers) return numbers;
+  if (numbers->empty()) return refused("there is nothing to change");
+  if (numbers->size() > kMaxSeekNumbers)
+    return refused(fmt::format("these are {} numbers, over the limit of {}", numbers->size(), kMaxSeekNumbers));
+  return numbers;
+}
+
+Status give(Session& session, Change& change, const Numbers& numbers, const std::vector<double>& values) {
+  for (std::size_t i = 0; i < numbers.size();) {
+    const SeekNumber& number = numbers[i];
+    if (!of_program(number.kind)) {
+      if (values[i] != number.unknown.start)
+        if (const Status given = give_one(session, change, number, values[i]); !given) return given;
+      ++i;
+      continue;
+    }
+    // All of a force section at once: it is planned a single time.
+    world::ForceProgram program = world::section(session.document, number.entity).force;
+    for (const Entity section = number.entity; i < numbers.size() && numbers[i].entity == section; ++i) {
+      if (numbers[i].kind == SeekKind::force_length) program.length = values[i];
+      else program.keys(numbers[i].channel)[numbers[i].key].value = values[i];
+    }
+    if (const Status given = change_forces(session, change, number.entity, program); !given) return given;
+  }
+  return {};
+}
+
+std::string words_of(const Seek& command, const Numbers& numbers) {
+  if (numbers.empty() || numbers.front().kind != SeekKind::force_key) return command.by.text;
+  const std::string channel(base::name_of(numbers.front().channel));
+  const std::size_t at = command.by.text.find(" at ");
+  return channel + (at == std::string::npos ? " keys" : " key" + command.by.text.substr(at));
+}
+
+std::string changed_text(std::string by, const Numbers& numbers, const std::vector<double>& values) {
+  by = base::sentence(std::move(by)), by.pop_back();
+  by = base::sentence(std::move(by)), by.pop_back();
+  const std::string_view unit = numbers.front().unit;
+  const std::string after = unit.empty() ? "" : fmt::format(" {}", unit);
+  if (numbers.size() == 1)
+    return fmt::format("{}: from {:.6g} to {:.6g}{}.", by, numbers.front().unknown.start, values.front(), after);
+  std::size_t count = 0;
+  double most = 0;
+  for (std::size_t i = 0; i < numbers.size(); ++i) {
+    const double change = std::abs(values[i] - numbers[i].unknown.start);
+    if (change > 0) ++count;
+    most = std::max(most, change);
+  }
+  return fmt::format("{}: {} of {} changed, by up to {:.3g}{}.", by, count, numbers.size(), most, after);
 }
 
 }  // namespace coaster::edit

@@ -32,7 +32,6 @@ base::Status limit(Change& change, const world::SettingRow& row, T& value) {
   if constexpr (std::is_enum_v<T>) {
     return known_row(value);
   } else if constexpr (!std::is_same_v<T, bool>) {
-    if (!std::isfinite(static_cast<double>(value))) return refused("expected a finite number");
     value = change.clamp(noun_of(row.word), value, static_cast<T>(row.low), static_cast<T>(row.high), row.unit);
   }
   return {};

@@ -5,6 +5,7 @@
 
 #include "edit/commands/commands_lab.h"
 #include "edit/commands/commands_settings.h"
+#include "edit/perform/knot_runs.h"
 #include "edit/perform/set.h"
 #include "world/lab_view.h"
 
@@ -25,9 +26,6 @@ std::string noun_of(std::string_view word) {
 
 Status perform(Session& session, Change& change, const SetCamera& command) {
   world::Camera camera = changed(session.settings.camera, command);
-  if (!finite(camera.target) || !std::isfinite(camera.yaw_deg) || !std::isfinite(camera.pitch_deg) ||
-      !std::isfinite(camera.distance))
-    return refused("expected finite numbers");
   camera.target = change.clamp_position("target", camera.target);
   camera.yaw_deg = std::remainder(camera.yaw_deg, 360.0f);
   camera.pitch_deg = change.clamp("pitch", camera.pitch_deg, -world::kMaxPitch, world::kMaxPitch, "degrees");
@@ -38,8 +36,6 @@ Status perform(Session& session, Change& change, const SetCamera& command) {
 
 Status perform(Session& session, Change& change, const SetFly& command) {
   world::FlyCamera fly = command.to;
-  if (!finite(fly.eye) || !std::isfinite(fly.yaw_deg) || !std::isfinite(fly.pitch_deg))
-    return refused("expected finite numbers");
   fly.eye = change.clamp_position("eye", fly.eye);
   fly.eye.y = change.clamp("height", fly.eye.y, world::kLowestFlight, world::kMaxCoordinate, "m");
   fly.yaw_deg = std::remainder(fly.yaw_deg, 360.0f);
@@ -67,6 +63,51 @@ Status perform(Session& session, Change&, const Measure&) {
 }
 Status perform(Session& session, Change&, const StopMeasuring&) {
   session.measuring.measurement.running = false;
+  return {};
+}
+
+Status perform(Session& session, Change&, const Select& command) {
+  world::Settings& settings = session.settings;
+  if (const Status on = within("a parameter t", command.at, 0, 1); !on) return on;
+  if (command.what.name.number == 0) {
+    settings.selected = world::kNone, settings.also.clear();
+    return {};
+  }
+  const auto e = require(session, command.what, command.what.name.kind);
+  if (!e) return e.status();
+  if (command.what.name.kind == world::Kind::segment) settings.selected_t = command.at;
+  settings.selected = *e, settings.also.clear();
+  return {};
+}
+
+namespace {
+
+// Selects the items that a command names. The last named one becomes active; for all or selected, the active one stays
+// if it is among them.
+template <class Several>
+Status select_several(Session& session, base::Result<std::vector<world::Entity>> chosen, const Several& named) {
+  if (!chosen) return chosen.status();
+  world::Settings& settings = session.settings;
+  world::Entity active =
+      named.which == Knots::Which::named ? world::find(session.document, named.names.back()) : settings.selected;
+  if (std::find(chosen->begin(), chosen->end(), active) == chosen->end()) active = chosen->back();
+  std::erase(*chosen, active);
+  settings.selected = active, settings.also = std::move(*chosen);
+  return {};
+}
+
+}  // namespace
+
+Status perform(Session& session, Change&, const SelectKnots& command) {
+  return select_several(session, knots_of(session, command.knots), command.knots);
+}
+Status perform(Session& session, Change&, const SelectSections& command) {
+  return select_several(session, chosen_sections(session, command.sections), command.sections);
+}
+
+Status perform(Session& session, Change& change, const SetSnapping& command) {
+  session.settings.snapping = {command.to, change.clamp("step", command.step, 0.001, 1000.0, "m"),
+                               change.clamp("angle", command.angle, 0.1, 180.0, "degrees")};
   return {};
 }
 

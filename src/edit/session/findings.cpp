@@ -4,7 +4,7 @@
 #include "sim/shape/deviation.h"
 #include "sim/study/near_misses.h"
 #include "sim/study/seat.h"
-#include "world/box_detail.h"
+#include "world/box_functions.h"
 #include "world/evaluation.h"
 #include "world/lab_view.h"
 

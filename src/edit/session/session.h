@@ -14,17 +14,12 @@
 #include "edit/commands/command.h"
 #include "edit/session/challenge.h"
 #include "edit/session/findings.h"
-#include "exchange/own/import.h"
 #include "exchange/own/track_file.h"
 #include "sim/ride/ride.h"
 #include "sim/shape/derived.h"
 #include "sim/study/envelope.h"
 #include "sim/study/measure.h"
 #include "world/difference.h"
-
-namespace coaster::sim {
-struct WayChange;
-}
 
 namespace coaster::edit {
 
@@ -63,33 +58,6 @@ struct RideCost {
   double ns_per_tick = 0;  // all trains together; exponential moving average (weight 0.1)
 };
 
-// A file that a thread has read in advance, for its next load.
-struct ReadAhead {
-  std::string path;
-  exchange::Import import;
-  exchange::LoadedTrack track;
-};
-
-// What a search (command seek) found: with these values the goal is met.
-struct Sought {
-  std::vector<double> values;  // of the numbers that the command names, in their order
-  std::string note;            // "ride.lap_time is 40 s, from 43.2 s. ..."
-};
-// Result of a search by a thread in advance, for the next search with that text.
-struct SoughtAhead {
-  std::string command;
-  std::uint64_t edits = 0;  // Session::edits of the searched track
-  Sought found;
-};
-
-struct FoundWay;  // edit/session/found_way.h
-// The search for the way home of a changed circuit, which may take longer than a frame.
-struct WaySearch {
-  bool beside = false;  // true: a command that has to search is refused without a notice, and leaves this:
-  std::shared_ptr<const sim::WayChange> wanted;
-  std::shared_ptr<const FoundWay> found;  // for a command that is applied again
-};
-
 struct Notices {
   std::vector<Notice> list;  // the newest last, at most 32
   std::uint64_t serial = 0;  // number of the newest
@@ -99,11 +67,10 @@ struct Notices {
 
 // The file of the document.
 struct DocumentFile {
-  std::filesystem::path path;             // empty if there is none
-  std::uint64_t saved_hash = 0;           // hash of the document when last loaded, saved or created
-  std::optional<std::uint64_t> content;   // hash of the file's bytes as this program last read or wrote them
-  int version = exchange::kTrackVersion;  // version of the format that was loaded
-  std::optional<ReadAhead> read_ahead;
+  std::filesystem::path path;                    // empty if there is none
+  std::uint64_t saved_hash = 0;                  // hash of the document when last loaded, saved or created
+  std::optional<std::uint64_t> content;          // hash of the file's bytes as this program last read or wrote them
+  int version = exchange::kTrackVersion;         // version of the format that was loaded
   std::optional<exchange::ImportReport> import;  // how closely the document, as it was loaded, fits the imported file
 };
 
@@ -154,8 +121,6 @@ struct Session {
   Game game;
   Measuring measuring;
   Notices notices;
-  std::optional<SoughtAhead> sought;
-  WaySearch way_search;
   std::string copied;  // copied last: sections as the text of a track, or force keys
   std::string shared;  // the last link, without the address before its fragment
 };

@@ -239,6 +239,12 @@ void derive(const world::Document& document, const world::Settings& settings, co
   update_tree(reordered, jobs, derived);
 }
 
+Roll roll_of(const world::Document& document, world::Entity segment) {
+  SegmentShape shape;
+  build_shape(key_of(document, world::segment(document, segment)), shape);
+  return shape.roll;
+}
+
 Derived shapes_of(const world::Document& document) {
   world::Settings settings;
   settings.evaluation->steps = 1;

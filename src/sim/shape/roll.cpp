@@ -4,6 +4,8 @@
 #include <cmath>
 #include <vector>
 
+#include "base/interrupted.h"
+#include "base/parallel.h"
 #include "sim/shape/derived.h"
 
 namespace coaster::sim {
@@ -41,31 +43,44 @@ double automatic_spin(double twist_before, double length_before, double twist_af
   return std::abs(mean) < kLeastSpin ? 0 : std::clamp<double>(mean, -world::kMaxSpin, world::kMaxSpin);
 }
 
-bool set_automatic_spins(const Derived& derived, std::span<const world::Entity> knots, world::Document& document) {
-  if (knots.empty()) return false;
+void set_automatic_spins(world::Document& document, std::span<const world::Entity> knots) {
+  if (knots.empty()) return;
   std::vector<world::Entity> wanted(knots.begin(), knots.end());
   std::sort(wanted.begin(), wanted.end());
   const world::Track& track = document.track;
-  const std::size_t segments = derived.order.size();
-  bool changed = false;
+  const std::size_t segments = track.segments.size();
+  // The knots, and the segment before each and after it.
+  std::vector<std::size_t> places, beside;
+  const auto inside = [&](std::size_t i) { return track.closed || (i > 0 && i < segments); };
+  const auto before = [&](std::size_t i) { return i > 0 ? i - 1 : segments - 1; };
   for (std::size_t i = 0; i < track.knots.size(); ++i) {
-    if (!std::binary_search(wanted.begin(), wanted.end(), track.knots[i])) continue;
-    const world::Knot& knot = world::knot(document, track.knots[i]);
-    if (knot.spin_kind != world::SpinKind::automatic) continue;
-    float spin = 0;
-    if (track.closed || (i > 0 && i < segments)) {
-      const Roll &before = derived.shape_at(i > 0 ? i - 1 : segments - 1).roll, &after = derived.shape_at(i).roll;
-      spin = static_cast<float>(automatic_spin(before.twist, before.length, after.twist, after.length));
-    }
-    if (spin == knot.spin) continue;
-    document.entities.get<world::Knot>(track.knots[i]).spin = spin;
-    changed = true;
+    if (!std::binary_search(wanted.begin(), wanted.end(), track.knots[i]) ||
+        world::knot(document, track.knots[i]).spin_kind != world::SpinKind::automatic)
+      continue;
+    places.push_back(i);
+    if (inside(i)) beside.insert(beside.end(), {before(i), i});
   }
-  return changed;
+  std::sort(beside.begin(), beside.end());
+  beside.erase(std::unique(beside.begin(), beside.end()), beside.end());
+  std::vector<Roll> rolls(beside.size());
+  constexpr std::size_t kPart = 64;  // segments
+  base::in_parts(beside.size(), kPart, base::cores(), [&](std::size_t begin, std::size_t end) {
+    for (std::size_t k = begin; k < end && !base::interrupted(); ++k)
+      rolls[k] = roll_of(document, track.segments[beside[k]]);
+  });
+  const auto roll = [&](std::size_t segment) -> const Roll& {
+    return rolls[static_cast<std::size_t>(std::lower_bound(beside.begin(), beside.end(), segment) - beside.begin())];
+  };
+  for (const std::size_t i : places) {
+    float spin = 0;
+    if (inside(i)) {
+      const Roll &a = roll(before(i)), &b = roll(i);
+      spin = static_cast<float>(automatic_spin(a.twist, a.length, b.twist, b.length));
+    }
+    document.entities.get<world::Knot>(track.knots[i]).spin = spin;
+  }
 }
 
-void set_automatic_spins(world::Document& document) {
-  set_automatic_spins(shapes_of(document), document.track.knots, document);
-}
+void set_automatic_spins(world::Document& document) { set_automatic_spins(document, document.track.knots); }
 
 }  // namespace coaster::sim

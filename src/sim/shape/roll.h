@@ -26,12 +26,13 @@ struct Roll {
 double automatic_spin(double twist_before, double length_before, double twist_after, double length_after);
 inline constexpr double kLeastSpin = 1e-6;  // rad/m: rounding of the knots' `up` is less
 
-struct Derived;
+// Returns the roll of a segment.
+Roll roll_of(const world::Document& document, world::Entity segment);
 
-// Sets the spin of those `knots` that have an automatic one, from the twists of `derived`, which must be the
-// document's. It is 0 at the ends of an open track. Linear in the track's length. Returns true if anything changed.
-bool set_automatic_spins(const Derived& derived, std::span<const world::Entity> knots, world::Document& document);
-// Sets the spin of every knot of the track, from newly derived shapes.
+// Sets the spin of those `knots` that have an automatic one, from the twists on both sides. It is 0 at the ends of an
+// open track. Linear in the track's length; the twist of a segment costs as much as half of its derivation.
+void set_automatic_spins(world::Document& document, std::span<const world::Entity> knots);
+// Sets the spin of every knot of the track.
 void set_automatic_spins(world::Document& document);
 
 }  // namespace coaster::sim

@@ -96,7 +96,7 @@ TEST(codec, commands_read_as_documented) {
   EXPECT_EQ(print(Save{"a.json", {true}}), "save \"a.json\" overwrite");
   EXPECT_EQ(print(MoveKnot{{{world::Kind::knot, 4}}, {1, 2.5f, -3}}), "move @k4 to 1 2.5 -3");
   EXPECT_EQ(print(MoveHandle{{{world::Kind::knot, 4}, HandleEnd::in}, {1, 2, 3}}), "handle @k4.in to 1 2 3");
-  EXPECT_EQ(print(SplitSegment{{{world::Kind::segment, 3}}, 0.5}), "split @s3 at 0.5");
+  EXPECT_EQ(print(SplitSegment{{{world::Kind::segment, 3}}, 0.5}), "split @s3:0.5");
   EXPECT_EQ(print(SetLengths{{{world::Kind::knot, 1}}, 4, 6}), "lengths @k1 in 4 out 6");
   Knots two;
   two.names = {{world::Kind::knot, 1}, {world::Kind::knot, 12}};
@@ -105,6 +105,11 @@ TEST(codec, commands_read_as_documented) {
   const auto former = parsed("translate @k1,@k12 by 1 2 3 anew on", error);
   ASSERT_TRUE(former.ok()) << error.message;
   EXPECT_EQ(print(*former), "translate @k1,@k12 by 1 2 3 from_start on") << "by its former name";
+  for (const auto& [line, now] : {std::pair{"split @s3 at 0.4", "split @s3:0.4"}, {"select @s2 at 1", "select @s2:1"}}) {
+    const auto place = parsed(line, error);
+    ASSERT_TRUE(place.ok()) << error.message;
+    EXPECT_EQ(print(*place), now) << "by its former form";
+  }
   EXPECT_EQ(print(Smooth{Knots::Which::selected, world::SplineSteps::uniform}), "smooth selected by uniform");
   Knots range = two;
   range.which = Knots::Which::range;
@@ -119,7 +124,7 @@ TEST(codec, commands_read_as_documented) {
   EXPECT_EQ(print(SetName{"a \"b\""}), R"(name "a \"b\"")");
   EXPECT_EQ(print(Select{}), "select none");
   EXPECT_EQ(print(Select{{{world::Kind::knot, 2}}, 0.3}), "select @k2");
-  EXPECT_EQ(print(Select{{{world::Kind::segment, 2}}, 0.3}), "select @s2 at 0.3");
+  EXPECT_EQ(print(Select{{{world::Kind::segment, 2}}, 0.3}), "select @s2:0.3");
   EXPECT_EQ(print(RideStart{}), "ride.start");
 }
 

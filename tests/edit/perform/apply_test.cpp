@@ -306,6 +306,67 @@ bool too_costly(Command& command, test::RandomCommands& random) {
   return (command.is<AutoBank>() || timetable) && random.below(8) != 0;
 }
 
+// Numbers of commands that did not come from text may be anything; no kind of command may take them.
+TEST_F(Applying, no_command_takes_a_number_that_is_not_finite) {
+  int numbers = 0;
+  const auto spoiled = [&]<class C>() {
+    for (int field = 0, fields = 1; field < fields; ++field)
+      for (const double bad : {std::nan(""), HUGE_VAL}) {
+        C command;
+        fields = 0;
+        const auto spoil = [&](auto& number) {
+          if (fields++ == field) number = static_cast<std::remove_reference_t<decltype(number)>>(bad), ++numbers;
+        };
+        C::fields(command, [&]<class T>(std::string_view, T& value) {
+          if constexpr (std::is_floating_point_v<T>) spoil(value);
+          else if constexpr (std::is_same_v<T, glm::vec3>) spoil(value.x), spoil(value.y), spoil(value.z);
+          else if constexpr (std::is_same_v<T, world::Element>) spoil(value.values[0]);
+          else if constexpr (std::is_same_v<T, HandleTarget>) value.knot = {world::Kind::knot, 1};
+          else if constexpr (std::is_same_v<T, Target>) {
+            if constexpr (requires { command.segment; }) value.name = {world::Kind::segment, 1};
+            else if constexpr (requires { command.cart; }) value.name = {world::Kind::cart, 1};
+            else if constexpr (requires { command.section; }) value.name = {world::Kind::section, 1};
+            else value.name = {world::Kind::knot, 1};
+          }
+        });
+        if (fields == 0) break;
+        const world::Document before = session.document;
+        const base::Status status = apply(command);
+        EXPECT_NE(status.message.find("finite"), std::string::npos) << C::kInfo.name << ": " << status.message;
+        EXPECT_TRUE(session.document == before) << C::kInfo.name;
+      }
+    return 0;
+  };
+  (void)Commands::table(spoiled);
+  EXPECT_GT(numbers, 100);
+}
+
+// A command derives each segment of the track once; only sections that it plans again are derived as they are planned.
+TEST_F(Applying, a_command_derives_the_track_at_most_once) {
+  int derived = 0;
+  for (int i = 0; i < test::tries(60); ++i) {
+    const auto seed = static_cast<std::uint32_t>(i);
+    test::RandomCommands random(seed);
+    if (i % 3 == 0) circuit();
+    else start_on(test::random_document(seed));
+    for (int k = 0; k < 40; ++k) {
+      Command c = random.of_kind(random.below(Commands::size));
+      if (info(c).effect == Effect::session || too_costly(c, random)) continue;
+      const auto most = [&] { return session.document.track.segments.size(); };
+      const std::size_t before = most();
+      session.evaluated = {};
+      (void)apply(c);
+      std::size_t planned = 0;
+      for (const auto& section : session.document.entities.pool<world::Section>().items())
+        if (section.kind == world::SectionKind::force) planned = most();
+      const auto rebuilds = static_cast<std::size_t>(session.evaluated.rebuilds);
+      ASSERT_LE(rebuilds, std::max(before, most()) + planned) << print(c) << " on " << before << " segments";
+      derived += session.evaluated.rebuilds > 0;
+    }
+  }
+  EXPECT_GT(derived, test::tries(200));
+}
+
 // Whole sessions of any commands, files excepted, with the ride going on: nothing breaks, and the same
 // commands give the same state.
 RC_GTEST_PROP(apply, any_session_keeps_every_invariant_and_repeats_to_the_bit, ()) {

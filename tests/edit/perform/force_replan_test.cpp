@@ -1,5 +1,5 @@
 // Force sections in a session: planning them again.
-#include "edit/perform/force_replan.h"
+#include "edit/perform/replan.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>

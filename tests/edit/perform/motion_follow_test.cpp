@@ -1,4 +1,5 @@
-#include "edit/perform/motion_follow.h"
+// Tests how trains stay on their rails while segments come and go (edit/perform/follow.h).
+#include "edit/perform/follow.h"
 
 #include "edit/commands/commands_document.h"
 #include "edit/session_fixture.h"

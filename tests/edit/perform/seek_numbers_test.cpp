@@ -1,4 +1,5 @@
-#include "edit/perform/seek_numbers.h"
+// Tests which numbers a search may change (edit/perform/seek.h).
+#include "edit/perform/seek.h"
 
 #include "edit/force_fixture.h"
 #include "world/element.h"

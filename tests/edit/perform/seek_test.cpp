@@ -28,7 +28,7 @@ class Searches : public test::SessionTest {
 TEST_F(Searches, leave_the_session_as_it_is_until_the_command_takes_the_result) {
   const Command line = command("seek 20 by height of @k3");
   const world::Document before = session.document;
-  const Search search = search_for(session, seek(line));
+  const auto search = search_for(session, seek(line));
   good("remove @k3");  // the copy was made before
   good("undo");
   base::Progress progress;
@@ -37,15 +37,13 @@ TEST_F(Searches, leave_the_session_as_it_is_until_the_command_takes_the_result) 
   EXPECT_TRUE(session.document == before);
   EXPECT_EQ(found->note, "Height is 20 m, was 7.7 m. Height: from 7.7 to 20 m.");
 
-  session.sought = SoughtAhead{print(line), session.edits, *found};
-  good(print(line));
+  Search answer{.found = *found};
+  EXPECT_TRUE(apply(line, &answer).ok());
   EXPECT_NEAR(height(), 20, 1e-3);
-  EXPECT_FALSE(session.sought) << "taken";
   good("undo");
-  // What was found for another track is thrown away.
-  session.sought = SoughtAhead{print(line), session.edits - 1, {}};
-  good(print(line));
-  EXPECT_NEAR(height(), 20, 1e-3);
+  answer.found = Sought{{21}, "as found"};
+  EXPECT_TRUE(apply(line, &answer).ok());
+  EXPECT_NEAR(height(), 21, 1e-3) << "it does not search again";
 }
 
 TEST_F(Searches, end_when_they_are_cancelled) {

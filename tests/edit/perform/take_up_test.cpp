@@ -1,6 +1,6 @@
 // Circuits that stay closed while their sections change. Joints are checked on the finished document by other means
 // than the planner's.
-#include "edit/perform/take_up.h"
+#include "edit/perform/replan.h"
 
 #include <cstdio>
 #include <map>

@@ -1,3 +1,4 @@
+// Tests moving, turning, scaling and mirroring knots (edit/perform/knots.cpp).
 #include <gtest/gtest.h>
 
 #include "edit/commands/commands_shape.h"

@@ -1,11 +1,11 @@
-// Changes of a circuit whose way home is searched beside the frames (edit/session/session.h: WaySearch).
+// Changes of a circuit whose closing section is searched beside the frames (edit/perform/found.h: Search).
 #include <cstdio>
 #include <ctime>
 #include <utility>
 
 #include <gtest/gtest.h>
 
-#include "edit/session/found_way.h"
+#include "edit/perform/found.h"
 #include "edit/session_fixture.h"
 
 namespace coaster::edit {
@@ -29,20 +29,19 @@ TEST_F(WaySearches, a_search_beside_the_frames_comes_to_the_same) {
     circuit();
     ASSERT_TRUE(session.document == before);
     const std::uint64_t edits = session.edits, silent = session.notices.serial;
-    session.way_search.beside = true;
-    EXPECT_FALSE(apply(line).ok());
+    Search search{.leaves = true};
+    EXPECT_FALSE(apply(line, &search).ok());
     EXPECT_TRUE(session.document == before) << "until the way is found";
     EXPECT_EQ(session.edits, edits);
     EXPECT_EQ(session.notices.serial, silent) << "nothing to tell yet";
-    ASSERT_TRUE(session.way_search.wanted);
-    const sim::WayChange change = *std::exchange(session.way_search.wanted, nullptr);
+    ASSERT_TRUE(search.wanted);
     sim::OpenedTrack opened;
-    session.way_search.found = std::make_shared<FoundWay>(FoundWay{change, sim::changed_way(change, opened)});
-    EXPECT_EQ(apply(line).ok(), can);
+    Search answer{.found = sim::changed_way(*search.wanted, opened), .asked = search.wanted};
+    EXPECT_EQ(apply(line, &answer).ok(), can);
     EXPECT_EQ(hash(), wanted);
     EXPECT_EQ(session.notices.list.back().text, notice);
     if (!can) continue;
-    EXPECT_FALSE(session.way_search.found) << "taken";
+    EXPECT_FALSE(answer.found) << "taken";
     good("undo");
     EXPECT_TRUE(session.document == before) << "one step";
   }
@@ -57,21 +56,20 @@ double thread_seconds() {
 // What the frames do: prepare the search, and take its answer. Times of the thread, which other programs do not change.
 TEST_F(WaySearches, neither_frame_of_a_change_does_the_search) {
   const std::string line = "section.change @q1 to straight length 2000 equipment station";
-  const auto took = [&] {
+  const auto took = [&](Search* search) {
     const double began = thread_seconds();
-    (void)apply(line);
+    (void)apply(line, search);
     return thread_seconds() - began;
   };
   circuit();
-  const double whole = took();
+  const double whole = took(nullptr);
   const std::uint64_t after = hash();
   circuit();
-  session.way_search.beside = true;
-  const double asked = took();
-  const sim::WayChange change = *std::exchange(session.way_search.wanted, nullptr);
-  session.way_search.found =
-      std::make_shared<FoundWay>(FoundWay{change, sim::changed_way(change, edit::opened_track_of(session))});
-  const double taken = took();
+  Search search{.leaves = true};
+  const double asked = took(&search);
+  ASSERT_TRUE(search.wanted);
+  Search answer{.found = sim::changed_way(*search.wanted, edit::opened_track_of(session)), .asked = search.wanted};
+  const double taken = took(&answer);
   EXPECT_EQ(hash(), after);
   std::printf("at once %.1f ms; beside the frames %.1f and %.1f ms\n", 1e3 * whole, 1e3 * asked, 1e3 * taken);
   EXPECT_LT(asked, 0.3 * whole);
@@ -80,12 +78,12 @@ TEST_F(WaySearches, neither_frame_of_a_change_does_the_search) {
 
 TEST_F(WaySearches, an_answer_to_another_change_is_not_taken) {
   circuit();
-  session.way_search.beside = true;
-  EXPECT_FALSE(apply("section.change @q2 to climb height 30 equipment lift").ok());
-  const sim::WayChange change = *std::exchange(session.way_search.wanted, nullptr);
-  session.way_search.found = std::make_shared<FoundWay>(FoundWay{change, {.refusal = "an answer to another question"}});
-  session.way_search.beside = false;
-  good("section.change @q2 to climb height 31 equipment lift");
+  Search search{.leaves = true};
+  EXPECT_FALSE(apply("section.change @q2 to climb height 30 equipment lift", &search).ok());
+  ASSERT_TRUE(search.wanted);
+  Search answer{.found = sim::ChangedWay{.refusal = "an answer to another question"}, .asked = search.wanted};
+  EXPECT_TRUE(apply("section.change @q2 to climb height 31 equipment lift", &answer).ok());
+  EXPECT_TRUE(answer.found);
   const std::uint64_t after = hash();
   circuit();
   good("section.change @q2 to climb height 31 equipment lift");

@@ -1,0 +1,31 @@
+// What another thread finds for a command: a file's track, the values of a search, or a closing section.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "exchange/own/track_file.h"
+#include "sim/study/way_change.h"
+
+namespace coaster::edit {
+
+// What a search (command seek) found: with these values the goal is met.
+struct Sought {
+  std::vector<double> values;  // of the numbers that the command names, in their order
+  std::string note;            // "ride.lap_time is 40 s, from 43.2 s. ..."
+};
+
+using Found = std::variant<exchange::LoadedTrack, Sought, sim::ChangedWay>;
+
+// What apply() leaves to another thread, and what that has found. A change of a circuit plans the closing section
+// again, which may take longer than a frame.
+struct Search {
+  bool leaves = false;  // true: a command that would search for a closing section is refused without a notice instead,
+  std::optional<sim::WayChange> wanted = {};  // and leaves here what is to be searched for
+  std::optional<Found> found = {};            // for the command, which then neither reads nor searches
+  std::optional<sim::WayChange> asked = {};   // what a closing section that was found answers
+};
+
+}  // namespace coaster::edit
