@@ -46,7 +46,7 @@ template <class Command>
 void emit(Act& act) {
   act.ui.emit(Command{});
 }
-
+void start_empty(Act& act) { act.ui.replace(edit::NewTrack{}); }
 template <PhotoWish wish>
 void photo(Act& act) {
   act.ui.out.photo = wish;
@@ -63,7 +63,7 @@ constexpr Condition kFilmable{[](const Act& act) { return filming(act) || kRidea
 void record_movie(Act& act) { act.ui.out.movie = filming(act) ? MovieWish::stop : MovieWish::start; }
 
 constexpr Action kFileActions[] = {
-    {"New", "File", ctrl(Key::n), kOnStart, "Start an empty track.", want<Want::Kind::fresh>},
+    {"New", "File", ctrl(Key::n), kOnStart, "Start an empty track.", start_empty},
     {"Open", "File", ctrl(Key::o), kOnStart, "Choose a track file to open.", want<Want::Kind::browse>},
     {"Save", "File", ctrl(Key::s), 0, "Save the track to its file.", want<Want::Kind::save>},
     {"Save as", "File", ctrl_shift(Key::s), 0, "Save to another file or export. The file extension selects the format.",

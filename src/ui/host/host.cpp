@@ -9,7 +9,6 @@
 #include <utility>
 #include <variant>
 
-#include "edit/commands/commands_challenge.h"
 #include "edit/commands/commands_session.h"
 #include "edit/commands/commands_settings.h"
 #include "platform/drag_threshold.h"
@@ -207,7 +206,7 @@ void Host::Parts::take_files(Ui& ui, const platform::Events& events) {
     if (const auto* drop = std::get_if<platform::Drop>(&event)) dropped = drop->path;
     if (std::holds_alternative<platform::CloseRequest>(event)) dialogs.take(ui, {Want::Kind::quit});
   }
-  if (!dropped.empty()) dialogs.take(ui, {Want::Kind::load, std::exchange(dropped, {})});
+  if (!dropped.empty()) dialogs.take(ui, {Want::Kind::replace, edit::Load{std::exchange(dropped, {})}});
 }
 
 void Host::Parts::take_want(Ui& ui) {
@@ -257,8 +256,7 @@ void Host::Parts::lay_out(Ui& ui, const platform::Events& events, int width, int
   draw_legend(ui, layout.scene);
   toasts.draw(ui, beside_hints(ui, free, 400 * ui.scale));
   for (const edit::Command& command : ui.out.commands)
-    if (command.is<edit::Load>() || command.is<edit::NewTrack>() || command.is<edit::StartChallenge>())
-      frame_next = !edit::opens_link(command), start.hide();
+    if (edit::info(command).traits.replaces) frame_next = !edit::opens_link(command), start.hide();
   if (ui.out.wants_tutorial || ui.out.recovery == Recovery::recover || palette.open) start.hide();
 }
 

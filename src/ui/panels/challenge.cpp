@@ -96,7 +96,7 @@ void buttons(Ui& ui, const edit::ActiveChallenge& challenge) {
   if (button(ui, "Hint", left > 0 ? fmt::format("{} left.", left) : "No more hints.", left > 0, half))
     ui.emit(edit::ShowHint{});
   if (button(ui, "Restart###Start over", "Reload the start track.", true, half))
-    ui.want = {Want::Kind::challenge, challenge.path};
+    ui.replace(edit::StartChallenge{challenge.path});
   ImGui::SameLine(0, gap);
   if (button(ui, "Leave", "Leave the challenge. The track stays as it is.", true, half))
     ui.emit(edit::LeaveChallenge{});
@@ -122,7 +122,7 @@ void passed_row(Ui& ui, const edit::ActiveChallenge& challenge) {
   const auto next = challenge_after(challenge);
   if (!next) return;
   ImGui::SameLine();
-  if (button(ui, "Next challenge", "Begin the next challenge.")) ui.want = {Want::Kind::challenge, next->string()};
+  if (button(ui, "Next challenge", "Begin the next challenge.")) ui.replace(edit::StartChallenge{next->string()});
 }
 
 }  // namespace

@@ -170,16 +170,16 @@ void start(Ui& ui) {
 
 void file(Ui& ui) {
   if (auto path = text(ui, "File", ui.inputs.file, "The track's file. Type another path to open it.", TextShows::end))
-    ui.want = {Want::Kind::load, std::move(*path)};
+    ui.replace(edit::Load{std::move(*path)});
   const float width = (ImGui::GetContentRegionAvail().x - 2 * ImGui::GetStyle().ItemSpacing.x) / 3;
-  const auto choice = [&](std::string_view label, std::string_view help, Want::Kind kind) {
-    if (button(ui, label, with_keys(ui.keys, help, label), true, width)) ui.want = {kind};
+  const auto pressed = [&](std::string_view label, std::string_view help) {
+    return button(ui, label, with_keys(ui.keys, help, label), true, width);
   };
-  choice("New", "Start an empty track.", Want::Kind::fresh);
+  if (pressed("New", "Start an empty track.")) ui.replace(edit::NewTrack{});
   ImGui::SameLine();
-  choice("Open", "Choose a track file to open.", Want::Kind::browse);
+  if (pressed("Open", "Choose a track file to open.")) ui.want = {Want::Kind::browse};
   ImGui::SameLine();
-  choice("Save", "Save the track to its file.", Want::Kind::save);
+  if (pressed("Save", "Save the track to its file.")) ui.want = {Want::Kind::save};
 }
 
 constexpr std::size_t kMostShown = 200;  // rows on either side of the present state

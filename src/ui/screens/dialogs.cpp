@@ -52,7 +52,7 @@ void Dialogs::abandon() {
 }
 
 void Dialogs::take(Ui& ui, Want want) {
-  if (want.kind >= Want::Kind::fresh && want.kind <= Want::Kind::quit) request(ui, std::move(want));
+  if (want.kind >= Want::Kind::replace && want.kind <= Want::Kind::quit) request(ui, std::move(want));
   else perform(ui, want);
 }
 
@@ -73,11 +73,9 @@ void Dialogs::perform(Ui& ui, const Want& want) {
   switch (want.kind) {
     case Want::Kind::nothing:
     case Want::Kind::start_screen: break;
-    case Want::Kind::fresh: ui.emit(edit::NewTrack{}); break;
     case Want::Kind::browse: browse(ui, FileBrowser::Mode::open); break;
-    case Want::Kind::load: load(ui, want); break;
+    case Want::Kind::replace: replace(ui, want); break;
     case Want::Kind::tutorial: ui.out.wants_tutorial = true; break;
-    case Want::Kind::challenge: ui.emit(edit::StartChallenge{want.path}); break;
     case Want::Kind::quit: ui.out.quit = true; break;
     case Want::Kind::save: save(ui); break;
     case Want::Kind::save_as: browse(ui, FileBrowser::Mode::save); break;
@@ -89,10 +87,12 @@ void Dialogs::perform(Ui& ui, const Want& want) {
 }
 
 // Asks how points become a track, unless the words say so.
-void Dialogs::load(Ui& ui, const Want& want) {
+void Dialogs::replace(Ui& ui, const Want& want) {
   base::Files files;
-  const auto question = want.import == exchange::Import{} ? exchange::question_of(files, want.path) : std::nullopt;
-  if (!question) return ui.emit(edit::Load{want.path, want.import});
+  const auto* const load = want.command->as<edit::Load>();
+  const bool asks = load != nullptr && load->import == exchange::Import{};
+  const auto question = asks ? exchange::question_of(files, load->path) : std::nullopt;
+  if (!question) return ui.out.commands.push_back(*want.command);
   want_ = want, question_ = *question, dialog_ = Dialog::import;
 }
 
@@ -150,7 +150,7 @@ void Dialogs::take_file(Ui& ui, std::filesystem::path path, bool asked) {
     return ui.emit(edit::OpenSections{path.string()});
   }
   if (browser_.mode() == FileBrowser::Mode::open) {
-    want_ = {Want::Kind::load, path.string()};
+    want_ = {Want::Kind::replace, edit::Load{path.string()}};
     return proceed(ui);  // the question about unsaved changes came before
   }
   const bool own = !sections_ && edit::is_own_file(ui.session(), path);
@@ -359,7 +359,7 @@ void Dialogs::build_challenges(Ui& ui) {
       button(ui, "Cancel", "Back to the track. Key Escape.") || ImGui::IsKeyPressed(ImGuiKey_Escape, false);
   if (opened_now) return;
   if (cancel) abandon();
-  else if (chosen) request(ui, {Want::Kind::challenge, chosen->string()});
+  else if (chosen) request(ui, {Want::Kind::replace, edit::StartChallenge{chosen->string()}});
 }
 
 void Dialogs::build_import(Ui& ui, const platform::Events& events, bool text_had_keyboard) {
@@ -405,7 +405,7 @@ void Dialogs::build_import(Ui& ui, const platform::Events& events, bool text_had
   const bool cancel = button(ui, "Cancel", "Keep the open track. Key Escape.") || hit(Key::escape);
   if (cancel) return abandon();
   if (!go) return;
-  ui.emit(edit::Load{std::move(want_.path), to});
+  ui.emit(edit::Load{want_.command->as<edit::Load>()->path, to});
   abandon();
 }
 

@@ -120,7 +120,7 @@ bool buttons(Ui& ui, const edit::Session& session) {
   bool* const more = ImGui::GetStateStorage()->GetBoolRef(ImGui::GetID("##details"), false);
   CardRow row{ui};
   if (const auto next = next_challenge(session); next && row.button("Next challenge", "Begin the next challenge."))
-    ui.want = {Want::Kind::challenge, next->string()};
+    ui.replace(edit::StartChallenge{next->string()});
   if (const auto climb = climb_without_lift(session);
       climb && row.button("Add a lift", "Put a lift on the section where the train stopped."))
     ui.emit(edit::EquipSection{{world::name_of(session.document, *climb)}, {world::EquipmentKind::lift}});
