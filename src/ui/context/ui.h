@@ -132,6 +132,17 @@ struct Ui : WidgetFrame {
   void end_step();
 };
 
+// A part of the window: a window over it that cannot be moved.
+struct AreaLook {
+  const char* id;
+  std::string_view panel;                        // names its widgets
+  std::optional<ImVec2> padding = ImVec2(0, 0);  // px; nothing: as other windows
+  bool raised = false;                           // ground of bars
+  ImGuiWindowFlags more = ImGuiWindowFlags_NoScrollbar;
+};
+// Builds it, unless `area` is less than a pixel wide or high.
+void build_area(Ui& ui, const view::Viewport& area, const AreaLook& look, const std::function<void()>& content);
+
 // While it lives, widgets are greyed if the challenge locks the command, and their tooltips give the reason.
 class LockedWidgets {
  public:

@@ -172,28 +172,20 @@ void curves(Ui& ui, const RidePlots& plots) {
 void build_laboratory(Ui& ui, const view::Viewport& area) {
   if (area.width < 1 || area.height < 1) return;
   const float bar = std::min(ImGui::GetFrameHeight(), area.height);
-  ui.panel = "Laboratory";
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0, 0));
-  ImGui::PushStyleColor(ImGuiCol_WindowBg, colour(palette().raised));
-  if (begin_area("##laboratory", {area.x, area.y}, {area.width, bar})) {
+  const view::Viewport top{area.x, area.y, area.width, bar}, below{area.x, area.y + bar, area.width, area.height - bar};
+  build_area(ui, top, {.id = "##laboratory", .panel = "Laboratory", .raised = true}, [&] {
     if (area.height > bar + 1)
       if (const auto share = height_edge(ui, area, bar, kTallest, "Height of the laboratory."))
         ui.emit(edit::Set<&world::Panels::laboratory_height>{*share});
     build_bar(ui, area.width, bar);
-  }
-  ImGui::End();
-  ImGui::PopStyleColor();
-  ImGui::PopStyleVar();
-  if (area.height > bar + 1) {
+  });
+  if (area.height <= bar + 1) return;
+  build_area(ui, below, {.id = "##page", .panel = "Laboratory", .padding = {}}, [&] {
     const auto index = static_cast<int>(chosen_page(ui));
-    if (begin_area("##page", {area.x, area.y + bar}, {area.width, area.height - bar})) {
-      ImGui::PushID(index);
-      kBuild[index](ui);
-      ImGui::PopID();
-    }
-    ImGui::End();
-  }
-  ui.panel.clear();
+    ImGui::PushID(index);
+    kBuild[index](ui);
+    ImGui::PopID();
+  });
 }
 
 void build_force_graph(Ui& ui, const view::Viewport& area) {
@@ -202,10 +194,8 @@ void build_force_graph(Ui& ui, const view::Viewport& area) {
   const bool open = area.height > bar + 1;
   const auto plots = RidePlots::make(ui, false);
   const world::Entity edited = open ? edited_forces(ui) : world::kNone;
-  ui.panel = "Forces";
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0, 0));
-  ImGui::PushStyleColor(ImGuiCol_WindowBg, colour(palette().raised));
-  if (begin_area("##graph", {area.x, area.y}, {area.width, bar})) {
+  const view::Viewport top{area.x, area.y, area.width, bar}, below{area.x, area.y + bar, area.width, area.height - bar};
+  build_area(ui, top, {.id = "##graph", .panel = "Forces", .raised = true}, [&] {
     if (open)
       if (const auto share = height_edge(ui, area, bar, kTallestGraph, "Height of the force graph."))
         ui.emit(edit::Set<&world::Panels::graph_height>{*share});
@@ -217,21 +207,14 @@ void build_force_graph(Ui& ui, const view::Viewport& area) {
     for (std::size_t i = 0; !edited.valid() && i < kValues.size(); ++i)
       legend_item(ui, kValues[i], plots ? plots->shown(ui, kValues[i]) : "--", ui.lab.graph_hidden[i], bar);
     if (!edited.valid() && plots) early_end(ui, plots->ride(), bar);
-  }
-  ImGui::End();
-  ImGui::PopStyleColor();
-  ImGui::PopStyleVar();
-  if (open && !ui.drawers.table) {
-    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(std::floor(6 * ui.scale), 0));
-    if (begin_area("##curves", {area.x, area.y + bar}, {area.width, area.height - bar})) {
-      if (edited.valid()) force_plot(ui, edited, plots);
-      else if (plots) curves(ui, *plots);
-      else small_note(no_ride(ui.session().document));
-    }
-    ImGui::End();
-    ImGui::PopStyleVar();
-  }
-  ui.panel.clear();
+  });
+  if (!open || ui.drawers.table) return;
+  const ImVec2 padding(std::floor(6 * ui.scale), 0);
+  build_area(ui, below, {.id = "##curves", .panel = "Forces", .padding = padding}, [&] {
+    if (edited.valid()) force_plot(ui, edited, plots);
+    else if (plots) curves(ui, *plots);
+    else small_note(no_ride(ui.session().document));
+  });
 }
 
 }  // namespace coaster::ui

@@ -204,14 +204,11 @@ std::string ride_time(const Ui& ui) {
 float speed_cell(const Ui& ui) { return std::max(64.0f, text_size(measured(ui, 99, 1, "m/s")).x / ui.scale); }
 
 void values(RideRow& row) {
-  const auto shown = [&](std::string_view query, int decimals, std::string_view unit) {
-    const auto number = number_of(row.ui, query);
-    return number ? measured(row.ui, *number, decimals, unit) : "--";
-  };
-  value(row, "Speed", shown("ride.speed", 1, "m/s"), speed_cell(row.ui), "Speed of the first train along the track.");
-  value(row, kVertical, shown("ride.g_up", 2, "g"), 48, "Felt g towards the rider's head, not low-passed.");
-  value(row, "Height", shown("ride.height", 1, "m"), 56, "Height of the first train above the ground.");
-  value(row, "Time", ride_time(row.ui), 96, "Time since the start of the ride, and of the whole ride.");
+  Ui& ui = row.ui;
+  value(row, "Speed", real(ui, "ride.speed", 1, "m/s"), speed_cell(ui), "Speed of the first train along the track.");
+  value(row, kVertical, real(ui, "ride.g_up", 2, "g"), 48, "Felt g towards the rider's head, not low-passed.");
+  value(row, "Height", real(ui, "ride.height", 1, "m"), 56, "Height of the first train above the ground.");
+  value(row, "Time", ride_time(ui), 96, "Time since the start of the ride, and of the whole ride.");
 }
 
 // The scrub slider, from start to end of the track.
@@ -297,11 +294,7 @@ float fixed_width(const RideRow& row, bool two_rows) {
 }  // namespace
 
 void build_status_bar(Ui& ui, const view::Viewport& area) {
-  if (area.width < 1 || area.height < 1) return;
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0, 0));
-  ImGui::PushStyleColor(ImGuiCol_WindowBg, colour(palette().raised));
-  if (begin_area("##status", {area.x, area.y}, {area.width, area.height})) {
-    ui.panel = "Status";
+  build_area(ui, area, {.id = "##status", .panel = "Status", .raised = true}, [&] {
     const float pad = std::floor(10 * ui.scale);
     Bar bar{ui,
             *ImGui::GetWindowDrawList(),
@@ -315,19 +308,11 @@ void build_status_bar(Ui& ui, const view::Viewport& area) {
     evaluator(bar);
     values(bar);
     message(bar);
-  }
-  ImGui::End();
-  ImGui::PopStyleColor();
-  ImGui::PopStyleVar();
-  ui.panel.clear();
+  });
 }
 
 void build_ride_bar(Ui& ui, const view::Viewport& area) {
-  if (area.width < 1 || area.height < 1) return;
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0, 0));
-  ImGui::PushStyleColor(ImGuiCol_WindowBg, colour(palette().raised));
-  if (begin_area("##ride", {area.x, area.y}, {area.width, area.height})) {
-    ui.panel = "Ride";
+  build_area(ui, area, {.id = "##ride", .panel = "Ride", .raised = true}, [&] {
     const float pad = std::floor(10 * ui.scale), bar = ImGui::GetFrameHeight();
     const bool two_rows = area.height > 2 * bar;
     const float above = std::floor((area.height - (two_rows ? 2 : 1) * bar) / (two_rows ? 3 : 2));
@@ -345,11 +330,7 @@ void build_ride_bar(Ui& ui, const view::Viewport& area) {
       lists(row);
       record(row);
     }
-  }
-  ImGui::End();
-  ImGui::PopStyleColor();
-  ImGui::PopStyleVar();
-  ui.panel.clear();
+  });
 }
 
 }  // namespace coaster::ui

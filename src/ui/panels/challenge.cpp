@@ -151,8 +151,7 @@ void challenge_panel(Ui& ui) {
       show_place(ui, *challenge.last.place);
   }
   hints(ui, challenge);
-  if (button(ui, "All challenges", "Choose another challenge.", true, ImGui::GetContentRegionAvail().x))
-    ui.want = {Want::Kind::challenges};
+  if (wide_button(ui, "All challenges", "Choose another challenge.")) ui.want = {Want::Kind::challenges};
 }
 
 void draw_goals(Ui& ui, const view::Viewport& scene) {

@@ -168,8 +168,8 @@ void outcome(Ui& ui, const sim::ElementPlan& plan) {
 }
 
 void circuit_button(Ui& ui) {
-  if (button(ui, "Complete circuit", with_keys(ui.keys, kCircuitHelp, "Complete circuit"),
-             completable(ui.session().document), ImGui::GetContentRegionAvail().x))
+  if (wide_button(ui, "Complete circuit", with_keys(ui.keys, kCircuitHelp, "Complete circuit"),
+                  completable(ui.session().document)))
     toggle_proposals(ui);
 }
 
@@ -178,7 +178,6 @@ void ways_home(Ui& ui) {
   const world::Aids& aids = *ui.session().settings.aids;
   if (aids.circuit <= 0 || !completable(ui.session().document)) return;
   if (ui.session().history.in_gesture) return tinted("The proposals show again after the drag.", palette().dim);
-  const float width = ImGui::GetContentRegionAvail().x;
   const sim::CircuitProposals& found = ui.find.circuit();
   if (!found.refusal.empty()) return tinted(in_units(ui, base::sentence(found.refusal)), palette().warning);
   const std::size_t at = shown_proposal(aids, found);
@@ -195,11 +194,9 @@ void ways_home(Ui& ui) {
     tinted(in_units(ui, fmt::format("No train reaches the open end. Planned for {} m/s.", base::to_text(found.speed))),
            palette().warning);
   const std::string help = fmt::format("Close the track by this section. {} hides it.", ui.keys.shown("Cancel"));
-  if (found.list.size() > 1 &&
-      button(ui, "Next proposal###Next way home", "Show the next closing section.", true, width))
+  if (found.list.size() > 1 && wide_button(ui, "Next proposal###Next way home", "Show the next closing section."))
     next_proposal(ui);
-  if (button(ui, "Place proposal###Place way home", with_keys(ui.keys, help, "Place element"), true, width))
-    place_proposal(ui);
+  if (wide_button(ui, "Place proposal###Place way home", with_keys(ui.keys, help, "Place element"))) place_proposal(ui);
 }
 
 }  // namespace
@@ -214,39 +211,29 @@ float palette_label_width(float scale) {
 }
 
 void build_palette_of_elements(Ui& ui, const view::Viewport& area, const PaletteGrid& grid) {
-  if (area.width < 1 || area.height < 1) return;
   const float pad = std::floor(8 * ui.scale), gap = std::floor(4 * ui.scale);
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(pad, pad));
+  const AreaLook look{.id = "##palette",
+                      .panel = "Elements",
+                      .padding = ImVec2(pad, pad),
+                      .more = ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse};
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(gap, gap));
-  if (begin_area("##palette", {area.x, area.y}, {area.width, area.height},
-                 ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse)) {
-    ui.panel = "Elements";
+  build_area(ui, area, look, [&] {
     const int used = element_buttons(ui, grid);
     forces_button(ui, grid, used);
     by_hand_button(ui, grid, used + 1);
     circuit_cell(ui, grid, used + 2);
-    ui.panel.clear();
-  }
-  ImGui::End();
-  ImGui::PopStyleVar(2);
+  });
+  ImGui::PopStyleVar();
 }
 
 void build_drawer(Ui& ui, const view::Viewport& area) {
-  if (area.width < 1 || area.height < 1) return;
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0, 0));
-  ImGui::PushStyleColor(ImGuiCol_WindowBg, colour(palette().raised));
-  if (begin_area("##drawer", {area.x, area.y}, {area.width, area.height})) {
-    ui.panel = "Parameters";
+  build_area(ui, area, {.id = "##drawer", .panel = "Parameters", .raised = true}, [&] {
     const bool open = ui.drawers.parameters.open;
     const bool fits = area.height + text_size("Parameters").x <= area.width;
     const std::string help =
         with_keys(ui.keys, "Parameters of the chosen element, of the selection, or of the track.", "Parameters");
     if (fold(ui, fits ? "Parameters" : "Values", open, help, {area.width, area.height})) ui.drawers.parameters.toggle();
-    ui.panel.clear();
-  }
-  ImGui::End();
-  ImGui::PopStyleColor();
-  ImGui::PopStyleVar();
+  });
 }
 
 void all_element_buttons(Ui& ui) {
@@ -272,8 +259,7 @@ void elements_panel(Ui& ui) {
   if (!possible) tinted(in_units(ui, base::sentence(plan.refusal)), palette().warning);
   const std::string help =
       fmt::format("Place the element at the open end of the track. {} hides the preview.", ui.keys.shown("Cancel"));
-  if (button(ui, "Place", with_keys(ui.keys, help, "Place element"), possible, ImGui::GetContentRegionAvail().x))
-    place_shown_element(ui);
+  if (wide_button(ui, "Place", with_keys(ui.keys, help, "Place element"), possible)) place_shown_element(ui);
   if (possible) outcome(ui, plan);
 }
 

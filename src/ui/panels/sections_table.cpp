@@ -310,15 +310,9 @@ void table_of_sections(Ui& ui, float height) {
 }  // namespace
 
 void build_sections_table(Ui& ui, const view::Viewport& area) {
-  if (area.width < 1 || area.height < 1) return;
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(std::floor(6 * ui.scale), 0));
-  if (begin_area("##sections", {area.x, area.y}, {area.width, area.height})) {
-    ui.panel = "Sections";
-    table_of_sections(ui, ImGui::GetContentRegionAvail().y);
-    ui.panel.clear();
-  }
-  ImGui::End();
-  ImGui::PopStyleVar();
+  const ImVec2 padding(std::floor(6 * ui.scale), 0);
+  build_area(ui, area, {.id = "##sections", .panel = "Sections", .padding = padding},
+             [&] { table_of_sections(ui, ImGui::GetContentRegionAvail().y); });
 }
 
 // The panel of the workspace `all`.

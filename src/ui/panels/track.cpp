@@ -80,8 +80,7 @@ void conflicts(Ui& ui) {
   if (found == 0) return;
   if (ui.find.all_conflicts()) read_query(ui, "Conflicts", "conflicts", kTooltip, {.decimals = 0, .warns = true});
   else read_out(ui, "Conflicts", fmt::format("{} so far", found), "", kTooltip);
-  if (button(ui, "Next conflict", "Go to the next place where the track lacks clearance from itself.", true,
-             ImGui::GetContentRegionAvail().x))
+  if (wide_button(ui, "Next conflict", "Go to the next place where the track lacks clearance from itself."))
     show_next_conflict(ui);
 }
 
@@ -89,8 +88,7 @@ void folds(Ui& ui) {
   if (ui.find.folds().empty()) return;
   read_query(ui, "Folds", "folds", "Places where the rails fold. Such a track cannot be exported.",
              {.decimals = 0, .warns = true});
-  if (button(ui, "Next fold", "Go to the next place where the rails fold.", true, ImGui::GetContentRegionAvail().x))
-    show_next_fold(ui);
+  if (wide_button(ui, "Next fold", "Go to the next place where the rails fold.")) show_next_fold(ui);
 }
 
 void tight_bends(Ui& ui) {
@@ -98,8 +96,7 @@ void tight_bends(Ui& ui) {
   read_query(ui, "Tight bends", "tight_bends",
              "Places where the curve bends with a radius below 0.5 m or reverses its direction.",
              {.decimals = 0, .warns = true});
-  if (button(ui, "Next tight bend", "Go to the next bend that is too tight for a train.", true,
-             ImGui::GetContentRegionAvail().x))
+  if (wide_button(ui, "Next tight bend", "Go to the next bend that is too tight for a train."))
     show_next_tight_bend(ui);
 }
 

@@ -261,6 +261,10 @@ bool button(WidgetFrame& ui, std::string_view label, std::string_view tooltip, b
   return pressed && enabled;
 }
 
+bool wide_button(WidgetFrame& ui, std::string_view label, std::string_view tooltip, bool enabled) {
+  return button(ui, label, tooltip, enabled, ImGui::GetContentRegionAvail().x);
+}
+
 bool radio(WidgetFrame& ui, std::string_view label, bool on, std::string_view tooltip, bool enabled) {
   const auto draw = [&](const char* text) { return ImGui::RadioButton(text, on); };
   return toggle_item(ui, label, "radio", on, tooltip, enabled, draw) && !on;

@@ -141,6 +141,8 @@ void tinted_line(std::string_view words, std::uint32_t rgb);
 void tinted(std::string_view words, std::uint32_t rgb);
 void paragraph(WidgetFrame& ui, std::string_view label, std::string_view words, std::uint32_t rgb);
 bool button(WidgetFrame& ui, std::string_view label, std::string_view tooltip, bool enabled = true, float width = 0);
+// One as wide as the room.
+bool wide_button(WidgetFrame& ui, std::string_view label, std::string_view tooltip, bool enabled = true);
 bool radio(WidgetFrame& ui, std::string_view label, bool on, std::string_view tooltip, bool enabled = true);
 // If a radio button or checkbox with this label fits next to the last one, in the right half of the row, moves there
 // and returns true.
