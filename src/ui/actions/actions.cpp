@@ -156,7 +156,7 @@ void step_section(Act& act, bool on, bool adds) {
   if (adds) sections = world::selected_sections(session.document, session.settings);
   std::erase(sections, to->section);
   sections.push_back(to->section);
-  act.ui.out.commands.push_back(selection_of_sections(session.document, sections));
+  act.ui.out.commands.push_back(selection_of(session.document, sections));
 }
 template <bool on, bool adds>
 void step(Act& act) {
@@ -281,9 +281,7 @@ void remove(Act& act) {
   const std::vector<world::Entity> knots = world::selected_knots(session.document, session.settings);
   if (selected_is(act, Kind::section)) return each<edit::DeleteSection>(act);
   if (knots.size() < 2) return act.ui.emit(edit::RemoveKnot{{*selected(act)}});
-  act.ui.emit(edit::BeginGesture{});
-  for (const world::Entity e : knots) act.ui.emit(edit::RemoveKnot{{world::name_of(session.document, e)}});
-  act.ui.emit(edit::EndGesture{});
+  act.ui.emit_each(knots, [&](Entity e) { act.ui.emit(edit::RemoveKnot{{world::name_of(session.document, e)}}); });
 }
 // Shows the panel in Build, or where every panel shows.
 void set_goal(Act& act) {

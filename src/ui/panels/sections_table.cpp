@@ -224,7 +224,7 @@ void select_section_row(Ui& ui, const sim::SectionTable& table, std::span<const 
   const edit::Session& session = ui.session();
   const auto section = [&](std::size_t i) { return table.rows[order[i]].run.section; };
   const ImGuiIO& io = ImGui::GetIO();
-  if (io.KeyShift) return ui.out.commands.push_back(toggled_section(session, section(at)));
+  if (io.KeyShift) return ui.out.commands.push_back(toggled(session, section(at)));
   std::size_t from = at;
   if (io.KeyCtrl)
     for (std::size_t i = 0; i < order.size(); ++i)
@@ -235,7 +235,7 @@ void select_section_row(Ui& ui, const sim::SectionTable& table, std::span<const 
     if (std::find(sections.begin(), sections.end(), section(i)) == sections.end()) sections.push_back(section(i));
   std::erase(sections, section(at));
   sections.push_back(section(at));
-  ui.out.commands.push_back(selection_of_sections(session.document, sections));
+  ui.out.commands.push_back(selection_of(session.document, sections));
 }
 
 // Marks the section's middle in the view while the mouse is over its row.

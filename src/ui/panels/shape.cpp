@@ -29,7 +29,7 @@ namespace {
 // The selected knots (both of a selected segment), or all of them.
 edit::Knots shaped_knots(const edit::Session& session) {
   const world::Document& document = session.document;
-  edit::Knots knots = named_knots(document, world::selected_knots(document, session.settings));
+  edit::Knots knots(names_of(document, world::selected_knots(document, session.settings)));
   if (const world::Segment* const segment = document.entities.find<world::Segment>(session.settings.selected))
     knots.names = {world::name_of(document, segment->from), world::name_of(document, segment->to)};
   if (knots.names.empty() || knots.names.size() == document.track.knots.size()) return edit::Knots::Which::all;
@@ -151,10 +151,10 @@ Numbers numbers_of(const edit::Session& session) {
 }
 
 edit::KnotsOrSections selected(const edit::Session& session) {
-  edit::KnotsOrSections of;
   std::vector<world::Entity> entities = world::selected_sections(session.document, session.settings);
   if (entities.empty()) entities = world::selected_knots(session.document, session.settings);
-  for (const world::Entity e : entities) of.names.push_back(world::name_of(session.document, e));
+  edit::KnotsOrSections of;
+  of.names = names_of(session.document, entities);
   return of;
 }
 

@@ -15,12 +15,6 @@ using world::Entity;
 
 namespace {
 
-std::vector<world::Name> names_of(const world::Document& document, const std::vector<Entity>& entities) {
-  std::vector<world::Name> names;
-  for (const Entity e : entities) names.push_back(world::name_of(document, e));
-  return names;
-}
-
 Entity section_of_segment(const world::Document& document, Entity e) {
   const world::Segment* const segment = document.entities.find<world::Segment>(e);
   return segment ? segment->section : world::kNone;
@@ -39,32 +33,26 @@ bool is_open(const edit::Session& session, Entity section) {
 
 }  // namespace
 
-edit::Knots named_knots(const world::Document& document, const std::vector<Entity>& knots) {
-  return edit::Knots(names_of(document, knots));
+std::vector<world::Name> names_of(const world::Document& document, const std::vector<Entity>& entities) {
+  std::vector<world::Name> names;
+  for (const Entity e : entities) names.push_back(world::name_of(document, e));
+  return names;
 }
 
-edit::Command selection_of(const world::Document& document, const std::vector<Entity>& knots) {
-  if (knots.empty()) return edit::Select{};
-  if (knots.size() == 1) return edit::Select{{world::name_of(document, knots[0])}};
-  return edit::SelectKnots{named_knots(document, knots)};
+edit::Command selection_of(const world::Document& document, const std::vector<Entity>& entities) {
+  if (entities.empty()) return edit::Select{};
+  const std::vector<world::Name> names = names_of(document, entities);
+  if (names.size() == 1) return edit::Select{{names[0]}};
+  if (names[0].kind == world::Kind::section) return edit::SelectSections{edit::Sections(names)};
+  return edit::SelectKnots{edit::Knots(names)};
 }
 
-edit::Command toggled(const edit::Session& session, Entity knot) {
-  std::vector<Entity> knots = world::selected_knots(session.document, session.settings);
-  if (std::erase(knots, knot) == 0) knots.push_back(knot);
-  return selection_of(session.document, knots);
-}
-
-edit::Command selection_of_sections(const world::Document& document, const std::vector<Entity>& sections) {
-  if (sections.empty()) return edit::Select{};
-  if (sections.size() == 1) return edit::Select{{world::name_of(document, sections[0])}};
-  return edit::SelectSections{edit::Sections(names_of(document, sections))};
-}
-
-edit::Command toggled_section(const edit::Session& session, Entity section) {
-  std::vector<Entity> sections = world::selected_sections(session.document, session.settings);
-  if (std::erase(sections, section) == 0) sections.push_back(section);
-  return selection_of_sections(session.document, sections);
+edit::Command toggled(const edit::Session& session, Entity entity) {
+  const bool section = session.document.entities.find<world::Section>(entity) != nullptr;
+  std::vector<Entity> chosen = section ? world::selected_sections(session.document, session.settings)
+                                       : world::selected_knots(session.document, session.settings);
+  if (std::erase(chosen, entity) == 0) chosen.push_back(entity);
+  return selection_of(session.document, chosen);
 }
 
 edit::Command copying(const edit::Session& session) {
@@ -125,7 +113,7 @@ std::optional<edit::Command> section_click(const edit::Session& session, const v
   const Entity section = section_under(session, under);
   if (!section.valid()) return std::nullopt;
   const bool among_sections = session.document.entities.find<world::Section>(session.settings.selected) != nullptr;
-  if (shift && (among_sections || !session.settings.selected.valid())) return toggled_section(session, section);
+  if (shift && (among_sections || !session.settings.selected.valid())) return toggled(session, section);
   if (is_open(session, section) && !(among_sections && !session.settings.also.empty())) return std::nullopt;
   return edit::Select{{world::name_of(session.document, section)}};
 }

@@ -13,17 +13,13 @@ namespace coaster::ui {
 
 enum class BoxMode : std::uint8_t { replace, add, remove };
 
-// Returns the names of the knots, for a command.
-edit::Knots named_knots(const world::Document& document, const std::vector<world::Entity>& knots);
+// Returns the names of entities, for a command.
+std::vector<world::Name> names_of(const world::Document& document, const std::vector<world::Entity>& entities);
 
-// Returns the command that selects these knots, the last one active; without knots it clears the selection.
-edit::Command selection_of(const world::Document& document, const std::vector<world::Entity>& knots);
-
-// Returns the command of a Shift+click: the knot joins the selection as its active knot, or leaves it.
-edit::Command toggled(const edit::Session& session, world::Entity knot);
-// Returns the same for sections.
-edit::Command selection_of_sections(const world::Document& document, const std::vector<world::Entity>& sections);
-edit::Command toggled_section(const edit::Session& session, world::Entity section);
+// Returns the command that selects these knots or sections, the last one active; without any it clears the selection.
+edit::Command selection_of(const world::Document& document, const std::vector<world::Entity>& entities);
+// Returns the command of a Shift+click: the knot or section joins the selected ones as the active one, or leaves them.
+edit::Command toggled(const edit::Session& session, world::Entity entity);
 // Returns the command that copies the selected sections.
 edit::Command copying(const edit::Session& session);
 

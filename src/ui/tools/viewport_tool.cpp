@@ -311,7 +311,7 @@ void ViewportTool::turn_spin(Ui& ui, const view::View& view, glm::vec2 mouse) {
 // Moves all selected knots by the movement of the dragged one.
 void ViewportTool::move_knots(Ui& ui, glm::vec3 to) {
   const edit::Session& session = ui.session();
-  edit::Knots knots = named_knots(session.document, world::selected_knots(session.document, session.settings));
+  edit::Knots knots(names_of(session.document, world::selected_knots(session.document, session.settings)));
   const world::Document& start = session.history.in_gesture ? session.history.gesture_start : session.document;
   const glm::dvec3 from(world::knot(start, drag_.pick.entity).position);
   ui.emit(edit::Translate{std::move(knots), glm::vec3(glm::dvec3(to) - from), true});
