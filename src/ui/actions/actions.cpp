@@ -11,7 +11,6 @@
 #include "base/text.h"
 #include "edit/commands/commands_challenge.h"
 #include "edit/commands/commands_document.h"
-#include "edit/commands/commands_elements.h"
 #include "edit/commands/commands_force.h"
 #include "edit/commands/commands_ride.h"
 #include "edit/commands/commands_sections.h"
