@@ -29,7 +29,7 @@
 #include "platform/signals.h"
 #include "query/challenge.h"
 #include "script/paths.h"
-#include "ui/tools/follow_camera.h"
+#include "ui/tools/cameras.h"
 #include "view/camera.h"
 #include "world/evaluation.h"
 

@@ -77,7 +77,7 @@ TEST_F(RideSummaries, g_are_those_that_riders_feel_as_in_the_report) {
     edit::advance(session, 1), measure(session, s);
     const world::Entity train = session.motion.carts.entities()[0];
     const world::CartMotion& cart = session.motion.carts.items()[0];
-    most = std::max(most, std::abs(sim::felt(session.document, session.derived, train, cart).left));
+    most = std::max(most, std::abs(double{sim::felt(session.document, session.derived, train, cart).left}));
   }
   finish_summary(session, s);
   EXPECT_LT(s.most_side, most - 1);

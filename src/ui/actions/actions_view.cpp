@@ -3,11 +3,10 @@
 
 #include "edit/commands/commands_lab.h"
 #include "sim/study/jolt.h"
-#include "ui/actions/actions_parts.h"
+#include "ui/actions/actions_detail.h"
 #include "ui/actions/command_palette.h"
-#include "ui/context/ways_home.h"
-#include "ui/tools/fly_keys.h"
-#include "ui/tools/follow_camera.h"
+#include "ui/tools/cameras.h"
+#include "ui/tools/previews.h"
 #include "world/panels.h"
 
 namespace coaster::ui {
@@ -82,7 +81,7 @@ void probe_back(Act& act) { step_probe(act, -kProbeStep); }
 void probe_on(Act& act) { step_probe(act, kProbeStep); }
 
 void panels_or_next_way(Act& act) {
-  if (act.ui.session().settings.aids->circuit > 0) next_way_home(act.ui);
+  if (act.ui.session().settings.aids->circuit > 0) next_proposal(act.ui);
   else toggle<&Panels::show_panels>(act);
 }
 

@@ -13,8 +13,6 @@
 
 #include "base/text.h"
 #include "edit/commands/codec.h"
-#include "edit/commands/commands_challenge.h"
-#include "edit/commands/commands_session.h"
 #include "ui/widgets/theme.h"
 
 namespace coaster::ui {
@@ -105,10 +103,7 @@ std::vector<PaletteLine> entries(Act& act, const char* words) {
 
 // Commands that replace the track ask about unsaved changes first.
 void run_command(Ui& ui, const edit::Command& command) {
-  if (const auto* const load = command.as<edit::Load>()) ui.want = {Want::Kind::load, load->path, load->import};
-  else if (command.is<edit::NewTrack>()) ui.want = {Want::Kind::fresh};
-  else if (const auto* const challenge = command.as<edit::StartChallenge>())
-    ui.want = {Want::Kind::challenge, challenge->path};
+  if (edit::info(command).traits.replaces) ui.replace(command);
   else ui.out.commands.push_back(command);
 }
 

@@ -5,7 +5,7 @@
 #include <variant>
 
 #include "edit/commands/commands_settings.h"
-#include "ui/tools/fly_keys.h"
+#include "ui/tools/cameras.h"
 #include "world/aids.h"
 
 namespace coaster::ui {

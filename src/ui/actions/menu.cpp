@@ -9,8 +9,9 @@
 
 #include <fmt/format.h>
 
-#include "ui/actions/actions_parts.h"
-#include "ui/context/rows.h"
+#include "edit/commands/commands_session.h"
+#include "ui/actions/actions_detail.h"
+#include "ui/context/query_rows.h"
 #include "ui/widgets/imgui_compat.h"
 #include "ui/widgets/theme.h"
 #include "world/panels.h"
@@ -32,7 +33,7 @@ void build_recent(Act& act) {
       const bool pressed = ImGui::MenuItem(label.c_str());
       note_item(act.ui, "File/Recent/" + label, "menu", file, true, "off");
       ImGui::PopID();
-      if (pressed) act.ui.want = {Want::Kind::load, file};
+      if (pressed) act.ui.replace(edit::Load{file});
     }
     ImGui::EndMenu();
   }

@@ -4,11 +4,24 @@
 
 #include "edit/commands/commands_session.h"
 #include "edit/session/locks.h"
+#include "ui/widgets/theme.h"
 
 namespace coaster::ui {
 
 void Ui::begin_step() { emit(edit::BeginGesture{}); }
 void Ui::end_step() { emit(edit::EndGesture{}); }
+
+void build_area(Ui& ui, const view::Viewport& area, const AreaLook& look, const std::function<void()>& content) {
+  if (area.width < 1 || area.height < 1) return;
+  if (look.padding) ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, *look.padding);
+  if (look.raised) ImGui::PushStyleColor(ImGuiCol_WindowBg, colour(palette().raised));
+  ui.panel = look.panel;
+  if (begin_area(look.id, {area.x, area.y}, {area.width, area.height}, look.more)) content();
+  ui.panel.clear();
+  ImGui::End();
+  if (look.raised) ImGui::PopStyleColor();
+  if (look.padding) ImGui::PopStyleVar();
+}
 
 LockedWidgets::LockedWidgets(Ui& ui, std::string_view command) : ui_(ui), before_(ui.locked) {
   const bool locked = edit::is_locked(ui.session(), command);

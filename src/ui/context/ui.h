@@ -11,7 +11,6 @@
 
 #include "base/kept.h"
 #include "edit/commands/command.h"
-#include "exchange/own/import.h"
 #include "ui/context/key_map.h"
 #include "ui/context/output.h"
 #include "ui/context/state.h"
@@ -24,14 +23,12 @@ namespace coaster::ui {
 
 struct LabCache;
 
-// A screen that a panel or an action requests. The first six ask about unsaved changes first.
+// A screen or another track that a panel or an action requests. Those up to `quit` ask about unsaved changes first.
 struct Want {
   enum class Kind {
     nothing,
-    fresh,
+    replace,
     browse,
-    load,
-    challenge,
     tutorial,
     quit,
     save,
@@ -42,8 +39,7 @@ struct Want {
     challenges,
     start_screen
   } kind = Kind::nothing;
-  std::string path;              // for load and challenge
-  exchange::Import import = {};  // for load: the words; none: they are asked for
+  std::optional<edit::Command> command = {};  // for replace: one that replaces the track (CommandTraits::replaces)
 };
 
 // The last requested change of a section. If it is refused, the reason shows below its field.
@@ -122,6 +118,8 @@ struct Ui : WidgetFrame {
   void emit(C command) {
     out.commands.push_back(edit::Command(std::move(command)));
   }
+  // Runs a command that replaces the track, or first asks about unsaved changes.
+  void replace(edit::Command command) { want = {Want::Kind::replace, std::move(command)}; }
   // Calls emit_one for each, as one undo step; a drag is one already.
   template <class List, class EmitOne>
   void emit_each(const List& all, const EmitOne& emit_one) {
@@ -133,6 +131,17 @@ struct Ui : WidgetFrame {
   void begin_step();
   void end_step();
 };
+
+// A part of the window: a window over it that cannot be moved.
+struct AreaLook {
+  const char* id;
+  std::string_view panel;                        // names its widgets
+  std::optional<ImVec2> padding = ImVec2(0, 0);  // px; nothing: as other windows
+  bool raised = false;                           // ground of bars
+  ImGuiWindowFlags more = ImGuiWindowFlags_NoScrollbar;
+};
+// Builds it, unless `area` is less than a pixel wide or high.
+void build_area(Ui& ui, const view::Viewport& area, const AreaLook& look, const std::function<void()>& content);
 
 // While it lives, widgets are greyed if the challenge locks the command, and their tooltips give the reason.
 class LockedWidgets {

@@ -9,33 +9,62 @@
 #include <utility>
 #include <variant>
 
-#include "edit/commands/commands_challenge.h"
 #include "edit/commands/commands_session.h"
 #include "edit/commands/commands_settings.h"
 #include "platform/events.h"
 #include "ui/actions/actions.h"
 #include "ui/actions/command_palette.h"
 #include "ui/actions/gamepad.h"
-#include "ui/host/areas.h"
-#include "ui/host/event_order.h"
-#include "ui/host/imgui_input.h"
-#include "ui/host/imgui_renderer.h"
-#include "ui/lab/cache.h"
+#include "ui/host/layout.h"
 #include "ui/lab/force_keys.h"
+#include "ui/lab/page_parts.h"
+#include "ui/lab/strips.h"
+#include "ui/panels/panels.h"
+#include "ui/panels/sections.h"
 #include "ui/screens/dialogs.h"
 #include "ui/screens/overlays.h"
 #include "ui/screens/start_screen.h"
-#include "ui/screens/toasts.h"
-#include "ui/tools/fly_keys.h"
-#include "ui/tools/follow_camera.h"
+#include "ui/tools/cameras.h"
 #include "ui/widgets/imgui_compat.h"
-#include "ui/widgets/letters.h"
 #include "ui/widgets/theme.h"
+#include "world/lab_view.h"
 #include "world/look.h"
 #include "world/panels.h"
 
 namespace coaster::ui {
 namespace {
+
+LayoutWish wish_of(const Ui& ui) {
+  const world::Settings& settings = ui.session().settings;
+  const world::Panels& shown = *settings.panels;
+  // The riders' page is as high as possible, because it is read from top to bottom.
+  const float usual = settings.lab->page == world::LabPage::riders ? 0.5f : 0.0f;
+  return {.panels = shown.show_panels,
+          .workspace = shown.workspace,
+          .strip = {shown.show_laboratory, shown.laboratory_height > 0 ? shown.laboratory_height : usual},
+          .parameters = ui.drawers.parameters.wanted,
+          .graph = ui.drawers.graph.wanted,
+          .graph_share = shown.graph_height,
+          .elements = palette_size(),
+          .label_width = palette_label_width(ui.scale)};
+}
+
+// Builds everything except the menu. Empty areas are skipped.
+void build_areas(Ui& ui, const Layout& layout) {
+  build_column(ui, Column::left, layout.left);
+  build_column(ui, Column::right, layout.right);
+  build_laboratory(ui, layout.strip);
+  build_column(ui, Column::left, layout.parameters);
+  build_palette_of_elements(ui, layout.palette, layout.grid);
+  build_drawer(ui, layout.drawer);
+  build_force_graph(ui, layout.graph);
+  if (const float bar = ImGui::GetFrameHeight(); ui.drawers.table && layout.graph.height > bar + 1)
+    build_sections_table(ui, {layout.graph.x, layout.graph.y + bar, layout.graph.width, layout.graph.height - bar});
+  build_ride_bar(ui, layout.ride);
+  build_status_bar(ui, layout.status);
+  const world::Workspace workspace = ui.session().settings.panels->workspace;
+  if (workspace == world::Workspace::build || workspace == world::Workspace::ride) draw_goals(ui, layout.scene);
+}
 
 bool text_has_keyboard() {
   const ImGuiContext& g = *ImGui::GetCurrentContext();
@@ -51,6 +80,48 @@ view::View make_view(const State& state, const view::Viewport& scene) {
 }
 
 }  // namespace
+
+WaitCard::WaitCard(ImGuiContext& panels, ImGuiRenderer& renderer, float scale)
+    : panels_(&panels), renderer_(&renderer), scale_(scale) {
+  ImGui::SetCurrentContext(panels_);
+  const ImGuiIO& of_panels = ImGui::GetIO();
+  const ImGuiStyle& style = ImGui::GetStyle();
+  const ImVec2 mouse = of_panels.MousePos;
+  context_ = ImGui::CreateContext(of_panels.Fonts);
+  ImGui::SetCurrentContext(context_);
+  set_up_context();
+  ImGui::GetStyle() = style;
+  ImGui::GetIO().UserData = of_panels.UserData;  // the theme
+  share_textures(of_panels);
+  input_.feed({platform::MouseMove{mouse.x, mouse.y}}, 1, 1, false);
+  ImGui::SetCurrentContext(panels_);
+}
+
+WaitCard::~WaitCard() {
+  ImGui::DestroyContext(context_);
+  ImGui::SetCurrentContext(panels_);
+}
+
+bool WaitCard::show(const platform::Events& events, const JobState& job, int width, int height) {
+  ImGui::SetCurrentContext(context_);
+  input_.feed(events, width, height, false);
+  ImGui::NewFrame();
+  WidgetList list;
+  Entry entry;
+  Gesture gesture;
+  Rest rest;
+  const std::function<void()> begin_gesture;
+  const std::function<void(const std::string&)> warn;
+  WidgetFrame ui{list, entry, gesture, rest, begin_gesture, warn, scale_};
+  const view::Viewport all{0, 0, static_cast<float>(width), static_cast<float>(height)};
+  if (!std::exchange(dimmed_, true))
+    ImGui::GetBackgroundDrawList()->AddRectFilled({0, 0}, {all.width, all.height}, packed(0x000000, 0.4f));
+  const bool cancels = draw_job(ui, all, job);
+  ImGui::Render();
+  if (const ImDrawData* const data = ImGui::GetDrawData()) renderer_->draw(*data, width, height);
+  ImGui::SetCurrentContext(panels_);
+  return cancels;
+}
 
 struct Host::Parts {
   const gfx::Gl& gl;
@@ -135,7 +206,7 @@ void Host::Parts::take_files(Ui& ui, const platform::Events& events) {
     if (const auto* drop = std::get_if<platform::Drop>(&event)) dropped = drop->path;
     if (std::holds_alternative<platform::CloseRequest>(event)) dialogs.take(ui, {Want::Kind::quit});
   }
-  if (!dropped.empty()) dialogs.take(ui, {Want::Kind::load, std::exchange(dropped, {})});
+  if (!dropped.empty()) dialogs.take(ui, {Want::Kind::replace, edit::Load{std::exchange(dropped, {})}});
 }
 
 void Host::Parts::take_want(Ui& ui) {
@@ -185,8 +256,7 @@ void Host::Parts::lay_out(Ui& ui, const platform::Events& events, int width, int
   draw_legend(ui, layout.scene);
   toasts.draw(ui, beside_hints(ui, free, 400 * ui.scale));
   for (const edit::Command& command : ui.out.commands)
-    if (command.is<edit::Load>() || command.is<edit::NewTrack>() || command.is<edit::StartChallenge>())
-      frame_next = !edit::opens_link(command), start.hide();
+    if (edit::info(command).traits.replaces) frame_next = !edit::opens_link(command), start.hide();
   if (ui.out.wants_tutorial || ui.out.recovery == Recovery::recover || palette.open) start.hide();
 }
 

@@ -11,10 +11,33 @@
 #include "platform/events.h"
 #include "ui/context/output.h"
 #include "ui/context/state.h"
-#include "ui/host/wait_card.h"
+#include "ui/host/imgui_input.h"
+#include "ui/host/imgui_renderer.h"
 #include "ui/widgets/widget_list.h"
 
 namespace coaster::ui {
+
+// The card of a command that takes long, over the last picture. Panels read the session, which the command is changing
+// meanwhile, so the card has a Dear ImGui context of its own, with the fonts and the style of the panels.
+class WaitCard {
+ public:
+  // `panels`: their context, between two frames. Both it and the renderer must outlive the card.
+  WaitCard(ImGuiContext& panels, ImGuiRenderer& renderer, float scale);
+  ~WaitCard();
+  WaitCard(const WaitCard&) = delete;
+  WaitCard& operator=(const WaitCard&) = delete;
+
+  // Draws into the bound framebuffer, which holds a picture of that size. Returns true if the user cancels.
+  bool show(const platform::Events& events, const JobState& job, int width, int height);
+
+ private:
+  ImGuiContext* panels_;
+  ImGuiContext* context_;
+  ImGuiRenderer* renderer_;
+  float scale_;
+  ImGuiInput input_;
+  bool dimmed_ = false;  // the picture behind it
+};
 
 class Host {
  public:
@@ -46,7 +69,7 @@ class Host {
   // Returns how long the panels stay unchanged without events, s, from the time `seconds` on: until a notice fades, the
   // caret of a text field blinks, or a list of files is read again.
   double still_for(double seconds) const;
-  // True while clicks or keys wait for the next frames (event_order.h).
+  // True while clicks or keys wait for the next frames (EventOrder).
   bool input_waits() const;
   // True while a text field or a popup has the keyboard.
   bool wants_keyboard() const;

@@ -21,7 +21,7 @@ void force_plot(Ui& ui, world::Entity section, const std::optional<RidePlots>& r
 
 // Handles the keyboard for editing forces and returns the other events. Tab and Shift+Tab select a key, and open
 // the graph if it is folded; arrows move the key by a step (Ctrl: a tenth), Insert adds one behind it, Delete removes
-// it, Escape deselects it; see also force_clip.h.
+// it, Escape deselects it, Ctrl+C and Ctrl+V copy and paste.
 platform::Events without_force_keys(Ui& ui, const platform::Events& events);
 
 }  // namespace coaster::ui

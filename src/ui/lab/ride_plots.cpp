@@ -10,7 +10,7 @@
 
 #include "edit/commands/commands_ride.h"
 #include "edit/commands/set_setting.h"
-#include "ui/lab/cache.h"
+#include "ui/lab/page_parts.h"
 #include "ui/widgets/table.h"
 #include "world/lab_view.h"
 

@@ -11,11 +11,11 @@
 #include "edit/commands/commands_ride.h"
 #include "edit/session/locks.h"
 #include "query/challenge.h"
-#include "ui/context/challenge_files.h"
-#include "ui/context/rows.h"
+#include "ui/context/kept_files.h"
+#include "ui/context/query_rows.h"
 #include "ui/panels/panels.h"
-#include "ui/tools/places.h"
-#include "ui/widgets/medals.h"
+#include "ui/tools/show_places.h"
+#include "ui/widgets/icons.h"
 #include "ui/widgets/theme.h"
 
 namespace coaster::ui {
@@ -96,7 +96,7 @@ void buttons(Ui& ui, const edit::ActiveChallenge& challenge) {
   if (button(ui, "Hint", left > 0 ? fmt::format("{} left.", left) : "No more hints.", left > 0, half))
     ui.emit(edit::ShowHint{});
   if (button(ui, "Restart###Start over", "Reload the start track.", true, half))
-    ui.want = {Want::Kind::challenge, challenge.path};
+    ui.replace(edit::StartChallenge{challenge.path});
   ImGui::SameLine(0, gap);
   if (button(ui, "Leave", "Leave the challenge. The track stays as it is.", true, half))
     ui.emit(edit::LeaveChallenge{});
@@ -122,7 +122,7 @@ void passed_row(Ui& ui, const edit::ActiveChallenge& challenge) {
   const auto next = challenge_after(challenge);
   if (!next) return;
   ImGui::SameLine();
-  if (button(ui, "Next challenge", "Begin the next challenge.")) ui.want = {Want::Kind::challenge, next->string()};
+  if (button(ui, "Next challenge", "Begin the next challenge.")) ui.replace(edit::StartChallenge{next->string()});
 }
 
 }  // namespace
@@ -151,8 +151,7 @@ void challenge_panel(Ui& ui) {
       show_place(ui, *challenge.last.place);
   }
   hints(ui, challenge);
-  if (button(ui, "All challenges", "Choose another challenge.", true, ImGui::GetContentRegionAvail().x))
-    ui.want = {Want::Kind::challenges};
+  if (wide_button(ui, "All challenges", "Choose another challenge.")) ui.want = {Want::Kind::challenges};
 }
 
 void draw_goals(Ui& ui, const view::Viewport& scene) {

@@ -1,4 +1,4 @@
-// Evaluation: methods, resolution, and the read-outs to compare them.
+// Evaluation: methods, resolution, and the read-outs to compare them. Statistics: cost of the last frame.
 #include <imgui.h>
 
 #include <algorithm>
@@ -8,7 +8,7 @@
 
 #include "edit/commands/commands_settings.h"
 #include "sim/shape/deviation.h"
-#include "ui/context/rows.h"
+#include "ui/context/query_rows.h"
 #include "ui/context/setting_rows.h"
 #include "ui/panels/panels.h"
 #include "ui/widgets/theme.h"
@@ -49,24 +49,6 @@ void methods_of(Ui& ui, Group group, std::string_view title, std::string_view to
   ImGui::PopFont();
 }
 
-}  // namespace
-
-void evaluator_choice(Ui& ui) {
-  methods_of(ui, Group::paper, "The paper's four", "Barrett 2012, section 3, in textbook form.");
-  methods_of(ui, Group::fast, "Fast", "The same polynomial, arranged for modern processors.");
-  methods_of(ui, Group::gpu, "On the GPU",
-             "Computed from the control points: each segment uploads 48 bytes instead of its polyline.");
-}
-
-void steps_slider(Ui& ui) {
-  const auto steps =
-      slider(ui, "Steps per segment", ui.session().settings.evaluation->steps, curve::kMinSteps, curve::kMaxSteps, true,
-             "Straight pieces per segment, 1 to 4096. Ctrl+click or double-click to type.");
-  if (steps) ui.emit(edit::Set<&world::Evaluation::steps>{*steps});
-}
-
-namespace {
-
 void resolution(Ui& ui) {
   const world::Settings& settings = ui.session().settings;
   steps_slider(ui);
@@ -101,6 +83,20 @@ void chord_error(Ui& ui) {
 
 }  // namespace
 
+void evaluator_choice(Ui& ui) {
+  methods_of(ui, Group::paper, "The paper's four", "Barrett 2012, section 3, in textbook form.");
+  methods_of(ui, Group::fast, "Fast", "The same polynomial, arranged for modern processors.");
+  methods_of(ui, Group::gpu, "On the GPU",
+             "Computed from the control points: each segment uploads 48 bytes instead of its polyline.");
+}
+
+void steps_slider(Ui& ui) {
+  const auto steps =
+      slider(ui, "Steps per segment", ui.session().settings.evaluation->steps, curve::kMinSteps, curve::kMaxSteps, true,
+             "Straight pieces per segment, 1 to 4096. Ctrl+click or double-click to type.");
+  if (steps) ui.emit(edit::Set<&world::Evaluation::steps>{*steps});
+}
+
 void evaluation_panel(Ui& ui) {
   evaluator_choice(ui);
   resolution(ui);
@@ -132,6 +128,30 @@ void evaluation_panel(Ui& ui) {
   read_query(ui, "Rounding error###Largest deviation", "deviation",
              "Largest distance of a vertex from the exact point at the same t (de Casteljau in long double).",
              {.decimals = 6, .unit = "mm", .factor = 1e3});
+}
+
+void statistics_panel(Ui& ui) {
+  const query::FrameStats& stats = ui.state.stats;
+  const auto time = [&](double value, int decimals) {
+    return ui.state.scripted || stats.hide_times || value <= 0 ? std::string("--") : fixed(value, decimals);
+  };
+  read_out(ui, "Frames per second", time(stats.fps, 0), "fps", "Frames per second.");
+  read_out(ui, "Frame", time(stats.cpu_ms, 2), "ms", "CPU time of the last frame, without OpenGL and waiting.");
+  read_out(ui, "OpenGL", time(stats.gl_ms, 2), "ms", "Time of the last frame in OpenGL.");
+  read_query(ui, "Rebuilds", "rebuilds", "Segments evaluated in the last frame. 0 while nothing moves.",
+             {.decimals = 0, .unit = ""});
+  read_query(ui, "Uploads", "uploads",
+             "Segments whose vertex buffers were written in the last frame. 0 while nothing moves.",
+             {.decimals = 0, .unit = ""});
+  const auto count = [&](std::string_view label, auto value, std::string_view tooltip) {
+    read_out(ui, label, std::to_string(value), "", tooltip);
+  };
+  count("Entities", ui.session().document.entities.size(), "Knots, segments and trains in the registry.");
+  count("Draw calls", stats.draw_calls, "Draw calls for the scene in the last frame.");
+  count("Triangles", stats.triangles, "Triangles drawn in the last frame.");
+  count("Shadow maps", stats.shadow_maps, "Shadow maps rendered in the last frame. 0 while nothing moves.");
+  count("Samples", stats.samples, "Samples per pixel (multisampling).");
+  read_out(ui, "Renderer", ui.renderer, "", "GL_RENDERER.");
 }
 
 }  // namespace coaster::ui

@@ -12,7 +12,7 @@
 #include "edit/commands/commands_settings.h"
 #include "edit/commands/commands_shape.h"
 #include "sim/study/jolt.h"
-#include "ui/context/rows.h"
+#include "ui/context/query_rows.h"
 #include "ui/tools/selecting.h"
 #include "world/selection.h"
 #include "world/topology.h"
@@ -163,7 +163,7 @@ void knot_inspector(Ui& ui, Entity entity, Name name) {
 void knots_inspector(Ui& ui, Entity active, const std::vector<Entity>& knots) {
   const world::Document& document = ui.session().document;
   const world::Knot& knot = world::knot(document, active);
-  const edit::Knots all = named_knots(document, knots);
+  const edit::Knots all(names_of(document, knots));
   read_out(ui, "Active", world::label_of(document, active), "",
            "The values below are those of this knot. A change applies to all selected knots.");
   heading(ui, "Position (m)", "Sets one coordinate of all selected knots. The other two stay.");

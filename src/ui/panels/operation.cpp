@@ -2,7 +2,7 @@
 #include <fmt/format.h>
 
 #include "edit/commands/commands_operation.h"
-#include "ui/panels/equipment_form.h"
+#include "ui/panels/forms.h"
 #include "world/selection.h"
 
 namespace coaster::ui {
@@ -102,8 +102,7 @@ void track_curve(Ui& ui) {
            std::string(base::row_of(document.curve).help));
   const std::string_view other = rails ? "heartline" : "rails";
   const auto offer = [&](std::string_view label, edit::Keep keep, std::string_view effect) {
-    if (button(ui, label, fmt::format("Make the curve the {}. {}", other, effect), true,
-               ImGui::GetContentRegionAvail().x))
+    if (wide_button(ui, label, fmt::format("Make the curve the {}. {}", other, effect)))
       ui.emit(edit::SetCurve{rails ? world::TrackCurve::heartline : world::TrackCurve::rails, keep});
   };
   offer("Switch, keep rails", edit::Keep::rails, "The rails keep their shape within 1 cm.");

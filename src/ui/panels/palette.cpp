@@ -1,4 +1,5 @@
-// The buttons of the elements: one for each row of the table, the selected one highlighted and ticked.
+// The buttons of the elements: one for each row of the table, the selected one highlighted and ticked. The panel
+// Elements: the parameters of the selected element, its preview at the track's open end, and placing it.
 #include "ui/panels/palette.h"
 
 #include <imgui.h>
@@ -9,14 +10,21 @@
 
 #include <fmt/format.h>
 
+#include "base/text.h"
+#include "edit/commands/commands_elements.h"
 #include "edit/commands/set_setting.h"
-#include "ui/context/ways_home.h"
-#include "ui/tools/palette_element.h"
-#include "ui/tools/places.h"
+#include "sim/plan/elements.h"
+#include "sim/study/complete_circuit.h"
+#include "sim/study/jolt.h"
+#include "ui/context/query_rows.h"
+#include "ui/panels/forms.h"
+#include "ui/tools/previews.h"
+#include "ui/tools/show_places.h"
 #include "ui/widgets/icons.h"
 #include "ui/widgets/theme.h"
 #include "world/aids.h"
 #include "world/element_rows.h"
+#include "world/panels.h"
 
 namespace coaster::ui {
 namespace {
@@ -115,7 +123,80 @@ void circuit_cell(Ui& ui, const PaletteGrid& grid, int cell) {
   next_cell(cell, grid);
   const bool open = completable(ui.session().document), on = open && ui.session().settings.aids->circuit > 0;
   const std::string help = with_keys(ui.keys, fmt::format("{}. {}", kCompleteCircuit, kCircuitHelp), kCompleteCircuit);
-  if (face_button(ui, {kCircuitIcon, std::string(kCircuitLabel), help, on, open}, grid)) toggle_ways_home(ui);
+  if (face_button(ui, {kCircuitIcon, std::string(kCircuitLabel), help, on, open}, grid)) toggle_proposals(ui);
+}
+
+using world::Element;
+
+// Two buttons side by side, so that each needs one click.
+void kinds_of_forces(Ui& ui) {
+  const world::ElementKind now = ui.session().settings.element.kind;
+  const std::span<const world::ElementRow> rows = world::force_elements();
+  const float middle = ImGui::GetCursorPosX() + std::floor(ImGui::GetContentRegionAvail().x / 2);
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const auto kind = static_cast<world::ElementKind>(world::elements().size() + i);
+    if (i % 2 == 1) ImGui::SameLine(middle);
+    if (radio(ui, rows[i].label, kind == now, rows[i].help) && kind != now)
+      ui.emit(edit::ChooseElement{ui.inputs.elements[static_cast<std::size_t>(kind)]});
+  }
+}
+
+void parameters(Ui& ui) {
+  Element element = ui.session().settings.element;
+  ui.inputs.elements[static_cast<std::size_t>(element.kind)] = element;
+  if (world::is_of_forces(element.kind)) kinds_of_forces(ui);
+  if (!element_fields(ui, element)) return;
+  std::vector<std::string> lines;  // said at once: those of the preview may be out of sight
+  sim::clamp_values(element, lines);
+  for (const std::string& line : lines) ui.warn(in_units(ui, line));
+  ui.emit(edit::ChooseElement{element});
+}
+
+void outcome(Ui& ui, const sim::ElementPlan& plan) {
+  read_query(ui, "Spans", "element.spans", "Cubic Bézier spans, as few as stay within 1 cm of the ideal curve.",
+             {.decimals = 0});
+  read_query(ui, "Total length", "element.length", "Length including the lead-in from the open end.", {.decimals = 1});
+  read_query(ui, "Fit error", "element.error", "Largest distance between the ideal curve and the spans.",
+             {.decimals = 1, .unit = "mm", .factor = 1000});
+  if (plan.lowest < 0)
+    read_out(ui, "Below ground###In the ground", -plan.lowest, 1, "m", "Depth below the ground. That part is red.",
+             true);
+  if (const double missing = sim::worst(ui.find.room()); missing > 0)
+    read_out(ui, "Missing clearance###Lacks room", missing, 1, "m",
+             "Missing clearance to other track. That part is yellow.", true);
+  for (const std::string& line : plan.lines) tinted(in_units(ui, line), palette().warning);
+}
+
+void circuit_button(Ui& ui) {
+  if (wide_button(ui, "Complete circuit", with_keys(ui.keys, kCircuitHelp, "Complete circuit"),
+                  completable(ui.session().document)))
+    toggle_proposals(ui);
+}
+
+// Shows the ways home during their preview.
+void ways_home(Ui& ui) {
+  const world::Aids& aids = *ui.session().settings.aids;
+  if (aids.circuit <= 0 || !completable(ui.session().document)) return;
+  if (ui.session().history.in_gesture) return tinted("The proposals show again after the drag.", palette().dim);
+  const sim::CircuitProposals& found = ui.find.circuit();
+  if (!found.refusal.empty()) return tinted(in_units(ui, base::sentence(found.refusal)), palette().warning);
+  const std::size_t at = shown_proposal(aids, found);
+  const sim::CircuitProposal& way = found.list[at];
+  read_out(ui, "Proposal###Way home", fmt::format("{} of {}", at + 1, found.list.size()), "",
+           fmt::format("{} shows the next one.", ui.keys.shown("Panels")));
+  read_out(ui, "Total length###Length home", way.plan.length, 1, "m", "Length of this closing section.");
+  read_out(ui, "Worst g", way.felt.most, 1, "g", "Largest vertical felt g on this closing section, not low-passed.");
+  const double jolt = ui.find.way_jolt(at);
+  read_out(ui, "Worst jolt", jolt, 1, "g",
+           "Largest sudden change of felt g at the joints of this closing section, low-passed.",
+           jolt > sim::kJoltLimit);
+  if (found.assumed)
+    tinted(in_units(ui, fmt::format("No train reaches the open end. Planned for {} m/s.", base::to_text(found.speed))),
+           palette().warning);
+  const std::string help = fmt::format("Close the track by this section. {} hides it.", ui.keys.shown("Cancel"));
+  if (found.list.size() > 1 && wide_button(ui, "Next proposal###Next way home", "Show the next closing section."))
+    next_proposal(ui);
+  if (wide_button(ui, "Place proposal###Place way home", with_keys(ui.keys, help, "Place element"))) place_proposal(ui);
 }
 
 }  // namespace
@@ -130,39 +211,29 @@ float palette_label_width(float scale) {
 }
 
 void build_palette_of_elements(Ui& ui, const view::Viewport& area, const PaletteGrid& grid) {
-  if (area.width < 1 || area.height < 1) return;
   const float pad = std::floor(8 * ui.scale), gap = std::floor(4 * ui.scale);
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(pad, pad));
+  const AreaLook look{.id = "##palette",
+                      .panel = "Elements",
+                      .padding = ImVec2(pad, pad),
+                      .more = ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse};
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(gap, gap));
-  if (begin_area("##palette", {area.x, area.y}, {area.width, area.height},
-                 ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse)) {
-    ui.panel = "Elements";
+  build_area(ui, area, look, [&] {
     const int used = element_buttons(ui, grid);
     forces_button(ui, grid, used);
     by_hand_button(ui, grid, used + 1);
     circuit_cell(ui, grid, used + 2);
-    ui.panel.clear();
-  }
-  ImGui::End();
-  ImGui::PopStyleVar(2);
+  });
+  ImGui::PopStyleVar();
 }
 
 void build_drawer(Ui& ui, const view::Viewport& area) {
-  if (area.width < 1 || area.height < 1) return;
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0, 0));
-  ImGui::PushStyleColor(ImGuiCol_WindowBg, colour(palette().raised));
-  if (begin_area("##drawer", {area.x, area.y}, {area.width, area.height})) {
-    ui.panel = "Parameters";
+  build_area(ui, area, {.id = "##drawer", .panel = "Parameters", .raised = true}, [&] {
     const bool open = ui.drawers.parameters.open;
     const bool fits = area.height + text_size("Parameters").x <= area.width;
     const std::string help =
         with_keys(ui.keys, "Parameters of the chosen element, of the selection, or of the track.", "Parameters");
     if (fold(ui, fits ? "Parameters" : "Values", open, help, {area.width, area.height})) ui.drawers.parameters.toggle();
-    ui.panel.clear();
-  }
-  ImGui::End();
-  ImGui::PopStyleColor();
-  ImGui::PopStyleVar();
+  });
 }
 
 void all_element_buttons(Ui& ui) {
@@ -172,6 +243,24 @@ void all_element_buttons(Ui& ui) {
   grid.columns = std::clamp(static_cast<int>((room + gap) / (widest + gap)), 1, 4);
   grid.cell_width = std::floor((room - gap * static_cast<float>(grid.columns - 1)) / static_cast<float>(grid.columns));
   forces_button(ui, grid, element_buttons(ui, grid));
+}
+
+void elements_panel(Ui& ui) {
+  const edit::Session& session = ui.session();
+  if (session.settings.panels->workspace == world::Workspace::all) {  // else they are in the palette
+    all_element_buttons(ui);
+    circuit_button(ui);
+  }
+  ways_home(ui);
+  if (!session.settings.aids->show_element) return;
+  parameters(ui);
+  const sim::ElementPlan& plan = ui.find.element();
+  const bool possible = plan.refusal.empty();
+  if (!possible) tinted(in_units(ui, base::sentence(plan.refusal)), palette().warning);
+  const std::string help =
+      fmt::format("Place the element at the open end of the track. {} hides the preview.", ui.keys.shown("Cancel"));
+  if (wide_button(ui, "Place", with_keys(ui.keys, help, "Place element"), possible)) place_shown_element(ui);
+  if (possible) outcome(ui, plan);
 }
 
 }  // namespace coaster::ui

@@ -1,4 +1,4 @@
-// The table of panels, and their columns. To add a panel: a file with its function, and a row here.
+// The table of panels, and their columns. To add a panel: its function, and a row here.
 #include "ui/panels/panels.h"
 
 #include <imgui.h>
@@ -93,8 +93,9 @@ void bring_into_sight(float top) {
 }  // namespace
 
 void build_column(Ui& ui, Column column, const view::Viewport& area) {
-  if (area.width < 1 || area.height < 1) return;
-  if (begin_area(column == Column::left ? "##left" : "##right", {area.x, area.y}, {area.width, area.height}, 0)) {
+  const AreaLook look{
+      .id = column == Column::left ? "##left" : "##right", .panel = "", .padding = {}, .more = ImGuiWindowFlags_None};
+  build_area(ui, area, look, [&] {
     scroll_to_what_is_new(ui);
     // A new lesson opens the panel of its widget and brings the widget into sight.
     const auto leads_to = [&](const Panel& panel) {
@@ -127,9 +128,7 @@ void build_column(Ui& ui, Column column, const view::Viewport& area) {
       if (is_first(panel)) build(panel);
     for (const Panel& panel : panels())
       if (!is_first(panel)) build(panel);
-  }
-  ImGui::End();
-  ui.panel.clear();
+  });
 }
 
 }  // namespace coaster::ui

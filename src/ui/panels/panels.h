@@ -1,10 +1,11 @@
-// The columns of panels next to the scene, and the status bar.
+// The columns of panels next to the scene, and the bars.
 #pragma once
 
 #include <span>
 #include <string_view>
 
 #include "ui/context/ui.h"
+#include "view/camera.h"
 
 namespace coaster::ui {
 
@@ -43,5 +44,8 @@ void draw_goals(Ui& ui, const view::Viewport& scene);
 // Parts of the panel Evaluation that also show in the list of the status bar.
 void evaluator_choice(Ui& ui);
 void steps_slider(Ui& ui);
+
+// Builds it in one row, or in two if the area is high enough.
+void build_ride_bar(Ui& ui, const view::Viewport& area);
 
 }  // namespace coaster::ui

@@ -1,4 +1,6 @@
-#include "ui/panels/sections_table.h"
+// The table of sections: sorted by any column, with several rows selected at once. Cells that show a parameter of a
+// planned section can be edited.
+#include "ui/panels/sections.h"
 
 #include <imgui.h>
 
@@ -6,14 +8,15 @@
 #include <array>
 #include <cmath>
 #include <numeric>
+#include <span>
 #include <variant>
 
 #include <fmt/format.h>
 
 #include "edit/commands/set_setting.h"
-#include "ui/panels/equipment_form.h"
-#include "ui/panels/section_cells.h"
-#include "ui/panels/section_changes.h"
+#include "sim/study/section_figures.h"
+#include "ui/context/ui.h"
+#include "ui/panels/forms.h"
 #include "ui/tools/selecting.h"
 #include "ui/widgets/table.h"
 #include "ui/widgets/theme.h"
@@ -23,11 +26,94 @@
 #include "world/selection.h"
 
 namespace coaster::ui {
+
 namespace {
+
+using world::SectionColumn;
+
+// True for an editable cell, which shows a parameter of its section.
+bool takes_typing(const world::Section& section, SectionColumn column) {
+  return planned_value(section, parameter_of(column)).has_value();
+}
+
+// Returns the next editable cell of a row, from `from` on.
+std::optional<SectionColumn> next_cell(const world::Section& section, std::span<const SectionColumn> columns,
+                                       std::size_t from) {
+  for (std::size_t i = from; i < columns.size(); ++i)
+    if (takes_typing(section, columns[i])) return columns[i];
+  return std::nullopt;
+}
+
+void typed_cell(Ui& ui, const Chosen& chosen, std::span<const SectionColumn> columns, std::size_t at,
+                std::string_view label) {
+  EditedCell& cell = *ui.inputs.cell;
+  world::Element element = chosen.section().element;
+  const std::string_view name = parameter_of(columns[at]);
+  const auto parameters = base::row_of(element.kind).parameters;
+  const auto p = std::find_if(parameters.begin(), parameters.end(),
+                              [&](const world::ElementParameter& one) { return one.name == name; });
+  if (std::exchange(cell.begins, false) && ui.wish) ui.wish->panel = ui.panel;
+  const TypedNumber typed = cell_number(ui, label, parameter_number(*p, world::value_of(element, name)), p->help);
+  if (typed.value && *typed.value != world::value_of(element, name)) {
+    element.values[static_cast<std::size_t>(p - parameters.begin())] = *typed.value;
+    change_sections(ui, chosen, name, element);
+  }
+  if (typed.open) return;
+  // Tab asks for the panel's next field.
+  const bool tab = ui.wish && ui.wish->panel == ui.panel;
+  if (tab) ui.wish->panel.clear();
+  const auto next = tab ? next_cell(chosen.section(), columns, at + 1) : std::nullopt;
+  if (next) ui.inputs.cell = EditedCell{cell.section, next};
+  else ui.inputs.cell.reset();
+}
+
+// Finds the cell of the active section's row that the keyboard asks for. Call it once a frame, before the rows.
+void begin_cell(Ui& ui, std::span<const SectionColumn> columns) {
+  std::optional<EditedCell>& cell = ui.inputs.cell;
+  if (!cell) return;
+  const edit::Session& session = ui.session();
+  const auto* const section = session.document.entities.find<world::Section>(session.settings.selected);
+  if (section == nullptr || world::name_of(session.document, session.settings.selected) != cell->section)
+    return cell.reset();
+  if (!cell->column) cell->column = next_cell(*section, columns, 0);
+  if (!cell->column) ui.warn("The section has no editable number in this table.");
+  if (!cell->column || std::find(columns.begin(), columns.end(), *cell->column) == columns.end()) cell.reset();
+}
+
+// True if a cell of the section is being edited.
+bool cell_is_open(const Ui& ui, world::Name section) { return ui.inputs.cell && ui.inputs.cell->section == section; }
+bool cell_is_open(const Ui& ui, world::Name section, SectionColumn column) {
+  return cell_is_open(ui, section) && ui.inputs.cell->column == column;
+}
+
+// Call after table_row(): registers the row's editable cells, as "q2/Height" (kind "cell"), opens one on a double
+// click, and shows the field of the one being edited.
+void row_cells(Ui& ui, const world::SectionRun& run, std::span<const SectionColumn> columns) {
+  const edit::Session& session = ui.session();
+  const world::Section& section = world::section(session.document, run.section);
+  const world::Name name = world::name_of(session.document, run.section);
+  for (std::size_t i = 0; i < columns.size(); ++i) {
+    if (!takes_typing(section, columns[i]) || !ImGui::TableSetColumnIndex(static_cast<int>(i))) continue;
+    const base::NameRow& row = base::row_of(columns[i]);
+    const std::string label = fmt::format("{}/{}", world::label_of(session.document, run.section), row.label);
+    if (cell_is_open(ui, name, columns[i])) {
+      typed_cell(ui, chosen_sections(session), columns, i, label);
+      continue;
+    }
+    const ImVec2 low = ImGui::GetCursorScreenPos();
+    const ImVec2 high(low.x + ImGui::GetContentRegionAvail().x, low.y + ImGui::GetTextLineHeight());
+    const std::string_view refusal = refusal_of(ui, name, parameter_of(columns[i]));
+    note(ui, label, "cell", refusal.empty() ? row.help : refusal, true,
+         fixed(*planned_value(section, parameter_of(columns[i])), 2), low, high);
+    // The press makes the row the active item.
+    const bool over =
+        ImGui::IsWindowHovered(ImGuiHoveredFlags_AllowWhenBlockedByActiveItem) && ImGui::IsMouseHoveringRect(low, high);
+    if (over && ImGui::IsMouseDoubleClicked(0)) ui.inputs.cell = EditedCell{name, columns[i]};
+  }
+}
 
 using sim::SectionFigures;
 using world::Document;
-using world::SectionColumn;
 
 constexpr std::size_t kSectionColumnCount = base::count_of<SectionColumn>();
 
@@ -138,7 +224,7 @@ void select_section_row(Ui& ui, const sim::SectionTable& table, std::span<const 
   const edit::Session& session = ui.session();
   const auto section = [&](std::size_t i) { return table.rows[order[i]].run.section; };
   const ImGuiIO& io = ImGui::GetIO();
-  if (io.KeyShift) return ui.out.commands.push_back(toggled_section(session, section(at)));
+  if (io.KeyShift) return ui.out.commands.push_back(toggled(session, section(at)));
   std::size_t from = at;
   if (io.KeyCtrl)
     for (std::size_t i = 0; i < order.size(); ++i)
@@ -149,7 +235,7 @@ void select_section_row(Ui& ui, const sim::SectionTable& table, std::span<const 
     if (std::find(sections.begin(), sections.end(), section(i)) == sections.end()) sections.push_back(section(i));
   std::erase(sections, section(at));
   sections.push_back(section(at));
-  ui.out.commands.push_back(selection_of_sections(session.document, sections));
+  ui.out.commands.push_back(selection_of(session.document, sections));
 }
 
 // Marks the section's middle in the view while the mouse is over its row.
@@ -224,15 +310,9 @@ void table_of_sections(Ui& ui, float height) {
 }  // namespace
 
 void build_sections_table(Ui& ui, const view::Viewport& area) {
-  if (area.width < 1 || area.height < 1) return;
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(std::floor(6 * ui.scale), 0));
-  if (begin_area("##sections", {area.x, area.y}, {area.width, area.height})) {
-    ui.panel = "Sections";
-    table_of_sections(ui, ImGui::GetContentRegionAvail().y);
-    ui.panel.clear();
-  }
-  ImGui::End();
-  ImGui::PopStyleVar();
+  const ImVec2 padding(std::floor(6 * ui.scale), 0);
+  build_area(ui, area, {.id = "##sections", .panel = "Sections", .padding = padding},
+             [&] { table_of_sections(ui, ImGui::GetContentRegionAvail().y); });
 }
 
 // The panel of the workspace `all`.

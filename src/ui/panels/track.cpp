@@ -1,4 +1,4 @@
-// Track: name, size, adding and deleting parts, start of the ride, file.
+// Track: name, size, adding and deleting parts, start of the ride, file. History: undo and redo steps.
 #include <imgui.h>
 
 #include <algorithm>
@@ -6,14 +6,17 @@
 #include <fmt/format.h>
 
 #include "edit/commands/commands_document.h"
+#include "edit/commands/commands_session.h"
 #include "edit/commands/commands_shape.h"
 #include "sim/plan/force_plan.h"
 #include "sim/ride/equipment.h"
 #include "sim/shape/folds.h"
-#include "ui/context/rows.h"
+#include "ui/context/query_rows.h"
 #include "ui/context/setting_rows.h"
-#include "ui/tools/places.h"
-#include "ui/widgets/button_rows.h"
+#include "ui/context/ui.h"
+#include "ui/tools/show_places.h"
+#include "ui/widgets/theme.h"
+#include "ui/widgets/widgets.h"
 
 namespace coaster::ui {
 namespace {
@@ -77,8 +80,7 @@ void conflicts(Ui& ui) {
   if (found == 0) return;
   if (ui.find.all_conflicts()) read_query(ui, "Conflicts", "conflicts", kTooltip, {.decimals = 0, .warns = true});
   else read_out(ui, "Conflicts", fmt::format("{} so far", found), "", kTooltip);
-  if (button(ui, "Next conflict", "Go to the next place where the track lacks clearance from itself.", true,
-             ImGui::GetContentRegionAvail().x))
+  if (wide_button(ui, "Next conflict", "Go to the next place where the track lacks clearance from itself."))
     show_next_conflict(ui);
 }
 
@@ -86,8 +88,7 @@ void folds(Ui& ui) {
   if (ui.find.folds().empty()) return;
   read_query(ui, "Folds", "folds", "Places where the rails fold. Such a track cannot be exported.",
              {.decimals = 0, .warns = true});
-  if (button(ui, "Next fold", "Go to the next place where the rails fold.", true, ImGui::GetContentRegionAvail().x))
-    show_next_fold(ui);
+  if (wide_button(ui, "Next fold", "Go to the next place where the rails fold.")) show_next_fold(ui);
 }
 
 void tight_bends(Ui& ui) {
@@ -95,8 +96,7 @@ void tight_bends(Ui& ui) {
   read_query(ui, "Tight bends", "tight_bends",
              "Places where the curve bends with a radius below 0.5 m or reverses its direction.",
              {.decimals = 0, .warns = true});
-  if (button(ui, "Next tight bend", "Go to the next bend that is too tight for a train.", true,
-             ImGui::GetContentRegionAvail().x))
+  if (wide_button(ui, "Next tight bend", "Go to the next bend that is too tight for a train."))
     show_next_tight_bend(ui);
 }
 
@@ -167,16 +167,39 @@ void start(Ui& ui) {
 
 void file(Ui& ui) {
   if (auto path = text(ui, "File", ui.inputs.file, "The track's file. Type another path to open it.", TextShows::end))
-    ui.want = {Want::Kind::load, std::move(*path)};
+    ui.replace(edit::Load{std::move(*path)});
   const float width = (ImGui::GetContentRegionAvail().x - 2 * ImGui::GetStyle().ItemSpacing.x) / 3;
-  const auto choice = [&](std::string_view label, std::string_view help, Want::Kind kind) {
-    if (button(ui, label, with_keys(ui.keys, help, label), true, width)) ui.want = {kind};
+  const auto pressed = [&](std::string_view label, std::string_view help) {
+    return button(ui, label, with_keys(ui.keys, help, label), true, width);
   };
-  choice("New", "Start an empty track.", Want::Kind::fresh);
+  if (pressed("New", "Start an empty track.")) ui.replace(edit::NewTrack{});
   ImGui::SameLine();
-  choice("Open", "Choose a track file to open.", Want::Kind::browse);
+  if (pressed("Open", "Choose a track file to open.")) ui.want = {Want::Kind::browse};
   ImGui::SameLine();
-  choice("Save", "Save the track to its file.", Want::Kind::save);
+  if (pressed("Save", "Save the track to its file.")) ui.want = {Want::Kind::save};
+}
+
+constexpr std::size_t kMostShown = 200;  // rows on either side of the present state
+
+template <class Command>
+void repeat(Ui& ui, std::size_t steps) {
+  for (std::size_t i = 0; i < steps; ++i) ui.emit(Command{});
+}
+
+// Returns "Undo to this step." and the command, which may name thousands of knots.
+std::string tooltip_of(std::string_view does, const edit::HistoryStep& step) {
+  constexpr std::size_t kMost = 120;  // bytes
+  const std::string_view command = step.text.command;
+  return fmt::format("{} Command: {}{}", does, command.substr(0, kMost), command.size() > kMost ? " ..." : "");
+}
+
+// Shows a step as a line to click; `name` is its path for scripts.
+bool step_row(Ui& ui, const std::string& text, const std::string& name, std::uint32_t tint, std::string_view tooltip) {
+  ImGui::PushStyleColor(ImGuiCol_Text, colour(tint));
+  const bool pressed = ImGui::Selectable(fmt::format("{}##{}", text, name).c_str());
+  ImGui::PopStyleColor();
+  note_item(ui, name, "item", tooltip, true, text);
+  return pressed;
 }
 
 }  // namespace
@@ -192,6 +215,32 @@ void track_panel(Ui& ui) {
   building(ui);
   start(ui);
   file(ui);
+}
+
+void history_panel(Ui& ui) {
+  const edit::History& history = ui.session().history;
+  const std::size_t undo = history.undo.size(), redo = history.redo.size();
+  const double megabytes = static_cast<double>(history.bytes) / (1 << 20);
+  read_out(ui, "Steps", fmt::format("{} undo, {} redo", undo, redo), "",
+           "Steps that can be undone and redone. Camera, panels and selection are not included.");
+  read_out(ui, "Memory", fixed(megabytes, 2), "MiB", "Memory of the steps. Beyond 256 MiB the oldest are dropped.");
+  const std::size_t first = undo > kMostShown ? undo - kMostShown : 0;
+  if (first == 0 && undo > 0 && step_row(ui, "Start", "Start", palette().dim, "Undo everything."))
+    repeat<edit::Undo>(ui, undo);
+  for (std::size_t i = first; i < undo; ++i) {
+    const bool now = i + 1 == undo;
+    if (step_row(ui, fmt::format("{}  {}", i + 1, in_units(ui, history.undo[i].text.sentence)), std::to_string(i + 1),
+                 now ? palette().accent : palette().text,
+                 tooltip_of(now ? "The current step." : "Undo to this step.", history.undo[i])))
+      repeat<edit::Undo>(ui, undo - 1 - i);
+  }
+  // The redo stack has the next step last.
+  for (std::size_t k = 0; k < std::min(redo, kMostShown); ++k) {
+    const std::size_t number = undo + k + 1;
+    if (step_row(ui, fmt::format("{}  {}", number, in_units(ui, history.redo[redo - 1 - k].text.sentence)),
+                 std::to_string(number), palette().dim, tooltip_of("Redo to this step.", history.redo[redo - 1 - k])))
+      repeat<edit::Redo>(ui, k + 1);
+  }
 }
 
 }  // namespace coaster::ui

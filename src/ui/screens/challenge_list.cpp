@@ -1,5 +1,5 @@
 #include "ui/screens/challenge_list.h"
-#include "ui/context/rows.h"
+#include "ui/context/query_rows.h"
 
 #include <imgui.h>
 
@@ -10,8 +10,8 @@
 #include "base/folders.h"
 #include "exchange/challenge_file.h"
 #include "query/challenge.h"
+#include "ui/widgets/icons.h"
 #include "ui/widgets/imgui_compat.h"
-#include "ui/widgets/medals.h"
 #include "ui/widgets/theme.h"
 
 namespace coaster::ui {

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "ui/context/challenge_files.h"
+#include "ui/context/kept_files.h"
 #include "ui/context/ui.h"
 
 namespace coaster::ui {

@@ -1,4 +1,4 @@
-// Opens dialogs and acts on their answers.
+// Opens dialogs, builds their content, and acts on their answers.
 #include "ui/screens/dialogs.h"
 
 #include <imgui.h>
@@ -6,11 +6,15 @@
 #include <algorithm>
 #include <cmath>
 
+#include <fmt/format.h>
+
 #include "base/file_lock.h"
 #include "base/folders.h"
 #include "edit/commands/commands_challenge.h"
 #include "edit/commands/commands_sections.h"
 #include "edit/commands/commands_session.h"
+#include "exchange/points/points.h"
+#include "ui/widgets/theme.h"
 
 namespace coaster::ui {
 namespace {
@@ -24,6 +28,13 @@ std::filesystem::path first_folder(const Ui& ui) {
     files.insert(files.end(), ui.state.kept->settings.recent.begin(), ui.state.kept->settings.recent.end());
   const auto theirs = std::find_if_not(files.begin(), files.end(), base::is_installed);
   return theirs == files.end() ? "." : theirs->parent_path();
+}
+
+using platform::Key;
+
+void title(std::string_view words) {
+  tinted(words, palette().accent);
+  ImGui::Separator();
 }
 
 }  // namespace
@@ -41,7 +52,7 @@ void Dialogs::abandon() {
 }
 
 void Dialogs::take(Ui& ui, Want want) {
-  if (want.kind >= Want::Kind::fresh && want.kind <= Want::Kind::quit) request(ui, std::move(want));
+  if (want.kind >= Want::Kind::replace && want.kind <= Want::Kind::quit) request(ui, std::move(want));
   else perform(ui, want);
 }
 
@@ -62,11 +73,9 @@ void Dialogs::perform(Ui& ui, const Want& want) {
   switch (want.kind) {
     case Want::Kind::nothing:
     case Want::Kind::start_screen: break;
-    case Want::Kind::fresh: ui.emit(edit::NewTrack{}); break;
     case Want::Kind::browse: browse(ui, FileBrowser::Mode::open); break;
-    case Want::Kind::load: load(ui, want); break;
+    case Want::Kind::replace: replace(ui, want); break;
     case Want::Kind::tutorial: ui.out.wants_tutorial = true; break;
-    case Want::Kind::challenge: ui.emit(edit::StartChallenge{want.path}); break;
     case Want::Kind::quit: ui.out.quit = true; break;
     case Want::Kind::save: save(ui); break;
     case Want::Kind::save_as: browse(ui, FileBrowser::Mode::save); break;
@@ -78,10 +87,12 @@ void Dialogs::perform(Ui& ui, const Want& want) {
 }
 
 // Asks how points become a track, unless the words say so.
-void Dialogs::load(Ui& ui, const Want& want) {
+void Dialogs::replace(Ui& ui, const Want& want) {
   base::Files files;
-  const auto question = want.import == exchange::Import{} ? exchange::question_of(files, want.path) : std::nullopt;
-  if (!question) return ui.emit(edit::Load{want.path, want.import});
+  const auto* const load = want.command->as<edit::Load>();
+  const bool asks = load != nullptr && load->import == exchange::Import{};
+  const auto question = asks ? exchange::question_of(files, load->path) : std::nullopt;
+  if (!question) return ui.out.commands.push_back(*want.command);
   want_ = want, question_ = *question, dialog_ = Dialog::import;
 }
 
@@ -139,7 +150,7 @@ void Dialogs::take_file(Ui& ui, std::filesystem::path path, bool asked) {
     return ui.emit(edit::OpenSections{path.string()});
   }
   if (browser_.mode() == FileBrowser::Mode::open) {
-    want_ = {Want::Kind::load, path.string()};
+    want_ = {Want::Kind::replace, edit::Load{path.string()}};
     return proceed(ui);  // the question about unsaved changes came before
   }
   const bool own = !sections_ && edit::is_own_file(ui.session(), path);
@@ -202,6 +213,220 @@ void Dialogs::build(Ui& ui, const platform::Events& events, bool text_had_keyboa
   build_shown(ui, changed ? none : events, text_had_keyboard);
   if (dialog_ == Dialog::none) ImGui::CloseCurrentPopup();  // at once: the next frame would show an empty card
   ImGui::EndPopup();
+}
+
+bool pressed(const platform::Events& events, Key a, Key b) {
+  return std::any_of(events.begin(), events.end(), [&](const platform::Event& event) {
+    const auto* press = std::get_if<platform::KeyPress>(&event);
+    if (press == nullptr || !press->down || press->repeat || press->key == Key::unknown) return false;
+    const Key key = press->key == Key::keypad_enter ? Key::enter : press->key;
+    return key == a || key == b;
+  });
+}
+
+bool pasted(const platform::Events& events) {
+  return std::any_of(events.begin(), events.end(), [](const platform::Event& event) {
+    const auto* press = std::get_if<platform::KeyPress>(&event);
+    return press != nullptr && press->down && press->key == Key::v && press->modifiers.ctrl;
+  });
+}
+
+void Dialogs::build_unsaved(Ui& ui, const platform::Events& events) {
+  ui.panel = "Unsaved changes";
+  title("Unsaved changes");
+  const std::string& name = ui.session().document.name;
+  paragraph(ui, "Question",
+            fmt::format(
+                "{} {} lost unless you save.", name.empty() ? "This track" : fmt::format("\u201C{}\u201D", name),
+                ui.session().file.path.empty() ? "is not saved yet. It will be" : "has unsaved changes. They will be"),
+            palette().text);
+  const bool enter = pressed(events, Key::enter);
+  const bool save_now = button(ui, "Save", "Save, then continue. Key Enter.") || enter;
+  ImGui::SameLine();
+  const bool drop = button(ui, "Discard", "Continue without saving. Key D.") || pressed(events, Key::d);
+  ImGui::SameLine();
+  const bool cancel = button(ui, "Cancel", "Back to the track. Key Escape.") || pressed(events, Key::escape);
+  if (cancel) abandon();
+  else if (drop) proceed(ui);
+  else if (save_now) save(ui);
+}
+
+void Dialogs::build_browser(Ui& ui, const platform::Events& events, bool text_had_keyboard) {
+  const bool saving = browser_.mode() == FileBrowser::Mode::save;
+  ui.panel = saving ? "Save as" : "Open";
+  title(saving ? "Save the track as" : "Open a track");
+  if (!saving && !sections_ && pasted(events)) ui.out.wants_link = true;
+  const SystemDialog system = ui.state.kept != nullptr ? ui.state.kept->system : SystemDialog{};
+  if (system.running) {
+    paragraph(ui, "Waiting", "The system's file dialog is open.", palette().text);
+    if (button(ui, "Cancel", "Stop waiting for it.") || pressed(events, Key::escape)) abandon();
+    return;
+  }
+  switch (browser_.build(ui, events, text_had_keyboard, system.available)) {
+    case FileBrowser::Answer::none: break;
+    case FileBrowser::Answer::cancel: abandon(); break;
+    case FileBrowser::Answer::chosen: take_file(ui, browser_.chosen(), false); break;
+    case FileBrowser::Answer::make_folder: folder_name_ = "New folder", dialog_ = Dialog::new_folder; break;
+    case FileBrowser::Answer::system:
+      system_ = true;
+      ui.out.system_dialog = SystemDialogRequest{saving, browser_.folder().string(),
+                                                 saving ? file_name_for(ui.session().document.name) : ""};
+      break;
+  }
+}
+
+void Dialogs::build_overwrite(Ui& ui, const platform::Events& events) {
+  ui.panel = "Overwrite";
+  title("Overwrite?");
+  paragraph(ui, "Question",
+            fmt::format("{} already exists, changed on {}. Its content will be lost.", lost_file().string(),
+                        base::local_time(base::change_time(lost_file()))),
+            palette().text);
+  const bool yes = button(ui, "Overwrite", "Replace the file.");
+  ImGui::SameLine();
+  if (yes) take_file(ui, chosen_, true);
+  if (button(ui, "Cancel", "Choose another name. Keys Escape and Enter.") || pressed(events, Key::escape, Key::enter))
+    dialog_ = Dialog::browse;
+}
+
+void Dialogs::build_changed(Ui& ui, const platform::Events& events) {
+  ui.panel = "Changed file";
+  title("The file has changed");
+  paragraph(ui, "Question",
+            fmt::format("Another program changed {} on {}, after you opened it. Overwriting loses its changes.",
+                        chosen_.string(), base::local_time(base::change_time(chosen_))),
+            palette().text);
+  const bool other = button(ui, "Save as", "Save under another name. Key Enter.") || pressed(events, Key::enter);
+  ImGui::SameLine();
+  const bool yes = button(ui, "Overwrite", "Replace the file.");
+  ImGui::SameLine();
+  const bool cancel = button(ui, "Cancel", "Back to the track. Key Escape.") || pressed(events, Key::escape);
+  if (cancel) abandon();
+  else if (yes) write(ui, chosen_, true);
+  else if (other) browse(ui, FileBrowser::Mode::save);
+}
+
+void Dialogs::build_new_folder(Ui& ui, const platform::Events& events, bool text_had_keyboard) {
+  ui.panel = "New folder";
+  title("New folder");
+  if (auto typed = text(ui, "Name", folder_name_, "The folder's name.")) folder_name_ = std::move(*typed);
+  const bool named = !folder_name_.empty() && folder_name_ != "." && folder_name_ != ".." &&
+                     folder_name_.find('/') == std::string::npos;
+  const bool make =
+      button(ui, "Create###Make", "Create the folder. Key Enter.", named) || (named && pressed(events, Key::enter));
+  ImGui::SameLine();
+  if (button(ui, "Cancel", "Back. Key Escape.") || (!text_had_keyboard && pressed(events, Key::escape)))
+    dialog_ = Dialog::browse;
+  if (!make) return;
+  ui.out.new_folder = (browser_.folder() / folder_name_).string();
+  browser_.go(browser_.folder());
+  dialog_ = Dialog::browse;
+}
+
+void Dialogs::build_recovery(Ui& ui) {
+  ui.panel = "Recovery";
+  title("Recover unsaved work?");
+  const RecoveryOffer& offer = ui.state.kept->recoveries.front();
+  paragraph(ui, "Question",
+            fmt::format("coaster closed unexpectedly. Unsaved changes to \u201C{}\u201D were recovered:", offer.name),
+            palette().text);
+  read_out(ui, "File", offer.original.empty() ? "none: never saved" : offer.original, "",
+           "File that the changes belong to.");
+  read_out(ui, "File saved", offer.file_time != 0 ? base::local_time(offer.file_time) : "--", "",
+           "When the file was last changed.");
+  read_out(ui, "Autosaved", base::local_time(offer.time), "", "Time of the autosave.");
+  if (offer.file_time > offer.time) paragraph(ui, "Newer", "The file is newer than the autosave.", palette().text);
+  const std::size_t more = ui.state.kept->recoveries.size() - 1;
+  if (more > 0) paragraph(ui, "More", fmt::format("{} more after this one.", more), palette().text);
+  const auto answer = [&](Recovery what) { ui.out.recovery = what, dialog_ = Dialog::none; };
+  if (button(ui, "Recover", "Open the unsaved changes. The file stays as it is until you save."))
+    answer(Recovery::recover);
+  ImGui::SameLine();
+  if (button(ui, "Discard", "Delete the autosave. The file stays as it is.")) answer(Recovery::discard);
+  ImGui::SameLine();
+  if (button(ui, "Later", "Keep the autosave and ask again at the next start."))
+    answer(Recovery::later), asked_later_ = true;
+}
+
+void Dialogs::build_challenges(Ui& ui) {
+  ui.panel = "Challenges";
+  title("Challenges");
+  const bool opened_now = !challenges_;  // perhaps by a key, which must not answer it
+  if (opened_now) challenges_ = read_challenges(ui);
+  const auto chosen = draw_challenge_list(ui, *challenges_, challenge_,
+                                          ImGui::GetContentRegionAvail().y - ImGui::GetFrameHeightWithSpacing());
+  const bool cancel =
+      button(ui, "Cancel", "Back to the track. Key Escape.") || ImGui::IsKeyPressed(ImGuiKey_Escape, false);
+  if (opened_now) return;
+  if (cancel) abandon();
+  else if (chosen) request(ui, {Want::Kind::replace, edit::StartChallenge{chosen->string()}});
+}
+
+void Dialogs::build_import(Ui& ui, const platform::Events& events, bool text_had_keyboard) {
+  exchange::Import& to = question_.proposed;
+  const bool rows = question_.points == 0;
+  const auto hit = [&](Key a, Key b = Key::unknown) { return !text_had_keyboard && pressed(events, a, b); };
+  ui.panel = rows ? "Import rows" : "Import points";
+  title(ui.panel);
+  if (hit(Key::tab) && ui.wish) ui.wish->panel = ui.panel;
+  if (rows) {
+    paragraph(ui, "Size", "The track is far from the origin, where positions are rounded.", palette().text);
+  } else {
+    const double height = *to.scale * std::abs(exchange::with_y_up(question_.size, *to.up).y);
+    paragraph(
+        ui, "Size",
+        fmt::format("{} points: {:.4g} m long, {:.3g} m high.", question_.points, *to.scale * question_.length, height),
+        palette().text);
+    for (const auto& [key, axis] :
+         {std::pair{Key::x, world::Axis::x}, {Key::y, world::Axis::y}, {Key::z, world::Axis::z}})
+      if (hit(key)) to.up = axis;
+    to.up = combo_of(ui, "Up axis", *to.up, "The file's axis of height. Keys X, Y, Z.").value_or(*to.up);
+    const Number scale{.value = *to.scale,
+                       .decimals = *to.scale < 0.1 ? 6 : 3,
+                       .step = 0.01 * *to.scale,
+                       .low = 1 / exchange::kMostScale,
+                       .high = exchange::kMostScale};
+    to.scale =
+        number(ui, "Metres a unit", scale, "Length of one unit of the file in metres. Key Tab.").value_or(*to.scale);
+    const Number within{.value = to.smooth.value_or(0), .unit = "m", .step = 0.005, .high = exchange::kMostSmooth};
+    if (const auto most =
+            number(ui, "Smooth within", within,
+                   "Largest distance of the track from the points, at least 0.02 m. 0 leads through every point."))
+      to.smooth = *most > 0 ? std::optional(std::max(*most, exchange::kLeastSmooth)) : std::nullopt;
+    using enum exchange::ImportBank;
+    if (hit(Key::b)) to.bank = to.bank == automatic ? level : automatic;
+    if (const auto bank = combo_of(ui, "Roll", to.bank.value_or(level), "How the track rolls. Key B.")) to.bank = bank;
+  }
+  const auto moves =
+      checkbox(ui, "Move to the origin", to.origin, "Move the middle of the track to the origin. Key O.");
+  to.origin = moves.value_or(hit(Key::o) ? !to.origin : to.origin);
+  const bool go = button(ui, "Import", "Open the track. Key Enter.") || hit(Key::enter);
+  ImGui::SameLine();
+  const bool cancel = button(ui, "Cancel", "Keep the open track. Key Escape.") || hit(Key::escape);
+  if (cancel) return abandon();
+  if (!go) return;
+  ui.emit(edit::Load{want_.command->as<edit::Load>()->path, to});
+  abandon();
+}
+
+void Dialogs::build_shown(Ui& ui, const platform::Events& events, bool text_had_keyboard) {
+  switch (shown_) {
+    case Dialog::none: break;
+    case Dialog::unsaved: build_unsaved(ui, events); break;
+    case Dialog::browse: build_browser(ui, events, text_had_keyboard); break;
+    case Dialog::overwrite: build_overwrite(ui, events); break;
+    case Dialog::changed: build_changed(ui, events); break;
+    case Dialog::new_folder: build_new_folder(ui, events, text_had_keyboard); break;
+    case Dialog::recovery: build_recovery(ui); break;
+    case Dialog::challenges: build_challenges(ui); break;
+    case Dialog::import: build_import(ui, events, text_had_keyboard); break;
+    case Dialog::settings:
+      ui.panel = "Settings";
+      title("Settings");
+      if (build_settings(ui, text_had_keyboard ? platform::Events{} : events)) dialog_ = Dialog::none;
+      break;
+  }
+  ui.panel.clear();
 }
 
 }  // namespace coaster::ui

@@ -30,7 +30,7 @@ class Dialogs {
   void save(Ui& ui);
   void proceed(Ui& ui);
   void perform(Ui& ui, const Want& want);
-  void load(Ui& ui, const Want& want);
+  void replace(Ui& ui, const Want& want);
   void abandon();
   void follow_save(Ui& ui);
   void write(Ui& ui, const std::filesystem::path& path, bool overwrite);

@@ -14,9 +14,9 @@
 #include "edit/commands/commands_challenge.h"
 #include "edit/commands/commands_ride.h"
 #include "edit/commands/commands_sections.h"
-#include "ui/context/challenge_files.h"
-#include "ui/tools/places.h"
-#include "ui/widgets/medals.h"
+#include "ui/context/kept_files.h"
+#include "ui/tools/show_places.h"
+#include "ui/widgets/icons.h"
 #include "ui/widgets/theme.h"
 
 namespace coaster::ui {
@@ -120,7 +120,7 @@ bool buttons(Ui& ui, const edit::Session& session) {
   bool* const more = ImGui::GetStateStorage()->GetBoolRef(ImGui::GetID("##details"), false);
   CardRow row{ui};
   if (const auto next = next_challenge(session); next && row.button("Next challenge", "Begin the next challenge."))
-    ui.want = {Want::Kind::challenge, next->string()};
+    ui.replace(edit::StartChallenge{next->string()});
   if (const auto climb = climb_without_lift(session);
       climb && row.button("Add a lift", "Put a lift on the section where the train stopped."))
     ui.emit(edit::EquipSection{{world::name_of(session.document, *climb)}, {world::EquipmentKind::lift}});

@@ -8,7 +8,7 @@
 
 #include "platform/sound.h"
 #include "ui/actions/actions.h"
-#include "ui/context/rows.h"
+#include "ui/context/query_rows.h"
 #include "ui/context/setting_rows.h"
 #include "ui/screens/dialogs.h"
 #include "ui/widgets/theme.h"

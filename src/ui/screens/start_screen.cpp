@@ -1,6 +1,6 @@
 // The start screen: choices on the left, pictures on the right.
 #include "ui/screens/start_screen.h"
-#include "ui/context/rows.h"
+#include "ui/context/query_rows.h"
 
 #include <imgui.h>
 
@@ -12,9 +12,11 @@
 #include <fmt/format.h>
 
 #include "base/folders.h"
+#include "edit/commands/commands_challenge.h"
+#include "edit/commands/commands_session.h"
 #include "ui/screens/dialogs.h"
+#include "ui/widgets/icons.h"
 #include "ui/widgets/imgui_compat.h"
-#include "ui/widgets/medals.h"
 #include "ui/widgets/theme.h"
 #include "world/track_name.h"
 
@@ -56,20 +58,21 @@ void StartScreen::build_choices(Ui& ui, float width) {
   std::error_code ignored;
   const std::filesystem::path last =
       kept != nullptr && !kept->settings.recent.empty() ? kept->settings.recent.front() : "";
-  const auto choice = [&](std::string_view label, std::string_view help, std::string_view action, Want::Kind kind) {
-    if (button(ui, label, with_keys(ui.keys, help, action), true, width)) ui.want = {kind};
+  const auto choice = [&](std::string_view label, std::string_view help, std::string_view action, Want want) {
+    if (button(ui, label, with_keys(ui.keys, help, action), true, width)) ui.want = std::move(want);
   };
   if (button(ui, "Continue",
              last.empty() ? "No recent track." : fmt::format("Open {}, the most recent track.", last.string()),
              !last.empty() && std::filesystem::exists(last, ignored), width))
-    ui.want = {Want::Kind::load, last.string()};
-  choice("New track", "Start an empty track. Click on the ground to place knots.", "New", Want::Kind::fresh);
+    ui.replace(edit::Load{last.string()});
+  choice("New track", "Start an empty track. Click on the ground to place knots.", "New",
+         {Want::Kind::replace, edit::NewTrack{}});
   choice("Open or import", "Open a track, or import one of NoLimits or openFVD (.csv, .nltrack, .nl2elem, .fvd).",
-         "Open", Want::Kind::browse);
-  choice("Tutorial", "Build and ride your first coaster, step by step.", "", Want::Kind::tutorial);
-  choice("Challenges", "Tracks to improve, each with a goal and three medals.", "Challenges", Want::Kind::challenges);
+         "Open", {Want::Kind::browse});
+  choice("Tutorial", "Build and ride your first coaster, step by step.", "", {Want::Kind::tutorial});
+  choice("Challenges", "Tracks to improve, each with a goal and three medals.", "Challenges", {Want::Kind::challenges});
   if (button(ui, "Back to the track###Build on", "Close this page. Key Escape.", true, width)) open_ = false;
-  choice("Quit", "Quit coaster.", "Quit", Want::Kind::quit);
+  choice("Quit", "Quit coaster.", "Quit", {Want::Kind::quit});
   ImGui::PopStyleVar();
   if (kept != nullptr)
     if (const auto on = checkbox(ui, "Show at start", kept->settings.start_screen,
@@ -120,7 +123,7 @@ void StartScreen::build_challenges(Ui& ui, float width, float gap) {
     if (place++ % static_cast<int>(kCardsInARow) != 0) ImGui::SameLine(0, gap);
     const Card card{"Challenges/" + entry.name, entry.track.string(), entry.help(), entry.name,
                     known_medal(ui, entry.path)};
-    if (draw(ui, card, width) && entry.problem.empty()) ui.want = {Want::Kind::challenge, entry.path.string()};
+    if (draw(ui, card, width) && entry.problem.empty()) ui.replace(edit::StartChallenge{entry.path.string()});
   }
 }
 
@@ -137,7 +140,7 @@ void StartScreen::build_tracks(Ui& ui) {
                       fmt::format("Open {}.", file.string()),
                       {},
                       0};
-      if (draw(ui, card, width)) ui.want = {Want::Kind::load, file.string()};
+      if (draw(ui, card, width)) ui.replace(edit::Load{file.string()});
     }
   };
   std::vector<std::filesystem::path> recent;

@@ -3,6 +3,7 @@
 #include <imgui.h>
 
 #include <cmath>
+#include <string>
 #include <variant>
 
 #include <fmt/format.h>
@@ -14,11 +15,40 @@
 #include "edit/commands/commands_session.h"
 #include "edit/commands/commands_shape.h"
 #include "ui/tools/selecting.h"
-#include "ui/tools/snap_label.h"
+#include "ui/widgets/theme.h"
+#include "view/pick.h"
 #include "world/selection.h"
 
 namespace coaster::ui {
 namespace {
+
+using glm::dvec2;
+using glm::dvec3;
+
+dvec3 unit(int axis) {
+  dvec3 v(0);
+  v[axis] = 1;
+  return v;
+}
+
+// Returns the point nearest to the ray on the line through `pivot` along an axis.
+std::optional<dvec3> meet_axis(const view::Ray& ray, dvec3 pivot, int axis) {
+  const dvec3 a = unit(axis), d(ray.direction), off = dvec3(ray.origin) - pivot;
+  const double cosine = glm::dot(a, d), sine2 = 1 - cosine * cosine;
+  constexpr double kAlong = 1e-4;  // squared sine of the angle between axis and ray
+  if (sine2 < kAlong) return std::nullopt;
+  const double t = (glm::dot(off, a) - glm::dot(off, d) * cosine) / sine2;
+  return std::abs(t) < world::kMaxCoordinate ? std::optional(pivot + t * a) : std::nullopt;
+}
+
+std::string snap_words(const Ui& ui, TransformKind kind, world::SnapTo to) {
+  const world::Snapping& snapping = ui.session().settings.snapping;
+  if (to == world::SnapTo::off) return "Snap: off";
+  if (kind == TransformKind::rotate) return fmt::format("Snap: {}\u00B0", base::to_text(snapping.angle));
+  if (kind == TransformKind::scale) return "Snap: 0.1";
+  if (to == world::SnapTo::grid) return in_units(ui, fmt::format("Snap: grid {} m", base::to_text(snapping.step)));
+  return to == world::SnapTo::knots ? "Snap: knots" : "Snap: ground";
+}
 
 using platform::Key;
 using CKind = Constraint::Kind;
@@ -53,6 +83,84 @@ double rounded_to(double value, double step) { return std::round(value / step) *
 
 }  // namespace
 
+std::optional<dvec3> meet(const view::View& view, glm::vec2 pixel, glm::vec3 pivot, const Constraint& constraint) {
+  const view::Ray ray = view::ray_through(view, pixel);
+  if (constraint.kind == Constraint::Kind::axis) return meet_axis(ray, dvec3(pivot), constraint.axis);
+  const glm::vec3 normal(constraint.kind == Constraint::Kind::plane ? unit(constraint.axis)
+                                                                    : dvec3(view::line_of_sight(view)));
+  const auto hit = view::meet_plane(ray, pivot, normal);
+  return hit ? std::optional(dvec3(*hit)) : std::nullopt;
+}
+
+glm::vec3 rotation_axis(const view::View& view, const Constraint& constraint) {
+  return constraint.kind == Constraint::Kind::free ? view::line_of_sight(view) : glm::vec3(unit(constraint.axis));
+}
+
+double turned_angle(const view::View& view, glm::vec2 from, glm::vec2 to, glm::vec3 pivot, glm::vec3 axis) {
+  const auto middle = view::project(view, pivot);
+  if (!middle) return 0;
+  const dvec2 a = dvec2(from) - dvec2(middle->x, middle->y), b = dvec2(to) - dvec2(middle->x, middle->y);
+  if (!(glm::length(a) > 1) || !(glm::length(b) > 1)) return 0;
+  // Pixels grow downwards: turning clockwise on the screen is right-handed about what points away from the eye.
+  const double clockwise = std::atan2(a.x * b.y - a.y * b.x, glm::dot(a, b));
+  return glm::dot(dvec3(axis), dvec3(view::line_of_sight(view))) >= 0 ? clockwise : -clockwise;
+}
+
+dvec3 snapped(const SnapScene& scene, world::SnapTo to, dvec3 position, dvec3 start, const Constraint& constraint) {
+  dvec3 wanted = position;
+  switch (to) {
+    case world::SnapTo::off: break;
+    case world::SnapTo::grid:
+      for (int i = 0; i < 3; ++i)
+        wanted[i] = std::round(position[i] / scene.settings.snapping.step) * scene.settings.snapping.step;
+      break;
+    case world::SnapTo::knots: {
+      double least = 12.0 * static_cast<double>(view::mark_scale(scene.settings, scene.view));
+      for (const world::Entity e : scene.document.track.knots) {
+        if (world::is_selected(scene.settings, e)) continue;
+        const glm::vec3 at = world::knot(scene.document, e).position;
+        const auto seen = view::project(scene.view, at);
+        if (!seen || std::abs(seen->z) > 1) continue;
+        const double distance = glm::length(glm::vec2(seen->x, seen->y) - scene.cursor);
+        if (distance < least) least = distance, wanted = dvec3(at);
+      }
+      break;
+    }
+    case world::SnapTo::ground:
+      if (constraint.kind == Constraint::Kind::free)
+        if (const auto hit = view::meet_plane(view::ray_through(scene.view, scene.cursor), glm::vec3(0), {0, 1, 0}))
+          wanted = dvec3(*hit);
+      wanted.y = 0;
+      break;
+  }
+  for (int i = 0; i < 3; ++i)
+    if (!constraint.allows(i)) wanted[i] = start[i];
+  return wanted;
+}
+
+void draw_snap_label(Ui& ui, TransformKind kind, world::SnapTo to) {
+  const std::string words = snap_words(ui, kind, to);
+  const ImVec2 mouse = ImGui::GetIO().MousePos;
+  const float off = std::floor(16 * ui.scale), pad = std::floor(4 * ui.scale);
+  ImGui::SetNextWindowPos({std::floor(mouse.x) + off, std::floor(mouse.y) + off});
+  ImGui::SetNextWindowBgAlpha(0.85f);
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(pad, pad));
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, ImVec2(1, 1));
+  constexpr ImGuiWindowFlags kPassive = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoInputs |
+                                        ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoNav |
+                                        ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_AlwaysAutoResize;
+  if (ImGui::Begin("##snapping", nullptr, kPassive)) {
+    ui.panel = "Cursor";
+    ImGui::PushFont(small_font());
+    tinted_line(words, to == world::SnapTo::off ? palette().dim : palette().accent);
+    ImGui::PopFont();
+    note_item(ui, "Snapping", "label", "", true, words);
+    ui.panel.clear();
+  }
+  ImGui::End();
+  ImGui::PopStyleVar(2);
+}
+
 void TransformTool::begin(Ui& ui, TransformKind kind, Constraint constraint, std::optional<int> button) {
   const edit::Session& session = ui.session();
   const std::vector<world::Entity> knots = world::selected_knots(session.document, session.settings);
@@ -61,7 +169,7 @@ void TransformTool::begin(Ui& ui, TransformKind kind, Constraint constraint, std
   active_ = true;
   length_ = base::shown_in(ui.units, "m");
   kind_ = kind, constraint_ = constraint, button_ = button;
-  knots_ = named_knots(session.document, knots);
+  knots_ = edit::Knots(names_of(session.document, knots));
   glm::dvec3 sum(0);
   for (const world::Entity e : knots) sum += glm::dvec3(world::knot(session.document, e).position);
   pivot_ = glm::vec3(sum / static_cast<double>(knots.size()));

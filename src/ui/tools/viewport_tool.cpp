@@ -9,23 +9,76 @@
 
 #include "base/portable_math.h"
 #include "edit/commands/commands_document.h"
+#include "edit/commands/commands_sections.h"
 #include "edit/commands/commands_session.h"
 #include "edit/commands/commands_settings.h"
 #include "edit/commands/commands_shape.h"
 #include "edit/commands/set_setting.h"
-#include "ui/tools/cursor_places.h"
-#include "ui/tools/fly_keys.h"
-#include "ui/tools/section_clicks.h"
-#include "ui/tools/snap_label.h"
+#include "sim/plan/element_shapes.h"
+#include "ui/tools/cameras.h"
+#include "ui/tools/selecting.h"
+#include "ui/tools/transform_tool.h"
 #include "ui/widgets/theme.h"
 #include "view/gizmo.h"
+#include "view/section_handle.h"
 #include "world/aids.h"
+#include "world/sections.h"
 #include "world/selection.h"
 
 namespace coaster::ui {
+
+std::optional<glm::vec3> append_place(const world::Document& document, const view::View& view, glm::vec2 pixel) {
+  const auto standing = static_cast<float>(sim::TrackEnd{}.position.y);
+  const view::Ray ray = view::ray_through(view, pixel);
+  const world::Track& track = document.track;
+  if (view.parallel <= 0) {
+    const auto ground = view::meet_plane(ray, glm::vec3(0), {0, 1, 0});
+    const auto at = ray.origin.y > standing ? view::meet_plane(ray, {0, standing, 0}, {0, 1, 0}) : ground;
+    return ground && at ? std::optional(glm::vec3(at->x, standing, at->z)) : std::nullopt;
+  }
+  const glm::vec3 normal = view::line_of_sight(view), last = track.knots.empty()
+                                                                 ? glm::vec3(0, standing, 0)
+                                                                 : world::knot(document, track.knots.back()).position;
+  auto at = view::meet_plane(ray, last, normal);
+  if (!at) return at;
+  for (int i = 0; i < 3; ++i)
+    if (std::abs(normal[i]) == 1) (*at)[i] = last[i];  // exactly
+  at->y = std::max(at->y, standing);
+  return at;
+}
+
 namespace {
 
 using view::PickKind;
+
+// Returns what is under the mouse. A finger covers more than a pixel: where it is exactly on no mark, it takes one
+// nearby.
+view::Pick under_mouse(const Ui& ui, const view::View& view) {
+  constexpr float kFinger = 16;  // points from a knot's middle
+  const edit::Session& s = ui.session();
+  const auto at = [&](const view::View& from) {
+    return view::pick(s.document, s.derived, s.motion, s.settings, from, mouse_position());
+  };
+  const view::Pick exact = at(view);
+  if (!ui.finger || (exact.kind != PickKind::none && exact.kind != PickKind::curve)) return exact;
+  view::View grown = view;
+  grown.reach = kFinger * ui.scale / (view::kKnotRadius * view::mark_scale(s.settings, view));
+  const view::Pick near = at(grown);
+  return near.kind == PickKind::none || (near.kind == PickKind::curve && exact.kind == PickKind::curve) ? exact : near;
+}
+
+// Returns the track or train under the cursor if it is in front of the whole gizmo at `gizmo`, m.
+std::optional<view::Pick> in_front_of_gizmo(const Ui& ui, const view::View& view, glm::vec3 gizmo) {
+  const edit::Session& s = ui.session();
+  world::Settings settings = s.settings;
+  settings.aids->show_gizmo = false;
+  const view::Pick pick = view::pick(s.document, s.derived, s.motion, settings, view, mouse_position());
+  const auto depth = [&](glm::vec3 at) { return glm::dot(at - view.eye, view::line_of_sight(view)); };
+  const float reach =
+      view::kGizmoLength * view::mark_scale(s.settings, view) * view::metres_per_pixel(view, depth(gizmo));
+  const bool solid = pick.kind == PickKind::curve || pick.kind == PickKind::cart;
+  return solid && depth(pick.position) < depth(gizmo) - reach ? std::optional(pick) : std::nullopt;
+}
 
 bool is_handle(PickKind kind) { return kind == PickKind::handle_in || kind == PickKind::handle_out; }
 
@@ -256,7 +309,7 @@ void ViewportTool::turn_spin(Ui& ui, const view::View& view, glm::vec2 mouse) {
 // Moves all selected knots by the movement of the dragged one.
 void ViewportTool::move_knots(Ui& ui, glm::vec3 to) {
   const edit::Session& session = ui.session();
-  edit::Knots knots = named_knots(session.document, world::selected_knots(session.document, session.settings));
+  edit::Knots knots(names_of(session.document, world::selected_knots(session.document, session.settings)));
   const world::Document& start = session.history.in_gesture ? session.history.gesture_start : session.document;
   const glm::dvec3 from(world::knot(start, drag_.pick.entity).position);
   ui.emit(edit::Translate{std::move(knots), glm::vec3(glm::dvec3(to) - from), true});
@@ -291,6 +344,75 @@ void ViewportTool::click_ground(Ui& ui, const view::View& view) {
     if (at && !appends) ui.emit(edit::Set<&world::Aids::append_mode>{true});
   } else if (session.settings.selected.valid()) {
     ui.emit(edit::Select{});
+  }
+}
+
+void ViewportTool::pull_section(Ui& ui, const view::View& view, glm::vec2 mouse) {
+  const edit::Session& session = ui.session();
+  const auto handle = view::section_handle(session.document, session.derived, drag_.pick.entity);
+  if (!handle) return;
+  const auto under = [&](glm::vec2 pixel) { return view::value_under(*handle, view::ray_through(view, pixel)); };
+  if (!drag_.grip) {
+    const auto grabbed = under(drag_.start);
+    if (!grabbed || *grabbed == 0) return;
+    drag_.grip = handle->value / *grabbed;
+  }
+  const auto value = under(mouse);
+  if (!value) return;
+  const double steps = ImGui::GetIO().KeyCtrl ? 1 : 20;  // per metre
+  change_section(ui, handle->parameter, std::round(*value * *drag_.grip * steps) / steps);
+}
+
+void ViewportTool::turn_section(Ui& ui, const view::View& view, glm::vec2 mouse) {
+  const edit::Session& session = ui.session();
+  const auto handle = view::angle_handle(session.document, session.derived, drag_.pick.entity, drag_.pick.kind);
+  if (!handle) return;
+  const auto under = [&](glm::vec2 pixel, double near) {
+    return view::angle_under(*handle, view::ray_through(view, pixel), near);
+  };
+  if (!drag_.grip) {
+    const auto grabbed = under(drag_.start, handle->angle);
+    if (!grabbed) return;
+    drag_.grip = handle->angle - *grabbed;
+  }
+  const auto angle = under(mouse, handle->angle - *drag_.grip);
+  if (!angle) return;
+  const double step = ImGui::GetIO().KeyCtrl ? 5 : 0.5;  // deg
+  change_section(ui, handle->parameter, std::round((*angle + *drag_.grip) / step) * step * handle->whole);
+}
+
+// Changes the section whose handle is dragged, planned again from the drag's start.
+void ViewportTool::change_section(Ui& ui, std::string_view parameter, double value) {
+  const edit::Session& session = ui.session();
+  world::Element to = world::section(session.document, drag_.pick.entity).element;
+  const double now = world::value_of(to, parameter);
+  world::set_value(to, parameter, value);
+  if (world::value_of(to, parameter) == now) return;
+  if (!drag_.gesture) ui.emit(edit::BeginGesture{});
+  drag_.gesture = true;
+  ui.emit(edit::ChangeSection{{world::name_of(session.document, drag_.pick.entity)}, true, to});
+}
+
+// A click selects the knot under a section's handle, at the section's end.
+void ViewportTool::click_handle(Ui& ui) {
+  constexpr float kThere = 1e-3f;  // m
+  const world::Document& document = ui.session().document;
+  const std::vector<world::Entity>& knots = document.track.knots;
+  const world::Entity knot = knots[world::run_of(document, drag_.pick.entity).end() % knots.size()];
+  if (glm::distance(world::knot(document, knot).position, drag_.pick.position) < kThere)
+    ui.emit(edit::Select{{world::name_of(document, knot)}});
+}
+
+void ViewportTool::turn_wheel(Ui& ui, const view::View& view, float notches) {
+  constexpr float kMetres = 2;
+  const world::Settings& settings = ui.session().settings;
+  switch (shown_camera(ui)) {
+    case world::CameraMode::orbit:
+      ui.emit(edit::set_camera(zoomed(settings.camera, view, mouse_position(), notches)));
+      break;
+    case world::CameraMode::fly: ui.emit(edit::SetFly{flown(fly_now(ui), {0, 0, kMetres * notches})}); break;
+    case world::CameraMode::chase: zoom_chase(ui, notches); break;
+    case world::CameraMode::ride: break;
   }
 }
 

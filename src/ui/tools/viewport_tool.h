@@ -2,11 +2,14 @@
 // Keeps only the current drag.
 #pragma once
 
+#include <optional>
+
 #include <glm/glm.hpp>
 
 #include "ui/context/ui.h"
 #include "ui/tools/selecting.h"
 #include "ui/tools/transform_tool.h"
+#include "view/pick.h"
 
 namespace coaster::ui {
 
@@ -66,17 +69,8 @@ class ViewportTool {
   bool box_waits_ = false, chose_section_ = false;  // the last press chose a section
 };
 
-// Returns the mode of the camera on display, which may differ from the selected one.
-world::CameraMode shown_camera(const Ui& ui);
-// Return the camera after a drag by `pixels` that rotates it about its target or moves it with the target, and after a
-// turn of the wheel. The scene follows the mouse. Rotating leaves an orthographic view; the wheel zooms an orthographic
-// view about the point under the cursor.
-world::Camera orbited(world::Camera camera, glm::vec2 pixels, float scale);
-world::Camera panned(world::Camera camera, const view::View& view, glm::vec2 pixels);
-world::Camera zoomed(world::Camera camera, const view::View& view, glm::vec2 cursor, float notches);
-// Sets the orbit camera and its projection.
-void set_camera(Ui& ui, const world::Camera& camera);
-// Changes the distance of the chase camera.
-void zoom_chase(Ui& ui, float notches);
+// Returns the position of a new knot under a pixel, m, at the default height of new tracks. In an orthographic view: in
+// its plane through the last knot, at least at that height. Nothing if the pixel shows no ground.
+std::optional<glm::vec3> append_place(const world::Document& document, const view::View& view, glm::vec2 pixel);
 
 }  // namespace coaster::ui

@@ -1,20 +1,74 @@
 // Editable fields: numbers, sliders, text. A typed number is returned once, when it is complete, and is never inf or
 // NaN.
+
 #include <imgui_internal.h>
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 
 #include <fmt/format.h>
 
 #include "base/text.h"
 #include "base/units.h"
 #include "ui/widgets/theme.h"
-#include "ui/widgets/typing.h"
 #include "ui/widgets/widgets.h"
 
 namespace coaster::ui {
 namespace {
+
+enum class Typing { no, open, complete };
+
+// Shows an InputText whose text is in ui.entry during editing. With `begin` it takes the keyboard at once, as if
+// clicked. Editing completes on Enter, or when it loses focus with the text changed; Tab moves to the panel's next
+// number. Escape discards the text.
+Typing typed(WidgetFrame& ui, const char* key, const std::string& initial, bool begin) {
+  const ImGuiID id = ImGui::GetID(key);
+  Entry& entry = ui.entry;
+  const bool mine = entry.id == id;
+  std::array<char, 1024> shown;
+  if (!mine) shown[initial.copy(shown.data(), shown.size() - 1)] = 0;
+  std::array<char, 1024>& buffer = mine ? entry.text : shown;
+  ImGuiIO& io = ImGui::GetIO();
+  const bool clicked = io.MouseClicked[0];
+  // ImGui gives the keyboard to a field that is clicked; SetKeyboardFocusHere takes some frames.
+  io.MouseClicked[0] = clicked || begin;
+  const bool enter = ImGui::InputText(key, buffer.data(), buffer.size(),
+                                      ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll);
+  io.MouseClicked[0] = clicked;
+  const bool active = ImGui::IsItemActive();
+  if (!mine) {
+    if (!active) return Typing::no;
+    entry.id = id;
+    entry.text = entry.initial = shown;
+    return Typing::open;
+  }
+  const bool elsewhere = active && !ImGui::IsItemHovered() && (clicked || io.MouseClicked[1] || io.MouseClicked[2]);
+  const bool tab = active && ImGui::IsKeyPressed(ImGuiKey_Tab);
+  if (active && !enter && !elsewhere && !tab) return Typing::open;
+  if (elsewhere || tab) ImGui::ClearActiveID();
+  if (tab && ui.wish) ui.wish->panel = ui.panel;
+  entry.id = 0;
+  const bool escaped = ImGui::IsKeyPressed(ImGuiKey_Escape);
+  return !escaped && entry.text != entry.initial ? Typing::complete : Typing::no;
+}
+
+// True if a wish opens the field for editing: it has the keyboard, or gets it in the next frame.
+bool is_wished(WidgetFrame& ui, ImGuiID id, bool enabled) {
+  constexpr int kFrames = 3;
+  if (!ui.wish || !enabled) return false;
+  FieldWish& wish = *ui.wish;
+  if (!wish.panel.empty() && wish.panel == ui.panel) {
+    wish = {"", id, kFrames};
+    ImGuiContext& g = *ImGui::GetCurrentContext();
+    g.NavNextActivateId = id;  // takes effect with the next frame
+    g.NavNextActivateFlags = ImGuiActivateFlags_PreferInput;
+    ImGui::SetScrollHereY(0.5f);
+  }
+  if (wish.id != id) return false;
+  if (ui.entry.id == id || --wish.frames < 0) wish.id = 0;
+  return wish.id == id;
+}
 
 // Returns the typed number, clamped to +-`largest`. If it is not a number, warns with the reason and returns nothing.
 std::optional<double> parse(WidgetFrame& ui, std::string_view label, const Number& n) {
@@ -131,42 +185,6 @@ std::optional<double> field(WidgetFrame& ui, std::string_view label, const Numbe
   return in_metric(result, unit, metric);
 }
 
-}  // namespace
-
-std::optional<double> number(WidgetFrame& ui, std::string_view label, const Number& n, std::string_view tooltip,
-                             bool enabled) {
-  begin_row(label);
-  return field(ui, label, n, {}, 0, ImGui::CalcItemWidth(), tooltip, enabled);
-}
-
-TypedNumber cell_number(WidgetFrame& ui, std::string_view label, const Number& n, std::string_view tooltip) {
-  ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(std::floor(2 * ui.scale), 0));
-  TypedNumber typed{field(ui, label, n, {}, 0, ImGui::GetContentRegionAvail().x, tooltip, true)};
-  ImGui::PopStyleVar();
-  ImGui::PushID(label.data(), label.data() + label.size());
-  const ImGuiID id = ImGui::GetID("##type");
-  ImGui::PopID();
-  typed.open = ui.entry.id == id || (ui.wish && ui.wish->id == id);
-  return typed;
-}
-
-std::optional<Changed> numbers(WidgetFrame& ui, std::string_view group, std::span<const std::string_view> names,
-                               std::span<const Number> values, std::string_view tooltip) {
-  const float gap = std::floor(4 * ui.scale), room = ImGui::GetContentRegionAvail().x;
-  const float count = static_cast<float>(names.size()), width = std::floor((room - gap * (count - 1)) / count);
-  std::optional<Changed> changed;
-  for (std::size_t i = 0; i < names.size(); ++i) {
-    if (i > 0) ImGui::SameLine(0, gap);
-    const std::uint32_t tint = names.size() == 3 ? palette().axis[i] : palette().dim;
-    const auto value =
-        field(ui, fmt::format("{}/{}", group, names[i]), values[i], names[i], tint, width, tooltip, true);
-    if (value) changed = Changed{static_cast<int>(i), *value};
-  }
-  return changed;
-}
-
-namespace {
-
 // Shows a slider from `n.low` to `n.high`.
 std::optional<double> slide(WidgetFrame& ui, std::string_view label, const Number& metric, std::string_view tooltip,
                             bool logarithmic) {
@@ -206,6 +224,38 @@ std::optional<double> slide(WidgetFrame& ui, std::string_view label, const Numbe
 constexpr double kLargestSlid = 2e9;  // fits an int
 
 }  // namespace
+
+std::optional<double> number(WidgetFrame& ui, std::string_view label, const Number& n, std::string_view tooltip,
+                             bool enabled) {
+  begin_row(label);
+  return field(ui, label, n, {}, 0, ImGui::CalcItemWidth(), tooltip, enabled);
+}
+
+TypedNumber cell_number(WidgetFrame& ui, std::string_view label, const Number& n, std::string_view tooltip) {
+  ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(std::floor(2 * ui.scale), 0));
+  TypedNumber typed{field(ui, label, n, {}, 0, ImGui::GetContentRegionAvail().x, tooltip, true)};
+  ImGui::PopStyleVar();
+  ImGui::PushID(label.data(), label.data() + label.size());
+  const ImGuiID id = ImGui::GetID("##type");
+  ImGui::PopID();
+  typed.open = ui.entry.id == id || (ui.wish && ui.wish->id == id);
+  return typed;
+}
+
+std::optional<Changed> numbers(WidgetFrame& ui, std::string_view group, std::span<const std::string_view> names,
+                               std::span<const Number> values, std::string_view tooltip) {
+  const float gap = std::floor(4 * ui.scale), room = ImGui::GetContentRegionAvail().x;
+  const float count = static_cast<float>(names.size()), width = std::floor((room - gap * (count - 1)) / count);
+  std::optional<Changed> changed;
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    if (i > 0) ImGui::SameLine(0, gap);
+    const std::uint32_t tint = names.size() == 3 ? palette().axis[i] : palette().dim;
+    const auto value =
+        field(ui, fmt::format("{}/{}", group, names[i]), values[i], names[i], tint, width, tooltip, true);
+    if (value) changed = Changed{static_cast<int>(i), *value};
+  }
+  return changed;
+}
 
 std::optional<double> real_slider(WidgetFrame& ui, std::string_view label, double value, double low, double high,
                                   int decimals, std::string_view tooltip, bool logarithmic, const char* unit) {

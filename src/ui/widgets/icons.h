@@ -1,5 +1,7 @@
-// Icons of simple strokes, drawn in the colour of the text next to them.
+// Icons of simple strokes, drawn in the colour of the text next to them, and medals, ticks and crosses.
 #pragma once
+
+#include <imgui.h>
 
 #include <span>
 #include <string_view>
@@ -34,5 +36,13 @@ enum class IconPlace { before, above, alone };
 // Shows a button as in widgets.h with an icon. width: px; height: 34 design px alone, 36 above the label.
 bool icon_button(WidgetFrame& ui, const Icon& icon, std::string_view label, std::string_view tooltip, bool enabled,
                  float width, IconPlace place = IconPlace::before);
+
+// Draws a medal on its ribbon within a square of `size` px at `low`: 1 bronze, 2 silver, 3 gold. A medal not earned is
+// an outline.
+void draw_medal(ImDrawList& list, ImVec2 low, float size, int medal, bool earned);
+// Draws a tick in a filled disc, or a cross in a ring, within a square of `size` px.
+void draw_mark(ImDrawList& list, ImVec2 low, float size, bool good);
+
+std::string_view medal_title(int medal);  // returns "Gold"; "No medal" for 0
 
 }  // namespace coaster::ui

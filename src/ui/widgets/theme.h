@@ -1,10 +1,13 @@
-// Colours, spacing and fonts of the panels. A theme is a set of named colours.
+// Colours, spacing and fonts of the panels, with the letters that texts need. A theme is a set of named colours.
 #pragma once
 
-#include <cstdint>
-#include <span>
-
 #include <imgui.h>
+
+#include <cstdint>
+#include <set>
+#include <span>
+#include <string>
+#include <vector>
 
 #include "world/settings.h"
 
@@ -47,5 +50,28 @@ void load_fonts(float scale);
 ImFont* title_font();
 ImFont* small_font();  // font of the current context, after load_fonts()
 float small_pixels();  // line height of the small font, px
+
+// The panels' fonts, with the letters that texts need.
+class Letters {
+ public:
+  // Loads the fonts of the current context if `scale` changed or the last frame showed letters for the first time:
+  // those of Inter, else of the system's fonts, else a box for each. Returns true if it did. Call outside a frame.
+  bool load(float scale);
+  float scale() const { return scale_; }  // of the last load()
+
+ private:
+  struct File {
+    std::string path, bytes;
+    int index = 0;
+  };
+  bool build();
+  ImFont* add_font(float pixels, const ImWchar* base) const;
+  bool add_files(const std::set<ImWchar>& blocks);
+
+  float scale_ = 0;
+  std::set<ImWchar> blocks_;  // of letters, by the first one (imgui_compat.h)
+  std::vector<File> files_;
+  std::vector<ImWchar> ranges_;  // of Inter's and the files' letters; the fonts refer to it
+};
 
 }  // namespace coaster::ui

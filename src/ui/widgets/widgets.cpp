@@ -1,6 +1,7 @@
 // Rows, buttons, switches, choices and read-outs. Editable fields are in fields.cpp.
 #include "ui/widgets/widgets.h"
 
+#include <imgui.h>
 #include <imgui_internal.h>
 
 #include <algorithm>
@@ -260,6 +261,10 @@ bool button(WidgetFrame& ui, std::string_view label, std::string_view tooltip, b
   return pressed && enabled;
 }
 
+bool wide_button(WidgetFrame& ui, std::string_view label, std::string_view tooltip, bool enabled) {
+  return button(ui, label, tooltip, enabled, ImGui::GetContentRegionAvail().x);
+}
+
 bool radio(WidgetFrame& ui, std::string_view label, bool on, std::string_view tooltip, bool enabled) {
   const auto draw = [&](const char* text) { return ImGui::RadioButton(text, on); };
   return toggle_item(ui, label, "radio", on, tooltip, enabled, draw) && !on;
@@ -320,5 +325,17 @@ void read_out(WidgetFrame& ui, std::string_view label, double value, int decimal
 }
 
 std::string fixed(double value, int decimals) { return base::figure_text(value, decimals, ""); }
+
+bool ButtonRows::operator()(std::string_view label, std::string_view tooltip, bool enabled) {
+  if (placed == 0) {
+    const ImGuiStyle& style = ImGui::GetStyle();
+    const float gap = style.ItemSpacing.x, room = ImGui::GetContentRegionAvail().x + gap;
+    const float least = text_size(widest).x + style.FramePadding.x;  // it may take the padding at the right
+    columns = std::clamp(static_cast<int>(room / (least + gap)), 1, columns);
+    width = std::floor(room / static_cast<float>(columns) - gap);
+  }
+  if (placed++ % columns != 0) ImGui::SameLine();
+  return button(ui, label, tooltip, enabled, width);
+}
 
 }  // namespace coaster::ui

@@ -141,6 +141,8 @@ void tinted_line(std::string_view words, std::uint32_t rgb);
 void tinted(std::string_view words, std::uint32_t rgb);
 void paragraph(WidgetFrame& ui, std::string_view label, std::string_view words, std::uint32_t rgb);
 bool button(WidgetFrame& ui, std::string_view label, std::string_view tooltip, bool enabled = true, float width = 0);
+// One as wide as the room.
+bool wide_button(WidgetFrame& ui, std::string_view label, std::string_view tooltip, bool enabled = true);
 bool radio(WidgetFrame& ui, std::string_view label, bool on, std::string_view tooltip, bool enabled = true);
 // If a radio button or checkbox with this label fits next to the last one, in the right half of the row, moves there
 // and returns true.
@@ -226,5 +228,16 @@ void read_out(WidgetFrame& ui, std::string_view label, std::string_view value, s
               std::string_view tooltip, bool warns = false, bool red = false);
 // Returns "12345.60", without a "-" before zero; "--" for NaN.
 std::string fixed(double value, int decimals);
+
+struct ButtonRows {
+  WidgetFrame& ui;
+  int columns;              // buttons in a row, or fewer where the widest label does not fit
+  std::string_view widest;  // label
+  int placed = 0;
+  float width = 0;  // px, of a button; set with the first one
+
+  // Adds a button; returns whether it is pressed.
+  bool operator()(std::string_view label, std::string_view tooltip, bool enabled = true);
+};
 
 }  // namespace coaster::ui

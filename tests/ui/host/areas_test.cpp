@@ -1,5 +1,5 @@
 // Each workspace in real frames: every widget is in an area of the layout; none covers another or the view.
-#include "ui/host/areas.h"
+#include "ui/host/host.h"
 
 #include <set>
 

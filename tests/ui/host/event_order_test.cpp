@@ -1,5 +1,5 @@
 // What several events of one frame become in the frames that follow.
-#include "ui/host/event_order.h"
+#include "ui/host/imgui_input.h"
 
 #include <gtest/gtest.h>
 

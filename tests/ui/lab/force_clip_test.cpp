@@ -1,5 +1,5 @@
 // Force keys copied and pasted with the keyboard; tests/scripts/force_copy.coaster also pastes them.
-#include "ui/lab/force_clip.h"
+#include "ui/lab/force_keys.h"
 
 #include "edit/commands/commands_force.h"
 #include "edit/commands/set_setting.h"

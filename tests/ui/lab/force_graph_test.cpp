@@ -1,4 +1,5 @@
-#include "ui/lab/force_graph.h"
+// The force graph of Build (ui/lab/strips.h).
+#include "ui/lab/strips.h"
 
 #include "edit/commands/commands_document.h"
 #include "edit/commands/commands_elements.h"

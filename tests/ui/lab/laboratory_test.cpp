@@ -1,3 +1,4 @@
+// The strip of the laboratory and its pages (ui/lab/strips.h).
 #include <imgui.h>
 #include <imgui_internal.h>
 

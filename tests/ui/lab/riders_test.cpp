@@ -1,3 +1,4 @@
+// The page Riders (ui/lab/ride_pages.cpp).
 #include <cstdlib>
 #include <sstream>
 

@@ -1,4 +1,5 @@
-#include "ui/lab/shapes.h"
+// Planes for pictures of space curves (ui/lab/page_parts.h).
+#include "ui/lab/page_parts.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>

@@ -1,4 +1,4 @@
-#include "ui/panels/sections_table.h"
+#include "ui/panels/sections.h"
 
 #include "edit/commands/set_setting.h"
 #include "ui/sections_stage.h"

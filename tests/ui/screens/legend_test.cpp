@@ -1,3 +1,4 @@
+// The legend of the track's colours (ui/screens/overlays.h).
 #include <imgui.h>
 
 #include "edit/commands/commands_lab.h"

@@ -1,3 +1,4 @@
+// Cards and rings of lessons (ui/screens/overlays.h).
 #include "ui/screens/overlays.h"
 
 #include <imgui.h>

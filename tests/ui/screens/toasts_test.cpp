@@ -1,4 +1,5 @@
-#include "ui/screens/toasts.h"
+// Notices (ui/screens/overlays.h).
+#include "ui/screens/overlays.h"
 
 #include <imgui.h>
 

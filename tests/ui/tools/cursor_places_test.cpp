@@ -1,6 +1,6 @@
 // Clicks on positions that view::pick() does not find: the ground, the track in front of the gizmo; and snapping of
 // drags.
-#include "ui/tools/cursor_places.h"
+#include "ui/tools/viewport_tool.h"
 
 #include "edit/commands/commands_document.h"
 #include "edit/commands/commands_elements.h"

@@ -1,4 +1,5 @@
-#include "ui/tools/follow_camera.h"
+// The camera that follows new track (ui/tools/cameras.h).
+#include "ui/tools/cameras.h"
 
 #include "edit/commands/commands_document.h"
 #include "edit/commands/commands_elements.h"

@@ -1,4 +1,5 @@
-#include "ui/tools/palette_element.h"
+// Choosing and placing the element of the palette (ui/tools/previews.h).
+#include "ui/tools/previews.h"
 
 #include "edit/commands/commands_document.h"
 #include "edit/commands/commands_elements.h"

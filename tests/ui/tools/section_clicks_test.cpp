@@ -1,4 +1,5 @@
-#include "ui/tools/section_clicks.h"
+// Clicks that select sections (ui/tools/selecting.h).
+#include "ui/tools/selecting.h"
 
 #include "edit/commands/set_setting.h"
 #include "ui/sections_stage.h"

@@ -1,4 +1,5 @@
-#include "ui/tools/transform_math.h"
+// The geometry of transforms, and selecting by clicks and boxes.
+#include "ui/tools/transform_tool.h"
 
 #include <algorithm>
 

@@ -1,10 +1,10 @@
+// The fonts of the panels (ui/widgets/theme.h).
 #include <gtest/gtest.h>
 #include <imgui.h>
 
 #include <map>
 
 #include "ui/widgets/imgui_compat.h"
-#include "ui/widgets/letters.h"
 #include "ui/widgets/theme.h"
 
 namespace coaster::ui {

@@ -1,0 +1,51 @@
+// Shared parts of the table of actions.
+#pragma once
+
+#include <span>
+
+#include "edit/commands/commands_settings.h"
+#include "edit/commands/set_setting.h"
+#include "ui/actions/actions.h"
+#include "ui/tools/show_places.h"
+#include "world/settings_groups.h"
+
+namespace coaster::ui {
+
+std::span<const Action> view_actions();
+
+// Switches the workspace. In the laboratory it also opens the pages.
+void choose_workspace(Ui& ui, world::Workspace to);
+
+constexpr platform::Chord key(platform::Key k) { return {k, {}}; }
+constexpr platform::Chord ctrl(platform::Key k) { return {k, {.ctrl = true}}; }
+constexpr platform::Chord shift(platform::Key k) { return {k, {.shift = true}}; }
+constexpr platform::Chord ctrl_shift(platform::Key k) { return {k, {.shift = true, .ctrl = true}}; }
+inline constexpr platform::Chord kNoKey{};
+
+// The name of the active knot, segment, section or cart; null without one.
+const world::Name* selected(const Act& act);
+inline constexpr Condition kAnySelected{[](const Act& act) { return selected(act) != nullptr; },
+                                        "Select something first."};
+bool selected_is(const Act& act, world::Kind kind);
+inline constexpr Condition kRideable{[](const Act& act) { return rideable(act.ui.session()); },
+                                     "A ride needs a track and a train."};
+
+// Actions that turn a setting on or off, and actions that select one of its values.
+template <auto Member>
+bool on(const Act& act) {
+  return world::value_in<Member>(act.ui.session().settings);
+}
+template <auto Member>
+void toggle(Act& act) {
+  act.ui.emit(edit::Set<Member>{!on<Member>(act)});
+}
+template <auto Member, world::ValueOf<Member> value>
+bool is(const Act& act) {
+  return world::value_in<Member>(act.ui.session().settings) == value;
+}
+template <auto Member, world::ValueOf<Member> value>
+void set(Act& act) {
+  act.ui.emit(edit::Set<Member>{value});
+}
+
+}  // namespace coaster::ui

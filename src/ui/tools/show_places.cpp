@@ -1,0 +1,119 @@
+#include "ui/tools/show_places.h"
+
+#include <algorithm>
+
+#include "edit/commands/commands_challenge.h"
+#include "edit/commands/commands_settings.h"
+#include "edit/commands/set_setting.h"
+#include "sim/shape/folds.h"
+#include "sim/solids/conflict.h"
+#include "sim/study/jolt.h"
+#include "world/aids.h"
+#include "world/sections.h"
+
+namespace coaster::ui {
+namespace {
+
+double selected_distance(const edit::Session& session) {
+  const sim::SegmentShape* const shape = session.derived.segments.find(session.settings.selected);
+  const auto index = shape ? world::index_of(session.derived.order, session.settings.selected) : std::nullopt;
+  return index ? session.derived.starts[*index] + shape->arc.distance(session.settings.selected_t) : -1;
+}
+
+// Selects the segment at `distance` and points the orbit camera at `target`, from between `near` and `far` m.
+void look_at(Ui& ui, double distance, glm::vec3 target, float near, float far) {
+  const edit::Session& session = ui.session();
+  const sim::TrackPlace place = sim::place_at(session.derived, distance);
+  const world::Entity segment = session.derived.order[place.index];
+  ui.emit(
+      edit::Select{{world::name_of(session.document, segment)}, session.derived.shape(segment).arc.parameter(place.s)});
+  world::Camera camera = session.settings.camera;
+  camera.target = target;
+  camera.distance = std::clamp(camera.distance, near, far);
+  ui.emit(edit::set_camera(camera));
+  if (session.settings.camera_mode != world::CameraMode::orbit)
+    ui.emit(edit::Set<&world::Settings::camera_mode>{world::CameraMode::orbit});
+}
+
+// Returns the first of the positions found, in track order, that is after the selected one; null if there are none.
+template <class Found>
+const Found* next_of(Ui& ui, std::span<const Found> found) {
+  constexpr double kHere = 1e-3;  // m: closer positions are the selected one
+  if (found.empty()) return nullptr;
+  const double from = selected_distance(ui.session());
+  const auto later = std::find_if(found.begin(), found.end(), [&](const Found& one) { return one.at > from + kHere; });
+  return later == found.end() ? &found.front() : &*later;
+}
+
+}  // namespace
+
+bool rideable(const edit::Session& session) {
+  return session.document.entities.pool<world::Cart>().size() > 0 && !session.document.track.segments.empty();
+}
+
+bool append_mode_switches(const edit::Session& session) {
+  return session.settings.aids->append_mode || !session.document.track.closed;
+}
+
+bool card_shows(const edit::Session& session) {
+  return session.settings.aids->show_card && session.game.show_result && session.game.result;
+}
+
+std::optional<double> failed_place(const edit::Session& session) {
+  if (!session.game.result) return std::nullopt;
+  if (session.game.result->verdict && session.game.result->verdict->place) return session.game.result->verdict->place;
+  return session.game.result->end == edit::RideEnd::failed ? session.game.result->place : std::nullopt;
+}
+
+std::optional<world::Entity> climb_without_lift(const edit::Session& session) {
+  const world::Document& document = session.document;
+  if (session.game.challenge || !session.game.result || !session.game.result->below_top ||
+      session.derived.order.empty())
+    return std::nullopt;
+  const world::Entity segment =
+      session.derived.order[sim::place_at(session.derived, *session.game.result->place).index];
+  const world::Entity section = world::segment(document, segment).section;
+  if (world::is_free(document, section) || document.entities.find<world::Equipment>(segment)) return std::nullopt;
+  return section;
+}
+
+void show_place(Ui& ui, double distance) {
+  const sim::Derived& derived = ui.session().derived;
+  if (derived.order.empty()) return;
+  const sim::TrackPlace place = sim::place_at(derived, distance);
+  const sim::SegmentShape& shape = derived.shape(derived.order[place.index]);
+  const glm::vec3 target(curve::point(shape.key.cubic, shape.arc.parameter(place.s)));
+  look_at(ui, distance, target, 18, 36);
+  if (card_shows(ui.session())) ui.emit(edit::CloseCard{});
+}
+
+void show_next_conflict(Ui& ui) {
+  if (const auto* const next = next_of(ui, ui.find.conflicts()))
+    look_at(ui, next->at, 0.5f * (next->at_place + next->other_place), 0, 24);
+}
+
+void show_next_fold(Ui& ui) {
+  if (const auto* const next = next_of(ui, ui.find.folds())) look_at(ui, next->at, next->place, 0, 24);
+}
+
+void show_next_tight_bend(Ui& ui) {
+  if (const auto* const next = next_of(ui, ui.find.tight_bends())) look_at(ui, next->at, next->place, 0, 24);
+}
+
+void show_knot(Ui& ui, world::Entity knot) {
+  const world::Document& document = ui.session().document;
+  const auto index = world::index_of(document.track.knots, knot);
+  if (!index) return;
+  look_at(ui, ui.session().derived.starts[*index], world::knot(document, knot).position, 0, 24);
+  ui.emit(edit::Select{{world::name_of(document, knot)}, 0});  // rather than the segment that starts there
+}
+
+void show_worst_jolt(Ui& ui) {
+  const std::span<const sim::Jolt> jolts = ui.find.jolts();
+  const auto worst = std::max_element(jolts.begin(), jolts.end(),
+                                      [](const sim::Jolt& a, const sim::Jolt& b) { return a.total < b.total; });
+  if (worst == jolts.end() || !(worst->total > 0)) return;
+  show_knot(ui, ui.session().document.track.knots[static_cast<std::size_t>(worst - jolts.begin())]);
+}
+
+}  // namespace coaster::ui
