@@ -266,18 +266,19 @@ void Heading::settle(const curve::Frame& frame) {
 }
 
 void Heading::follow(const curve::Frame& frame, double lag, double dt) {
-  constexpr double kUpright = 0.2;               // of up's height
-  constexpr double kVague = 0.15, kClear = 0.6;  // of the tangent's horizontal length
+  constexpr double kUpright = 0.2;                  // of up's height
+  constexpr double kVague = 0.15, kDefinite = 0.6;  // of the tangent's horizontal length
   const dvec3 f = frame.forward;
   const double flat = std::sqrt(f.x * f.x + f.z * f.z),
-               part = std::clamp((flat - kVague) / (kClear - kVague), 0.0, 1.0);
-  double off = flat > 1e-9 ? wrapped(std::atan2(-f.x, -f.z) - yaw) : 0.0;
-  if (frame.up.y < kUpright && std::cos(off) < 0) off = wrapped(off + base::kPi);
+               part = std::clamp((flat - kVague) / (kDefinite - kVague), 0.0, 1.0);
+  double yaw_error = flat > 1e-9 ? wrapped(std::atan2(-f.x, -f.z) - yaw) : 0.0;
+  if (frame.up.y < kUpright && std::cos(yaw_error) < 0) yaw_error = wrapped(yaw_error + base::kPi);
   const double k = 2 / lag;
-  for (double rest = dt; rest > 1e-9; rest -= world::kTick) {  // small steps, because the pull changes with the angle
-    const double step = std::min(rest, world::kTick);
-    rate += step * (k * k * part * off - 2 * k * rate);
-    yaw += step * rate, off -= step * rate;
+  for (double seconds_left = dt; seconds_left > 1e-9;
+       seconds_left -= world::kTick) {  // small steps, because the pull changes with the angle
+    const double step = std::min(seconds_left, world::kTick);
+    rate += step * (k * k * part * yaw_error - 2 * k * rate);
+    yaw += step * rate, yaw_error -= step * rate;
   }
   yaw = wrapped(yaw);
 }

@@ -37,9 +37,9 @@ struct Thing {
 
 // Things by the cells that they touch: chords in space, since track may be as high as it is long; bars, which are as
 // high as the track that they hold, in plan.
-class Cells {
+class ThingCells {
  public:
-  explicit Cells(double width) : width_(width) {}
+  explicit ThingCells(double width) : width_(width) {}
   void add(const Thing& thing) {
     const dvec3 low = glm::min(thing.from, thing.to) - thing.reach, high = glm::max(thing.from, thing.to) + thing.reach;
     const int bottom = thing.support ? kAllHeights : cell(low.y), top = thing.support ? kAllHeights : cell(high.y);
@@ -67,8 +67,8 @@ class Cells {
   std::vector<Entry> entries_;
 };
 
-Cells cells_of(const Derived& derived, const Supports* supports, double step) {
-  Cells cells(std::max(kLeastCell, step));
+ThingCells cells_of(const Derived& derived, const Supports* supports, double step) {
+  ThingCells cells(std::max(kLeastCell, step));
   for (std::size_t i = 0; i < derived.order.size(); ++i) {
     const SegmentShape& shape = derived.shape_at(i);
     const double length = shape.arc.length();
@@ -202,7 +202,7 @@ NearMisses near_misses(const Ghost& ghost, const Derived& derived, const Support
   NearMisses found;
   if (derived.order.empty() || ghost.samples.empty()) return found;
   const double step = std::max(kStep, derived.length / kMostChordsInAll);
-  const Cells cells = cells_of(derived, supports, step);
+  const ThingCells cells = cells_of(derived, supports, step);
   const auto apart = [&](const Thing& thing, double at) {
     const double gap = std::max({0.0, thing.begin - at, at - thing.end});
     return derived.closed ? std::min({gap, thing.begin + derived.length - at, at + derived.length - thing.end}) : gap;

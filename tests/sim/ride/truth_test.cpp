@@ -100,7 +100,7 @@ std::vector<Moment> over_tables(const world::Document& document, double seconds)
     moments.push_back({static_cast<double>(tick) * world::kTick, sample.travelled, sample.speed, {}});
     for (std::size_t car = 0; car < cars; ++car) {
       const Felt& force = ghost.forces[tick / kForceEvery * cars + car];
-      moments.back().felt.push_back({force.up, force.left, force.forward});
+      moments.back().felt.push_back(force);
     }
   }
   return moments;

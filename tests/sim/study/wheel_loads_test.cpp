@@ -21,7 +21,9 @@ struct Case {
 };
 Case random_case(std::mt19937& bits) {
   const auto uniform = [&](double low, double high) { return low + (high - low) * (bits() / 4294967296.0); };
-  return {{uniform(-3, 6), uniform(-3, 3), uniform(-3, 3)}, {uniform(200, 20'000), uniform(1, 12), uniform(-1.5, 1.5)}};
+  const auto g = [&](double low, double high) { return static_cast<float>(uniform(low, high)); };
+  return {{.forward = g(-3, 3), .left = g(-3, 3), .up = g(-3, 6)},
+          {uniform(200, 20'000), uniform(1, 12), uniform(-1.5, 1.5)}};
 }
 
 // Force and moment about the centre of mass that the rails give the car, in N and N m, on the axes forward, left, up.
@@ -85,18 +87,18 @@ TEST(wheel_loads, a_set_is_the_sum_of_its_wheels) {
 }
 
 TEST(wheel_loads, a_push_to_the_left_goes_through_the_left_side_wheels_and_loads_the_right_road_wheels) {
-  const WheelLoads loads = wheel_loads({1, 0.2, 0}, {800, 3, 1.1});
-  EXPECT_NEAR(loads.of(WheelSet::left).side, 0.2 * 0.8 * kG, 1e-12);
+  const WheelLoads loads = wheel_loads({0, 0.25f, 1}, {800, 3, 1.1});
+  EXPECT_NEAR(loads.of(WheelSet::left).side, 0.25 * 0.8 * kG, 1e-12);
   EXPECT_EQ(loads.of(WheelSet::right).side, 0);
   // Moments about the left rail: the right one carries half the weight and the lateral force times height over gauge.
-  EXPECT_NEAR(loads.of(WheelSet::right).road, 0.8 * kG * (0.5 + 0.2 * 1.1 / 1.2), 1e-12);
+  EXPECT_NEAR(loads.of(WheelSet::right).road, 0.8 * kG * (0.5 + 0.25 * 1.1 / 1.2), 1e-12);
 }
 
 TEST(wheel_loads, a_launch_loads_the_rear_and_brakes_load_the_front) {
   // Moments about the front bogie, 0.6 of 3 m away.
   const double rear = 0.8 * kG * (0.5 + 0.5 * 1.1 / 1.8);
-  EXPECT_NEAR(wheel_loads({1, 0, 0.5}, {800, 3, 1.1}).of(WheelSet::rear).road, rear, 1e-12);
-  EXPECT_NEAR(wheel_loads({1, 0, -0.5}, {800, 3, 1.1}).of(WheelSet::front).road, rear, 1e-12);
+  EXPECT_NEAR(wheel_loads({0.5f, 0, 1}, {800, 3, 1.1}).of(WheelSet::rear).road, rear, 1e-12);
+  EXPECT_NEAR(wheel_loads({-0.5f, 0, 1}, {800, 3, 1.1}).of(WheelSet::front).road, rear, 1e-12);
 }
 
 // The wheels of a train of one car on its first segment, at a speed.
