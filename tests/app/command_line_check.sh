@@ -7,7 +7,7 @@ expect_code 0 --help
 expect_text stdout "--headless"
 expect_code 0 --help-script
 expect_text stdout "ride.energy_drift"
-expect_text stdout "split @segment at NUMBER"
+expect_text stdout "split @segment:NUMBER"
 expect_code 2 --no-such-option
 expect_empty stdout
 expect_code 2 --size 12

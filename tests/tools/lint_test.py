@@ -1,5 +1,5 @@
-"""lint --format names a file that is formatted wrongly and no other file; lint names the subject of a commit that is too
-long. Exit status 77 without that clang-format."""
+"""lint --format names a file that is formatted wrongly and no other file; lint names the subject of a commit that is
+too long. Exit status 77 without that clang-format."""
 import pathlib
 import shutil
 import subprocess

@@ -119,7 +119,7 @@ std::string usage(const CommandKind& row) {
     const bool place = field.keyword.place;
     std::string part = place ? ":" : field.keyword.word;
     if (!part.empty() && !place && !field.flag()) part += ' ';
-    part += field.is_target() ? std::string(row.target) : place ? "T" : field.type->usage(field.value);
+    part += field.is_target() ? std::string(row.target) : field.type->usage(field.value);
     if (field.keyword.optional) part = "[" + part + "]";
     text += place ? part : " " + part;
   }
