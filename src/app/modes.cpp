@@ -18,7 +18,7 @@
 #include "edit/commands/commands_session.h"
 #include "edit/commands/set_setting.h"
 #include "edit/perform/apply.h"
-#include "edit/session/ride_report.h"
+#include "edit/session/ride_watch.h"
 #include "edit/session/session.h"
 #include "exchange/challenge_file.h"
 #include "exchange/formats.h"

@@ -8,6 +8,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "base/files.h"
@@ -156,6 +157,11 @@ std::optional<std::string> ride_csv(const Finder& find);
 // Returns "Train c1 stalled at 132.4 m, 2.1 m below the top at 141.0 m: ...", as the score card says it; empty if the
 // ride has not failed.
 std::string failure_text(const Session& session);
+
+// True if the session's challenge refuses commands of that name.
+bool is_locked(const Session& session, std::string_view command);
+// Returns "Locked in this challenge: Equipment, Losses.": the commands by the labels of their buttons, each once.
+std::string locked_text(const std::vector<std::string>& commands);
 
 // Says so if there are too many trains for the block sections (sim::deadlock_text()).
 void warn_of_deadlock(Session& session);

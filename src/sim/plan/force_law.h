@@ -25,12 +25,12 @@ class ForceCurve {
   double bend_at(double x) const;
 
  private:
-  using Piece = std::array<glm::dvec2, 4>;
+  using ChannelPiece = std::array<glm::dvec2, 4>;
   // Returns the piece that holds x; null before the first and behind the last.
-  const Piece* piece_at(double x) const;
+  const ChannelPiece* piece_at(double x) const;
 
   double before_, after_;  // the values before and after the pieces
-  std::vector<Piece> pieces_;
+  std::vector<ChannelPiece> pieces_;
 };
 
 // Adds a key at a position of the section on the channel's curve; the curve keeps its shape (de Casteljau).

@@ -3,7 +3,7 @@
 #include <imgui.h>
 
 #include "edit/commands/commands_session.h"
-#include "edit/session/locks.h"
+#include "edit/session/session.h"
 #include "ui/widgets/theme.h"
 
 namespace coaster::ui {

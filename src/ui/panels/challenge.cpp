@@ -9,7 +9,7 @@
 
 #include "edit/commands/commands_challenge.h"
 #include "edit/commands/commands_ride.h"
-#include "edit/session/locks.h"
+#include "edit/session/session.h"
 #include "query/challenge.h"
 #include "ui/context/kept_files.h"
 #include "ui/context/query_rows.h"

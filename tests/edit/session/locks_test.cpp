@@ -1,4 +1,5 @@
-#include "edit/session/locks.h"
+// Tests the tools that a challenge locks (edit/session/session.h).
+#include "edit/session/session.h"
 
 #include <gtest/gtest.h>
 

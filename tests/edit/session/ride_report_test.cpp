@@ -1,4 +1,5 @@
-#include "edit/session/ride_report.h"
+// Tests the ride report (edit/session/ride_watch.h).
+#include "edit/session/ride_watch.h"
 
 #include <cmath>
 #include <set>
