@@ -4,7 +4,7 @@
 
 #include "base/portable_math.h"
 #include "query/rows.h"
-#include "sim/plan/force_quantity.h"
+#include "sim/plan/force_plan.h"
 #include "sim/study/complete_circuit.h"
 #include "sim/study/section_figures.h"
 #include "world/sections.h"

@@ -9,7 +9,7 @@
 #include "edit/perform/knot_runs.h"
 #include "edit/perform/replan.h"
 #include "exchange/own/track_file.h"
-#include "sim/plan/force_quantity.h"
+#include "sim/plan/force_plan.h"
 #include "sim/plan/force_reading.h"
 #include "world/sections.h"
 #include "world/topology.h"

@@ -140,7 +140,7 @@ constexpr std::size_t kEnd = End{}.size();
 
 constexpr double kNodeGap = 5;  // m between keys of what is added, about
 constexpr std::size_t kFewestNodes = 6, kMostNodes = 24;
-constexpr double kCoarse = 1, kFine = 0.25;  // m, steps on the way to the end and of the path itself (force_path.cpp)
+constexpr double kCoarse = 1, kFine = 0.25;  // m, steps on the way to the end and of the path itself (force_law.cpp)
 constexpr double kMostStep = 5;              // g, changes by more in one step lead nowhere
 
 double size_of(const End& end) {

@@ -18,7 +18,6 @@
 #include "edit/commands/commands_session.h"
 #include "platform/events.h"
 #include "sim/plan/force_plan.h"
-#include "sim/plan/force_quantity.h"
 #include "ui/context/ui.h"
 #include "ui/lab/page_parts.h"
 #include "ui/plots/plot.h"

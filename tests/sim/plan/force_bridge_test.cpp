@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "sim/plan/force_path.h"
+#include "sim/plan/force_law.h"
 
 namespace coaster::sim {
 namespace force_bridge_test {

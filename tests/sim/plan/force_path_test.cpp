@@ -1,7 +1,6 @@
 // Also tests force_law.h, which it integrates.
-#include "sim/plan/force_path.h"
-#include "base/tries.h"
 #include "sim/plan/force_law.h"
+#include "base/tries.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,5 @@
-#include "sim/plan/force_quantity.h"
+// Tests keys of forces that become keys of curvature, and back (sim/plan/force_plan.h).
+#include "sim/plan/force_plan.h"
 
 #include <gtest/gtest.h>
 

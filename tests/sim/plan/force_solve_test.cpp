@@ -1,4 +1,5 @@
-#include "sim/plan/force_solve.h"
+// Tests the values of keys that follow a way (sim/plan/force_reading.h).
+#include "sim/plan/force_reading.h"
 
 #include <gtest/gtest.h>
 
