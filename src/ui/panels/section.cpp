@@ -194,12 +194,6 @@ bool in_a_row(const Chosen& chosen) {
   return true;
 }
 
-std::vector<world::Name> names_of(const Chosen& chosen) {
-  std::vector<world::Name> names;
-  for (const world::SectionRun& run : chosen.runs) names.push_back(chosen.name(run));
-  return names;
-}
-
 // What is done with whole sections.
 void section_buttons(Ui& ui, const Chosen& chosen) {
   const edit::Session& session = ui.session();
@@ -238,7 +232,7 @@ void section_buttons(Ui& ui, const Chosen& chosen) {
   if ((!of_forces || !chosen.single()) &&
       pressed("Read forces", "Make it a force section of the same shape. What is felt becomes keys.", "",
               in_a_row(chosen)))
-    ui.emit(edit::ReadForces{edit::Sections(names_of(chosen))});
+    ui.emit(edit::ReadForces{edit::Sections(chosen.names())});
   if (pressed("Delete", "Delete the sections. What follows moves to where they began.", "Delete", movable(end)))
     each([](world::Name name) { return edit::DeleteSection{{name}}; });
 }

@@ -19,6 +19,11 @@ struct Chosen {
   const world::Section& section() const { return world::section(document, active); }
   world::Name name() const { return world::name_of(document, active); }
   world::Name name(const world::SectionRun& run) const { return world::name_of(document, run.section); }
+  std::vector<world::Name> names() const {
+    std::vector<world::Name> all;
+    for (const world::SectionRun& run : runs) all.push_back(name(run));
+    return all;
+  }
 };
 Chosen chosen_sections(const edit::Session& session);
 
