@@ -1,11 +1,10 @@
-// Also tests force_law.h, which it integrates.
-#include "sim/plan/force_law.h"
-#include "base/tries.h"
-
+// Tests the path of a force section (sim/plan/force_law.h), which integrates its law.
 #include <gtest/gtest.h>
 
+#include "base/tries.h"
 #include "curve/frames.h"
 #include "sim/force_oracle.h"
+#include "sim/plan/force_law.h"
 
 namespace coaster::sim {
 namespace force_path_test {
