@@ -10,7 +10,8 @@ set(CMAKE_CXX_FLAGS_RELEASE "-O2 -DNDEBUG")
 
 # The same numbers from every compiler and optimisation level: no fused multiply-add unless the source asks for it. sqrt
 # need not set errno, which nothing reads.
-add_compile_options(-ffp-contract=off -fno-math-errno -Wall -Wextra -Wpedantic -Wshadow -Wno-missing-field-initializers)
+add_compile_options(-ffp-contract=off -fno-math-errno -Wall -Wextra -Wpedantic -Wshadow -Wno-missing-field-initializers
+                    -Werror=switch)  # a switch over kinds without a default is a table: no kind may be forgotten
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
   add_compile_options(-fpch-preprocess)  # lets ccache see through precompiled headers
   # gcc 12 omits the rounding in double(float(x)) where it vectorises straight-line code (seen at -O2, not at -O0, nor

@@ -8,6 +8,7 @@
 #include "sim/ride/equipment.h"
 #include "sim/ride/ride.h"
 #include "sim/ride/train.h"
+#include "world/equipment_rows.h"
 
 namespace coaster::view {
 namespace {
@@ -102,7 +103,7 @@ RideNoise ride_noise(const world::Document& document, const sim::Derived& derive
   const double front = moving->track_distance,
                length = (sim::cars_on(derived, *design) - 1) * static_cast<double>(design->spacing);
   for (const sim::EquipmentSpan& span : sim::equipment_spans(document, derived)) {
-    if (span.equipment.kind != world::EquipmentKind::lift) continue;
+    if (!base::row_of(span.equipment.kind).has_chain) continue;
     const auto over = [&](double to) { return to >= span.from && to - length <= span.to; };
     // On a closed track the rear may still be before the start of the track.
     if (over(front) || (derived.closed && over(front + derived.length))) noise.rack = std::max(0.0, moving->speed);

@@ -31,6 +31,8 @@ struct ElementRow {
   std::string_view help;
   bool sided;  // has a left and a right form
   std::span<const ElementParameter> parameters;
+  std::string_view button = {};  // on the palette's button; empty: the label
+  bool proper = false;           // a proper name: keeps its capital in sentences
 };
 
 namespace element_rows {
@@ -39,7 +41,8 @@ inline constexpr std::string_view kSpeedHelp =
 // None, then the kinds of equipment.
 inline constexpr auto kEquipmentChoices = [] {
   std::array<base::NameRow, 1 + std::size(kEquipmentKinds)> rows{{{"none", "None", "Plain track."}}};
-  for (std::size_t i = 1; i < rows.size(); ++i) rows[i] = kEquipmentKinds[i - 1];
+  for (std::size_t i = 1; i < rows.size(); ++i)
+    rows[i] = {kEquipmentKinds[i - 1].name, kEquipmentKinds[i - 1].label, kEquipmentKinds[i - 1].help};
   return rows;
 }();
 inline constexpr ElementParameter kEquipment{
@@ -194,7 +197,7 @@ inline constexpr ElementRow kElements[] = {
     {"curve", "Banked curve",
      "A banked turn with roll-in and roll-out: curvature and bank rise, stay and fall. It keeps the slope it starts "
      "with.",
-     true, element_rows::kCurve},
+     true, element_rows::kCurve, "Curve"},
     {"helix", "Helix", "A rising or descending helix that ends level.", true, element_rows::kHelix},
     {"climb", "Climb", "A climb that ends level, for lifts.", false, element_rows::kClimb},
     {"dive", "Dive", "A drop that ends level.", false, element_rows::kDive},
@@ -205,20 +208,28 @@ inline constexpr ElementRow kElements[] = {
     {"corkscrew", "Corkscrew",
      "An inversion around a horizontal axis. It ends upright, in the same direction, shifted sideways.", true,
      element_rows::kCorkscrew},
-    {"s_bend", "S-bend",
-     "Two banked turns, one to each side, without a straight between them. It ends in the same direction.", true,
-     element_rows::kSBend},
+    {"s_bend",
+     "S-bend",
+     "Two banked turns, one to each side, without a straight between them. It ends in the same direction.",
+     true,
+     element_rows::kSBend,
+     {},
+     true},
     {"overbanked_turn", "Overbanked",
      "Overbanked turn: it rises and falls while it turns, banked beyond the vertical at the top. It starts and ends "
      "level.",
-     true, element_rows::kOverbankedTurn},
+     true, element_rows::kOverbankedTurn, "Overbank"},
     {"bunny_hops", "Bunny hops", "Low hills in a row, each with airtime: parabolas between valleys.", false,
      element_rows::kBunnyHops},
     {"zero_g_roll", "Zero-g roll", "A hill over whose crest riders float while they are rolled by 360 degrees.", true,
      element_rows::kZeroGRoll},
-    {"immelmann", "Immelmann",
+    {"immelmann",
+     "Immelmann",
      "Half a loop upwards, then half a roll on which riders float. It ends upright in the opposite direction, higher.",
-     true, element_rows::kImmelmann},
+     true,
+     element_rows::kImmelmann,
+     {},
+     true},
     {"dive_loop", "Dive loop",
      "Half a roll on which riders float, then half a loop downwards. It ends upright in the opposite direction, lower.",
      true, element_rows::kDiveLoop},

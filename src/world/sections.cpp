@@ -59,9 +59,9 @@ std::string title_of(const Section& section) {
 }
 
 std::string words_of(ElementKind kind) {
-  std::string words(base::row_of(kind).label);
-  // Proper names keep their capitals.
-  if (kind != ElementKind::immelmann && kind != ElementKind::s_bend) words[0] = static_cast<char>(words[0] - 'A' + 'a');
+  const ElementRow& row = base::row_of(kind);
+  std::string words(row.label);
+  if (!row.proper) words[0] = static_cast<char>(words[0] - 'A' + 'a');
   return words;
 }
 

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <functional>
+#include <iterator>
 #include <string>
 #include <utility>
 #include <vector>
@@ -16,6 +17,7 @@
 #include "sim/plan/force_plan.h"
 #include "sim/plan/force_walk.h"
 #include "sim/ride/train.h"
+#include "world/element_rows.h"
 
 namespace coaster::sim {
 namespace {
@@ -377,10 +379,21 @@ ForceElement brakes(const ForceMaker& maker) {
   return element;
 }
 
+// In the order of world::force_elements().
+constexpr ForceElement (*kForceElements[])(const ForceMaker&) = {
+    [](const ForceMaker& maker) { return hill(maker, maker.value("g"), maker.value("ends") > 0, false); },
+    valley,
+    force_turn,
+    [](const ForceMaker& maker) { return hill(maker, 0, false, true); },
+    force_heartline,
+    force_loop,
+    brakes};
+static_assert(std::size(kForceElements) == world::force_elements().size());
+
 }  // namespace
 
 ForceElement force_element(const world::Element& element, const ForceTask& start, double behind) {
-  using world::ElementKind;
+  const auto of_forces = static_cast<std::size_t>(element.kind) - world::elements().size();
   ForceMaker maker{element, start, behind};
   maker.task.program = {};
   maker.task.program.over = world::ForceOver::time, maker.task.program.speed = start.program.speed;
@@ -391,19 +404,12 @@ ForceElement force_element(const world::Element& element, const ForceTask& start
   maker.felt = law.wanted(0).up.value;
   maker.task.program.length = 0;
   if (start.program.speed < world::kSlowestForce) return no_element(too_slow_text(start.program.speed));
-  if (element.kind == ElementKind::force_brakes) return brakes(maker);
+  if (element.kind == world::ElementKind::force_brakes) return brakes(maker);
   if (std::abs(degrees(maker.slope)) > kSteepestEnd_deg)
     return no_element(fmt::format("the track is steeper than {} degrees there", base::to_text(kSteepestEnd_deg)));
   if (std::abs(maker.left.y) > kMostTilt || up.y < 0)
     return no_element("the track is banked there, and this element needs an upright start");
-  switch (element.kind) {
-    case ElementKind::force_hill: return hill(maker, maker.value("g"), maker.value("ends") > 0, false);
-    case ElementKind::force_roll: return hill(maker, 0, false, true);
-    case ElementKind::force_valley: return valley(maker);
-    case ElementKind::force_heartline: return force_heartline(maker);
-    case ElementKind::force_turn: return force_turn(maker);
-    default: return force_loop(maker);
-  }
+  return kForceElements[of_forces](maker);
 }
 
 }  // namespace coaster::sim

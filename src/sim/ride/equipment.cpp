@@ -23,12 +23,22 @@ double car_place(const Rails& rails, const TrainPlace& train, int car) {
 
 bool inside(const EquipmentSpan& span, double at) { return at >= span.from && at < span.to; }
 
-bool stops(const EquipmentSpan& span) {
-  return span.equipment.kind == EquipmentKind::station || span.equipment.kind == EquipmentKind::block;
+// What a kind does besides what is its own.
+struct Acts {
+  bool stops = false, brakes = false;  // at its end; while a train is too fast
+};
+Acts acts_of(EquipmentKind kind) {
+  switch (kind) {
+    case EquipmentKind::station: return {.stops = true};
+    case EquipmentKind::lift:
+    case EquipmentKind::launch: return {};
+    case EquipmentKind::brake: return {.brakes = true};
+    case EquipmentKind::block: return {.stops = true, .brakes = true};
+  }
+  return {};
 }
-bool brakes(const EquipmentSpan& span) {
-  return span.equipment.kind == EquipmentKind::brake || span.equipment.kind == EquipmentKind::block;
-}
+bool stops(const EquipmentSpan& span) { return acts_of(span.equipment.kind).stops; }
+bool brakes(const EquipmentSpan& span) { return acts_of(span.equipment.kind).brakes; }
 
 // What the spans that were looked at so far do together.
 class Driving {

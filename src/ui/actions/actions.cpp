@@ -5,6 +5,8 @@
 #include <imgui_internal.h>
 
 #include <algorithm>
+#include <array>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -24,6 +26,7 @@
 #include "ui/tools/show_places.h"
 #include "world/aids.h"
 #include "world/element_rows.h"
+#include "world/equipment_rows.h"
 #include "world/panels.h"
 #include "world/sections.h"
 #include "world/selection.h"
@@ -232,13 +235,13 @@ constexpr Action kSectionActions[] = {
      move<edit::Neighbour::after>, kSectionSelected},
     {"Join with next", "", kNoKey, 0, "Make one hand-shaped section of the selected one and the next.", join,
      kSectionSelected},
-    {"Make station", "", kNoKey, 0, "Make the selected sections a station.", equip<EquipmentKind::station>,
-     kSectionSelected},
-    {"Make lift", "", kNoKey, 0, "Make the selected sections a lift.", equip<EquipmentKind::lift>, kSectionSelected},
-    {"Make launch", "", kNoKey, 0, "Make the selected sections a launch.", equip<EquipmentKind::launch>,
-     kSectionSelected},
-    {"Make brake", "", kNoKey, 0, "Make the selected sections a brake.", equip<EquipmentKind::brake>, kSectionSelected},
-    {"Make block", "", kNoKey, 0, "Make the selected sections a block.", equip<EquipmentKind::block>, kSectionSelected},
+};
+constexpr auto kEquipmentActions = []<std::size_t... I>(std::index_sequence<I...>) {
+  return std::array{Action{world::kEquipmentKinds[I].action, "", kNoKey, 0, world::kEquipmentKinds[I].action_help,
+                           equip<static_cast<world::EquipmentKind>(I)>, kSectionSelected}...};
+}
+(std::make_index_sequence<world::kEquipmentCount>());
+constexpr Action kPlainTrackActions[] = {
     {"Make plain track", "", kNoKey, 0, "Remove the equipment of the selected sections.", each<edit::UnequipSection>,
      kSectionSelected},
 };
@@ -425,8 +428,9 @@ bool selected_is(const Act& act, world::Kind kind) {
 std::span<const Action> actions() {
   static const std::vector<Action> kAll = [] {
     std::vector<Action> all;
-    for (const auto rows : std::initializer_list<std::span<const Action>>{kFileActions, kEditActions, kSectionActions,
-                                                                          view_actions(), kRideActions})
+    for (const auto rows :
+         std::initializer_list<std::span<const Action>>{kFileActions, kEditActions, kSectionActions, kEquipmentActions,
+                                                        kPlainTrackActions, view_actions(), kRideActions})
       all.insert(all.end(), rows.begin(), rows.end());
     return all;
   }();

@@ -60,7 +60,7 @@ void equipment_buttons(Ui& ui, const Equipped& now, bool enabled, std::string_vi
     note_if_cut(ui, label);
     return pressed && enabled && !lit;
   };
-  for (const base::NameRow& row : world::kEquipmentKinds) {
+  for (const world::EquipmentRow& row : world::kEquipmentKinds) {
     const LockedWidgets locked(ui, command);
     const auto kind = static_cast<EquipmentKind>(place);
     if (choice(row.label, row.help, now.equipment && now.equipment->kind == kind)) choose(kind);
@@ -82,11 +82,11 @@ std::optional<Equipment> equipment_rows(Ui& ui, Equipment now, std::string_view 
         "Target speed of a lift, launch or brake, and exit speed of a station.");
   field("Acceleration", now.acceleration, "m/s\u00B2", world::kMinAcceleration, world::kMaxAcceleration,
         "Largest acceleration or deceleration.");
-  if (now.kind == EquipmentKind::brake || now.kind == EquipmentKind::block)
+  const world::EquipmentRow& row = base::row_of(now.kind);
+  if (row.has_hysteresis)
     field("Hysteresis", now.hysteresis, "m/s", 0, world::kMaxSpeed,
           "The brake switches on above speed + hysteresis and off below speed - hysteresis.");
-  if (now.kind == EquipmentKind::station)
-    field("Wait", now.seconds, "s", 0, world::kMaxDwell, "Time that a train waits in the station.");
+  if (row.has_wait) field("Wait", now.seconds, "s", 0, world::kMaxDwell, "Time that a train waits in the station.");
   return changed ? std::optional(now) : std::nullopt;
 }
 

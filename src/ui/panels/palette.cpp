@@ -66,10 +66,8 @@ void next_cell(int& cell, const PaletteGrid& grid) {
 
 // Returns the label of a button: the row's, or a shorter one. Scripts may use either.
 std::string label_of(ElementKind kind) {
-  const std::string_view label = base::row_of(kind).label;
-  if (kind == ElementKind::curve) return fmt::format("Curve###{}", label);
-  if (kind == ElementKind::overbanked_turn) return fmt::format("Overbank###{}", label);
-  return std::string(label);
+  const world::ElementRow& row = base::row_of(kind);
+  return row.button.empty() ? std::string(row.label) : fmt::format("{}###{}", row.button, row.label);
 }
 
 // Returns the number of cells used.

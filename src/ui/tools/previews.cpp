@@ -8,6 +8,7 @@
 #include "sim/study/complete_circuit.h"
 #include "world/aids.h"
 #include "world/element_rows.h"
+#include "world/equipment_rows.h"
 #include "world/panels.h"
 
 namespace coaster::ui {
@@ -25,9 +26,8 @@ bool in_build(const edit::Session& session) {
 
 // True if a lift or launch gives trains their speed.
 bool drives_trains(const world::Document& document) {
-  return std::ranges::any_of(document.entities.pool<world::Equipment>().items(), [](const world::Equipment& equipment) {
-    return equipment.kind == EquipmentKind::lift || equipment.kind == EquipmentKind::launch;
-  });
+  return std::ranges::any_of(document.entities.pool<world::Equipment>().items(),
+                             [](const world::Equipment& equipment) { return base::row_of(equipment.kind).drives; });
 }
 
 // Returns the equipment offered for an element that has none.
