@@ -122,7 +122,7 @@ class Hands(Page):
         # What another program copies meanwhile is left.
         write()
         self.execute("window.dispatchEvent(new Event('blur'))")
-        self.assertEqual(self.copied(lambda: self.click(800, 90)), "")
+        self.assertEqual(self.copied(lambda: self.click(800, 90), 2), "")
 
     def test_a_link_is_copied_without_https(self):
         self.before_load(WITHOUT_CLIPBOARD)
@@ -134,11 +134,11 @@ class Hands(Page):
     def on_clipboard(self):
         return self.js_async("const [done] = arguments; navigator.clipboard.readText().then(done, done);")
 
-    def copied(self, act):
-        """Returns what an act writes to the clipboard; "" for nothing in two seconds."""
+    def copied(self, act, seconds=20):
+        """Returns what an act writes to the clipboard; "" for nothing in so many seconds."""
         self.js_async("const [done] = arguments; write('before').then(done, done);")
         act()
-        end = time.monotonic() + 2
+        end = time.monotonic() + seconds
         while time.monotonic() < end and self.on_clipboard() == "before":
             time.sleep(0.05)
         return self.on_clipboard().replace("before", "")
