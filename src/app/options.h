@@ -66,7 +66,7 @@ struct ParsedOptions {
 };
 
 // Return the manual page, roff with the macros of man(7), section 6 (games), and a file for bash-completion: options,
-// file names by extension, names of cameras and rates (manual.cpp).
+// file names by extension, names of cameras and rates (options.cpp).
 std::string manual_page();
 
 // Parses the command line. Unknown arguments are errors: exit code 2.

@@ -34,7 +34,7 @@ struct FrameClock {
   double tick_debt = 0;                  // elapsed time that is less than a tick
   double last_frame = 0;                 // of a window, by the surface's clock
   double smoothed_frame = 0;             // smoothed duration of a window's frames
-  double idle_from = 1, idle_until = 0;  // a window is idle between them (idle.h)
+  double idle_from = 1, idle_until = 0;  // a window is idle between them (frame.cpp)
 };
 
 // The last picture that was drawn.
@@ -51,7 +51,7 @@ struct Picture {
 
 struct LongJob;  // app/long_job.h
 
-// The script that teaches the player (tutorial.cpp).
+// The script that teaches the player (script_host.cpp).
 struct TutorialRun;
 
 struct Tutorial {

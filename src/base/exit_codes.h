@@ -9,7 +9,7 @@ namespace coaster::base {
 struct ExitCode {
   std::string_view code, meaning;
 };
-// Those of base::Code, kMemoryExitCode (base/memory_guard.h), and of signals, in ascending order.
+// Those of base::Code, kMemoryExitCode (base/crash_guard.h), and of signals, in ascending order.
 inline constexpr ExitCode kExitCodes[] = {{"0", "success"},
                                           {"1", "failed expectation"},
                                           {"2", "usage or script error"},

@@ -1,5 +1,5 @@
 // Makes joints of a document G2 with the least movement of control points (curve/g2.h), within the limits of knots, and
-// checks the rounded result. Pure functions of the document; the commands are in joints.cpp.
+// checks the rounded result. Pure functions of the document; the commands are in knots.cpp.
 #pragma once
 
 #include <string>

@@ -30,7 +30,7 @@ inline constexpr double kLeastSpin = 1e-6;  // rad/m: rounding of the knots' `up
 Roll roll_of(const world::Document& document, world::Entity segment);
 
 // Sets the spin of those `knots` that have an automatic one, from the twists on both sides. It is 0 at the ends of an
-// open track. Linear in the track's length; the twist of a segment costs as much as half of its derivation.
+// open track. Linear in the track's length; shapes the segments beside those knots once more, on all cores.
 void set_automatic_spins(world::Document& document, std::span<const world::Entity> knots);
 // Sets the spin of every knot of the track.
 void set_automatic_spins(world::Document& document);

@@ -27,7 +27,7 @@ struct Ratings {
   int drops = 0;            // descents of kDrop or more
   double highest_drop = 0;  // m
   int inversions = 0;       // number of times that riders are turned upside down
-  int near_misses = 0;      // of track and supports (near_misses.h)
+  int near_misses = 0;      // of track and supports
   double overload = 0;      // sum of the overloads' excess over their limits, relative to the limits
   // 0 to 10: see excitement_of(). Intensity and nausea are OpenRCT2's published terms of g and drops, with real g.
   double excitement = 0, intensity = 0, nausea = 0;

@@ -1,4 +1,4 @@
-// The user's files and what is kept about them: challenges with medals, tracks, settings.
+// The user's files: challenges with their medals, tracks and settings.
 #pragma once
 
 #include <filesystem>

@@ -1,5 +1,5 @@
-// Shared parts of the laboratory's pages: the probe, the layout and small widgets, and what is kept between frames:
-// cached studies and the choices of each page.
+// Shared parts of the laboratory's pages: the probe, the layout, small widgets, and what outlives a frame: cached
+// studies and the choices of each page.
 #pragma once
 
 #include <array>

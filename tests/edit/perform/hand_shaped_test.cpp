@@ -1,4 +1,4 @@
-// Tests which commands leave a section as it was planned (edit/perform/hand_shaped.h).
+// Tests which commands leave a section as it was planned (edit/perform/follow.h).
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-// Tests copying and pasting sections (edit/perform/section_copy.cpp).
+// Tests copying and pasting sections (edit/perform/sections.cpp).
 #include <gtest/gtest.h>
 
 #include "base/text.h"

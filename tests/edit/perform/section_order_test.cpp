@@ -1,4 +1,4 @@
-// Tests the commands that delete, mirror and reorder sections (edit/perform/section_order.cpp).
+// Tests the commands that delete, mirror and reorder sections (edit/perform/sections.cpp).
 #include <gtest/gtest.h>
 
 #include "curve/arc_length.h"
