@@ -67,11 +67,9 @@ constexpr std::string_view kAnyTarget = "@knot|@segment|@cart|@section|none";
 
 template <class C>
 constexpr std::string_view target_usage() {
-  if constexpr (requires(C c) { c.segment; }) return "@segment";
-  else if constexpr (requires(C c) { c.cart; }) return "@cart";
-  else if constexpr (requires(C c) { c.section; }) return "@section";
-  else if constexpr (std::is_same_v<C, RemoveKnot>) return "@knot|@cart";
-  else if constexpr (requires(C c) { c.knot; }) return "@knot";
+  constexpr std::string_view kOfKind[] = {"@knot", "@segment", "@cart", "@section"};
+  if constexpr (requires { C::kTargets; }) return C::kTargets;
+  else if constexpr (constexpr auto kind = named_kind<C>()) return kOfKind[static_cast<std::size_t>(*kind)];
   else return kAnyTarget;
 }
 

@@ -114,6 +114,17 @@ struct CommandInfo {
   CommandTraits traits = {};
 };
 
+// Returns the kind of the entity that a command names in its field segment, cart, section or knot; nothing for a
+// command without such a field, or whose field has another name because it may be of several kinds.
+template <class C>
+constexpr std::optional<world::Kind> named_kind() {
+  if constexpr (requires(C c) { c.segment.name; }) return world::Kind::segment;
+  else if constexpr (requires(C c) { c.cart.name; }) return world::Kind::cart;
+  else if constexpr (requires(C c) { c.section.name; }) return world::Kind::section;
+  else if constexpr (requires(C c) { c.knot.name; }) return world::Kind::knot;
+  else return std::nullopt;
+}
+
 struct Session;
 struct Change;  // of the session by one command: edit/perform/perform.h
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 
 #include <glm/glm.hpp>
 
@@ -95,9 +96,10 @@ struct AppendKnot {
   COASTER_FIELDS(visit("at", self.at))
 };
 struct RemoveKnot {
-  Target knot;
+  static constexpr std::string_view kTargets = "@knot|@cart";
+  Target what;
   COASTER_COMMAND(RemoveKnot, "remove", "Remove a knot or a train.", Effect::document, "Deleted {}");
-  COASTER_FIELDS(visit("", self.knot))
+  COASTER_FIELDS(visit("", self.what))
 };
 struct SetClosed {
   bool to = true;

@@ -10,20 +10,16 @@
 #include <fmt/format.h>
 
 #include "base/interrupted.h"
-#include "base/portable_math.h"
 #include "edit/commands/codec.h"
 #include "edit/commands/command_list.h"
 #include "edit/perform/follow.h"
 #include "edit/perform/job_result.h"
 #include "edit/perform/perform.h"
-#include "edit/perform/replan.h"
 #include "edit/perform/set.h"
 #include "edit/session/history.h"
 #include "edit/session/ride_watch.h"
 #include "edit/session/session.h"
 #include "sim/shape/folds.h"
-#include "world/selection.h"
-#include "world/topology.h"
 
 namespace coaster::edit {
 namespace {
@@ -43,24 +39,13 @@ bool finite(const T& value) {
   } else return true;
 }
 
-// Returns the kind of the entity that a command names in a field of that name; nothing where several kinds may be.
-template <class C>
-constexpr std::optional<world::Kind> named_kind(const C&) {
-  if constexpr (std::is_same_v<C, RemoveKnot>) return std::nullopt;
-  else if constexpr (requires(C c) { c.segment.name; }) return world::Kind::segment;
-  else if constexpr (requires(C c) { c.cart.name; }) return world::Kind::cart;
-  else if constexpr (requires(C c) { c.section.name; }) return world::Kind::section;
-  else if constexpr (requires(C c) { c.knot.name; }) return world::Kind::knot;
-  else return std::nullopt;
-}
-
 // Refuses a command whose entity does not exist, or whose numbers are not finite.
 template <class C>
 Status checked(const Session& session, const C& command) {
   Status status;
   C::fields(command, [&]<class T>(std::string_view, const T& value) {
     if constexpr (std::is_same_v<T, Target>)
-      if (const auto kind = named_kind(command); kind && status) status = require(session, value, *kind).status();
+      if (const auto kind = named_kind<C>(); kind && status) status = require(session, value, *kind).status();
     if (status && !finite(value)) status = refused("expected finite numbers");
   });
   return status;

@@ -89,13 +89,13 @@ Status perform(Session& session, Change& change, const AppendKnot& command) {
 
 Status perform(Session& session, Change& change, const RemoveKnot& command) {
   world::Document& document = session.document;
-  if (command.knot.name.kind == Kind::cart) {
-    const auto cart = require(session, command.knot, Kind::cart);
+  if (command.what.name.kind == Kind::cart) {
+    const auto cart = require(session, command.what, Kind::cart);
     if (!cart) return cart.status();
     document.entities.destroy(*cart);
     return {};
   }
-  const auto e = require(session, command.knot, Kind::knot);
+  const auto e = require(session, command.what, Kind::knot);
   if (!e) return e.status();
   const world::Neighbours sides = world::neighbours(document, *e);
   const bool merge = sides.before.valid() && sides.after.valid() && document.track.knots.size() > 2;
