@@ -1,5 +1,5 @@
-// Completing a circuit: the search for three ways home on an open track with free space, where every way is blocked,
-// and on random tracks; and a change of a circuit of 40 elements, to which the completing section adapts.
+// Completing a circuit: the search for three closing sections on an open track with free space, where every way is
+// blocked, and on random tracks; and a change of a circuit of 40 elements, to which the completing section adapts.
 #include <cmath>
 #include <random>
 

@@ -1,5 +1,5 @@
-// The ride: the ghost during a drag (2,000 m in 100 segments, 8 cars), what riders feel in it, and 10,000 carts on a
-// precomputed table of one lap, compared with a walk over the same bytes.
+// The ride: the simulated ride during a drag (2,000 m in 100 segments, 8 cars), what riders feel in it, and 10,000
+// carts on a precomputed table of one lap, compared with a walk over the same bytes.
 #include <cmath>
 #include <random>
 
@@ -35,15 +35,15 @@ struct Riding {
   world::Document document;
   world::Settings settings;
   sim::Derived derived;
-  sim::GhostMemo memo;
+  sim::RideCache cache;
   explicit Riding(int cars) : document(hilly_ring(100, 2000, cars)) { sim::derive(document, settings, {}, derived); }
-  const sim::Ghost& ghost() { return *memo.ride(document, derived, world::first_cart(document)); }
+  const sim::SimulatedRide& simulated() { return *cache.ride(document, derived, world::first_cart(document)); }
 };
 
-double checksum(const sim::Ghost& ghost) {
-  double sum = ghost.lap_time;
-  for (const sim::GhostSample& sample : ghost.samples) sum += sample.speed;
-  for (const sim::Felt& force : ghost.forces) sum += force.up;
+double checksum(const sim::SimulatedRide& simulated) {
+  double sum = simulated.lap_time;
+  for (const sim::RideSample& sample : simulated.samples) sum += sample.speed;
+  for (const sim::Felt& force : simulated.forces) sum += force.up;
   return sum;
 }
 
@@ -61,37 +61,37 @@ void drag(benchmark::State& state) {
   double sum = 0;
   const Work lap = [&] {
     move();
-    sum += riding.ghost().lap_time;
+    sum += riding.simulated().lap_time;
   };
   const Work fresh = [&] {
     move();
-    riding.memo = {};
-    sum += riding.ghost().lap_time;
+    riding.cache = {};
+    sum += riding.simulated().lap_time;
   };
   paired(state, "lap", 1, lap, {{"ratio_to_fresh_tables", fresh, true}});
-  const sim::Ghost& ghost = riding.ghost();
-  if (!ghost.lap) return state.SkipWithError("the train does not come round");
+  const sim::SimulatedRide& simulated = riding.simulated();
+  if (!simulated.lap) return state.SkipWithError("the train does not come round");
   state.counters["ms_per_lap"] = state.counters["ns_per_lap"].value * 1e-6;
   state.counters["length_m"] = riding.derived.length;
-  state.counters["lap_s"] = ghost.lap_time;
+  state.counters["lap_s"] = simulated.lap_time;
   moves = 6;  // back to the knot's position, so that the sum does not depend on the iterations
   lap();
   benchmark::DoNotOptimize(sum);
-  state.counters["checksum"] = checksum(riding.ghost());
+  state.counters["checksum"] = checksum(riding.simulated());
 }
 
 // What the riders of one car feel besides g, for all samples of the lap; the reference is the lap's simulation itself.
 void riders(benchmark::State& state) {
   Riding riding(8);
-  const sim::Ghost& ghost = riding.ghost();
-  const sim::RailTables& tables = riding.memo.tables(riding.document, riding.derived);
+  const sim::SimulatedRide& simulated = riding.simulated();
+  const sim::RailTables& tables = riding.cache.tables(riding.document, riding.derived);
   double sum = 0;
   const Work car = [&] {
     sim::Riders fresh;
-    fresh.update(ghost, tables, riding.derived, 5, {4, 4});
+    fresh.update(simulated, tables, riding.derived, 5, {4, 4});
     sum += fresh.car(4).value(100, sim::RideValue::jerk);
   };
-  const Work lap = [&] { sum += sim::simulate(tables, {}, riding.document, ghost.start).lap_time; };
+  const Work lap = [&] { sum += sim::simulate(tables, {}, riding.document, simulated.start).lap_time; };
   paired(state, "car", 1, car, {{"ratio_to_lap", lap, true}});
   state.counters["ms_per_car"] = state.counters["ns_per_car"].value * 1e-6;
   benchmark::DoNotOptimize(sum);
@@ -107,7 +107,7 @@ double drift_mm(Riding& riding, const sim::LapTable& table) {
   double worst = 0;
   for (int tick = 0; tick < 60 * world::kTicksPerSecond; ++tick) {
     sim::advance(table, cart);
-    sim::step(riding.document, riding.derived, {}, 1, riding.memo, motion);
+    sim::step(riding.document, riding.derived, {}, 1, riding.cache, motion);
     worst = std::max(worst, std::abs(cart.laps * table.length() + cart.along - motion.carts.items()[0].travelled));
   }
   return worst * 1e3;
@@ -118,7 +118,7 @@ void carts(benchmark::State& state) {
   Riding riding(1);
   const world::Cart& design = riding.document.entities.get<world::Cart>(world::first_cart(riding.document));
   const sim::LapTable& table =
-      riding.memo.lap(riding.document, riding.derived, sim::start_of(riding.document, riding.derived, design));
+      riding.cache.lap(riding.document, riding.derived, sim::start_of(riding.document, riding.derived, design));
   if (!table.valid()) return state.SkipWithError("the cart does not come round");
   std::mt19937 random(11);
   std::uniform_real_distribution<double> phase(0, table.period());
@@ -162,7 +162,7 @@ struct Crowd {
   void step(std::string_view integrator) {
     motion.state = world::RideState::running, motion.failure = {};  // they touch each other, and continue
     sim::step(riding.document, riding.derived, base::value_named<world::IntegratorId>(integrator).value(), 1,
-              riding.memo, motion);
+              riding.cache, motion);
   }
 };
 
@@ -176,7 +176,7 @@ void crowd(benchmark::State& state) {
   by_table();
   paired(state, "train_tick", static_cast<double>(world::kMaxCarts), by_table,
          {{"ratio_to_rk4", by_rk4, true}, {"ratio_to_rk4_of_64", few_by_rk4, true}});
-  state.counters["simulations"] = static_cast<double>(table.riding.memo.simulations());
+  state.counters["simulations"] = static_cast<double>(table.riding.cache.simulations());
 }
 
 BENCHMARK(crowd)->Name("ride/ten_thousand_trains")->UseManualTime()->Unit(benchmark::kMillisecond);

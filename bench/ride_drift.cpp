@@ -30,7 +30,7 @@ struct Drift {
 Drift ride(const world::Document& document, world::IntegratorId integrator, int hours) {
   sim::Derived derived;
   sim::derive(document, {}, {}, derived);
-  sim::GhostMemo memo;
+  sim::RideCache cache;
   world::Motion motion;
   sim::reset(document, derived, motion);
   motion.state = world::RideState::running;
@@ -41,7 +41,7 @@ Drift ride(const world::Document& document, world::IntegratorId integrator, int 
   for (int hour = 0; hour < hours && motion.state == world::RideState::running; ++hour) {
     double worst = 0;
     for (int tick = 0; tick < kHour; tick += kEvery) {
-      sim::step(document, derived, integrator, kEvery, memo, motion);
+      sim::step(document, derived, integrator, kEvery, cache, motion);
       const world::CartMotion& at = motion.carts.get(cart);
       const double now = sim::energy_drift(document, derived, cart, at);
       drift.not_finite += !std::isfinite(now) || !std::isfinite(at.s) || !std::isfinite(at.speed);

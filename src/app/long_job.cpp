@@ -109,7 +109,7 @@ void visit_result(Archive& archive, T& found) {
     for (auto& value : found.values) archive(value);
   } else {
     archive(found.refusal), archive(found.another);
-    visit_component(archive, found.way);
+    visit_component(archive, found.closing);
     archive.size_of(found.fit.knots);
     for (auto& knot : found.fit.knots) visit_component(archive, knot);
   }
@@ -133,8 +133,8 @@ BackgroundWork::Work searching(const edit::Session& session, const edit::Seek& c
   };
 }
 
-BackgroundWork::Work planning(const sim::WayChange& change, sim::OpenedTrack& opened) {
-  return [change, &opened]() -> base::Result<JobResult> { return JobResult(sim::changed_way(change, opened)); };
+BackgroundWork::Work planning(const sim::ClosingChange& change, sim::OpenedTrack& opened) {
+  return [change, &opened]() -> base::Result<JobResult> { return JobResult(sim::changed_closing(change, opened)); };
 }
 
 bool works_beside(const Program& program) {
@@ -148,16 +148,16 @@ void start(Program& program, std::unique_ptr<LongJob> job, const edit::Command& 
   program.job = std::move(job);
 }
 
-void begin_way(Program& program, const edit::Command& command, sim::WayChange change,
+void begin_way(Program& program, const edit::Command& command, sim::ClosingChange change,
                std::span<const edit::Command> rest) {
   auto job = std::make_unique<LongJob>();
   job->panel = "Search", job->title = "Planning the closing section again";
   job->cancelled = "Cancelled the change";
-  job->way = std::move(change);
+  job->closing = std::move(change);
   job->opened = std::make_unique<sim::OpenedTrack>(std::exchange(edit::opened_track_of(program.session), {}));
   job->in_gesture = program.session.history.in_gesture;
   job->rest.assign(rest.begin(), rest.end());
-  job->work = std::make_unique<BackgroundWork>(planning(*job->way, *job->opened), "");
+  job->work = std::make_unique<BackgroundWork>(planning(*job->closing, *job->opened), "");
   start(program, std::move(job), command);
 }
 
@@ -189,7 +189,7 @@ void end_job(Program& program, LongJob& job) {
   if (job.opened && !job.work->progress.cancelled) edit::opened_track_of(session) = std::move(*job.opened);
   if (job.work->progress.cancelled) return edit::notify(session, edit::NoticeKind::info, job.cancelled);
   if (!found) return edit::notify(session, found.status());
-  edit::Search search{.found = std::move(*found), .asked = job.way};
+  edit::Search search{.found = std::move(*found), .asked = job.closing};
   if (session.edits != job.edits && std::holds_alternative<edit::Sought>(*search.found)) search.found.reset();
   (void)apply(program, job.command, &search);
 }
@@ -251,7 +251,7 @@ base::Result<JobResult> parse_job_result(std::string_view text) {
   std::string kind, part;
   from(kind);
   if (kind == "sought") return read(edit::Sought{});
-  if (kind == "way") return read(sim::ChangedWay{});
+  if (kind == "way") return read(sim::ChangedClosing{});
   if (kind == "track") {
     from(part);
     auto track = exchange::parse_track(part, "a page's worker");
@@ -316,7 +316,7 @@ const LongJob* shown_job(const Program& program) {
 }
 
 platform::Events take_input(Program& program, const platform::Events& events) {
-  const bool holds = program.job && program.job->way && !shown_job(program);
+  const bool holds = program.job && program.job->closing && !shown_job(program);
   platform::Events taken = holds ? platform::Events() : std::exchange(program.held_input, {});
   for (const platform::Event& event : events)
     (holds && !std::holds_alternative<platform::Tick>(event) ? program.held_input : taken).push_back(event);

@@ -27,8 +27,8 @@ namespace coaster::app {
 // Also as text, in which a page's worker hands it over.
 using edit::JobResult;
 
-// parse_job_result(print_job_result(f)) equals f: documents by hash, numbers exactly. Of a way home only what a command
-// needs: not the figures of its fit. Tracks have no SharedView: links are read at once.
+// parse_job_result(print_job_result(f)) equals f: documents by hash, numbers exactly. Of a closing section only what a
+// command needs: not the figures of its fit. Tracks have no SharedView: links are read at once.
 std::string print_job_result(const base::Result<JobResult>& found);
 
 // Code::io for a text that print_job_result() does not print.
@@ -75,7 +75,7 @@ struct LongJob {
   bool slow = false;
 
   // Only of a change of a circuit.
-  std::optional<sim::WayChange> way;         // what is searched for
+  std::optional<sim::ClosingChange> way;     // what is searched for
   std::unique_ptr<sim::OpenedTrack> opened;  // taken from the session's findings meanwhile
   bool in_gesture = false;                   // a drag: has no bar, and takes some ms a move
   std::vector<edit::Command> rest;           // later commands of the same frame
@@ -94,8 +94,8 @@ base::Status apply_watched(Program& program, const edit::Command& command, edit:
 // Starts an import or a search of the user in a thread; returns false for every other command.
 bool begin_job(Program& program, const edit::Command& command);
 
-// Returns the input for the panels. While a changed circuit's way home is planned and no bar shows, input is held back:
-// it is for the track as it will be.
+// Returns the input for the panels. While a changed circuit's closing section is planned and no bar shows, input is
+// held back: it is for the track as it will be.
 platform::Events take_input(Program& program, const platform::Events& events);
 
 // Returns the job for the panels; null until it has taken long enough to show.

@@ -94,9 +94,9 @@ void take_picture(Program& program) {
 
 // Returns the ticks of the first train's lap.
 std::int64_t ticks_of_lap(edit::Session& session) {
-  const sim::Ghost* const ghost =
+  const sim::SimulatedRide* const simulated =
       edit::rides_of(session).ride(session.document, session.derived, world::first_cart(session.document));
-  return ghost && ghost->samples.size() > 1 ? static_cast<std::int64_t>(ghost->samples.size() - 1) : 0;
+  return simulated && simulated->samples.size() > 1 ? static_cast<std::int64_t>(simulated->samples.size() - 1) : 0;
 }
 
 base::Status begin_filming(Program& program, base::Result<std::unique_ptr<Movie>> movie, bool scene_alone) {

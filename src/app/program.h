@@ -92,10 +92,10 @@ struct Program {
   std::unique_ptr<Filming> filming;                 // a movie in progress; null: none
   Sounds sounds;                                    // only in a window
   TrackPictures pictures;                           // for the start screen
-  std::unique_ptr<LongJob> job;                     // an import, a search or a way home in progress; null: none
+  std::unique_ptr<LongJob> job;                     // an import, a search or a closing section in progress; null: none
   std::optional<base::PlannedCrash> planned_crash;  // by a script
   int job_delay = 0;                                // frames by which a script delays the next one
-  platform::Events held_input;                      // held back while a job plans a way home (long_job.h)
+  platform::Events held_input;                      // held back while a job plans a closing section (long_job.h)
   Tutorial tutorial;
   // Disables saving at the end of memory once the program is destroyed.
   struct MemoryWatch {

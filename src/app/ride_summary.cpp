@@ -58,7 +58,7 @@ void measure(const edit::Session& session, RideSummary& summary) {
 void finish_summary(edit::Session& session, RideSummary& summary) {
   summary.end = end_of_ride(session, summary);
   const edit::Finder find(session);
-  const sim::Ghost* const ride = find.ride();
+  const sim::SimulatedRide* const ride = find.ride();
   if (ride == nullptr) return;
   const sim::Ratings felt = sim::rate(*ride, find.tables(), summary.cutoff);
   summary.most_up = felt.up_most.value, summary.least_up = felt.up_least.value;

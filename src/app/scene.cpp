@@ -22,13 +22,13 @@ bool is_riding(const Program& program, const Look& look) {
   return look.alone || (with_train && program.session.motion.state == world::RideState::running);
 }
 
-// True if ways home show. They are not searched for while a drag changes the track.
+// True if closing sections show. They are not searched for while a drag changes the track.
 bool shows_circuit(const Program& program, const Look& look) {
   return look.settings.aids->circuit > 0 && !program.session.history.in_gesture;
 }
 
-// Returns the plan of the way home that shows; null for none.
-const sim::ElementPlan* shown_way(const edit::Finder& find, const Program& program, const Look& look) {
+// Returns the plan of the closing section that shows; null for none.
+const sim::ElementPlan* shown_closing(const edit::Finder& find, const Program& program, const Look& look) {
   if (!shows_circuit(program, look)) return nullptr;
   const std::vector<sim::CircuitProposal>& ways = find.circuit().list;
   const auto wanted = static_cast<std::size_t>(look.settings.aids->circuit) - 1;
@@ -56,7 +56,7 @@ Seen find_seen(Program& program, const Look& look) {
   }
   if (layers.has(world::Layer::limits)) marked.spans = find.overloads(), marked.jolts = find.jolts();
   if (look.settings.aids->show_element) marked.element = &find.element(), marked.narrow = find.room();
-  if (const sim::ElementPlan* const way = shown_way(find, program, look)) marked.element = way, marked.narrow = {};
+  if (const sim::ElementPlan* const way = shown_closing(find, program, look)) marked.element = way, marked.narrow = {};
   if (layers.has(world::Layer::supports)) seen.supports = &find.supports();
   return seen;
 }

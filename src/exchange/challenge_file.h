@@ -19,10 +19,10 @@ inline constexpr int kChallengeVersion = 1;
 inline constexpr std::size_t kMaxChallengeRules = 32;  // per list
 inline constexpr std::size_t kMaxChallengeHints = 16, kMaxChallengeLocks = 16;
 inline constexpr std::size_t kMaxChallengeText = 2000;  // bytes of any text
-inline constexpr double kMaxChallengeSeconds = 900;     // time limit of the ghost's ride
+inline constexpr double kMaxChallengeSeconds = 900;     // time limit of the simulated ride
 
 // lap: when the train completes the lap or reaches the end of an open track. time: after some seconds of riding. build:
-// as soon as the track meets the goals; values of the ride are the ghost's.
+// as soon as the track meets the goals; values of the ride are the simulated ride's.
 enum class Judged : std::uint8_t { lap, time, build };
 inline constexpr base::NameRow kJudged[] = {{"lap"}, {"time"}, {"build"}};
 constexpr std::span<const base::NameRow> rows_of(Judged) { return kJudged; }

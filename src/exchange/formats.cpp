@@ -20,7 +20,7 @@
 #include "exchange/points/points.h"
 #include "sim/fit/switch_curve.h"
 #include "sim/plan/banking.h"
-#include "sim/ride/ghost.h"
+#include "sim/ride/simulated_ride.h"
 #include "sim/shape/folds.h"
 #include "sim/shape/roll.h"
 #include "world/topology.h"
@@ -107,10 +107,10 @@ void equip(LoadedTrack& loaded) {
 // Banks the knots for the speeds of the ride.
 void bank(LoadedTrack& loaded) {
   const sim::Derived derived = sim::shapes_of(loaded.document);
-  sim::GhostMemo memo;
-  const sim::Ghost* const ghost = memo.ride(loaded.document, derived, world::first_cart(loaded.document));
-  if (!ghost) return;
-  const int turned = sim::bank_knots(loaded.document, derived, *ghost);
+  sim::RideCache cache;
+  const sim::SimulatedRide* const simulated = cache.ride(loaded.document, derived, world::first_cart(loaded.document));
+  if (!simulated) return;
+  const int turned = sim::bank_knots(loaded.document, derived, *simulated);
   add_note(loaded, fmt::format("Banked {} {}.", turned, turned == 1 ? "knot" : "knots"));
   sim::set_automatic_spins(loaded.document);
 }

@@ -44,7 +44,7 @@ const Format* format_of(const std::filesystem::path& path);
 // Read or write the file in the format of its extension. An unknown extension is refused with the list of those known
 // for that direction. A shared link is read like a file (exchange/own/link.h). A track from a format that does not hold
 // everything gets a train at its start, if it has none, and, unless the file gives one, a start speed with which its
-// ride completes (sim/ride/ghost.h), if there is one; the note or a warning says so.
+// ride completes (sim/ride/simulated_ride.h), if there is one; the note or a warning says so.
 base::Result<LoadedTrack> load_track(base::Files& files, const std::filesystem::path& path, const Import& import = {});
 // What a window asks before it opens a list of points, or rows that begin far from the origin.
 struct ImportQuestion {

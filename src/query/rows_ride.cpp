@@ -140,11 +140,11 @@ std::span<const Query> ride_rows() { return kRideRows; }
 
 namespace {
 
-const sim::Ghost* ghost_of(const Context& c) { return c.find.ride(); }
+const sim::SimulatedRide* simulated_ride_of(const Context& c) { return c.find.ride(); }
 
 template <auto... path>
 Answer rating(const Context& c, View) {
-  return ghost_of(c) ? value_of(member_at(c.find.ratings(), path...)) : none(kNoRide);
+  return simulated_ride_of(c) ? value_of(member_at(c.find.ratings(), path...)) : none(kNoRide);
 }
 template <sim::Extreme sim::Ratings::*member>
 constexpr auto extreme = rating<member, &sim::Extreme::value>;
@@ -156,19 +156,21 @@ Answer most(const Context& c, View) {
 }
 
 Answer lap_time(const Context& c, View) {
-  const sim::Ghost* const ghost = ghost_of(c);
-  return ghost && ghost->lap ? number(ghost->lap_time) : none(ghost ? "no lap completed" : kNoRide);
+  const sim::SimulatedRide* const simulated = simulated_ride_of(c);
+  return simulated && simulated->lap ? number(simulated->lap_time) : none(simulated ? "no lap completed" : kNoRide);
 }
-Answer envelope(const Context& c, View) { return ghost_of(c) ? number(c.find.overloads().size()) : none(kNoRide); }
+Answer envelope(const Context& c, View) {
+  return simulated_ride_of(c) ? number(c.find.overloads().size()) : none(kNoRide);
+}
 Answer envelope_name(const Context& c, View) { return text(c.session.limits.name); }
 Answer fail(const Context& c, View) { return value_of(c.session.motion.failure.kind); }
 Answer fail_distance(const Context& c, View) {
   const world::Failure& failure = c.session.motion.failure;
   return failure.kind != world::FailureKind::none ? number(failure.distance) : none("the ride has not failed");
 }
-Answer ghost_end(const Context& c, View) {
-  const sim::Ghost* const ghost = ghost_of(c);
-  return ghost ? value_of(ghost->end) : none(kNoRide);
+Answer why_ended(const Context& c, View) {
+  const sim::SimulatedRide* const simulated = simulated_ride_of(c);
+  return simulated ? value_of(simulated->end) : none(kNoRide);
 }
 Answer losses(const Context& c, View) {
   const auto set = world::loss_set_of(c.session.document.resistance);
@@ -199,7 +201,7 @@ std::vector<std::string> loss_sets() {
   return words;
 }
 
-constexpr std::array kGhostRows{
+constexpr std::array kSimulatedRows{
     Query{"ride.lap_time", kNoArgument, "s", "Lap time of the simulated ride; none if it does not complete the lap.",
           lap_time, or_none()},
     Query{"ride.g_up_max", kNoArgument, "g", "Largest vertical felt g of the whole ride, low-passed, of all cars.",
@@ -254,7 +256,7 @@ constexpr std::array kGhostRows{
           rating<&sim::Ratings::inversions>, or_none()},
     Query{"ride.ghost_end", kNoArgument, "",
           "Why the simulated ride does not complete the lap: none, stalled, rolled back, ran off the open end.",
-          ghost_end, or_none(kOneOf<world::FailureKind>)},
+          why_ended, or_none(kOneOf<world::FailureKind>)},
     Query{"ride.fail", kNoArgument, "",
           "Why the ride stopped by itself: none, stalled, rolled back, ran off the open end, collided.", fail,
           or_none(kOneOf<world::FailureKind>)},
@@ -283,7 +285,7 @@ constexpr std::array kGhostRows{
 
 }  // namespace
 
-std::span<const Query> ghost_rows() { return kGhostRows; }
+std::span<const Query> ride_rows() { return kSimulatedRows; }
 
 namespace {
 
@@ -323,7 +325,7 @@ Spot spot_of(const Context& c, View word) {
 template <sim::RideValue value>
 Answer at_seat(const Context& c, View word) {
   const Spot spot = spot_of(c, word);
-  const sim::Ghost* const ride = c.find.ride();
+  const sim::SimulatedRide* const ride = c.find.ride();
   std::optional<double> result;
   if (ride != nullptr)
     for (const sim::Rider& rider : c.find.riders()->cars(sim::cars_of(spot.seat, spot.car, ride->start.cars))) {

@@ -145,7 +145,7 @@ Answer refusal(const Context& c, View) {
 
 const sim::CircuitProposals& circuit(const Context& c) { return c.find.circuit(); }
 Answer proposals(const Context& c, View) { return number(circuit(c).list.size()); }
-constexpr ArgumentPart kWay[]{{.usage = "N", .most = sim::kMostProposals}};
+constexpr ArgumentPart kProposal[]{{.usage = "N", .most = sim::kMostProposals}};
 // Returns function(index) of the proposal that the argument names, none without it.
 template <class Function>
 Answer of_proposal(const Context& c, View argument, Function function) {
@@ -159,7 +159,7 @@ Answer circuit_g(const Context& c, View argument) {
   return of_proposal(c, argument, [&](std::size_t i) { return circuit(c).list[i].felt.most; });
 }
 Answer circuit_jolt(const Context& c, View argument) {
-  return of_proposal(c, argument, [&](std::size_t i) { return c.find.way_jolt(i); });
+  return of_proposal(c, argument, [&](std::size_t i) { return c.find.closing_jolt(i); });
 }
 Answer circuit_refusal(const Context& c, View) {
   return circuit(c).refusal.empty() ? none("there is a closing section") : text(circuit(c).refusal);
@@ -195,10 +195,11 @@ constexpr std::array kElementRows{
           missing, or_none()},
     Query{"element.refusal", kNoArgument, "", "Why it cannot be placed; none if it can.", refusal, or_none(kText)},
     Query{"complete.proposals", kNoArgument, "", "Number of closing sections that are proposed: 0 to 3.", proposals},
-    Query{"complete.length", kWay, "m", "Length of a closing section; none without it.", circuit_length, or_none()},
-    Query{"complete.worst_g", kWay, "g",
+    Query{"complete.length", kProposal, "m", "Length of a closing section; none without it.", circuit_length,
+          or_none()},
+    Query{"complete.worst_g", kProposal, "g",
           "Largest vertical felt g on a closing section, not low-passed; none without it.", circuit_g, or_none()},
-    Query{"complete.jolt", kWay, "g",
+    Query{"complete.jolt", kProposal, "g",
           "Largest jolt at the joints of a closing section on a whole ride; none without it.", circuit_jolt, or_none()},
     Query{"complete.refusal", kNoArgument, "", "Why there is no closing section; none if there is one.",
           circuit_refusal, or_none(kText)},
@@ -240,7 +241,7 @@ double asked_at(const sim::ForcePlan& plan, const ForcePlace& spot) {
 // Returns nothing where the ride does not arrive.
 std::optional<double> met_at(const Context& c, const sim::ForcePlan& plan, const ForcePlace& spot, std::size_t first) {
   const double start = c.session.derived.starts[first];
-  const sim::Ghost* const ride = c.find.ride();
+  const sim::SimulatedRide* const ride = c.find.ride();
   const sim::RailTables& tables = c.find.tables();
   const auto length = [&](std::size_t i) { return plan.path.curve.points[i].s; };
   const double place = start + sim::between_points(plan, spot.at, length);

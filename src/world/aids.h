@@ -11,7 +11,7 @@ struct Aids {
   bool show_gizmo = true;
   bool append_mode = false;
   bool show_element = false;
-  int circuit = 0;  // the previewed way home, from 1; 0: none
+  int circuit = 0;  // the previewed closing section, from 1; 0: none
   friend bool operator==(const Aids&, const Aids&) = default;
 
   static constexpr auto kRows = std::tuple{

@@ -97,9 +97,9 @@ constexpr std::span<const base::NameRow> rows_of(SectionKind) { return kSectionK
 inline constexpr double kMostTurned_deg = 720, kWidestTurn = 10'000, kLongestStraight = 1'000;  // deg, m, m
 inline constexpr double kHighestWay = 200'000, kFastestPlanned = 10'000;                        // m, m/s
 
-// A way home as plain data, from which a section that completes a circuit is planned again: straight, turn, straight,
-// turn, straight in plan, with the heights and the speed of the plan.
-struct WayHome {
+// A closing section as plain data, from which a section that completes a circuit is planned again: straight, turn,
+// straight, turn, straight in plan, with the heights and the speed of the plan.
+struct ClosingPlan {
   double first = 0, second = 0;  // deg, of the two turns; positive to the right
   double radius = 1;             // m, of both
   double before = 0, after = 0;  // m, of the straights before the first and after the second turn
@@ -109,18 +109,18 @@ struct WayHome {
   double speed = 10;             // m/s, at the start
   bool coasts = true;            // the speed follows from the energy; false: it is constant
   static constexpr void fields(auto visit) {
-    visit(Field{"first", -kMostTurned_deg, kMostTurned_deg}, &WayHome::first);
-    visit(Field{"second", -kMostTurned_deg, kMostTurned_deg}, &WayHome::second);
-    visit(Field{"radius", 1, kWidestTurn}, &WayHome::radius);
-    visit(Field{"before", 0, kLongestStraight}, &WayHome::before);
-    visit(Field{"after", 0, kLongestStraight}, &WayHome::after);
-    visit(Field{"level"}, &WayHome::level);
-    visit(Field{"height", -kHighestWay, kHighestWay}, &WayHome::height);
-    visit(Field{"tight"}, &WayHome::tight);
-    visit(Field{"speed", 0, kFastestPlanned}, &WayHome::speed);
-    visit(Field{"coasts"}, &WayHome::coasts);
+    visit(Field{"first", -kMostTurned_deg, kMostTurned_deg}, &ClosingPlan::first);
+    visit(Field{"second", -kMostTurned_deg, kMostTurned_deg}, &ClosingPlan::second);
+    visit(Field{"radius", 1, kWidestTurn}, &ClosingPlan::radius);
+    visit(Field{"before", 0, kLongestStraight}, &ClosingPlan::before);
+    visit(Field{"after", 0, kLongestStraight}, &ClosingPlan::after);
+    visit(Field{"level"}, &ClosingPlan::level);
+    visit(Field{"height", -kHighestWay, kHighestWay}, &ClosingPlan::height);
+    visit(Field{"tight"}, &ClosingPlan::tight);
+    visit(Field{"speed", 0, kFastestPlanned}, &ClosingPlan::speed);
+    visit(Field{"coasts"}, &ClosingPlan::coasts);
   }
-  friend bool operator==(const WayHome&, const WayHome&) = default;
+  friend bool operator==(const ClosingPlan&, const ClosingPlan&) = default;
 };
 
 // A run of consecutive segments that the builder treats as one part of the ride. Unless it is free, its knots are as
@@ -129,7 +129,7 @@ struct Section {
   std::string title;  // UTF-8, at most kMaxNameBytes; empty: the kind is shown
   SectionKind kind = SectionKind::free;
   Element element = {};     // element and parameters, if it was planned as one; else the default
-  WayHome way = {};         // if it completes a circuit; else the default
+  ClosingPlan way = {};     // if it completes a circuit; else the default
   ForceProgram force = {};  // if it is a force section; else the default
   // Not the plan: files and hashes use the names of kind and parameters.
   static constexpr void fields(auto visit) { visit(Field{"title"}, &Section::title); }

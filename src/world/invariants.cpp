@@ -83,9 +83,9 @@ Broken broken_chain(const Document& document) {
   return {};
 }
 
-bool within_limits(const WayHome& way) {
+bool within_limits(const ClosingPlan& way) {
   bool within = true;
-  WayHome::fields([&](const Field& field, auto member) {
+  ClosingPlan::fields([&](const Field& field, auto member) {
     const auto value = way.*member;
     if constexpr (std::is_same_v<decltype(value), const double>)
       within = within && value >= field.low && value <= field.high;
@@ -98,7 +98,7 @@ bool sound(const Section& section) {
   if (!base::has_row(section.kind)) return false;
   return (section.kind == SectionKind::element ? within_limits(section.element) && !is_of_forces(section.element.kind)
                                                : section.element == Element{}) &&
-         (section.kind == SectionKind::complete ? within_limits(section.way) : section.way == WayHome{}) &&
+         (section.kind == SectionKind::complete ? within_limits(section.closing) : section.closing == ClosingPlan{}) &&
          (section.kind == SectionKind::force ? !broken(section.force) : section.force == ForceProgram{});
 }
 

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "exchange/formats.h"
-#include "sim/study/way_change.h"
+#include "sim/study/closing_change.h"
 
 namespace coaster::app {
 namespace found_test {
@@ -46,8 +46,8 @@ TEST(found, a_search_and_a_failure_arrive_whole) {
       << "as a page's script writes it";
 }
 
-TEST(found, a_way_home_arrives_with_what_a_command_needs) {
-  sim::ChangedWay way;
+TEST(found, a_closing_section_arrives_with_what_a_command_needs) {
+  sim::ChangedClosing way;
   way.way = {.first = 180.1, .second = -1.0 / 3, .radius = 31, .level = true, .height = 1e-300, .coasts = false};
   way.another = true;
   for (const float x : {0.1f, -7e-20f}) {
@@ -57,11 +57,12 @@ TEST(found, a_way_home_arrives_with_what_a_command_needs) {
   }
   const base::Result<JobResult> arrived = sent(JobResult(way));
   ASSERT_TRUE(arrived.ok()) << arrived.status().message;
-  const auto& read = std::get<sim::ChangedWay>(*arrived);
+  const auto& read = std::get<sim::ChangedClosing>(*arrived);
   EXPECT_EQ(read.way, way.way);
   EXPECT_EQ(read.fit.knots, way.fit.knots);
   EXPECT_TRUE(read.another);
-  EXPECT_EQ(std::get<sim::ChangedWay>(*sent(JobResult(sim::ChangedWay{.refusal = "no room"}))).refusal, "no room");
+  EXPECT_EQ(std::get<sim::ChangedClosing>(*sent(JobResult(sim::ChangedClosing{.refusal = "no room"}))).refusal,
+            "no room");
 }
 
 TEST(found, a_damaged_text_is_refused) {

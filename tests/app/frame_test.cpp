@@ -117,7 +117,7 @@ TEST_F(Frame, pasted_lines_of_numbers_open_as_points_after_a_question) {
 }
 
 // A search would hold up each frame of the drag.
-TEST_F(Frame, ways_home_are_not_searched_for_while_a_drag_changes_the_track) {
+TEST_F(Frame, closing_sections_are_not_searched_for_while_a_drag_changes_the_track) {
   place(*program_, world::ElementKind::straight);
   place(*program_, world::ElementKind::curve);
   ASSERT_TRUE(apply(*program_, edit::Set<&world::Aids::circuit>{1}).ok());

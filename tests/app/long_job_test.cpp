@@ -135,7 +135,7 @@ class CircuitJobs : public LongJobs {
   std::uint64_t before_ = 0;
 };
 
-TEST_F(CircuitJobs, a_change_of_a_circuit_waits_for_its_way_home_and_is_one_step) {
+TEST_F(CircuitJobs, a_change_of_a_circuit_waits_for_its_closing_section_and_is_one_step) {
   const std::string line = "section.change @q2 to climb height 30 equipment lift";
   const std::uint64_t wanted = hash_after(line), said = program_->session.notices.serial;
   const std::size_t steps_before = steps();
@@ -157,7 +157,7 @@ TEST_F(CircuitJobs, a_change_of_a_circuit_waits_for_its_way_home_and_is_one_step
   EXPECT_EQ(hash(), before_);
 }
 
-TEST_F(CircuitJobs, says_why_there_is_no_way_home) {
+TEST_F(CircuitJobs, says_why_there_is_no_closing_section) {
   ASSERT_TRUE(apply(*program_, command("section.change @q1 to straight length 2000 equipment station")).ok());
   const std::uint64_t there = hash();
   apply_by_hand(*program_, {command("section.change @q3 to straight length 2000")});

@@ -38,7 +38,7 @@ class Forces : public SessionTest {
   void key(const std::string& words) { good("force @" + section + " " + words); }
   // Largest difference between what the plan asks for and what the first train's riders feel in the simulated ride.
   double missed() {
-    const sim::Ghost& ride = *edit::Finder(session).ride();
+    const sim::SimulatedRide& ride = *edit::Finder(session).ride();
     const sim::RailTables& tables = edit::Finder(session).tables();
     const sim::ForcePlan& planned = plan();
     const double start = session.derived.starts[world::run_of(session.document, entity(section.c_str())).first];

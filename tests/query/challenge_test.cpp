@@ -109,8 +109,8 @@ TEST_F(ChallengeTest, a_lap_is_judged_when_it_is_ridden_and_not_before) {
   edit::advance(session, 120 * 200);
   EXPECT_EQ(session.game.challenge->judged, 1u);
   EXPECT_EQ(session.game.challenge->medal, 2) << session.game.challenge->last.reason;
-  // The lap ended at the tick after the train's return, for any number of ticks per call: the ghost's own lap gives the
-  // time.
+  // The lap ended at the tick after the train's return, for any number of ticks per call: the simulated ride's own lap
+  // gives the time.
   ASSERT_TRUE(session.game.result);
   const double lap = edit::Finder(session).ride()->lap_time;
   EXPECT_NEAR(session.game.result->seconds, lap, 2 * world::kTick);
@@ -204,11 +204,11 @@ TEST_F(ChallengeTest, a_failing_goal_is_told_with_its_value_place_and_unit) {
   good("ride.start");
   edit::advance(session, 120 * 300);
   ASSERT_EQ(session.game.challenge->judged, 1u);
-  // Against the ghost's raw forces, low-passed and searched here.
-  const sim::Ghost* const ghost = edit::Finder(session).ride();
-  const std::vector<float> side = sim::pressed(*ghost, 0, sim::ForceAxis::side, session.limits.envelope.cutoff);
+  // Against the simulated ride's raw forces, low-passed and searched here.
+  const sim::SimulatedRide* const simulated = edit::Finder(session).ride();
+  const std::vector<float> side = sim::pressed(*simulated, 0, sim::ForceAxis::side, session.limits.envelope.cutoff);
   const auto most = std::max_element(side.begin(), side.end());
-  const double place = ghost->distance(static_cast<std::size_t>(most - side.begin()) * sim::kForceEvery);
+  const double place = simulated->distance(static_cast<std::size_t>(most - side.begin()) * sim::kForceEvery);
   ASSERT_TRUE(session.game.challenge->last.place);
   EXPECT_NEAR(*session.game.challenge->last.place, place, 1e-9);
   char wanted[128];

@@ -77,7 +77,7 @@ TEST(determinism, the_hashes_of_the_samples_are_those_written_down) {
   }
 }
 
-// Every integrator with a train, losses and equipment, and with banking by the ghost: all that moves a cart.
+// Every integrator with a train, losses and equipment, and with banking by the simulated ride: all that moves a cart.
 TEST(determinism, every_integrator_moves_a_train_to_the_hashes_written_down) {
   const std::pair<const char*, const char*> expected[] = {
       {"rk4", "f807935ebd8f49f5"},   {"verlet", "86133dbbdd6b2004"},      {"energy", "8a1ebfe5c4585e4b"},

@@ -164,7 +164,8 @@ class NoneTest : public test::SessionTest {
 };
 
 TEST_F(NoneTest, each_query_is_none_in_exactly_the_states_where_it_has_no_answer) {
-  // Whatever the state: an element lacks some parameter, there are fewer than three ways home, no ride has failed.
+  // Whatever the state: an element lacks some parameter, there are fewer than three closing sections, no ride has
+  // failed.
   const Names always = kSeats + kFails + kWays + Names{"element.value"};
   const Names untouched = kSelection + kChallenge + kResult + kImport + kMeasured;
 

@@ -35,14 +35,14 @@ world::Motion renamed(const world::Motion& motion, const world::Document& from, 
 struct Ride {
   world::Document document;
   sim::Derived derived;
-  sim::GhostMemo memo;
+  sim::RideCache cache;
   world::Motion motion;
   explicit Ride(world::Document d) : document(std::move(d)) { sim::derive(document, {}, {}, derived); }
   void begin() {
     sim::reset(document, derived, motion);
     motion.state = world::RideState::running;
   }
-  void step(int ticks, world::IntegratorId row) { sim::step(document, derived, row, ticks, memo, motion); }
+  void step(int ticks, world::IntegratorId row) { sim::step(document, derived, row, ticks, cache, motion); }
   std::uint64_t hash() const { return world::hash(document, motion); }
 };
 

@@ -49,14 +49,14 @@ Watched watch(const world::Document& d, const std::set<std::size_t>& blocks, int
   derive(d, {}, {}, derived);
   std::vector<double> ends{derived.starts[1]};
   for (const std::size_t i : blocks) ends.push_back(derived.starts[i + 1]);
-  GhostMemo memo;
+  RideCache cache;
   world::Motion motion;
   reset(d, derived, motion);
   motion.state = world::RideState::running;
   Watched seen;
   std::vector<int> standing(motion.carts.size(), 0);
   for (int tick = 0; tick < ticks; ++tick) {
-    step(d, derived, {}, 1, memo, motion);
+    step(d, derived, {}, 1, cache, motion);
     std::set<std::size_t> taken;
     for (std::size_t train = 0; train < motion.carts.size(); ++train) {
       const world::CartMotion& cart = motion.carts.items()[train];

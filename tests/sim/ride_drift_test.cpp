@@ -19,7 +19,7 @@ Drift drift_of(world::Document document, const char* row, int minutes) {
   document.resistance = {};
   Derived derived;
   derive(document, {}, {}, derived);
-  GhostMemo memo;
+  RideCache cache;
   world::Motion motion;
   reset(document, derived, motion);
   motion.state = world::RideState::running;
@@ -27,7 +27,7 @@ Drift drift_of(world::Document document, const char* row, int minutes) {
   const int looks = minutes * 60 * 5;
   Drift drift;
   for (int i = 0; i < looks; ++i) {
-    step(document, derived, base::value_named<world::IntegratorId>(row).value(), 24, memo, motion);
+    step(document, derived, base::value_named<world::IntegratorId>(row).value(), 24, cache, motion);
     const world::CartMotion& cart = motion.carts.get(entity);
     const double now = energy_drift(document, derived, entity, cart);
     drift.finite = drift.finite && std::isfinite(now) && std::isfinite(cart.s) && std::isfinite(cart.speed);
@@ -68,12 +68,12 @@ TEST(ride_drift, verlet_goes_over_joints_and_counts_laps_as_runge_kutta_does) {
     d.start_speed = speed, d.rollback_fails = false;
     Derived derived;
     derive(d, {}, {}, derived);
-    GhostMemo memo;
+    RideCache cache;
     world::Motion a, b;
     reset(d, derived, a), reset(d, derived, b);
     a.state = b.state = world::RideState::running;
-    step(d, derived, base::value_named<world::IntegratorId>("rk4").value(), 120 * 60, memo, a);
-    step(d, derived, base::value_named<world::IntegratorId>("verlet").value(), 120 * 60, memo, b);
+    step(d, derived, base::value_named<world::IntegratorId>("rk4").value(), 120 * 60, cache, a);
+    step(d, derived, base::value_named<world::IntegratorId>("verlet").value(), 120 * 60, cache, b);
     const world::CartMotion &x = a.carts.items()[0], &y = b.carts.items()[0];
     EXPECT_EQ(x.laps, y.laps);
     EXPECT_GT(std::abs(x.laps), 4);
@@ -92,12 +92,12 @@ TEST(ride_drift, verlet_stops_at_open_ends_and_where_friction_holds) {
     d.resistance.rolling = rolling;
     Derived derived;
     derive(d, {}, {}, derived);
-    GhostMemo memo;
+    RideCache cache;
     world::Motion motion;
     reset(d, derived, motion);
     motion.state = world::RideState::running;
     const double from = motion.carts.items()[0].track_distance;
-    step(d, derived, base::value_named<world::IntegratorId>("verlet").value(), 320, memo, motion);
+    step(d, derived, base::value_named<world::IntegratorId>("verlet").value(), 320, cache, motion);
     const world::CartMotion& cart = motion.carts.items()[0];
     EXPECT_EQ(cart.speed, 0);
     const double way = rolling > 0 ? 7.3 * 7.3 / (2 * 9.81 * 0.3) : derived.length - from;  // v^2 = 2 mu g x

@@ -29,7 +29,7 @@ struct Watch {
   world::Settings settings;
   sim::Derived derived;
   world::Motion motion;
-  sim::GhostMemo memo;
+  sim::RideCache cache;
   CameraRig rig;
 
   Watch(world::Document d, world::CameraMode mode) : document(std::move(d)) {
@@ -42,7 +42,7 @@ struct Watch {
   Watched watched() const { return {document, derived, motion, settings}; }
   void look(int ticks) { follow(rig, watched(), ticks); }
   void tick() {
-    sim::step(document, derived, {}, 1, memo, motion);
+    sim::step(document, derived, {}, 1, cache, motion);
     look(1);
   }
   const world::CartMotion& cart() const { return motion.carts.items()[0]; }

@@ -54,7 +54,7 @@ class Hands(Page):
             self.press("Elements/" + element)
             self.key("Enter")
         self.press("Elements/Complete circuit")
-        self.until(lambda: self.number("complete.proposals") > 0, "ways home")
+        self.until(lambda: self.number("complete.proposals") > 0, "proposals")
         self.key("Enter")
         self.until(lambda: self.value("closed") == "on", "the circuit")
         self.without_drawing()

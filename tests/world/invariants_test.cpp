@@ -63,7 +63,8 @@ TEST(invariants, every_broken_promise_is_noticed) {
   expect_broken([&](Document& d) { section_of(d).element = usual_element(ElementKind::loop); }, "q1: title or param");
   expect_broken([&](Document& d) { section_of(d).kind = SectionKind::element; }, "q1: title or parameters");
   expect_broken([&](Document& d) { section_of(d).way.radius = 2; }, "q1: title or parameters");
-  for (double WayHome::*const number : {&WayHome::second, &WayHome::radius, &WayHome::height, &WayHome::speed})
+  for (double ClosingPlan::*const number :
+       {&ClosingPlan::second, &ClosingPlan::radius, &ClosingPlan::height, &ClosingPlan::speed})
     for (const double value : {1e9, std::nan("")})
       expect_broken(
           [&](Document& d) {

@@ -102,7 +102,7 @@ Status perform(Session& session, Change& change, const CompleteCircuit& command)
   const sim::CircuitProposal& proposal = found.list[static_cast<std::size_t>(command.proposal) - 1];
   const std::vector<world::Knot>& knots = proposal.plan.fit.knots;
   if (const Status room = room_for(session, knots.size() - 2, knots.size() - 1); !room) return room;
-  const double jolt = Finder(session).way_jolt(static_cast<std::size_t>(command.proposal) - 1);
+  const double jolt = Finder(session).closing_jolt(static_cast<std::size_t>(command.proposal) - 1);
   change.select = sim::close_by(session.document, proposal);
   if (jolt > sim::kJoltLimit)
     change.clamped.push_back(fmt::format("A joint of the closing section jolts riders by {} g. Worst jolt finds it.",

@@ -12,7 +12,7 @@
 #include "base/portable_math.h"
 #include "base/text.h"
 #include "edit/perform/replan.h"
-#include "sim/plan/carry.h"
+#include "sim/plan/upright_move.h"
 #include "sim/shape/roll.h"
 #include "world/sections.h"
 #include "world/selection.h"
@@ -89,7 +89,7 @@ bool same(const Knot& before, const Knot& now, Side side) {
 bool near(float a, float b) { return std::abs(a - b) <= 1e-6f * (1 + std::abs(b)); }
 
 // True if the values are the same after the carry, except for rounding to float.
-bool moved(const sim::Carry& carry, const Knot& before, const Knot& now, Side side) {
+bool moved(const sim::UprightMove& carry, const Knot& before, const Knot& now, Side side) {
   constexpr double kTurned = 1e-5;  // rad
   const double rounding =
       4.0 * std::numeric_limits<float>::epsilon() * (1.0 + std::max(largest(before.position), largest(now.position)));
@@ -114,7 +114,7 @@ class Comparison {
       if (made().turns[before.first + i] != world::segment(session_.document, segments[now.first + i]).turns)
         return false;
     bool stays = true, moves = true;
-    const sim::Carry carry = carry_of(before, now);
+    const sim::UprightMove carry = carry_of(before, now);
     for (std::size_t i = 0; i <= now.count && (stays || moves); ++i) {
       const Side side{i > 0, i < now.count};
       if (side.in && side.out && std::binary_search(respun_.begin(), respun_.end(), entity(now, i))) return false;
@@ -127,7 +127,7 @@ class Comparison {
  private:
   // Uses the headings from its first knot to the one that was farthest from it in plan, where rounding has the least
   // effect.
-  sim::Carry carry_of(const world::SectionRun& before, const world::SectionRun& now) const {
+  sim::UprightMove carry_of(const world::SectionRun& before, const world::SectionRun& now) const {
     const auto way = [](const Knot& from, const Knot& to) { return dvec3(to.position) - dvec3(from.position); };
     std::size_t farthest = 0;
     double most = 0;
@@ -135,8 +135,8 @@ class Comparison {
       const dvec3 d = way(former(before, 0), former(before, i));
       if (const double square = d.x * d.x + d.z * d.z; square > most) most = square, farthest = i;
     }
-    return sim::carry_between(dvec3(former(before, 0).position), way(former(before, 0), former(before, farthest)),
-                              dvec3(present(now, 0).position), way(present(now, 0), present(now, farthest)));
+    return sim::move_between(dvec3(former(before, 0).position), way(former(before, 0), former(before, farthest)),
+                             dvec3(present(now, 0).position), way(present(now, 0), present(now, farthest)));
   }
   const sim::Derived::Made& made() const { return session_.derived.made; }
   const Knot& former(const world::SectionRun& run, std::size_t i) const {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "exchange/own/track_file.h"
-#include "sim/study/way_change.h"
+#include "sim/study/closing_change.h"
 
 namespace coaster::edit {
 
@@ -17,15 +17,15 @@ struct Sought {
   std::string note;            // "ride.lap_time is 40 s, from 43.2 s. ..."
 };
 
-using JobResult = std::variant<exchange::LoadedTrack, Sought, sim::ChangedWay>;
+using JobResult = std::variant<exchange::LoadedTrack, Sought, sim::ChangedClosing>;
 
 // What apply() leaves to another thread, and what that has found. A change of a circuit plans the closing section
 // again, which may take longer than a frame.
 struct Search {
   bool leaves = false;  // true: a command that would search for a closing section is refused without a notice instead,
-  std::optional<sim::WayChange> wanted = {};  // and leaves here what is to be searched for
-  std::optional<JobResult> found = {};        // for the command, which then neither reads nor searches
-  std::optional<sim::WayChange> asked = {};   // what a closing section that was found answers
+  std::optional<sim::ClosingChange> wanted = {};  // and leaves here what is to be searched for
+  std::optional<JobResult> found = {};            // for the command, which then neither reads nor searches
+  std::optional<sim::ClosingChange> asked = {};   // what a closing section that was found answers
 };
 
 }  // namespace coaster::edit

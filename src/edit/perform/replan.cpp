@@ -72,7 +72,7 @@ void put_back(const Starts& starts, const SectionRun& run, Document& document) {
 }
 
 // True if the carry moves no knot by a visible or palpable amount: its joint stays G2.
-bool stays(const sim::Carry& carry) {
+bool stays(const sim::UprightMove& carry) {
   constexpr double kDistance = 1e-4, kAngle = 1e-6;  // m, rad
   return glm::distance(carry.from, carry.to) <= kDistance && carry.cos > 0 && std::abs(carry.sin) <= kAngle;
 }
@@ -139,7 +139,7 @@ Status may_move(const Document& document, std::size_t knot) {
   return refused("the track is closed, and no closing section follows that can take up the change. Open it first");
 }
 
-Status carry_after(Document& document, std::size_t knot, const sim::Carry& carry) {
+Status carry_after(Document& document, std::size_t knot, const sim::UprightMove& carry) {
   if (const Status may = may_move(document, knot); !may) return may;
   const world::Track& track = document.track;
   const std::size_t end = track.closed ? world::completing(document, knot)->first + 1 : track.knots.size();
@@ -180,9 +180,9 @@ Status room_for_spans(const Session& session, const Document& document, const Se
 
 Status put_in_place(Document& document, const SectionRun& run, const sim::ElementFit& fit) {
   const bool follows = document.track.closed || run.end() < document.track.segments.size();
-  sim::Carry carry;
+  sim::UprightMove carry;
   if (follows) {
-    const base::Result<sim::Carry> found = sim::carry_between(nth_knot(document, run.end()), fit.knots.back());
+    const base::Result<sim::UprightMove> found = sim::move_between(nth_knot(document, run.end()), fit.knots.back());
     if (!found) return found.status();
     carry = *found;
   }
@@ -239,7 +239,7 @@ BendAndSpin bend_and_spin(const Document& document, const SectionRun& run) {
   return {curve::across(curve::curvature_vector(cubic, 1.0), glm::normalize(dvec3(knot.tangent))), knot.spin};
 }
 
-bool alike(const BendAndSpin& a, const BendAndSpin& b, const sim::Carry& carry) {
+bool alike(const BendAndSpin& a, const BendAndSpin& b, const sim::UprightMove& carry) {
   constexpr double kBend = 5e-5, kSpin = 1e-4;  // 1/m, rad/m
   return glm::distance(carry.direction(a.curvature), b.curvature) <= kBend && std::abs(a.spin - b.spin) <= kSpin;
 }
@@ -315,7 +315,7 @@ Status put_and_follow(Session& session, Change& change, Document& document, cons
   const PlanAgain plan_again = planner_of(kind);
   if (plan_again == nullptr) return put_in_place(document, run, fit);
   const BendAndSpin before = bend_and_spin(document, run);
-  const base::Result<sim::Carry> carry = sim::carry_between(nth_knot(document, run.end()), fit.knots.back());
+  const base::Result<sim::UprightMove> carry = sim::move_between(nth_knot(document, run.end()), fit.knots.back());
   Document moved = document;
   put_end(document, run, fit);
   if (carry && alike(before, bend_and_spin(document, world::run_of(document, run.section)), *carry)) {
@@ -421,13 +421,13 @@ bool driven_between(const Document& former, const SectionRun& was, const Documen
 }
 
 // Returns what the change asks of the section that completes the circuit.
-sim::WayChange change_of(const Session& session, const Document& former, const SectionRun& was, const Document& next,
-                         const SectionRun& run) {
+sim::ClosingChange change_of(const Session& session, const Document& former, const SectionRun& was,
+                             const Document& next, const SectionRun& run) {
   const std::size_t count = next.track.segments.size();
-  sim::WayChange change{.opened = stretch_of(next, run.end() % count, count - run.count),
-                        .former = world::section(next, run.section).way,
-                        .losses = session.document.resistance,
-                        .whole = !session.history.in_gesture};
+  sim::ClosingChange change{.opened = stretch_of(next, run.end() % count, count - run.count),
+                            .former = world::section(next, run.section).closing,
+                            .losses = session.document.resistance,
+                            .whole = !session.history.in_gesture};
   for (std::size_t i = was.first; i < was.end(); ++i)
     change.lengths.push_back(curve::arc_length(world::cubic_of(former, former.track.segments[i])));
   if (!driven_between(former, was, next, run))
@@ -439,10 +439,10 @@ sim::WayChange change_of(const Session& session, const Document& former, const S
 
 // Returns the closing section: the one that was found for this change, else searches for it. Nothing if another thread
 // is to find it.
-std::optional<sim::ChangedWay> way_for(Session& session, Search* search, sim::WayChange change) {
+std::optional<sim::ChangedClosing> closing_for(Session& session, Search* search, sim::ClosingChange change) {
   if (search && search->found && search->asked == change)
-    return std::get<sim::ChangedWay>(*std::exchange(search->found, std::nullopt));
-  if (!search || !search->leaves) return sim::changed_way(change, opened_track_of(session));
+    return std::get<sim::ChangedClosing>(*std::exchange(search->found, std::nullopt));
+  if (!search || !search->leaves) return sim::changed_closing(change, opened_track_of(session));
   search->wanted = std::move(change);
   return std::nullopt;
 }
@@ -456,8 +456,8 @@ Status keep_closed(Session& session, Change& change, const Document& former, Doc
   if (run->count == count) return refused("a circuit needs a section besides the one that completes it");
   const SectionRun was = world::run_of(former, run->section);
   if (alike(ends_of(former, was), ends_of(next, *run))) return {};
-  const std::optional<sim::ChangedWay> found =
-      way_for(session, change.search, change_of(session, former, was, next, *run));
+  const std::optional<sim::ChangedClosing> found =
+      closing_for(session, change.search, change_of(session, former, was, next, *run));
   if (!found) return refused("the closing section is not found yet");
   if (!found->refusal.empty()) return refused(found->refusal);
   if (found->another) change.note = "The closing section takes another route.";
@@ -466,7 +466,7 @@ Status keep_closed(Session& session, Change& change, const Document& former, Doc
       !room)
     return room;
   reshape(next, run->section, found->fit, SectionEnd::stays);
-  next.entities.get<world::Section>(run->section).way = found->way;
+  next.entities.get<world::Section>(run->section).closing = found->closing;
   change.planned.push_back(run->section);
   return {};
 }

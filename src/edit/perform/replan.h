@@ -2,9 +2,9 @@
 #pragma once
 
 #include "edit/perform/perform.h"
-#include "sim/plan/carry.h"
 #include "sim/plan/elements.h"
 #include "sim/plan/force_plan.h"
+#include "sim/plan/upright_move.h"
 #include "world/sections.h"
 
 namespace coaster::edit {
@@ -38,7 +38,7 @@ base::Status adopt(Session& session, Change& change, const world::Document& form
 base::Status may_move(const world::Document& document, std::size_t knot);
 // Moves all knots after that index along; on a closed track those up to the start of the section that completes the
 // circuit. Refused as may_move() is.
-base::Status carry_after(world::Document& document, std::size_t knot, const sim::Carry& carry);
+base::Status carry_after(world::Document& document, std::size_t knot, const sim::UprightMove& carry);
 
 // Returns consecutive segments as an open track, with their equipment; on a closed track also across its first knot.
 world::Document stretch_of(const world::Document& document, std::size_t first, std::size_t count);
@@ -70,10 +70,10 @@ base::Status change_forces(Session& session, Change& change, world::Entity secti
 bool follow_speeds(Session& session, Change& change);
 
 // Plans the last section of `next` that completes the circuit again, if its ends differ from those in `former`: as the
-// way most similar to the former one; if that fails outside a gesture, as the best of all ways home. It keeps the end
-// exactly, and both joints are G2 with continuous spin. The speed is the former one, adjusted by the height that its
-// start has gained or lost since, if no equipment lies between. Refused with the reason if there is no such way, and
-// until it is found if the change has a Search that leaves it to another thread.
+// way most similar to the former one; if that fails outside a gesture, as the best of all closing sections. It keeps
+// the end exactly, and both joints are G2 with continuous spin. The speed is the former one, adjusted by the height
+// that its start has gained or lost since, if no equipment lies between. Refused with the reason if there is no such
+// way, and until it is found if the change has a Search that leaves it to another thread.
 base::Status keep_closed(Session& session, Change& change, const world::Document& former, world::Document& next);
 
 // Starts track with that first knot at the open end: the end keeps its position, direction and roll, and its outgoing

@@ -165,7 +165,7 @@ Status mirror_knots(Document& document, const SectionRun& run) {
     return knot;
   };
   if (document.track.closed || run.end() < document.track.segments.size()) {
-    const base::Result<sim::Carry> carry = sim::carry_between(end, reflect(end));
+    const base::Result<sim::UprightMove> carry = sim::move_between(end, reflect(end));
     if (!carry) return carry.status();
     if (const Status carried = carry_after(document, run.end(), *carry); !carried) return carried;
   }
@@ -184,11 +184,11 @@ Status mirror_knots(Document& document, const SectionRun& run) {
 Status swap_runs(Document& document, const SectionRun& run, const SectionRun& next) {
   const Knot a = nth_knot(document, run.first), b = nth_knot(document, run.end()), c = nth_knot(document, next.end());
   const bool follows = next.end() < document.track.segments.size();
-  const auto second = sim::carry_between(b, a);
+  const auto second = sim::move_between(b, a);
   if (!second) return second.status();
-  const auto first = sim::carry_between(a, second->knot(c));
+  const auto first = sim::move_between(a, second->knot(c));
   if (!first) return first.status();
-  const auto rest = sim::carry_between(c, first->knot(b));
+  const auto rest = sim::move_between(c, first->knot(b));
   if (follows && !rest) return rest.status();
   if (follows)
     if (const Status carried = carry_after(document, next.end(), *rest); !carried) return carried;
@@ -214,7 +214,7 @@ Status perform(Session& session, Change& change, const DeleteSection& command) {
   const std::string title = world::words_of(world::section(next, section));
   if (closes_gap) {
     const Knot start = nth_knot(next, run.first), end = nth_knot(next, run.end());
-    const auto carry = sim::carry_between(end, start);
+    const auto carry = sim::move_between(end, start);
     if (!carry) return carry.status();
     if (const Status carried = carry_after(next, run.end(), *carry); !carried) return carried;
     begin_there(knot_to_change(next, run.first), end.out_length);
@@ -265,7 +265,7 @@ Status perform(Session& session, Change& change, const MoveSection& command) {
 
 namespace {
 
-// Returns the section as it is without the track around it: a way home becomes free.
+// Returns the section as it is without the track around it: a closing section becomes free.
 world::Section alone(world::Section section) {
   if (section.kind == world::SectionKind::complete) section = {world::title_of(section)};
   return section;
@@ -287,9 +287,9 @@ Status append_run(const Document& from, const SectionRun& run, Document& documen
     if (copy.joint == world::JointKind::automatic) copy.joint = world::JointKind::aligned;
     return copy;
   };
-  sim::Carry carry;
+  sim::UprightMove carry;
   if (!document.track.knots.empty()) {
-    const auto found = sim::carry_between(knot(0), world::knot(document, document.track.knots.back()));
+    const auto found = sim::move_between(knot(0), world::knot(document, document.track.knots.back()));
     if (!found) return found.status();
     carry = *found;
   }

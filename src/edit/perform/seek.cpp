@@ -144,7 +144,7 @@ base::Result<Sought> run(Trial& trial) {
                                     changed_text(trial.by(), trial.numbers(), values))};
 }
 
-// Returns the sections whose parameters, or whose way home, the search has changed.
+// Returns the sections whose parameters, or whose closing section, the search has changed.
 std::vector<world::Entity> planned_again(const world::Document& before, const world::Document& found) {
   std::vector<world::Entity> planned;
   for (const world::SectionRun& run : world::sections_of(found))

@@ -244,9 +244,9 @@ Status perform(Session& session, Change&, const SetRollbackFails& command) {
 
 // Banking changes what riders feel, not the speeds of the ride, so one pass is enough.
 Status perform(Session& session, Change& change, const AutoBank&) {
-  const sim::Ghost* const ghost = Finder(session).ride();
-  if (!ghost) return refused("banking needs a track with a train");
-  const int turned = sim::bank_knots(session.document, session.derived, *ghost);
+  const sim::SimulatedRide* const simulated = Finder(session).ride();
+  if (!simulated) return refused("banking needs a track with a train");
+  const int turned = sim::bank_knots(session.document, session.derived, *simulated);
   change.respun = session.document.track.knots;
   change.note = fmt::format("Banked {} {}.", turned, turned == 1 ? "knot" : "knots");
   return {};

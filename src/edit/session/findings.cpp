@@ -18,9 +18,9 @@ template Box<Memory>::~Box();
 
 namespace coaster::edit {
 
-sim::GhostMemo& rides_of(Session& session) { return session.findings->rides; }
-sim::ForceMemo& force_plans_of(Session& session) { return session.findings->forces; }
-const sim::ForceMemo& force_plans_of(const Session& session) { return session.findings->forces; }
+sim::RideCache& rides_of(Session& session) { return session.findings->rides; }
+sim::ForceCache& force_plans_of(Session& session) { return session.findings->forces; }
+const sim::ForceCache& force_plans_of(const Session& session) { return session.findings->forces; }
 sim::OpenedTrack& opened_track_of(Session& session) { return session.findings->opened; }
 
 FindingsMemory& Finder::memory() const { return *session_->findings; }
@@ -29,7 +29,7 @@ std::uint64_t Finder::document_hash() const {
   return memory().document_hash.get(session_->edits, [&] { return world::hash(session_->document); });
 }
 
-const sim::Ghost* Finder::ride() const {
+const sim::SimulatedRide* Finder::ride() const {
   return memory().rides.ride(session_->document, session_->derived, chosen_cart(*session_));
 }
 
@@ -37,7 +37,7 @@ const sim::RailTables& Finder::tables() const { return memory().rides.tables(ses
 
 const sim::Ratings& Finder::ratings() const {
   static const sim::Ratings kNone;
-  const sim::Ghost* const found = ride();
+  const sim::SimulatedRide* const found = ride();
   if (found == nullptr) return kNone;
   const sim::Envelope& envelope = session_->limits.envelope;
   return memory().ratings.get({found->serial, session_->derived.last_build, envelope}, [&] {
@@ -48,21 +48,21 @@ const sim::Ratings& Finder::ratings() const {
 }
 
 std::span<const sim::RedSpan> Finder::overloads() const {
-  const sim::Ghost* const found = ride();
+  const sim::SimulatedRide* const found = ride();
   if (found == nullptr) return {};
   const sim::Envelope& envelope = session_->limits.envelope;
   return memory().overloads.get({found->serial, envelope}, [&] { return sim::red_spans(*found, envelope); });
 }
 
 std::span<const sim::Jolt> Finder::jolts() const {
-  const sim::Ghost* const found = ride();
+  const sim::SimulatedRide* const found = ride();
   if (found == nullptr) return {};
   const double cutoff = session_->limits.envelope.cutoff;
   return memory().jolts.get({found->serial, cutoff}, [&] { return sim::jolts(*found, cutoff); });
 }
 
 const sim::Riders* Finder::riders_of(bool all) const {
-  const sim::Ghost* const found = ride();
+  const sim::SimulatedRide* const found = ride();
   if (found == nullptr) return nullptr;
   const world::LabView& lab = *session_->settings.lab;
   const sim::CarRange cars = sim::cars_of(all ? world::Seat::all : lab.seat, lab.seat_car, found->start.cars);
@@ -75,7 +75,7 @@ const sim::Riders* Finder::riders() const { return riders_of(true); }
 std::optional<double> Finder::speed_at(double distance) const {
   const world::Document& document = session_->document;
   if (document.track.segments.empty()) return document.start_speed;
-  const sim::Ghost* const found = memory().rides.ride(document, session_->derived, world::first_cart(document));
+  const sim::SimulatedRide* const found = memory().rides.ride(document, session_->derived, world::first_cart(document));
   if (found == nullptr) return std::nullopt;
   const auto passed = sim::passing(*found, distance);
   return passed ? std::optional(passed->speed) : std::nullopt;
@@ -84,7 +84,7 @@ std::optional<double> Finder::speed_at(double distance) const {
 const sim::TrackValues& Finder::values() const {
   const world::Colouring colouring = session_->settings.lab->colouring;
   const auto value = sim::ride_value_of(colouring);
-  const sim::Ghost* const found = base::row_of(colouring).of_ride ? ride() : nullptr;
+  const sim::SimulatedRide* const found = base::row_of(colouring).of_ride ? ride() : nullptr;
   std::optional<sim::Rider> rider;
   if (found != nullptr) {
     const int middle = found->start.cars / 2;
@@ -100,7 +100,7 @@ const sim::TrackValues& Finder::values() const {
 
 const sim::SectionTable& Finder::sections() const {
   const sim::Riders* const felt = seat();
-  const sim::Ghost* const found = ride();
+  const sim::SimulatedRide* const found = ride();
   const world::LabView& lab = *session_->settings.lab;
   const sim::CarRange cars =
       found != nullptr ? sim::cars_of(lab.seat, lab.seat_car, found->start.cars) : sim::CarRange{};
@@ -158,9 +158,9 @@ const sim::CircuitProposals& Finder::circuit() const {
   return memory().circuit.update(session_->document, session_->derived, memory().conflicts, ride());
 }
 
-double Finder::way_jolt(std::size_t index) const {
-  return memory().way_jolts.worst(circuit(), index, session_->document, session_->edits, chosen_cart(*session_),
-                                  session_->limits.envelope.cutoff);
+double Finder::closing_jolt(std::size_t index) const {
+  return memory().closing_jolts.worst(circuit(), index, session_->document, session_->edits, chosen_cart(*session_),
+                                      session_->limits.envelope.cutoff);
 }
 
 const sim::ForcePlan* Finder::force(world::Entity section) const {

@@ -15,8 +15,8 @@ struct Element;
 }
 
 namespace coaster::sim {
-class ForceMemo;
-class GhostMemo;
+class ForceCache;
+class RideCache;
 class RailTables;
 class Riders;
 class Supports;
@@ -26,7 +26,7 @@ struct ElementPlan;
 struct Fold;
 struct ForcePlan;
 struct FrenetBreak;
-struct Ghost;
+struct SimulatedRide;
 struct Jolt;
 struct Narrow;
 struct OpenedTrack;
@@ -43,9 +43,9 @@ struct FindingsMemory;  // edit/session/findings_memory.h
 struct Session;
 
 // What planners and moving trains remember between two uses.
-sim::GhostMemo& rides_of(Session& session);
-sim::ForceMemo& force_plans_of(Session& session);
-const sim::ForceMemo& force_plans_of(const Session& session);
+sim::RideCache& rides_of(Session& session);
+sim::ForceCache& force_plans_of(Session& session);
+const sim::ForceCache& force_plans_of(const Session& session);
 sim::OpenedTrack& opened_track_of(Session& session);  // for planning a section that completes a circuit again
 
 // Gives read access to a session and its findings, for panels and queries. References, pointers and spans are valid
@@ -58,7 +58,7 @@ class Finder {
   std::uint64_t document_hash() const;
 
   // The ride of the selected cart (chosen_cart): null, none or 0 without one.
-  const sim::Ghost* ride() const;
+  const sim::SimulatedRide* ride() const;
   const sim::RailTables& tables() const;            // of the rails
   const sim::Ratings& ratings() const;              // of that ride
   std::span<const sim::RedSpan> overloads() const;  // parts of it over the force limits
@@ -87,7 +87,7 @@ class Finder {
   std::span<const sim::Narrow> room() const;  // parts of the element without clearance
   std::span<const sim::Narrow> room(const world::Element& element) const;
   const sim::CircuitProposals& circuit() const;
-  double way_jolt(std::size_t index) const;  // g, the selected cart's largest jolt on one of these ways
+  double closing_jolt(std::size_t index) const;  // g, the selected cart's largest jolt on one of these ways
   // The plan of a force section as it is in the document; null for other sections.
   const sim::ForcePlan* force(world::Entity section) const;
 

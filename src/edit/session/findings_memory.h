@@ -11,12 +11,13 @@
 #include "edit/session/session.h"
 #include "sim/plan/element_memo.h"
 #include "sim/plan/force_plan.h"
-#include "sim/ride/ghost.h"
+#include "sim/ride/simulated_ride.h"
 #include "sim/shape/folds.h"
 #include "sim/shape/frame_methods.h"
 #include "sim/shape/shape_distance.h"
 #include "sim/solids/conflicts.h"
 #include "sim/solids/supports.h"
+#include "sim/study/closing_change.h"
 #include "sim/study/complete_circuit.h"
 #include "sim/study/element_room.h"
 #include "sim/study/jolt.h"
@@ -24,13 +25,12 @@
 #include "sim/study/riders.h"
 #include "sim/study/section_figures.h"
 #include "sim/study/track_values.h"
-#include "sim/study/way_change.h"
 
 namespace coaster::edit {
 
 struct FindingsMemory {
   base::Kept<std::uint64_t, std::uint64_t> document_hash;  // by Session::edits
-  sim::GhostMemo rides;
+  sim::RideCache rides;
   // Keyed by the ride's serial, the build of the track and the envelope.
   base::Kept<std::tuple<std::uint64_t, std::uint64_t, sim::Envelope>, sim::Ratings> ratings;
   base::Kept<std::pair<std::uint64_t, sim::Envelope>, std::vector<sim::RedSpan>> overloads;  // by the ride's serial
@@ -38,16 +38,16 @@ struct FindingsMemory {
   base::Kept<std::pair<std::uint64_t, double>, std::vector<sim::Jolt>> jolts;  // by the ride's serial and the cutoff
   sim::Conflicts conflicts;
   sim::Folds folds, tight_bends{sim::tight_bends_of};
-  sim::ElementMemo elements;
+  sim::ElementCache elements;
   sim::ElementRoom room;
-  sim::CircuitMemo circuit;
-  sim::WayJolts way_jolts;
+  sim::ProposalCache circuit;
+  sim::ClosingJolts closing_jolts;
   // Keyed by Session::edits, the last build, the ride's serial and the first and the last car.
   base::Kept<std::tuple<std::uint64_t, std::uint64_t, std::uint64_t, int, int>, sim::SectionTable> sections;
   sim::OpenedTrack opened;  // for planning a section that completes a circuit again
-  sim::ForceMemo forces;
+  sim::ForceCache forces;
   sim::FrenetBreaks breaks;
-  sim::TrackValueMemo values;
+  sim::TrackValueCache values;
   sim::NearTrack near;             // to the eye
   sim::Supports supports, passed;  // displayed ones, and those a ride passes: each counts its rebuilds
   base::Kept<std::pair<sim::ShapeTrace, sim::ShapeTrace>, double> deviation;  // by the two tracks' traces

@@ -21,13 +21,14 @@ using world::FailureKind;
 using world::RideState;
 
 // Returns the mean height of a train's cars (m) whose first car has moved `travelled` metres from its start.
-double mean_height(const sim::Ghost& ghost, const sim::RailTables& tables, double travelled, std::size_t& hint) {
+double mean_height(const sim::SimulatedRide& simulated, const sim::RailTables& tables, double travelled,
+                   std::size_t& hint) {
   double sum = 0;
-  for (int car = 0; car < ghost.start.cars; ++car) {
-    const double s = tables.locate(ghost.place(travelled, car), hint);
+  for (int car = 0; car < simulated.start.cars; ++car) {
+    const double s = tables.locate(simulated.place(travelled, car), hint);
     sum += sim::rail_at(tables.segment(hint), s).height;
   }
-  return sum / ghost.start.cars;
+  return sum / simulated.start.cars;
 }
 
 // The next top after the train's furthest point: how much higher it is, and where its first car would be; nothing if
@@ -35,32 +36,32 @@ double mean_height(const sim::Ghost& ghost, const sim::RailTables& tables, doubl
 struct Shortfall {
   double height = 0, distance = 0, furthest = 0;  // m; m along the track, both
 };
-std::optional<Shortfall> shortfall(const sim::Ghost& ghost, const sim::RailTables& tables) {
-  if (ghost.samples.empty() || tables.size() == 0) return std::nullopt;
-  const double furthest = ghost.furthest();
+std::optional<Shortfall> shortfall(const sim::SimulatedRide& simulated, const sim::RailTables& tables) {
+  if (simulated.samples.empty() || tables.size() == 0) return std::nullopt;
+  const double furthest = simulated.furthest();
   constexpr double kSearchStep = 0.25, kRise = 0.02;  // m
   std::size_t hint = 0;
-  const double from = mean_height(ghost, tables, furthest, hint);
+  const double from = mean_height(simulated, tables, furthest, hint);
   double top = from, top_at = furthest;
-  for (double at = furthest; at < furthest + ghost.track_length; at += kSearchStep) {
-    const double height = mean_height(ghost, tables, at, hint);
+  for (double at = furthest; at < furthest + simulated.track_length; at += kSearchStep) {
+    const double height = mean_height(simulated, tables, at, hint);
     if (height < top - kRise) break;
     if (height > top) top = height, top_at = at;
   }
   if (top - from < kRise) return std::nullopt;
   const auto along = [&](double travelled) {
-    const double at = ghost.place(travelled);
-    return ghost.closed ? at : std::min(at, ghost.track_length);
+    const double at = simulated.place(travelled);
+    return simulated.closed ? at : std::min(at, simulated.track_length);
   };
   return Shortfall{top - from, along(top_at), along(furthest)};
 }
 
-// Sets the reason and the place of a failure. `ghost`: the ride, if it was whole.
-void explain(Session& session, const sim::Ghost* ghost, RideResult& result) {
+// Sets the reason and the place of a failure. `simulated`: the ride, if it was whole.
+void explain(Session& session, const sim::SimulatedRide* simulated, RideResult& result) {
   const world::Failure& failure = session.motion.failure;
   const std::string_view what = base::name_of(failure.kind);
   const bool climbed = failure.kind == FailureKind::stall || failure.kind == FailureKind::rollback;
-  const auto missing = ghost && climbed ? shortfall(*ghost, Finder(session).tables()) : std::nullopt;
+  const auto missing = simulated && climbed ? shortfall(*simulated, Finder(session).tables()) : std::nullopt;
   result.place = missing ? missing->furthest : failure.distance;
   result.below_top = missing.has_value();
   if (missing)
@@ -175,18 +176,18 @@ exchange::JsonMembers overload(const sim::RedSpan& span) {
 
 std::optional<std::string> ride_report_json(const Finder& find) {
   if (find.ride() == nullptr) return std::nullopt;
-  const sim::Ghost& ghost = *find.ride();
+  const sim::SimulatedRide& simulated = *find.ride();
   const sim::Ratings& r = find.ratings();
   const std::vector<sim::Rider> riders = find.riders()->all();
-  const bool failed = ghost.end != world::FailureKind::none;
+  const bool failed = simulated.end != world::FailureKind::none;
   exchange::JsonMembers all{{"name", find.session().document.name},
                             {"length_m", r.length},
-                            {"lap_s", ghost.lap ? JsonValue(r.seconds) : nullptr},
+                            {"lap_s", simulated.lap ? JsonValue(r.seconds) : nullptr},
                             {"time_s", r.seconds},
-                            {"end", failed ? JsonValue(std::string(base::name_of(ghost.end))) : nullptr},
-                            {"end_m", failed ? JsonValue(ghost.distance(ghost.samples.size() - 1)) : nullptr},
-                            {"cars", std::int64_t{ghost.start.cars}},
-                            {"spacing_m", double{ghost.start.spacing}},
+                            {"end", failed ? JsonValue(std::string(base::name_of(simulated.end))) : nullptr},
+                            {"end_m", failed ? JsonValue(simulated.distance(simulated.samples.size() - 1)) : nullptr},
+                            {"cars", std::int64_t{simulated.start.cars}},
+                            {"spacing_m", double{simulated.start.spacing}},
                             {"mean_speed_m_s", r.mean_speed},
                             {"cutoff_Hz", riders.empty() ? nullptr : JsonValue(riders.front().cutoff)}};
   exchange::JsonList over;  // figures at their limit

@@ -108,7 +108,7 @@ std::string missed_forces(const Finder& find) {
 }  // namespace
 
 std::optional<std::string> ride_report(const Finder& find) {
-  const sim::Ghost* const ride = find.ride();
+  const sim::SimulatedRide* const ride = find.ride();
   if (ride == nullptr) return std::nullopt;
   std::string text =
       sim::report_text(*ride, find.ratings(), find.riders()->all(), find.overloads(), find.session().document.name);
@@ -125,7 +125,7 @@ std::optional<std::string> ride_report(const Finder& find) {
   return text;
 }
 std::optional<std::string> ride_csv(const Finder& find) {
-  const sim::Ghost* const ride = find.ride();
+  const sim::SimulatedRide* const ride = find.ride();
   return ride ? std::optional(sim::report_csv(*ride, find.riders()->all())) : std::nullopt;
 }
 

@@ -327,7 +327,7 @@ bool read_section(TrackParse& parse, Fields& fields, std::size_t& first) {
   std::size_t count = 0;
   if (!create(parse, fields, Kind::section, e)) return false;
   if (!read_section_members(fields, segments.size() - first, section, count)) return false;
-  if (section.kind == world::SectionKind::complete && !read_component(parse, fields, section.way)) return false;
+  if (section.kind == world::SectionKind::complete && !read_component(parse, fields, section.closing)) return false;
   if (section.kind == world::SectionKind::force &&
       !(read_component(parse, fields, section.force) && read_force_keys(fields, section.force)))
     return false;

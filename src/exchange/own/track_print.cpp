@@ -135,7 +135,7 @@ std::string segment_line(const Document& document, Entity e) {
 std::string section_line(const Document& document, const world::SectionRun& run) {
   const world::Section& section = world::section(document, run.section);
   std::string text = ", " + section_members(section, run.count);
-  if (section.kind == world::SectionKind::complete) text += members(document, section.way);
+  if (section.kind == world::SectionKind::complete) text += members(document, section.closing);
   if (section.kind == world::SectionKind::force) text += members(document, section.force) + force_keys(section.force);
   return entity_line(document, run.section, std::move(text));
 }

@@ -26,17 +26,18 @@ dvec3 mean_bend(const Derived& derived, std::size_t i) {
 }
 
 // Returns how far the train has been by each sample, m.
-std::vector<double> furthest_of(const Ghost& ghost) {
+std::vector<double> furthest_of(const SimulatedRide& simulated) {
   std::vector<double> furthest;
-  for (const GhostSample& sample : ghost.samples)
+  for (const RideSample& sample : simulated.samples)
     furthest.push_back(furthest.empty() ? sample.travelled : std::max(furthest.back(), sample.travelled));
   return furthest;
 }
 
 // Returns the first sample at which the middle car is past `distance` (m from the track's start).
-std::optional<std::size_t> passing(const Ghost& ghost, const std::vector<double>& furthest, double distance) {
-  const double middle = ghost.start.front - 0.5 * (ghost.start.cars - 1) * ghost.start.spacing;
-  const double ahead = within_lap(distance - middle, ghost.track_length, ghost.closed);
+std::optional<std::size_t> passing(const SimulatedRide& simulated, const std::vector<double>& furthest,
+                                   double distance) {
+  const double middle = simulated.start.front - 0.5 * (simulated.start.cars - 1) * simulated.start.spacing;
+  const double ahead = within_lap(distance - middle, simulated.track_length, simulated.closed);
   const auto first = std::lower_bound(furthest.begin(), furthest.end(), ahead);
   if (ahead < 0 || first == furthest.end()) return std::nullopt;
   return static_cast<std::size_t>(first - furthest.begin());
@@ -44,16 +45,17 @@ std::optional<std::size_t> passing(const Ghost& ghost, const std::vector<double>
 
 }  // namespace
 
-std::vector<glm::vec3> banked_ups(const world::Document& document, const Derived& derived, const Ghost& ghost) {
-  const std::vector<double> furthest = furthest_of(ghost);
+std::vector<glm::vec3> banked_ups(const world::Document& document, const Derived& derived,
+                                  const SimulatedRide& simulated) {
+  const std::vector<double> furthest = furthest_of(simulated);
   std::vector<glm::vec3> ups;
   for (std::size_t i = 0; i < document.track.knots.size(); ++i) {
     const world::Knot& knot = world::knot(document, document.track.knots[i]);
     ups.push_back(knot.up);
     if (i >= derived.starts.size()) continue;
-    const auto sample = passing(ghost, furthest, derived.starts[i]);
+    const auto sample = passing(simulated, furthest, derived.starts[i]);
     if (!sample) continue;
-    const double speed = ghost.samples[*sample].speed;
+    const double speed = simulated.samples[*sample].speed;
     const dvec3 tangent(knot.tangent), felt = speed * speed * mean_bend(derived, i) + dvec3(0, world::kGravity, 0);
     dvec3 across = curve::across(felt, tangent);
     if (glm::length(across) < kLeastFelt * world::kGravity) continue;
@@ -63,8 +65,8 @@ std::vector<glm::vec3> banked_ups(const world::Document& document, const Derived
   return ups;
 }
 
-int bank_knots(world::Document& document, const Derived& derived, const Ghost& ghost) {
-  const std::vector<glm::vec3> ups = banked_ups(document, derived, ghost);
+int bank_knots(world::Document& document, const Derived& derived, const SimulatedRide& simulated) {
+  const std::vector<glm::vec3> ups = banked_ups(document, derived, simulated);
   int turned = 0;
   for (std::size_t i = 0; i < ups.size(); ++i) {
     world::Knot& knot = document.entities.get<world::Knot>(document.track.knots[i]);

@@ -39,7 +39,7 @@ double lead_radius(const TrackEnd& end, double square) {
 
 std::string metres(double value) { return base::to_text(std::round(value * 10) / 10) + " m"; }
 
-// Returns why no way home is possible; empty if one may be.
+// Returns why no closing section is possible; empty if one may be.
 std::string hopeless(const CircuitTask& task) {
   for (const auto& [end, name] : {std::pair{&task.from, "the open end"}, std::pair{&task.home, "the first knot"}})
     if (const double k = glm::length(end->curvature); k > kSharpestEnd)
@@ -88,21 +88,21 @@ std::optional<Heights> heights_of(const CircuitCandidates& c, const CircuitCandi
 }
 
 // Adds a candidate, or counts the reason for leaving it out. Returns true if there was space for the heights.
-bool consider(CircuitCandidate candidate, double floor, CircuitWay& way, CircuitCandidates& c) {
-  const std::optional<Heights> heights = heights_of(c, candidate, way.turns);
+bool consider(CircuitCandidate candidate, double floor, ClosingCurve& closing, CircuitCandidates& c) {
+  const std::optional<Heights> heights = heights_of(c, candidate, closing.turns);
   if (!heights) return false;
-  way.heights = *heights;
+  closing.heights = *heights;
   if (lowest_of(*heights) < floor) {
     ++c.losses.buried;
     return true;
   }
-  const std::optional<FeltRange> felt = estimate(c.task, way, kSteps);
+  const std::optional<FeltRange> felt = estimate(c.task, closing, kSteps);
   if (!felt) {
     ++c.losses.slow;
   } else if (!felt->within()) {
     ++c.losses.forced, c.losses.least_g = std::min(c.losses.least_g, felt->most);
   } else {
-    candidate.cost = cost_of(way.turns.length(), *felt);
+    candidate.cost = cost_of(closing.turns.length(), *felt);
     c.list.push_back(candidate);
   }
   return true;
@@ -133,11 +133,11 @@ CircuitCandidates prepared(const CircuitTask& task) {
 // Adds the candidates that turns and levels give, in their order.
 void consider_all(CircuitCandidates& c) {
   const double floor = floor_of(c.task);
-  CircuitWay way{c.in, c.out, {}, {}};
+  ClosingCurve closing{c.in, c.out, {}, {}};
   for (std::size_t i = 0; i < c.turns.size(); ++i) {
-    way.turns = c.turns[i].rough;
+    closing.turns = c.turns[i].rough;
     for (int level = -1; level < static_cast<int>(c.levels.size()); ++level) {
-      const bool room = consider({i, level, false}, floor, way, c) || consider({i, level, true}, floor, way, c);
+      const bool room = consider({i, level, false}, floor, closing, c) || consider({i, level, true}, floor, closing, c);
       if (!room) ++c.losses.steep;
     }
   }
@@ -148,16 +148,16 @@ void sort_by_cost(CircuitCandidates& c) {
                    [](const CircuitCandidate& a, const CircuitCandidate& b) { return a.cost < b.cost; });
 }
 
-// Returns by how much the two turns differ from a former way's, rad.
-double turned_from(const world::WayHome& former, const TurnChoice& choice) {
+// Returns by how much the two turns differ from a former closing section's, rad.
+double turned_from(const world::ClosingPlan& former, const TurnChoice& choice) {
   const auto differs = [](double was_deg, const Bend& is) {
     return std::abs(is.to - is.from - base::radians(was_deg));
   };
   return differs(former.first, choice.rough.first) + differs(former.second, choice.rough.second);
 }
 
-// Returns how much the shape changes from the former way to a candidate, approximately in metres.
-double unlikeness(const world::WayHome& former, const CircuitCandidates& c, const CircuitCandidate& candidate) {
+// Returns how much the shape changes from the former one to a candidate, approximately in metres.
+double unlikeness(const world::ClosingPlan& former, const CircuitCandidates& c, const CircuitCandidate& candidate) {
   constexpr double kTurn = 40, kOtherSlopes = 15, kOtherBends = 5;  // m per rad, m, m
   const TurnChoice& choice = c.turns[candidate.turns];
   double sum = kTurn * turned_from(former, choice) + std::abs(choice.before - former.before) +
@@ -169,31 +169,32 @@ double unlikeness(const world::WayHome& former, const CircuitCandidates& c, cons
 
 }  // namespace
 
-CircuitWay CircuitCandidates::rough(const CircuitCandidate& candidate) const {
-  CircuitWay way{in, out, turns[candidate.turns].rough, {}};
-  if (const std::optional<Heights> heights = heights_of(*this, candidate, way.turns)) way.heights = *heights;
-  return way;
+ClosingCurve CircuitCandidates::rough(const CircuitCandidate& candidate) const {
+  ClosingCurve closing{in, out, turns[candidate.turns].rough, {}};
+  if (const std::optional<Heights> heights = heights_of(*this, candidate, closing.turns)) closing.heights = *heights;
+  return closing;
 }
 
-std::optional<CircuitWay> CircuitCandidates::exact(const CircuitCandidate& candidate) const {
+std::optional<ClosingCurve> CircuitCandidates::exact(const CircuitCandidate& candidate) const {
   const std::optional<Turns> found = exact_turns(in.pose, out.pose, turns[candidate.turns]);
   if (!found) return std::nullopt;
   const std::optional<Heights> heights = heights_of(*this, candidate, *found);
   if (!heights) return std::nullopt;
-  return CircuitWay{in, out, *found, *heights};
+  return ClosingCurve{in, out, *found, *heights};
 }
 
-world::WayHome CircuitCandidates::described(const CircuitCandidate& candidate, const CircuitWay& exact) const {
+world::ClosingPlan CircuitCandidates::described(const CircuitCandidate& candidate, const ClosingCurve& exact) const {
   const TurnChoice& choice = turns[candidate.turns];
   const auto turned = [](const Bend& bend) {
     return std::clamp(base::degrees(bend.to - bend.from), -world::kMostTurned_deg, world::kMostTurned_deg);
   };
-  world::WayHome way{turned(exact.turns.first), turned(exact.turns.second), choice.radius, choice.before, choice.after};
-  way.level = candidate.level >= 0;
-  if (way.level) way.height = levels[static_cast<std::size_t>(candidate.level)];
-  way.tight = candidate.tight;
-  way.speed = std::min(task.speed, world::kFastestPlanned), way.coasts = task.coasts;
-  return way;
+  world::ClosingPlan closing{turned(exact.turns.first), turned(exact.turns.second), choice.radius, choice.before,
+                             choice.after};
+  closing.level = candidate.level >= 0;
+  if (closing.level) closing.height = levels[static_cast<std::size_t>(candidate.level)];
+  closing.tight = candidate.tight;
+  closing.speed = std::min(task.speed, world::kFastestPlanned), closing.coasts = task.coasts;
+  return closing;
 }
 
 CircuitCandidates circuit_candidates(const CircuitTask& task) {
@@ -208,7 +209,7 @@ CircuitCandidates circuit_candidates(const CircuitTask& task) {
   return c;
 }
 
-CircuitCandidates candidates_like(const world::WayHome& former, const CircuitTask& task) {
+CircuitCandidates candidates_like(const world::ClosingPlan& former, const CircuitTask& task) {
   constexpr double kMostTurned = 1;  // rad, of both turns together, from the former ones
   constexpr double kWider = 1.2;     // a larger radius to try
   CircuitCandidates c = prepared(task);

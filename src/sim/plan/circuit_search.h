@@ -1,8 +1,8 @@
-// The candidates for a way home: turns of several radii to both sides, with several heights between them, cheapest
-// first. Clearance is not checked here.
+// The candidates for a closing section: turns of several radii to both sides, with several heights between them,
+// cheapest first. Clearance is not checked here.
 #pragma once
 
-#include "sim/plan/circuit_way.h"
+#include "sim/plan/closing_curve.h"
 
 namespace coaster::sim {
 
@@ -10,11 +10,11 @@ struct CircuitCandidate {
   std::size_t turns = 0;  // index into `CircuitCandidates::turns`
   int level = -1;         // index into `levels`; below 0: one constant slope
   bool tight = false;     // with bends of the smaller radii
-  double cost = 0;        // m: cost_of(), or the distance from a former way
+  double cost = 0;        // m: cost_of(), or the distance from a former one
 };
 // m of length that is worth 1 g less: of vertical g, and of the lateral g of quick rolls.
 inline constexpr double kCostOfG = 25, kCostOfSideG = 100;
-// Returns the cost of a way home, m.
+// Returns the cost of a closing section, m.
 inline double cost_of(double length, const FeltRange& felt) {
   return length + kCostOfG * felt.most + kCostOfSideG * felt.side;
 }
@@ -33,18 +33,18 @@ struct CircuitCandidates {
   std::vector<CircuitCandidate> list;  // by cost
   CircuitLosses losses;
   double arrival = 0;   // m/s at the first knot, approximately
-  std::string refusal;  // why no way is possible; empty: see `list`
+  std::string refusal;  // why none is possible; empty: see `list`
 
-  // Return the way of a candidate: with turns that are accurate to about a centimetre, and exact.
-  CircuitWay rough(const CircuitCandidate& candidate) const;
-  std::optional<CircuitWay> exact(const CircuitCandidate& candidate) const;
-  // Returns the description from which the way can be planned again; `exact` is the candidate's way.
-  world::WayHome described(const CircuitCandidate& candidate, const CircuitWay& exact) const;
+  // Return the curve of a candidate: with turns that are accurate to about a centimetre, and exact.
+  ClosingCurve rough(const CircuitCandidate& candidate) const;
+  std::optional<ClosingCurve> exact(const CircuitCandidate& candidate) const;
+  // Returns the description from which it can be planned again; `exact` is the candidate's curve.
+  world::ClosingPlan described(const CircuitCandidate& candidate, const ClosingCurve& exact) const;
 };
 
 // Takes about 50 ms.
 CircuitCandidates circuit_candidates(const CircuitTask& task);
-// Returns the candidates similar to a former way, the most similar first. Takes about 2 ms.
-CircuitCandidates candidates_like(const world::WayHome& former, const CircuitTask& task);
+// Returns the candidates similar to a former one, the most similar first. Takes about 2 ms.
+CircuitCandidates candidates_like(const world::ClosingPlan& former, const CircuitTask& task);
 
 }  // namespace coaster::sim

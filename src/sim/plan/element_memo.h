@@ -9,7 +9,7 @@
 namespace coaster::sim {
 
 // Caches the last plan while the element, the track's end and, for a force element, the train are unchanged.
-class ElementMemo {
+class ElementCache {
  public:
   const ElementPlan& plan(const world::Element& element, const world::Document& document,
                           std::optional<double> speed = std::nullopt);

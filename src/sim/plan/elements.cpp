@@ -178,8 +178,8 @@ std::string assumed_text() {
   return fmt::format("No train reaches the open end: planned for {} m/s.", base::to_text(kAssumedSpeed));
 }
 
-const ElementPlan& ElementMemo::plan(const world::Element& element, const world::Document& document,
-                                     std::optional<double> speed) {
+const ElementPlan& ElementCache::plan(const world::Element& element, const world::Document& document,
+                                      std::optional<double> speed) {
   const std::optional<TrackEnd> end = open_end(document);
   std::optional<ForceTask> train;
   if (end && world::is_of_forces(element.kind)) train = train_at(document, *end, speed);

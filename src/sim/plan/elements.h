@@ -30,7 +30,7 @@ struct ElementPlan {
   double length = 0;                          // m, of the ideal curve with its lead-in
   double lead = 0;                            // m, of the lead-in: easing and levelling
   double lowest = 0;                          // m, least height of the rails above the ground; negative: below it
-  std::uint64_t serial = 0;                   // a new number for each plan that an ElementMemo makes
+  std::uint64_t serial = 0;                   // a new number for each plan that an ElementCache makes
   std::size_t spans() const { return fit.knots.empty() ? 0 : fit.knots.size() - 1; }
 };
 

@@ -1,6 +1,6 @@
 // The effect of stations, lifts, launches, brakes and blocks on trains. It changes at instants within a tick: where a
-// car comes to an end of equipment or the train reaches a speed. The ride and the ghost use the same rules, and find
-// the instants by time_of() (train.h).
+// car comes to an end of equipment or the train reaches a speed. The ride and the simulated ride use the same rules,
+// and find the instants by time_of() (train.h).
 #pragma once
 
 #include <functional>

@@ -6,7 +6,7 @@
 
 #include "base/check.h"
 #include "base/numerics.h"
-#include "sim/ride/ghost.h"
+#include "sim/ride/simulated_ride.h"
 
 namespace coaster::sim {
 namespace {
@@ -76,10 +76,10 @@ void advance_block(const LapTable& table, std::size_t count, const Columns& cart
 
 }  // namespace
 
-LapTable::LapTable(const Ghost& ghost) {
-  if (!ghost.lap || !(ghost.track_length > 0)) return;
-  length_ = ghost.track_length;
-  for (const GhostSample& sample : ghost.samples) {
+LapTable::LapTable(const SimulatedRide& simulated) {
+  if (!simulated.lap || !(simulated.track_length > 0)) return;
+  length_ = simulated.track_length;
+  for (const RideSample& sample : simulated.samples) {
     entries_.push_back({sample.travelled, sample.speed});
     if (sample.travelled >= length_ && entries_.size() >= 2) break;
   }

@@ -7,7 +7,7 @@
 
 namespace coaster::sim {
 
-struct Ghost;
+struct SimulatedRide;
 
 struct LapEntry {
   double along = 0;  // m into the lap
@@ -15,14 +15,14 @@ struct LapEntry {
 };
 
 // Position and speed by time: cubic Hermite in time between ticks (the speed is the exact derivative of the position
-// there). At whole ticks it equals the ghost's samples bit for bit, between them it is within 1e-7 m of the curve
-// through them.
+// there). At whole ticks it equals the simulated ride's samples bit for bit, between them it is within 1e-7 m of the
+// curve through them.
 class LapTable {
  public:
   LapTable() = default;
-  // Builds the table of a ghost that completed a lap. Invalid for other ghosts, and if a lap takes less than a tick.
-  // The caller must know that laps repeat: they do without losses and equipment.
-  explicit LapTable(const Ghost& ghost);
+  // Builds the table of a simulated ride that completed a lap. Invalid for other simulated rides, and if a lap takes
+  // less than a tick. The caller must know that laps repeat: they do without losses and equipment.
+  explicit LapTable(const SimulatedRide& simulated);
 
   bool valid() const { return entries_.size() >= 2; }
   double period() const { return period_; }  // ticks per lap, not a whole number

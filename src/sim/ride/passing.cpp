@@ -1,4 +1,4 @@
-#include "sim/ride/ghost.h"
+#include "sim/ride/simulated_ride.h"
 
 #include <algorithm>
 #include <cmath>
@@ -20,16 +20,16 @@ Passing between(double v0, double a0, double v1, double a1, double way, double g
 
 }  // namespace
 
-bool runs_backwards(const Ghost& ride) {
+bool runs_backwards(const SimulatedRide& ride) {
   double most = 0, least = 0;
-  for (const GhostSample& sample : ride.samples)
+  for (const RideSample& sample : ride.samples)
     most = std::max(most, sample.travelled), least = std::min(least, sample.travelled);
   return -least > most;
 }
 
-Passings::Passings(const Ghost& ride) : ride_(ride), backwards_(runs_backwards(ride)) {
+Passings::Passings(const SimulatedRide& ride) : ride_(ride), backwards_(runs_backwards(ride)) {
   furthest_.reserve(ride.samples.size());
-  for (const GhostSample& sample : ride.samples) {
+  for (const RideSample& sample : ride.samples) {
     const double far = backwards_ ? -sample.travelled : sample.travelled;
     furthest_.push_back(furthest_.empty() ? far : std::max(far, furthest_.back()));
   }
@@ -43,13 +43,13 @@ std::optional<Passing> Passings::at(double distance, double back) const {
   const auto found = std::lower_bound(furthest_.begin(), furthest_.end(), way);
   if (way < 0 || found == furthest_.end()) return std::nullopt;
   const auto i = static_cast<std::size_t>(found - furthest_.begin());
-  const GhostSample& to = ride_.samples[i];
+  const RideSample& to = ride_.samples[i];
   if (i == 0) return Passing{to.speed, to.acceleration};
-  const GhostSample& from = ride_.samples[i - 1];
-  GhostSwitch before{i - 1, from.travelled, from.speed, from.acceleration, from.acceleration},
+  const RideSample& from = ride_.samples[i - 1];
+  RideSwitch before{i - 1, from.travelled, from.speed, from.acceleration, from.acceleration},
       after{i, to.travelled, to.speed, to.acceleration, to.acceleration};
   auto next = std::lower_bound(ride_.switches.begin(), ride_.switches.end(), i,
-                               [](const GhostSwitch& s, std::size_t sample) { return s.sample < sample; });
+                               [](const RideSwitch& s, std::size_t sample) { return s.sample < sample; });
   for (; next != ride_.switches.end() && next->sample == i; ++next) {
     if (sign * next->travelled >= way) {
       after = *next;

@@ -272,12 +272,12 @@ void reconcile(const world::Document& document, const Derived& derived, world::M
 }
 
 void step(const world::Document& document, const Derived& derived, world::IntegratorId integrator, int ticks,
-          GhostMemo& memo, world::Motion& motion) {
+          RideCache& cache, world::Motion& motion) {
   if (motion.state != world::RideState::running || derived.order.empty()) return;
   const Integrator& row = base::row_of(integrator);
   const std::vector<EquipmentSpan> equipment = equipment_spans(document, derived);
   const RideInput input{document, derived, equipment};
-  if (row.kind == IntegratorKind::timetable && step_by_timetable(input, ticks, memo, motion)) return;
+  if (row.kind == IntegratorKind::timetable && step_by_timetable(input, ticks, cache, motion)) return;
   for (world::CartMotion& cart : motion.carts.items()) cart.timetable = {};
   if (row.kind != IntegratorKind::vertices)
     for (world::CartMotion& cart : motion.carts.items()) cart.carry = 0;

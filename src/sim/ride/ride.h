@@ -5,7 +5,7 @@
 #include <span>
 #include <string_view>
 
-#include "sim/ride/ghost.h"
+#include "sim/ride/simulated_ride.h"
 #include "sim/ride/train.h"
 #include "world/motion.h"
 
@@ -44,10 +44,10 @@ void reconcile(const world::Document& document, const Derived& derived, world::M
 
 // Advances a running ride by whole ticks, split at joints, where the force has a kink. Trains on an open track stop at
 // its ends (speed 0); when all have, the state is ended. Stalls, rollbacks and collisions end the ride at once: the
-// state is failed and motion.failure holds the reason (off_end for a train that ran off an open end). `memo` caches the
-// timetables of the integrator `precomputed`.
+// state is failed and motion.failure holds the reason (off_end for a train that ran off an open end). `cache` caches
+// the timetables of the integrator `precomputed`.
 void step(const world::Document& document, const Derived& derived, world::IntegratorId integrator, int ticks,
-          GhostMemo& memo, world::Motion& motion);
+          RideCache& cache, world::Motion& motion);
 
 // Moves one train to `distance` from the start, with the speed that keeps its energy (0 if it does not reach that
 // height).

@@ -30,6 +30,6 @@ void step_trains(const RideInput& input, const Integrator& row, int ticks, world
 // and energy move alike on a circuit without losses and equipment, each at its own time of the lap. Returns false, and
 // moves nothing, if there would still be more tables than that, or if laps do not repeat.
 inline constexpr std::size_t kMostTimetables = 64;
-bool step_by_timetable(const RideInput& input, int ticks, GhostMemo& memo, world::Motion& motion);
+bool step_by_timetable(const RideInput& input, int ticks, RideCache& cache, world::Motion& motion);
 
 }  // namespace coaster::sim

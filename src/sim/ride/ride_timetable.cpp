@@ -13,13 +13,13 @@ namespace {
 
 // Trains that move alike.
 struct Family {
-  GhostStart start;
+  TrainStart start;
   world::Entity first;
   world::TimetablePlace place;  // where the first train joined
   double energy = 0;            // J/kg
 };
 
-bool of_one_kind(const GhostStart& a, const GhostStart& b) {
+bool of_one_kind(const TrainStart& a, const TrainStart& b) {
   return a.cars == b.cars && a.spacing == b.spacing && a.length == b.length && a.mass == b.mass;
 }
 
@@ -31,7 +31,7 @@ double energy_of_laps(const RideInput& input) {
     const curve::Cubic& c = shape.key.cubic;
     top = std::max(top, double{std::max({c.p0.y, c.p1.y, c.p2.y, c.p3.y})} + std::abs(shape.key.rails));
   }
-  const double slowest = input.derived.length / (0.99 * GhostLimits{}.seconds);
+  const double slowest = input.derived.length / (0.99 * RideLimits{}.seconds);
   return world::kGravity * (top - input.document.datum) + 0.5 * slowest * slowest;
 }
 
@@ -91,20 +91,20 @@ world::TimetablePlace timetable_from(const world::CartMotion& cart) {
   return {true, cart.track_distance, cart.speed, cart.dwell, cart.braking, 0, 0};
 }
 
-GhostStart start_of(const RideInput& input, world::Entity entity, const world::TimetablePlace& table) {
+TrainStart start_of(const RideInput& input, world::Entity entity, const world::TimetablePlace& table) {
   return start_at(input.derived, input.document.entities.get<world::Cart>(entity), table.front, table.speed,
                   {table.dwell, table.braking});
 }
 
-// The tables of one lap for many trains, each looked up in the memo once.
+// The tables of one lap for many trains, each looked up in the cache once.
 class LapTables {
  public:
-  LapTables(const RideInput& input, GhostMemo& memo) : input_(input), memo_(memo) {}
+  LapTables(const RideInput& input, RideCache& cache) : input_(input), cache_(cache) {}
   const LapTable& of(world::Entity entity, const world::TimetablePlace& place) {
-    const GhostStart start = start_of(input_, entity, place);
+    const TrainStart start = start_of(input_, entity, place);
     for (const auto& [known, table] : tables_)
       if (known == start) return *table;
-    tables_.emplace_back(start, &memo_.lap(input_.document, input_.derived, start));
+    tables_.emplace_back(start, &cache_.lap(input_.document, input_.derived, start));
     return *tables_.back().second;
   }
   // Returns that of each train, in the order of the items.
@@ -116,13 +116,13 @@ class LapTables {
 
  private:
   const RideInput& input_;
-  GhostMemo& memo_;
-  std::vector<std::pair<GhostStart, const LapTable*>> tables_;  // at most kMostTimetables
+  RideCache& cache_;
+  std::vector<std::pair<TrainStart, const LapTable*>> tables_;  // at most kMostTimetables
 };
 
 // If a train is without a timetable, gives each the one of its kind and energy. Returns false if there are too many, or
 // if a train may not complete a lap.
-bool share_timetables(const RideInput& input, GhostMemo& memo, world::Motion& motion) {
+bool share_timetables(const RideInput& input, RideCache& cache, world::Motion& motion) {
   constexpr double kSame = 1e-8;  // of the energy
   if (!input.derived.closed || !input.equipment.empty() || input.document.resistance != world::Resistance{})
     return false;
@@ -147,7 +147,7 @@ bool share_timetables(const RideInput& input, GhostMemo& memo, world::Motion& mo
     if (same == families.end()) families.push_back(own);
     if (families.size() > kMostTimetables || !(cart.speed > 0) || !(own.energy > least)) return false;
   }
-  LapTables tables(input, memo);
+  LapTables tables(input, cache);
   for (std::size_t i = 0; i < carts.size(); ++i) {
     world::CartMotion& cart = carts.items()[i];
     const Family& family = families[family_of[i]];
@@ -171,31 +171,31 @@ void follow_laps(const RideInput& input, std::span<const LapTable* const> table_
 }
 
 // Applies the next tick's entry. Returns false if the timetable ends the ride.
-bool follow_timetable(const RideInput& input, GhostMemo& memo, world::Entity entity, world::CartMotion& cart,
+bool follow_timetable(const RideInput& input, RideCache& cache, world::Entity entity, world::CartMotion& cart,
                       world::FailureKind& failure) {
-  const Ghost* ghost = &memo.from(input.document, input.derived, start_of(input, entity, cart.timetable));
-  const auto last = static_cast<std::int64_t>(ghost->samples.size()) - 1;
+  const SimulatedRide* simulated = &cache.from(input.document, input.derived, start_of(input, entity, cart.timetable));
+  const auto last = static_cast<std::int64_t>(simulated->samples.size()) - 1;
   if (cart.timetable.tick >= last) {
-    if (ghost->end != world::FailureKind::none || last == 0) {
-      failure = ghost->end;
+    if (simulated->end != world::FailureKind::none || last == 0) {
+      failure = simulated->end;
       return false;
     }
     cart.timetable = timetable_from(cart);
-    ghost = &memo.from(input.document, input.derived, start_of(input, entity, cart.timetable));
-    if (ghost->samples.size() < 2) return false;
+    simulated = &cache.from(input.document, input.derived, start_of(input, entity, cart.timetable));
+    if (simulated->samples.size() < 2) return false;
   }
   const auto now = static_cast<std::size_t>(cart.timetable.tick), next = now + 1;
-  const GhostSample &before = ghost->samples[now], &after = ghost->samples[next];
-  const double from = ghost->start.front + before.travelled, to = ghost->start.front + after.travelled;
+  const RideSample &before = simulated->samples[now], &after = simulated->samples[next];
+  const double from = simulated->start.front + before.travelled, to = simulated->start.front + after.travelled;
   if (input.derived.closed)
-    cart.laps +=
-        static_cast<std::int64_t>(std::floor(to / ghost->track_length) - std::floor(from / ghost->track_length));
+    cart.laps += static_cast<std::int64_t>(std::floor(to / simulated->track_length) -
+                                           std::floor(from / simulated->track_length));
   cart.travelled += after.travelled - before.travelled;
   cart.work += after.work - before.work;
   cart.speed = after.speed;
   cart.furthest = std::max(cart.furthest, cart.travelled);
   cart.peak_kinetic = std::max(cart.peak_kinetic, 0.5 * cart.speed * cart.speed);
-  settle_on(input.derived, place_at(input.derived, ghost->distance(next)), cart);
+  settle_on(input.derived, place_at(input.derived, simulated->distance(next)), cart);
   cart.timetable.tick = static_cast<std::int64_t>(next);
   return true;
 }
@@ -208,12 +208,12 @@ bool begin_timetables(world::Motion& motion) {
 
 }  // namespace
 
-bool step_by_timetable(const RideInput& input, int ticks, GhostMemo& memo, world::Motion& motion) {
-  memo.keep(std::min(motion.carts.size(), kMostTimetables) + 4);
+bool step_by_timetable(const RideInput& input, int ticks, RideCache& cache, world::Motion& motion) {
+  cache.keep(std::min(motion.carts.size(), kMostTimetables) + 4);
   const bool shared = motion.carts.size() > kMostTimetables;
-  if (!(shared ? share_timetables(input, memo, motion) : begin_timetables(motion))) return false;
+  if (!(shared ? share_timetables(input, cache, motion) : begin_timetables(motion))) return false;
   std::vector<std::size_t> rounds, others;  // trains whose laps repeat, and the others
-  std::vector<const LapTable*> table_of = LapTables(input, memo).of(motion.carts);
+  std::vector<const LapTable*> table_of = LapTables(input, cache).of(motion.carts);
   for (std::size_t i = 0; i < motion.carts.size(); ++i) (table_of[i]->valid() ? rounds : others).push_back(i);
   if (shared && !others.empty()) return false;
   int done = 0;  // ticks, including the one in which the ride failed, which is the last for all trains
@@ -224,7 +224,7 @@ bool step_by_timetable(const RideInput& input, int ticks, GhostMemo& memo, world
       world::FailureKind failure = world::FailureKind::none;
       const double arrival = cart.speed;
       if (motion.state != world::RideState::running ||
-          follow_timetable(input, memo, motion.carts.entities()[i], cart, failure)) {
+          follow_timetable(input, cache, motion.carts.entities()[i], cart, failure)) {
         any = true;
         continue;
       }
@@ -237,7 +237,7 @@ bool step_by_timetable(const RideInput& input, int ticks, GhostMemo& memo, world
     if (!any && motion.state == world::RideState::running) motion.state = world::RideState::ended;
   }
   if (others.empty()) done = ticks;
-  else table_of = LapTables(input, memo).of(motion.carts);  // the others may have evicted tables
+  else table_of = LapTables(input, cache).of(motion.carts);  // the others may have evicted tables
   follow_laps(input, table_of, rounds, done, motion.carts.items());
   return true;
 }

@@ -10,14 +10,14 @@ namespace {
 
 // Returns by how much a ride exceeds the envelope near the span: g times seconds of excess of all spans of its car and
 // axis that overlap its part of the track.
-double excess(const Ghost& ghost, const Envelope& envelope, const RedSpan& span) {
+double excess(const SimulatedRide& simulated, const Envelope& envelope, const RedSpan& span) {
   constexpr double kNear = 10;  // m on each side
   const auto touches = [&](const RedSpan& other) {
     if (other.car != span.car || other.axis != span.axis) return false;
     return other.from_distance <= span.to_distance + kNear && other.to_distance >= span.from_distance - kNear;
   };
   double sum = 0;
-  for (const RedSpan& other : red_spans(ghost, envelope))
+  for (const RedSpan& other : red_spans(simulated, envelope))
     if (touches(other)) sum += (other.worst - other.allowed) * (1.0 + other.to - other.from);
   return sum;
 }
@@ -30,11 +30,11 @@ std::optional<Advice> advise(const world::Document& document, world::Entity cart
   world::Settings settings;
   settings.evaluation->steps = 1;  // polylines are not needed
   Derived derived;
-  GhostMemo memo;
+  RideCache cache;
   const auto excess_of = [&](const world::Document& tried) {
     derive(tried, settings, {}, derived);
-    const Ghost* const ghost = memo.ride(tried, derived, cart);
-    return ghost ? excess(*ghost, envelope, span) : 0.0;
+    const SimulatedRide* const simulated = cache.ride(tried, derived, cart);
+    return simulated ? excess(*simulated, envelope, span) : 0.0;
   };
   const double before = excess_of(document);
   const int count = static_cast<int>(document.track.knots.size());

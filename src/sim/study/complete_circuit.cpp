@@ -14,9 +14,9 @@
 #include "curve/continuity.h"
 #include "curve/frames.h"
 #include "sim/ride/train.h"
+#include "sim/study/closing_change.h"
 #include "sim/study/element_room.h"
 #include "sim/study/jolt.h"
-#include "sim/study/way_change.h"
 #include "world/motion.h"
 #include "world/topology.h"
 
@@ -31,13 +31,13 @@ constexpr int kMostFailures = 30;  // of candidates that turn in the same way an
 constexpr int kMostRough = 120;    // ways found too rough before all others count as too rough
 constexpr double kApart = 8;       // m between the middles of two proposals
 
-// Where ways home were rejected for other track, and came nearest to it.
+// Where closing sections were rejected for other track, and came nearest to it.
 struct Obstacles {
   struct Place {
     int count = 0;
     double sum = 0;  // m along the track
   };
-  std::map<int, Place> places;  // by tens of metres along the track; below 0: the way itself
+  std::map<int, Place> places;  // by tens of metres along the track; below 0: the section itself
   int count = 0;
   void add(std::span<const Narrow> parts) {
     const Narrow& worst = *std::max_element(parts.begin(), parts.end(),
@@ -54,9 +54,9 @@ struct Obstacles {
   }
 };
 
-std::vector<LinePoint> rough_points(const std::vector<WayPlace>& places, double after) {
+std::vector<LinePoint> rough_points(const std::vector<ClosingPlace>& places, double after) {
   std::vector<LinePoint> line;
-  for (const WayPlace& p : places) line.push_back({glm::vec3(p.rails), glm::vec3(p.up), static_cast<float>(p.s)});
+  for (const ClosingPlace& p : places) line.push_back({glm::vec3(p.rails), glm::vec3(p.up), static_cast<float>(p.s)});
   // The points left out after the last one still count as distance from the first knot.
   if (!line.empty()) line.push_back(line.back()), line.back().s += static_cast<float>(after);
   return line;
@@ -95,7 +95,7 @@ struct SearchTerms {
   std::size_t most_found;
   int most_tried;
   double side = kMostSide;               // g: rougher ways only if there are no others
-  std::span<const double> lengths = {};  // of a former way's spans
+  std::span<const double> lengths = {};  // of a former closing section's spans
 
   // Reports a part of the candidates. False once the search is cancelled.
   bool goes_on(int tried) const {
@@ -115,11 +115,11 @@ struct Search {
   int forced = 0, buried_ones = 0, unfit = 0;
   double least_g = 1e9;
 
-  // Returns true if the way has approximate clearance.
+  // Returns true if it has approximate clearance.
   bool has_room(const CircuitCandidate& candidate) {
-    const CircuitWay way = candidates.rough(candidate);
+    const ClosingCurve closing = candidates.rough(candidate);
     const std::vector<Narrow> narrow = terms.conflicts.against(
-        terms.derived, rough_points(rough_line(candidates.task, way, kRoughStep), way.out.length),
+        terms.derived, rough_points(rough_line(candidates.task, closing, kRoughStep), closing.out.length),
         {true, kRoughMargin});
     if (!narrow.empty()) obstacles.add(narrow);
     return narrow.empty();
@@ -128,9 +128,9 @@ struct Search {
   // Adds the proposal of a candidate, unless it fails, resembles another or is too rough.
   void propose(const CircuitCandidate& candidate, double side) {
     const CircuitTask& task = candidates.task;
-    const std::optional<CircuitWay> way = candidates.exact(candidate);
-    if (!way) return;
-    CircuitProposal proposal{plan_of(way_curve(task, *way)), {}, candidates.described(candidate, *way)};
+    const std::optional<ClosingCurve> closing = candidates.exact(candidate);
+    if (!closing) return;
+    CircuitProposal proposal{plan_of(ideal_closing(task, *closing)), {}, candidates.described(candidate, *closing)};
     ElementPlan& plan = proposal.plan;
     for (const CircuitProposal& other : found.list)
       if (resembles(plan, other.plan)) return;
@@ -206,10 +206,10 @@ CircuitProposals searched(const CircuitCandidates& candidates, const SearchTerms
   return std::move(search.found);
 }
 
-// Returns the square of the train's speed at the way's start, m^2/s^2; too little if it does not get there.
-double square_at_start(const WayChange& change) {
-  const world::WayHome& way = change.former;
-  return way.speed * way.speed - (way.coasts ? 2 * world::kGravity * change.risen : 0.0);
+// Returns the square of the train's speed at the section's start, m^2/s^2; too little if it does not get there.
+double square_at_start(const ClosingChange& change) {
+  const world::ClosingPlan& closing = change.former;
+  return closing.speed * closing.speed - (closing.coasts ? 2 * world::kGravity * change.risen : 0.0);
 }
 
 std::string out_of_reach(double risen) {
@@ -219,7 +219,8 @@ std::string out_of_reach(double risen) {
 
 }  // namespace
 
-std::optional<CircuitTask> circuit_task(const world::Document& document, const Derived& derived, const Ghost* ride) {
+std::optional<CircuitTask> circuit_task(const world::Document& document, const Derived& derived,
+                                        const SimulatedRide* ride) {
   const std::optional<TrackEnd> end = open_end(document);
   if (!end || document.track.segments.empty()) return std::nullopt;
   CircuitTask task;
@@ -243,9 +244,9 @@ std::optional<CircuitTask> circuit_task(const world::Document& document, const D
   return task;
 }
 
-CircuitProposals complete_again(const FormerWay& former, const CircuitTask& task, const Derived& derived,
+CircuitProposals complete_again(const FormerClosing& former, const CircuitTask& task, const Derived& derived,
                                 const Conflicts& conflicts) {
-  return searched(candidates_like(former.way, task),
+  return searched(candidates_like(former.closing, task),
                   {derived, conflicts, 1, kMostTriedAgain, kMostSide, former.lengths});
 }
 
@@ -267,7 +268,7 @@ std::optional<world::Entity> close_by(world::Document& document, const CircuitPr
   for (std::size_t k = 1; k + 1 < knots.size(); ++k) added = world::append_knot(document, knots[k]);
   world::set_closed(document, true);
   world::make_section(document, document.track.segments.size() - proposal.plan.spans(), proposal.plan.spans(),
-                      {{}, world::SectionKind::complete, {}, proposal.way});
+                      {{}, world::SectionKind::complete, {}, proposal.closing});
   world::Knot& first = document.entities.get<world::Knot>(document.track.knots.front());
   first.joint = world::JointKind::aligned, first.in_length = knots.back().in_length;
   return added;
@@ -280,8 +281,8 @@ void OpenedTrack::update(const world::Document& opened) {
   conflicts.update(derived);
 }
 
-const CircuitProposals& CircuitMemo::update(const world::Document& document, const Derived& derived,
-                                            const Conflicts& conflicts, const Ghost* ride) {
+const CircuitProposals& ProposalCache::update(const world::Document& document, const Derived& derived,
+                                              const Conflicts& conflicts, const SimulatedRide* ride) {
   const std::optional<CircuitTask> task = circuit_task(document, derived, ride);
   if (!task) {
     task_.reset();
@@ -296,8 +297,8 @@ const CircuitProposals& CircuitMemo::update(const world::Document& document, con
   return found_;
 }
 
-double WayJolts::worst(const CircuitProposals& found, std::size_t index, const world::Document& open,
-                       std::uint64_t serial, world::Entity cart, double cutoff) {
+double ClosingJolts::worst(const CircuitProposals& found, std::size_t index, const world::Document& open,
+                           std::uint64_t serial, world::Entity cart, double cutoff) {
   COASTER_CHECK(index < found.list.size(), "the jolt of a proposal that is not there");
   const CircuitProposal& proposal = found.list[index];
   return kept_[index].get({proposal.plan.serial, serial, cart, cutoff}, [&] {
@@ -307,7 +308,7 @@ double WayJolts::worst(const CircuitProposals& found, std::size_t index, const w
     world::Settings settings;
     settings.evaluation->steps = 1;
     derive(document, settings, {}, closed_);
-    const Ghost* const ride = rides_.ride(document, closed_, cart);
+    const SimulatedRide* const ride = rides_.ride(document, closed_, cart);
     if (ride == nullptr) return 0.0;
     const std::vector<Jolt> all = jolts(*ride, cutoff);
     double most = all.empty() ? 0.0 : all.front().total;
@@ -316,7 +317,7 @@ double WayJolts::worst(const CircuitProposals& found, std::size_t index, const w
   });
 }
 
-ChangedWay changed_way(const WayChange& change, OpenedTrack& opened) {
+ChangedClosing changed_closing(const ClosingChange& change, OpenedTrack& opened) {
   const double square = square_at_start(change), former_square = change.former.speed * change.former.speed;
   if (square < std::min(1.0, former_square)) return {.refusal = out_of_reach(change.risen)};
   opened.update(change.opened);
@@ -327,7 +328,7 @@ ChangedWay changed_way(const WayChange& change, OpenedTrack& opened) {
   if (another) found = complete_circuit(task, opened.derived, opened.conflicts);
   if (found.list.empty()) return {.refusal = "the closing section cannot take up the change: " + found.refusal};
   CircuitProposal& best = found.list.front();
-  return {.fit = std::move(best.plan.fit), .way = best.way, .another = another};
+  return {.fit = std::move(best.plan.fit), .closing = best.closing, .another = another};
 }
 
 }  // namespace coaster::sim

@@ -8,7 +8,7 @@
 #include "base/kept.h"
 #include "sim/plan/circuit_search.h"
 #include "sim/plan/elements.h"
-#include "sim/ride/ghost.h"
+#include "sim/ride/simulated_ride.h"
 #include "sim/solids/conflicts.h"
 
 namespace coaster::sim {
@@ -18,8 +18,8 @@ inline constexpr std::size_t kMostProposals = 3;
 struct CircuitProposal {
   // Its last knot is the track's first, with the new incoming handle.
   ElementPlan plan;
-  FeltRange felt;      // g, at the speeds that follow from the energy
-  world::WayHome way;  // from which it can be planned again
+  FeltRange felt;              // g, at the speeds that follow from the energy
+  world::ClosingPlan closing;  // from which it can be planned again
 };
 
 struct CircuitProposals {
@@ -29,22 +29,23 @@ struct CircuitProposals {
   bool assumed = false;               // the speed is assumed: no train reaches the open end
 };
 
-// Returns the task of completing the track: `ride` is the train's ghost on the open track, null without a train.
-// `derived` must be the document's. Nothing for a closed track and one without a segment.
-std::optional<CircuitTask> circuit_task(const world::Document& document, const Derived& derived, const Ghost* ride);
+// Returns the task of completing the track: `ride` is the train's simulated ride on the open track, null without a
+// train. `derived` must be the document's. Nothing for a closed track and one without a segment.
+std::optional<CircuitTask> circuit_task(const world::Document& document, const Derived& derived,
+                                        const SimulatedRide* ride);
 
 // Returns the proposals. `conflicts` and `derived` must be up to date for the open track. Tries at most kMostTried
 // candidates: below 1 s. Reports progress; once it is cancelled, ends soon with any result.
 CircuitProposals complete_circuit(const CircuitTask& task, const Derived& derived, const Conflicts& conflicts);
 inline constexpr int kMostTried = 1200;
-// An existing way home, with the lengths of its spans, m.
-struct FormerWay {
-  world::WayHome way;
+// An existing closing section, with the lengths of its spans, m.
+struct FormerClosing {
+  world::ClosingPlan closing;
   std::vector<double> lengths;
 };
-// Returns at most one way home: the one most similar to a former way, in spans of about the same lengths. Tries at most
-// kMostTriedAgain candidates: about 10 ms, and 50 ms if all fail.
-CircuitProposals complete_again(const FormerWay& former, const CircuitTask& task, const Derived& derived,
+// Returns at most one closing section: the one most similar to a former one, in spans of about the same lengths. Tries
+// at most kMostTriedAgain candidates: about 10 ms, and 50 ms if all fail.
+CircuitProposals complete_again(const FormerClosing& former, const CircuitTask& task, const Derived& derived,
                                 const Conflicts& conflicts);
 inline constexpr int kMostTriedAgain = 12;
 
@@ -60,11 +61,11 @@ struct OpenedTrack {
 };
 
 // Caches the proposals while task and track are unchanged.
-class CircuitMemo {
+class ProposalCache {
  public:
   // Returns the proposals, updated; refused for a track that cannot be completed.
   const CircuitProposals& update(const world::Document& document, const Derived& derived, const Conflicts& conflicts,
-                                 const Ghost* ride);
+                                 const SimulatedRide* ride);
   const CircuitProposals& found() const { return found_; }  // of the last update, for tests
 
  private:
@@ -75,7 +76,7 @@ class CircuitMemo {
 };
 
 // Caches the jolts of the proposals and the tables of the last closed track.
-class WayJolts {
+class ClosingJolts {
  public:
   // Returns the largest total jolt at the proposal's joints, with both ends of the open track, for all cars of the
   // train on a whole ride, low-passed by `cutoff` (Hz), g; 0 if the train does not arrive. `serial` changes with the
@@ -87,7 +88,7 @@ class WayJolts {
   using Key = std::tuple<std::uint64_t, std::uint64_t, world::Entity, double>;
   std::array<base::Kept<Key, double>, kMostProposals> kept_;
   Derived closed_;
-  GhostMemo rides_;
+  RideCache rides_;
 };
 
 }  // namespace coaster::sim

@@ -59,8 +59,9 @@ std::vector<Run> runs_at_least(std::span<const float> values) {
   return runs;
 }
 
-void find_spans(const Ghost& ghost, const Envelope& envelope, int car, ForceAxis axis, std::vector<RedSpan>& out) {
-  const std::vector<float> values = pressed(ghost, car, axis, envelope.cutoff);
+void find_spans(const SimulatedRide& simulated, const Envelope& envelope, int car, ForceAxis axis,
+                std::vector<RedSpan>& out) {
+  const std::vector<float> values = pressed(simulated, car, axis, envelope.cutoff);
   if (values.size() < 2) return;
   const EnvelopeCurve& curve = envelope.curves[static_cast<std::size_t>(axis)];
   const std::vector<Run> runs = runs_at_least(values);
@@ -77,7 +78,7 @@ void find_spans(const Ghost& ghost, const Envelope& envelope, int car, ForceAxis
     over[i] = {values[i] - allowed, allowed};
     ++edges[runs[i].first], --edges[runs[i].last + 1];
   }
-  const auto distance = [&](std::size_t entry) { return ghost.distance(ghost.sample_of(entry), car); };
+  const auto distance = [&](std::size_t entry) { return simulated.distance(simulated.sample_of(entry), car); };
   int depth = 0;
   std::size_t begin = 0;
   for (std::size_t i = 0; i <= values.size(); ++i) {
@@ -98,7 +99,7 @@ void find_spans(const Ghost& ghost, const Envelope& envelope, int car, ForceAxis
 
 // Returns low-passed felt g of a car that passes tight bends: what happens between two entries counts when it happens,
 // at kFiner times their rate. An entry shows the peak next to it, if there is one.
-std::vector<float> low_passed_finely(const Ghost& ghost, int car, float Felt::*axis, double cutoff,
+std::vector<float> low_passed_finely(const SimulatedRide& simulated, int car, float Felt::*axis, double cutoff,
                                      std::span<const float> entries) {
   constexpr std::size_t kFiner = 8;
   constexpr double kRate = kFiner * kForceRate;
@@ -111,10 +112,10 @@ std::vector<float> low_passed_finely(const Ghost& ghost, int car, float Felt::*a
     fine[i] += static_cast<float>((1 - share) * value), fine[i + 1] += static_cast<float>(share * value);
   };
   std::vector<bool> whole(entries.size(), false);  // the passage has all of what happens before the entry
-  for (const Passage& passage : ghost.passages)
+  for (const Passage& passage : simulated.passages)
     if (passage.car == car)
       add(passage.time * kForceRate, kRate * (double{passage.impulse.*axis} + double{passage.missed.*axis}));
-  for (const BendPassage& bend : ghost.bends) {
+  for (const BendPassage& bend : simulated.bends) {
     if (bend.peak.car != car) continue;
     whole[bend.peak.entry] = true;
     // A mass at its centre, or one at either end where it changes sign.
@@ -175,13 +176,13 @@ void low_pass(std::span<float> values, double rate, double cutoff) {
   Section(rate, cutoff, 1.30656296487637652).run(values);
 }
 
-std::vector<float> low_passed_g(const Ghost& ghost, int car, float Felt::*axis, double cutoff) {
-  std::vector<float> values(ghost.entries());
-  for (std::size_t k = 0; k < values.size(); ++k) values[k] = ghost.felt(k, car).*axis;
+std::vector<float> low_passed_g(const SimulatedRide& simulated, int car, float Felt::*axis, double cutoff) {
+  std::vector<float> values(simulated.entries());
+  for (std::size_t k = 0; k < values.size(); ++k) values[k] = simulated.felt(k, car).*axis;
   if (values.size() > 1 &&
-      std::ranges::any_of(ghost.bends, [&](const BendPassage& bend) { return bend.peak.car == car; }))
-    return low_passed_finely(ghost, car, axis, cutoff, values);
-  for (const Passage& passage : ghost.passages) {
+      std::ranges::any_of(simulated.bends, [&](const BendPassage& bend) { return bend.peak.car == car; }))
+    return low_passed_finely(simulated, car, axis, cutoff, values);
+  for (const Passage& passage : simulated.passages) {
     if (passage.car != car) continue;
     values[passage.entry] += passage.impulse.*axis * static_cast<float>(kForceRate);
     // The nearer of two entries takes more of what both missed. The first stays: the filter starts with it.
@@ -195,8 +196,8 @@ std::vector<float> low_passed_g(const Ghost& ghost, int car, float Felt::*axis, 
   return values;
 }
 
-std::vector<float> pressed(const Ghost& ghost, int car, ForceAxis axis, double cutoff) {
-  std::vector<float> values = low_passed_g(ghost, car, seat_axis(axis), cutoff);
+std::vector<float> pressed(const SimulatedRide& simulated, int car, ForceAxis axis, double cutoff) {
+  std::vector<float> values = low_passed_g(simulated, car, seat_axis(axis), cutoff);
   // Lateral g is low-passed with its sign: a force that changes sides quickly does not last.
   for (float& value : values)
     if (axis == ForceAxis::side) value = std::abs(value);
@@ -204,11 +205,11 @@ std::vector<float> pressed(const Ghost& ghost, int car, ForceAxis axis, double c
   return values;
 }
 
-std::vector<RedSpan> red_spans(const Ghost& ghost, const Envelope& envelope) {
+std::vector<RedSpan> red_spans(const SimulatedRide& simulated, const Envelope& envelope) {
   std::vector<RedSpan> spans;
-  for (int car = 0; car < ghost.start.cars; ++car)
+  for (int car = 0; car < simulated.start.cars; ++car)
     for (std::size_t axis = 0; axis < kForceAxes; ++axis)
-      find_spans(ghost, envelope, car, static_cast<ForceAxis>(axis), spans);
+      find_spans(simulated, envelope, car, static_cast<ForceAxis>(axis), spans);
   return spans;
 }
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "base/names.h"
-#include "sim/ride/ghost.h"
+#include "sim/ride/simulated_ride.h"
 
 namespace coaster::sim {
 
@@ -44,14 +44,15 @@ double limit(const EnvelopeCurve& curve, double seconds);
 // of the first.
 void low_pass(std::span<float> values, double rate, double cutoff);
 
-// Returns low-passed felt g of riders of car `car` on one of the seat's axes, one value per entry of Ghost::forces. An
-// entry includes the impulses of the joints that the car has passed since the previous entry, divided by the time
-// between entries; what entries miss beside joints (Passage::missed) is added to both. The rides of a car through tight
-// bends (Ghost::bends) are filtered at a higher rate, and an entry shows a peak within half an entry of it.
-std::vector<float> low_passed_g(const Ghost& ghost, int car, float Felt::*axis, double cutoff);
+// Returns low-passed felt g of riders of car `car` on one of the seat's axes, one value per entry of
+// SimulatedRide::forces. An entry includes the impulses of the joints that the car has passed since the previous entry,
+// divided by the time between entries; what entries miss beside joints (Passage::missed) is added to both. The rides of
+// a car through tight bends (SimulatedRide::bends) are filtered at a higher rate, and an entry shows a peak within half
+// an entry of it.
+std::vector<float> low_passed_g(const SimulatedRide& simulated, int car, float Felt::*axis, double cutoff);
 
 // Returns the same on an axis of the limits, positive in the direction that it limits (side: absolute).
-std::vector<float> pressed(const Ghost& ghost, int car, ForceAxis axis, double cutoff);
+std::vector<float> pressed(const SimulatedRide& simulated, int car, ForceAxis axis, double cutoff);
 
 // An overload: a stretch of a ride in which an acceleration lasts longer than its limit allows.
 struct RedSpan {
@@ -65,6 +66,6 @@ struct RedSpan {
 
 // Returns all overloads of a ride, cars and axes in order. A moment is red if it belongs to an interval in which the
 // value stays above a level for longer than the level's limit: found for all levels at once in O(n).
-std::vector<RedSpan> red_spans(const Ghost& ghost, const Envelope& envelope);
+std::vector<RedSpan> red_spans(const SimulatedRide& simulated, const Envelope& envelope);
 
 }  // namespace coaster::sim

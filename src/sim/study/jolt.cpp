@@ -131,16 +131,16 @@ Jolt jolt_of(const Passage& passage, double cutoff) {
   return largest.jolt(passage);
 }
 
-std::vector<Jolt> passage_jolts(const Ghost& ghost, double cutoff) {
-  std::vector<std::vector<const Passage*>> cars(static_cast<std::size_t>(ghost.start.cars));
+std::vector<Jolt> passage_jolts(const SimulatedRide& simulated, double cutoff) {
+  std::vector<std::vector<const Passage*>> cars(static_cast<std::size_t>(simulated.start.cars));
   std::vector<Jolt> found;
   std::vector<std::size_t> places;  // of each passage among its car's
-  for (const Passage& passage : ghost.passages) {
+  for (const Passage& passage : simulated.passages) {
     std::vector<const Passage*>& passed = cars[static_cast<std::size_t>(passage.car)];
     places.push_back(passed.size()), passed.push_back(&passage), found.push_back(jolt_of(passage, cutoff));
   }
   for (std::size_t n = 0; n < found.size(); ++n) {
-    const Passage& passage = ghost.passages[n];
+    const Passage& passage = simulated.passages[n];
     const std::span<const Passage* const> passed = cars[static_cast<std::size_t>(passage.car)];
     const Beside near = beside(passed, places[n], cutoff);
     for (std::size_t first = near.first; first <= places[n]; ++first)
@@ -152,11 +152,11 @@ std::vector<Jolt> passage_jolts(const Ghost& ghost, double cutoff) {
   return found;
 }
 
-std::vector<Jolt> jolts(const Ghost& ghost, double cutoff) {
+std::vector<Jolt> jolts(const SimulatedRide& simulated, double cutoff) {
   std::vector<Jolt> found;
-  const std::vector<Jolt> passages = passage_jolts(ghost, cutoff);
+  const std::vector<Jolt> passages = passage_jolts(simulated, cutoff);
   for (std::size_t i = 0; i < passages.size(); ++i) {
-    const std::size_t knot = ghost.passages[i].knot;
+    const std::size_t knot = simulated.passages[i].knot;
     if (knot >= found.size()) found.resize(knot + 1);
     take(passages[i], found[knot]);
   }

@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "sim/ride/ghost.h"
+#include "sim/ride/simulated_ride.h"
 
 namespace coaster::sim {
 
@@ -27,14 +27,14 @@ struct Jolt {
 // low-pass of 1 Hz to a unit step. Within 0.1 % of the continuous filter.
 Jolt jolt_of(const Passage& passage, double cutoff);
 
-// Returns the jolts of the ghost's passages of joints, in their order. Where a joint that the car passes at most
-// 1 / (2 cutoff) before or after steps the other way, as where a roll begins within half a metre, consecutive joints
-// count together if that is less: their steps and impulses, and how felt g changes between them.
-std::vector<Jolt> passage_jolts(const Ghost& ghost, double cutoff);
+// Returns the jolts of the simulated ride's passages of joints, in their order. Where a joint that the car passes at
+// most 1 / (2 cutoff) before or after steps the other way, as where a roll begins within half a metre, consecutive
+// joints count together if that is less: their steps and impulses, and how felt g changes between them.
+std::vector<Jolt> passage_jolts(const SimulatedRide& simulated, double cutoff);
 
 // Returns the jolts of the knots, by index in the track, up to the last knot that the ride passes. 0 at knots that it
 // does not pass, as at the first knot of an open track.
-std::vector<Jolt> jolts(const Ghost& ghost, double cutoff);
+std::vector<Jolt> jolts(const SimulatedRide& simulated, double cutoff);
 
 // Returns the step of the force, g, that the jump of curvature at a knot makes at the fastest passage: v^2 |dK| / g.
 // `knot`: its index in the track. Nothing where the ride does not pass.

@@ -91,59 +91,60 @@ ThingCells cells_of(const Derived& derived, const Supports* supports, double ste
   return cells;
 }
 
-void take(Extreme& extreme, double value, bool first, bool larger, std::size_t sample, int car, const Ghost& ghost) {
+void take(Extreme& extreme, double value, bool first, bool larger, std::size_t sample, int car,
+          const SimulatedRide& simulated) {
   if (!first && !(larger ? value > extreme.value : value < extreme.value)) return;
-  extreme = {value, Ghost::time_of(sample), ghost.distance(sample, car), car};
+  extreme = {value, SimulatedRide::time_of(sample), simulated.distance(sample, car), car};
 }
 
 // Updates `extreme` with the largest of a car's low-passed values on one axis.
-void take_force(const Ghost& ghost, int car, ForceAxis axis, double cutoff, double sign, Extreme& extreme) {
-  const std::vector<float> values = pressed(ghost, car, axis, cutoff);
+void take_force(const SimulatedRide& simulated, int car, ForceAxis axis, double cutoff, double sign, Extreme& extreme) {
+  const std::vector<float> values = pressed(simulated, car, axis, cutoff);
   for (std::size_t i = 0; i < values.size(); ++i)
-    take(extreme, sign * values[i], car == 0 && i == 0, sign > 0, ghost.sample_of(i), car, ghost);
+    take(extreme, sign * values[i], car == 0 && i == 0, sign > 0, simulated.sample_of(i), car, simulated);
 }
 
-void take_forces(const Ghost& ghost, double cutoff, Ratings& r) {
-  for (int car = 0; car < ghost.start.cars; ++car) {
-    take_force(ghost, car, ForceAxis::down, cutoff, 1, r.up_most);
-    take_force(ghost, car, ForceAxis::lift, cutoff, -1, r.up_least);
-    take_force(ghost, car, ForceAxis::side, cutoff, 1, r.side_most);
-    take_force(ghost, car, ForceAxis::forward, cutoff, 1, r.forward_most);
-    take_force(ghost, car, ForceAxis::back, cutoff, 1, r.back_most);
+void take_forces(const SimulatedRide& simulated, double cutoff, Ratings& r) {
+  for (int car = 0; car < simulated.start.cars; ++car) {
+    take_force(simulated, car, ForceAxis::down, cutoff, 1, r.up_most);
+    take_force(simulated, car, ForceAxis::lift, cutoff, -1, r.up_least);
+    take_force(simulated, car, ForceAxis::side, cutoff, 1, r.side_most);
+    take_force(simulated, car, ForceAxis::forward, cutoff, 1, r.forward_most);
+    take_force(simulated, car, ForceAxis::back, cutoff, 1, r.back_most);
   }
-  const std::vector<float> lifted = pressed(ghost, ghost.start.cars / 2, ForceAxis::lift, cutoff);
+  const std::vector<float> lifted = pressed(simulated, simulated.start.cars / 2, ForceAxis::lift, cutoff);
   r.airtime = static_cast<double>(std::count_if(lifted.begin(), lifted.end(), [](float v) { return v > 0; })) *
               kForceEvery * world::kTick;
 }
 
 // The sums over a car's wheels depend on neither the side nor the direction of the force.
-void take_wheels(const Ghost& ghost, double cutoff, Ratings& r) {
-  const CarBody body{ghost.start.mass, ghost.start.length, ghost.heartline};
-  for (int car = 0; car < ghost.start.cars; ++car) {
-    const std::vector<float> up = pressed(ghost, car, ForceAxis::down, cutoff),
-                             side = pressed(ghost, car, ForceAxis::side, cutoff),
-                             forward = pressed(ghost, car, ForceAxis::forward, cutoff);
+void take_wheels(const SimulatedRide& simulated, double cutoff, Ratings& r) {
+  const CarBody body{simulated.start.mass, simulated.start.length, simulated.heartline};
+  for (int car = 0; car < simulated.start.cars; ++car) {
+    const std::vector<float> up = pressed(simulated, car, ForceAxis::down, cutoff),
+                             side = pressed(simulated, car, ForceAxis::side, cutoff),
+                             forward = pressed(simulated, car, ForceAxis::forward, cutoff);
     for (std::size_t i = 0; i < up.size(); ++i) {
       const Wheels all = wheel_loads(Felt{forward[i], side[i], up[i]}, body).of(WheelSet::car);
       const bool first = car == 0 && i == 0;
-      take(r.road_most, all.road, first, true, ghost.sample_of(i), car, ghost);
-      take(r.up_stop_most, all.up_stop, first, true, ghost.sample_of(i), car, ghost);
-      take(r.side_load_most, all.side, first, true, ghost.sample_of(i), car, ghost);
+      take(r.road_most, all.road, first, true, simulated.sample_of(i), car, simulated);
+      take(r.up_stop_most, all.up_stop, first, true, simulated.sample_of(i), car, simulated);
+      take(r.side_load_most, all.side, first, true, simulated.sample_of(i), car, simulated);
     }
   }
 }
 
-void take_jolts(const Ghost& ghost, double cutoff, Ratings& r) {
+void take_jolts(const SimulatedRide& simulated, double cutoff, Ratings& r) {
   const auto add = [&](const Passage& passage, const Jolt& jolt) {
-    take(r.jolt_most, jolt.total, false, true, ghost.sample_of(passage.entry), passage.car, ghost);
+    take(r.jolt_most, jolt.total, false, true, simulated.sample_of(passage.entry), passage.car, simulated);
   };
-  const std::vector<Jolt> found = passage_jolts(ghost, cutoff);
-  for (std::size_t i = 0; i < found.size(); ++i) add(ghost.passages[i], found[i]);
-  for (const BendPassage& bend : ghost.bends) add(bend.peak, jolt_of(bend.peak, cutoff));
+  const std::vector<Jolt> found = passage_jolts(simulated, cutoff);
+  for (std::size_t i = 0; i < found.size(); ++i) add(simulated.passages[i], found[i]);
+  for (const BendPassage& bend : simulated.bends) add(bend.peak, jolt_of(bend.peak, cutoff));
 }
 
 // Updates the heights under the first car: extremes, and descents from a top to the next bottom.
-void take_heights(const Ghost& ghost, const RailTables& tables, Ratings& r) {
+void take_heights(const SimulatedRide& simulated, const RailTables& tables, Ratings& r) {
   std::size_t hint = 0;
   double top = 0, bottom = 0;
   const auto end_drop = [&] {
@@ -152,10 +153,10 @@ void take_heights(const Ghost& ghost, const RailTables& tables, Ratings& r) {
     ++r.drops;
     r.highest_drop = std::max(r.highest_drop, drop);
   };
-  for (std::size_t i = 0; i < ghost.samples.size(); i += kForceEvery) {
-    const double s = tables.locate(ghost.distance(i), hint), height = rail_at(tables.segment(hint), s).height;
-    take(r.highest, height, i == 0, true, i, 0, ghost), take(r.lowest, height, i == 0, false, i, 0, ghost);
-    take(r.top_speed, std::abs(ghost.samples[i].speed), i == 0, true, i, 0, ghost);
+  for (std::size_t i = 0; i < simulated.samples.size(); i += kForceEvery) {
+    const double s = tables.locate(simulated.distance(i), hint), height = rail_at(tables.segment(hint), s).height;
+    take(r.highest, height, i == 0, true, i, 0, simulated), take(r.lowest, height, i == 0, false, i, 0, simulated);
+    take(r.top_speed, std::abs(simulated.samples[i].speed), i == 0, true, i, 0, simulated);
     if (i == 0) top = bottom = height;
     constexpr double kNoise = 0.05;  // m of rise that does not end a descent
     if (height < bottom) bottom = height;
@@ -168,14 +169,14 @@ void take_heights(const Ghost& ghost, const RailTables& tables, Ratings& r) {
   end_drop();
 }
 
-void count_inversions(const Ghost& ghost, const RailTables& tables, Ratings& r) {
+void count_inversions(const SimulatedRide& simulated, const RailTables& tables, Ratings& r) {
   constexpr float kBelow = -0.2f,
                   kAbove = 0.2f;  // of the up vector's height, so that a rider on the side is not counted twice
-  const int car = ghost.start.cars / 2;
+  const int car = simulated.start.cars / 2;
   std::size_t hint = 0;
   bool inverted = false;
-  for (std::size_t i = 0; i < ghost.samples.size(); i += kForceEvery) {
-    const double s = tables.locate(ghost.distance(i, car), hint);
+  for (std::size_t i = 0; i < simulated.samples.size(); i += kForceEvery) {
+    const double s = tables.locate(simulated.distance(i, car), hint);
     const float up = felt_at(tables.segment(hint), s, 0.0f, 0.0f).z;
     if (!inverted && up < kBelow) ++r.inversions, inverted = true;
     if (up > kAbove) inverted = false;
@@ -198,9 +199,9 @@ void add_extreme(std::string& out, const Figure& figure) {
 
 }  // namespace
 
-NearMisses near_misses(const Ghost& ghost, const Derived& derived, const Supports* supports) {
+NearMisses near_misses(const SimulatedRide& simulated, const Derived& derived, const Supports* supports) {
   NearMisses found;
-  if (derived.order.empty() || ghost.samples.empty()) return found;
+  if (derived.order.empty() || simulated.samples.empty()) return found;
   const double step = std::max(kStep, derived.length / kMostChordsInAll);
   const ThingCells cells = cells_of(derived, supports, step);
   const auto apart = [&](const Thing& thing, double at) {
@@ -209,13 +210,13 @@ NearMisses near_misses(const Ghost& ghost, const Derived& derived, const Support
   };
   constexpr double kNever = -std::numeric_limits<double>::infinity();
   double next = 0, last_track = kNever, last_support = kNever;
-  for (std::size_t i = 0; i < ghost.samples.size() && !base::interrupted(); ++i) {
-    const GhostSample& sample = ghost.samples[i];
+  for (std::size_t i = 0; i < simulated.samples.size() && !base::interrupted(); ++i) {
+    const RideSample& sample = simulated.samples[i];
     if (sample.travelled < next) continue;
-    if (ghost.closed && sample.travelled > derived.length) break;
+    if (simulated.closed && sample.travelled > derived.length) break;
     next = sample.travelled + kStep;
     if (sample.speed < kSlowestMiss) continue;
-    const double at = ghost.distance(i);
+    const double at = simulated.distance(i);
     const TrackPlace place = place_at(derived, at);
     const dvec3 head = ring_at(derived.shape_at(place.index), place.s).place(0, kHead);
     bool by_track = false, by_support = false;
@@ -241,21 +242,21 @@ double excitement_of(const Ratings& r) {
   return std::min(10.0, thrill / (1 + pain));
 }
 
-Ratings rate(const Ghost& ghost, const RailTables& tables, double cutoff, const RideMarks& marks) {
+Ratings rate(const SimulatedRide& simulated, const RailTables& tables, double cutoff, const RideMarks& marks) {
   Ratings r;
-  r.complete = ghost.lap || ghost.end == world::FailureKind::off_end;
-  r.seconds = ghost.lap ? ghost.lap_time : ghost.seconds();
-  r.length = ghost.track_length;
-  if (tables.size() == 0 || ghost.samples.empty()) return r;
-  take_heights(ghost, tables, r);
-  take_forces(ghost, cutoff, r);
-  take_wheels(ghost, cutoff, r);
-  take_jolts(ghost, cutoff, r);
-  count_inversions(ghost, tables, r);
+  r.complete = simulated.lap || simulated.end == world::FailureKind::off_end;
+  r.seconds = simulated.lap ? simulated.lap_time : simulated.seconds();
+  r.length = simulated.track_length;
+  if (tables.size() == 0 || simulated.samples.empty()) return r;
+  take_heights(simulated, tables, r);
+  take_forces(simulated, cutoff, r);
+  take_wheels(simulated, cutoff, r);
+  take_jolts(simulated, cutoff, r);
+  count_inversions(simulated, tables, r);
   double way = 0;
-  for (std::size_t i = 1; i < ghost.samples.size(); ++i)
-    way += std::abs(ghost.samples[i].travelled - ghost.samples[i - 1].travelled);
-  r.mean_speed = ghost.seconds() > 0 ? way / ghost.seconds() : 0.0;
+  for (std::size_t i = 1; i < simulated.samples.size(); ++i)
+    way += std::abs(simulated.samples[i].travelled - simulated.samples[i - 1].travelled);
+  r.mean_speed = simulated.seconds() > 0 ? way / simulated.seconds() : 0.0;
   const auto g = [](const Extreme& extreme) { return base::limited_figure(extreme.value, "g"); };
   const double p = g(r.up_most), n = g(r.up_least), l = g(r.side_most), d = r.drops, h = r.highest_drop;
   r.near_misses = marks.near_misses;
@@ -285,14 +286,17 @@ std::vector<Figure> report_figures(const Ratings& r, std::span<const Rider> ride
           {"largest jolt", "g", r.jolt_most}};
 }
 
-std::string report_text(const Ghost& ghost, const Ratings& r, std::span<const Rider> riders,
+std::string report_text(const SimulatedRide& simulated, const Ratings& r, std::span<const Rider> riders,
                         std::span<const RedSpan> red, const std::string& track_name) {
   std::string out = track_name + "\n";
   add(out, "  {:<22} {:8.2f} m\n", "length", r.length);
-  add(out, "  {:<22} {:8.2f} s{}\n", ghost.lap ? "lap" : "time", r.seconds, ghost.lap ? "" : " (no complete lap)");
-  if (ghost.end != world::FailureKind::none)
-    add(out, "  {:<22} {} at {:.1f} m\n", "end", base::name_of(ghost.end), ghost.distance(ghost.samples.size() - 1));
-  add(out, "  {:<22} {:8}, {} m apart\n", "cars", ghost.start.cars, static_cast<int>(std::lround(ghost.start.spacing)));
+  add(out, "  {:<22} {:8.2f} s{}\n", simulated.lap ? "lap" : "time", r.seconds,
+      simulated.lap ? "" : " (no complete lap)");
+  if (simulated.end != world::FailureKind::none)
+    add(out, "  {:<22} {} at {:.1f} m\n", "end", base::name_of(simulated.end),
+        simulated.distance(simulated.samples.size() - 1));
+  add(out, "  {:<22} {:8}, {} m apart\n", "cars", simulated.start.cars,
+      static_cast<int>(std::lround(simulated.start.spacing)));
   for (const Figure& figure : report_figures(r, riders)) {
     const std::string_view name = figure.name;
     if (name == "most vertical" && !riders.empty())
@@ -313,24 +317,24 @@ std::string report_text(const Ghost& ghost, const Ratings& r, std::span<const Ri
   return out;
 }
 
-std::string report_csv(const Ghost& ghost, std::span<const Rider> riders) {
+std::string report_csv(const SimulatedRide& simulated, std::span<const Rider> riders) {
   std::string out = "time_s,distance_m,speed_m_s,height_m,acceleration_m_s2";
-  for (int car = 1; car <= ghost.start.cars; ++car)
+  for (int car = 1; car <= simulated.start.cars; ++car)
     add(out,
         ",up_{0}_g,left_{0}_g,forward_{0}_g,road_front_{0}_kN,road_rear_{0}_kN,up_stop_front_{0}_kN,"
         "up_stop_rear_{0}_kN,side_left_{0}_kN,side_right_{0}_kN",
         car);
-  for (int car = 1; car <= ghost.start.cars; ++car)
+  for (int car = 1; car <= simulated.start.cars; ++car)
     add(out, ",jerk_up_{0}_g_s,jerk_left_{0}_g_s,jerk_forward_{0}_g_s,roll_rate_{0}_deg_s,roll_acceleration_{0}_deg_s2",
         car);
   out += '\n';
-  for (std::size_t k = 0; k < ghost.entries(); ++k) {
-    const std::size_t sample = ghost.sample_of(k);
-    add(out, "{:.6f},{:.4f},{:.4f},{:.4f},{:.4f}", Ghost::time_of(sample), ghost.distance(sample),
-        ghost.samples[sample].speed, riders[0].samples[k].height, ghost.samples[sample].acceleration);
-    for (int car = 0; car < ghost.start.cars; ++car) {
-      const Felt& f = ghost.felt(k, car);
-      const WheelLoads loads = wheel_loads(ghost, k, car);
+  for (std::size_t k = 0; k < simulated.entries(); ++k) {
+    const std::size_t sample = simulated.sample_of(k);
+    add(out, "{:.6f},{:.4f},{:.4f},{:.4f},{:.4f}", SimulatedRide::time_of(sample), simulated.distance(sample),
+        simulated.samples[sample].speed, riders[0].samples[k].height, simulated.samples[sample].acceleration);
+    for (int car = 0; car < simulated.start.cars; ++car) {
+      const Felt& f = simulated.felt(k, car);
+      const WheelLoads loads = wheel_loads(simulated, k, car);
       const Wheels front = loads.of(WheelSet::front), rear = loads.of(WheelSet::rear);
       for (const double g : {f.up, f.left, f.forward}) add(out, ",{:.4f}", base::limited_figure(g, "g"));
       for (const double load : {front.road, rear.road, front.up_stop, rear.up_stop, loads.of(WheelSet::left).side,

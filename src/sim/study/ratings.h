@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "sim/ride/ghost.h"
+#include "sim/ride/simulated_ride.h"
 #include "sim/study/envelope.h"
 #include "sim/study/riders.h"
 
@@ -38,23 +38,23 @@ inline constexpr double kDrop = 3.0;  // m
 // g, each by ever less, and falls with jolts and overloads. Weights and reasons: docs/ride.md.
 double excitement_of(const Ratings& ratings);
 
-// Properties of a ride that its ghost does not contain: near misses and overloads.
+// Properties of a ride that its simulated ride does not contain: near misses and overloads.
 struct RideMarks {
   int near_misses = 0;
   std::span<const RedSpan> overloads = {};
 };
 
-// Returns the ratings of a ghost on these tables; `cutoff` in Hz is that of the forces' low-pass. An inversion counts
-// where the riders' up, that is the rotation-minimising frame with its banking, points below the horizon by more than
-// 0.2 and then above it again. Takes about 1 ms for a lap of a minute with one car.
-Ratings rate(const Ghost& ghost, const RailTables& tables, double cutoff, const RideMarks& marks = {});
+// Returns the ratings of a simulated ride on these tables; `cutoff` in Hz is that of the forces' low-pass. An inversion
+// counts where the riders' up, that is the rotation-minimising frame with its banking, points below the horizon by more
+// than 0.2 and then above it again. Takes about 1 ms for a lap of a minute with one car.
+Ratings rate(const SimulatedRide& simulated, const RailTables& tables, double cutoff, const RideMarks& marks = {});
 
 // Return a readable report, and the ride by time as CSV (one line per kForceEvery ticks and one at the end,
 // units in the heading, named by the car whose forces it has).
 // `riders`: all cars, first to last.
-std::string report_text(const Ghost& ghost, const Ratings& ratings, std::span<const Rider> riders,
+std::string report_text(const SimulatedRide& simulated, const Ratings& ratings, std::span<const Rider> riders,
                         std::span<const RedSpan> red, const std::string& track_name);
-std::string report_csv(const Ghost& ghost, std::span<const Rider> riders);
+std::string report_csv(const SimulatedRide& simulated, std::span<const Rider> riders);
 
 // An extreme value of the report: "top speed", in m/s.
 struct Figure {
@@ -78,6 +78,6 @@ inline constexpr double kMissApart =
 
 // Counts the near misses of the first lap, for the first car's riders; without `supports` only those of track. About a
 // microsecond per metre of track and of ride.
-NearMisses near_misses(const Ghost& ghost, const Derived& derived, const Supports* supports);
+NearMisses near_misses(const SimulatedRide& simulated, const Derived& derived, const Supports* supports);
 
 }  // namespace coaster::sim

@@ -6,7 +6,7 @@
 
 #include "base/check.h"
 #include "base/portable_math.h"
-#include "sim/ride/ghost.h"
+#include "sim/ride/simulated_ride.h"
 #include "sim/study/envelope.h"
 #include "world/laboratory.h"
 
@@ -21,8 +21,9 @@ double magnitude(const Felt& force) {
   return std::sqrt(up * up + left * left + forward * forward);
 }
 
-void fill_jerk(const Ghost& ghost, int car, float Felt::*axis, double cutoff, std::vector<RiderSample>& samples) {
-  const std::vector<float> felt = low_passed_g(ghost, car, axis, cutoff);
+void fill_jerk(const SimulatedRide& simulated, int car, float Felt::*axis, double cutoff,
+               std::vector<RiderSample>& samples) {
+  const std::vector<float> felt = low_passed_g(simulated, car, axis, cutoff);
   for (std::size_t k = 0; k < felt.size(); ++k) {
     const std::size_t before = k > 0 ? k - 1 : k, after = std::min(k + 1, felt.size() - 1);
     if (after == before) continue;
@@ -31,14 +32,15 @@ void fill_jerk(const Ghost& ghost, int car, float Felt::*axis, double cutoff, st
   }
 }
 
-void fill_roll_and_height(const Ghost& ghost, int car, const RailTables& tables, const Derived& derived,
+void fill_roll_and_height(const SimulatedRide& simulated, int car, const RailTables& tables, const Derived& derived,
                           std::vector<RiderSample>& samples) {
   std::size_t hint = 0;
   for (std::size_t k = 0; k < samples.size(); ++k) {
-    const GhostSample& moving = ghost.samples[ghost.sample_of(k)];
-    const double distance = ghost.distance(ghost.sample_of(k), car), s = tables.locate(distance, hint);
+    const RideSample& moving = simulated.samples[simulated.sample_of(k)];
+    const double distance = simulated.distance(simulated.sample_of(k), car), s = tables.locate(distance, hint);
     samples[k].height = static_cast<float>(rail_at(tables.segment(hint), s).height);
-    if (!ghost.closed && !(distance >= 0 && distance <= ghost.track_length)) continue;  // on the straight continuation
+    if (!simulated.closed && !(distance >= 0 && distance <= simulated.track_length))
+      continue;  // on the straight continuation
     const SegmentShape& shape = derived.shape_at(hint);
     const double spin = shape.roll.spin(s), v = moving.speed;
     samples[k].roll_rate = static_cast<float>(kDegrees * spin * v);
@@ -51,7 +53,7 @@ void fill_roll_and_height(const Ghost& ghost, int car, const RailTables& tables,
 class Passages {
  public:
   explicit Passages(const Rider& rider) : rider_(rider) {
-    const bool backwards = runs_backwards(*rider.ghost);
+    const bool backwards = runs_backwards(*rider.simulated);
     for (std::size_t k = 0; k < rider.entries(); ++k) {
       const double place = rider.place(k);
       if (places_.empty() || (backwards ? place < places_.back() : place > places_.back()))
@@ -69,8 +71,8 @@ class Passages {
   };
   std::optional<Between> find(double place) const {
     if (const auto here = within(place)) return here;
-    if (!rider_.ghost->closed) return std::nullopt;
-    const double length = rider_.ghost->track_length;
+    if (!rider_.simulated->closed) return std::nullopt;
+    const double length = rider_.simulated->track_length;
     if (const auto later = within(place + length)) return later;
     return within(place - length);
   }
@@ -93,7 +95,9 @@ class Passages {
   std::vector<std::size_t> entries_;
 };
 
-double time_of(const Ghost& ghost, std::size_t entry) { return Ghost::time_of(ghost.sample_of(entry)); }
+double time_of(const SimulatedRide& simulated, std::size_t entry) {
+  return SimulatedRide::time_of(simulated.sample_of(entry));
+}
 
 // Fills the curves at `count` points; of(rider, point, value) returns nothing for a car that does not count there.
 template <class Of>
@@ -116,7 +120,7 @@ void fill(std::size_t riders, std::size_t count, const Of& of, SeatCurves& curve
 }  // namespace
 
 double Rider::value(std::size_t k, RideValue value) const {
-  const Felt& force = ghost->felt(k, car);
+  const Felt& force = simulated->felt(k, car);
   switch (value) {
     case RideValue::vertical: return force.up;
     case RideValue::lateral: return force.left;
@@ -127,31 +131,31 @@ double Rider::value(std::size_t k, RideValue value) const {
     case RideValue::jerk_forward: return samples[k].jerk.forward;
     case RideValue::roll_rate: return samples[k].roll_rate;
     case RideValue::roll_acceleration: return samples[k].roll_acceleration;
-    case RideValue::speed: return ghost->samples[ghost->sample_of(k)].speed;
+    case RideValue::speed: return simulated->samples[simulated->sample_of(k)].speed;
     case RideValue::height: return samples[k].height;
   }
   return 0;
 }
 
-void Riders::update(const Ghost& ghost, const RailTables& tables, const Derived& derived, double cutoff,
+void Riders::update(const SimulatedRide& simulated, const RailTables& tables, const Derived& derived, double cutoff,
                     CarRange cars) {
-  if (serial_ != ghost.serial || cutoff_ != cutoff) samples_.clear();
-  ghost_ = &ghost, serial_ = ghost.serial, cutoff_ = cutoff;
-  samples_.resize(static_cast<std::size_t>(ghost.start.cars));
+  if (serial_ != simulated.serial || cutoff_ != cutoff) samples_.clear();
+  simulated_ = &simulated, serial_ = simulated.serial, cutoff_ = cutoff;
+  samples_.resize(static_cast<std::size_t>(simulated.start.cars));
   for (int car = cars.first; car <= cars.last; ++car) {
     std::vector<RiderSample>& samples = samples_[static_cast<std::size_t>(car)];
     if (!samples.empty()) continue;
-    samples.resize(Rider{&ghost}.entries());
+    samples.resize(Rider{&simulated}.entries());
     for (float Felt::*const axis : {&Felt::up, &Felt::left, &Felt::forward})
-      fill_jerk(ghost, car, axis, cutoff, samples);
-    fill_roll_and_height(ghost, car, tables, derived, samples);
+      fill_jerk(simulated, car, axis, cutoff, samples);
+    fill_roll_and_height(simulated, car, tables, derived, samples);
   }
 }
 
 Rider Riders::car(int index) const {
-  COASTER_CHECK(ghost_ != nullptr && index >= 0 && static_cast<std::size_t>(index) < samples_.size(),
+  COASTER_CHECK(simulated_ != nullptr && index >= 0 && static_cast<std::size_t>(index) < samples_.size(),
                 "the train has this car");
-  return {ghost_, index, samples_[static_cast<std::size_t>(index)], cutoff_};
+  return {simulated_, index, samples_[static_cast<std::size_t>(index)], cutoff_};
 }
 
 std::vector<Rider> Riders::cars(CarRange range) const {
@@ -179,7 +183,7 @@ SeatCurves curves_by_place(std::span<const Rider> riders) {
   const std::size_t count = grid.places().size();
   SeatCurves curves;
   curves.place = grid.places();
-  for (const std::size_t entry : grid.entries()) curves.time.push_back(time_of(*riders.front().ghost, entry));
+  for (const std::size_t entry : grid.entries()) curves.time.push_back(time_of(*riders.front().simulated, entry));
   std::vector<std::optional<Passages::Between>> at(riders.size() * count);
   for (std::size_t i = 0; i < riders.size(); ++i)
     for (std::size_t k = 0; k < count; ++k) at[i * count + k] = passages[i].find(curves.place[k]);
@@ -197,7 +201,7 @@ SeatCurves curves_by_time(std::span<const Rider> riders) {
   const Rider& middle = riders[riders.size() / 2];
   SeatCurves curves;
   for (std::size_t k = 0; k < middle.entries(); ++k)
-    curves.place.push_back(middle.place(k)), curves.time.push_back(time_of(*middle.ghost, k));
+    curves.place.push_back(middle.place(k)), curves.time.push_back(time_of(*middle.simulated, k));
   fill(
       riders.size(), middle.entries(),
       [&](std::size_t i, std::size_t k, RideValue value) { return std::optional(riders[i].value(k, value)); }, curves);
@@ -206,7 +210,7 @@ SeatCurves curves_by_time(std::span<const Rider> riders) {
 
 std::optional<double> value_at(const Rider& rider, double distance, RideValue value) {
   if (value == RideValue::speed) {
-    const auto passing = Passings(*rider.ghost).at(distance, rider.car * rider.ghost->start.spacing);
+    const auto passing = Passings(*rider.simulated).at(distance, rider.car * rider.simulated->start.spacing);
     return passing ? std::optional(passing->speed) : std::nullopt;
   }
   const Passages passages(rider);
@@ -219,7 +223,8 @@ Extreme most_of(std::span<const Rider> riders, RideValue value) {
   for (const Rider& rider : riders)
     for (std::size_t k = 0; k < rider.entries(); ++k)
       if (const double here = rider.value(k, value); std::abs(here) > std::abs(most.value))
-        most = {here, time_of(*rider.ghost, k), rider.ghost->distance(rider.ghost->sample_of(k), rider.car), rider.car};
+        most = {here, time_of(*rider.simulated, k), rider.simulated->distance(rider.simulated->sample_of(k), rider.car),
+                rider.car};
   return most;
 }
 

@@ -1,5 +1,5 @@
-// What the riders of each car and seat feel along a simulated ride, one sample per entry of Ghost::forces. Reads the
-// finished ride, so that nothing is simulated twice.
+// What the riders of each car and seat feel along a simulated ride, one sample per entry of SimulatedRide::forces.
+// Reads the finished ride, so that nothing is simulated twice.
 #pragma once
 
 #include <array>
@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-#include "sim/ride/ghost.h"
+#include "sim/ride/simulated_ride.h"
 
 namespace coaster::world {
 enum class Seat : std::uint8_t;  // world/laboratory.h
@@ -58,22 +58,23 @@ struct RiderSample {
   float height = 0;             // m, of the rails
 };
 
-// True for values that need samples; the others are the ghost's own.
+// True for values that need samples; the others are the simulated ride's own.
 constexpr bool needs_samples(RideValue value) {
   return (value >= RideValue::jerk && value <= RideValue::roll_acceleration) || value == RideValue::height;
 }
 
-// One car along a ride. Valid as long as the ghost and the samples.
+// One car along a ride. Valid as long as the simulated ride and the samples.
 struct Rider {
-  const Ghost* ghost = nullptr;
+  const SimulatedRide* simulated = nullptr;
   int car = 0;
   std::span<const RiderSample> samples;  // may be empty where needs_samples() is false
   double cutoff = 0;                     // Hz, of the jerk's low-pass
 
-  std::size_t entries() const { return ghost->entries(); }
+  std::size_t entries() const { return simulated->entries(); }
   // Returns the car's distance along the track at entry k, m: on a closed track without subtracting laps.
   double place(std::size_t k) const {
-    return ghost->start.front + ghost->samples[ghost->sample_of(k)].travelled - car * ghost->start.spacing;
+    return simulated->start.front + simulated->samples[simulated->sample_of(k)].travelled -
+           car * simulated->start.spacing;
   }
   double value(std::size_t k, RideValue value) const;
 };
@@ -91,14 +92,15 @@ struct CarRange {
 class Riders {
  public:
   // Computes the samples of the cars. About 0.5 ms for a minute of one car.
-  void update(const Ghost& ghost, const RailTables& tables, const Derived& derived, double cutoff, CarRange cars);
+  void update(const SimulatedRide& simulated, const RailTables& tables, const Derived& derived, double cutoff,
+              CarRange cars);
   // Returns a car requested in the last update() or earlier in the same ride.
   Rider car(int index) const;
   std::vector<Rider> cars(CarRange range) const;
   std::vector<Rider> all() const { return cars({0, static_cast<int>(samples_.size()) - 1}); }
 
  private:
-  const Ghost* ghost_ = nullptr;
+  const SimulatedRide* simulated_ = nullptr;
   std::uint64_t serial_ = 0;
   double cutoff_ = 0;
   std::vector<std::vector<RiderSample>> samples_;  // by car; empty: not computed

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "base/check.h"
-#include "sim/ride/ghost.h"
+#include "sim/ride/simulated_ride.h"
 
 namespace coaster::sim {
 namespace {
@@ -70,7 +70,7 @@ class AlongRide {
 std::optional<double> speed_of(std::span<const Rider> riders, const Passings& passings, double distance) {
   std::optional<double> most;
   for (const Rider& rider : riders)
-    if (const auto passing = passings.at(distance, rider.car * rider.ghost->start.spacing))
+    if (const auto passing = passings.at(distance, rider.car * rider.simulated->start.spacing))
       most = std::max(most.value_or(passing->speed), passing->speed);
   return most;
 }
@@ -115,7 +115,7 @@ std::vector<SectionFigures> section_figures(const world::Document& document, con
   std::vector<SectionFigures> all;
   std::optional<SeatCurves> curves;
   std::optional<Passings> passings;
-  if (!riders.empty()) curves = curves_by_place(riders), passings.emplace(*riders.front().ghost);
+  if (!riders.empty()) curves = curves_by_place(riders), passings.emplace(*riders.front().simulated);
   const std::vector<world::Entity>& knots = document.track.knots;
   const auto height = [&](std::size_t i) { return double{world::knot(document, knots[i % knots.size()]).position.y}; };
   for (const world::SectionRun& run : world::sections_of(document)) {

@@ -47,7 +47,7 @@ void fill_error(const SegmentShape& shape, const world::Settings& settings, std:
 
 // Returns the value; lateral, backward and roll values are absolute.
 double value_of(const Rider& rider, std::size_t entry, Colouring colouring) {
-  if (colouring == Colouring::up_stop) return wheel_loads(*rider.ghost, entry, rider.car).of(WheelSet::car).up_stop;
+  if (colouring == Colouring::up_stop) return wheel_loads(*rider.simulated, entry, rider.car).of(WheelSet::car).up_stop;
   const double value = rider.value(entry, *ride_value_of(colouring));
   return colouring == Colouring::vertical || colouring == Colouring::longitudinal ? value : std::abs(value);
 }
@@ -114,7 +114,7 @@ void round_range(TrackValues& values) {
 
 }  // namespace
 
-void TrackValueMemo::fill_segments(const Derived& derived, const world::Settings& settings) {
+void TrackValueCache::fill_segments(const Derived& derived, const world::Settings& settings) {
   for (std::size_t i = 0; i < derived.order.size(); ++i) {
     const SegmentShape& shape = derived.shape_at(i);
     Entry& entry = entries_.obtain(derived.order[i]);
@@ -144,12 +144,12 @@ std::optional<RideValue> ride_value_of(Colouring colouring) {
   }
 }
 
-const TrackValues& TrackValueMemo::update(const Derived& derived, const world::Settings& settings,
-                                          const std::optional<Rider>& rider) {
+const TrackValues& TrackValueCache::update(const Derived& derived, const world::Settings& settings,
+                                           const std::optional<Rider>& rider) {
   const Colouring colouring = settings.lab->colouring;
   const bool of_ride = base::row_of(colouring).of_ride, of_evaluator = colouring == Colouring::error;
   const Key key{colouring,
-                of_ride && rider ? rider->ghost->serial : 0,
+                of_ride && rider ? rider->simulated->serial : 0,
                 of_ride && rider ? rider->cutoff : 0.0,
                 derived.last_build,
                 of_evaluator ? settings.evaluation->evaluator : curve::EvaluatorId{},

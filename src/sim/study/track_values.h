@@ -27,7 +27,7 @@ struct TrackValues {
 // Returns the value of the ride that colours the track; nothing for a colouring by another quantity.
 std::optional<RideValue> ride_value_of(world::Colouring colouring);
 
-class TrackValueMemo {
+class TrackValueCache {
  public:
   // Updates the values. `rider` is read only for colourings of the ride; without one their values are unknown. Ride
   // values: of that car's riders; if it passes several times, the value that differs most from rest. Height and

@@ -36,8 +36,8 @@ WheelLoads wheel_loads(const world::Document& document, const Derived& derived, 
   return wheel_loads(felt(document, derived, train, motion), {design.mass, design.body(), document.heartline});
 }
 
-WheelLoads wheel_loads(const Ghost& ghost, std::size_t entry, int car) {
-  return wheel_loads(ghost.felt(entry, car), {ghost.start.mass, ghost.start.length, ghost.heartline});
+WheelLoads wheel_loads(const SimulatedRide& simulated, std::size_t entry, int car) {
+  return wheel_loads(simulated.felt(entry, car), {simulated.start.mass, simulated.start.length, simulated.heartline});
 }
 
 }  // namespace coaster::sim

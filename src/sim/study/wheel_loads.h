@@ -46,9 +46,10 @@ struct WheelLoads {
 // Returns the loads of a car: forces sum to mass times felt g up and to the left, and all moments about the centre of
 // mass vanish. Forces along the track act at the height of the rails. Both bogies take half of the lateral force.
 WheelLoads wheel_loads(const Felt& felt, const CarBody& car);
-// Return the loads of a train's first car in its present motion, and of a ghost's car at an entry of Ghost::forces.
+// Return the loads of a train's first car in its present motion, and of a simulated ride's car at an entry of
+// SimulatedRide::forces.
 WheelLoads wheel_loads(const world::Document& document, const Derived& derived, world::Entity train,
                        const world::CartMotion& motion);
-WheelLoads wheel_loads(const Ghost& ghost, std::size_t entry, int car);
+WheelLoads wheel_loads(const SimulatedRide& simulated, std::size_t entry, int car);
 
 }  // namespace coaster::sim

@@ -321,7 +321,7 @@ void insert_point(Act& act) {
     act.ui.emit(edit::SplitSegment{{*selected(act)}, session.settings.selected_t});
 }
 
-// True if the preview of the palette's element or of a way home shows.
+// True if the preview of the palette's element or of a closing section shows.
 bool preview_shows(const Act& act) {
   return on<&Aids::show_element>(act) || act.ui.session().settings.aids->circuit > 0;
 }

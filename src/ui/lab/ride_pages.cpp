@@ -27,18 +27,18 @@ void auto_bank_button(Ui& ui) {
     ui.emit(edit::AutoBank{});
 }
 
-void side(Ui& ui, const sim::Ghost& ghost, const sim::Ratings& r, bool within_limits) {
+void side(Ui& ui, const sim::SimulatedRide& simulated, const sim::Ratings& r, bool within_limits) {
   if (const auto to = combo_of(ui, "Left", ui.lab.force_plots[0], "Quantity of the left plot."))
     ui.lab.force_plots[0] = *to;
   if (const auto to = combo_of(ui, "Right", ui.lab.force_plots[1], "Quantity of the right plot."))
     ui.lab.force_plots[1] = *to;
-  choose_seat(ui, ghost.start.cars);
+  choose_seat(ui, simulated.start.cars);
   choose_x_axis(ui);
   auto_bank_button(ui);
   (void)beside_last(ui, base::row_of(world::Layer::limits).label);
   layer_box(ui, world::Layer::limits);
   if (within_limits) small_note("All forces are within limits.");
-  read_out(ui, ghost.lap ? "Lap time" : "Ride time", fixed(r.seconds, 2), "s", "Time of the whole simulated ride.");
+  read_out(ui, simulated.lap ? "Lap time" : "Ride time", fixed(r.seconds, 2), "s", "Time of the whole simulated ride.");
   read_out(ui, "Top speed", r.top_speed.value, 2, "m/s", "Highest speed of the ride.");
   read_out(ui, "Vertical",
            fmt::format("{} .. {}", digits(ui, r.up_least.value, 2, "g"), digits(ui, r.up_most.value, 2, "g")), "g",

@@ -44,7 +44,7 @@ void mark_overload(const sim::Rider& rider, const sim::RedSpan& span, bool over_
     return rider.place(static_cast<std::size_t>(seconds / (sim::kForceEvery * world::kTick) + 0.5));
   };
   const double from = over_time ? span.from : place_of(span.from), to = over_time ? span.to : place_of(span.to);
-  const double lap = !over_time && rider.ghost->closed ? rider.ghost->track_length : 0;
+  const double lap = !over_time && rider.simulated->closed ? rider.simulated->track_length : 0;
   const std::vector<double>& x = over_time ? curves.time : curves.place;
   for (const double turn : {-lap, 0.0, lap}) {
     const auto begin = std::lower_bound(x.begin(), x.end(), std::min(from, to) + turn);
@@ -100,7 +100,7 @@ std::uint32_t RidePlots::colour_of(RideValue value) {
 
 std::optional<RidePlots> RidePlots::make(Ui& ui, bool over_time) {
   const edit::Session& session = ui.session();
-  const sim::Ghost* const ride = ui.find.ride();
+  const sim::SimulatedRide* const ride = ui.find.ride();
   if (ride == nullptr) return std::nullopt;
   const world::LabView& lab = *session.settings.lab;
   const sim::CarRange cars = sim::cars_of(lab.seat, lab.seat_car, ride->start.cars);

@@ -40,7 +40,7 @@ class RidePlots {
   std::string shown(const Ui& ui, sim::RideValue value) const;
   // Returns the colour of a value's curve.
   static std::uint32_t colour_of(sim::RideValue value);
-  const sim::Ghost& ride() const { return *ride_; }
+  const sim::SimulatedRide& ride() const { return *ride_; }
   const SeatStudy& study() const { return *study_; }
 
  private:
@@ -51,7 +51,7 @@ class RidePlots {
   Series curve(sim::RideValue value, std::string label) const;
   void add_overloads(sim::RideValue value, std::vector<Series>& series) const;
 
-  const sim::Ghost* ride_ = nullptr;
+  const sim::SimulatedRide* ride_ = nullptr;
   const SeatStudy* study_ = nullptr;
   bool over_time_ = false;
   double behind_ = 0;                   // m, distance of the seat's car behind the first one

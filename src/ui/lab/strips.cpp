@@ -146,7 +146,7 @@ const char* no_ride(const world::Document& document) {
 }
 
 // Says at the end of the bar where the ride ends before the track does, which a short curve alone hardly shows.
-void early_end(Ui& ui, const sim::Ghost& ride, float bar) {
+void early_end(Ui& ui, const sim::SimulatedRide& ride, float bar) {
   const bool stalls = ride.end == world::FailureKind::stall;
   if (!stalls && ride.end != world::FailureKind::rollback) return;
   const std::string words = fmt::format("The train {} at {}", stalls ? "stalls" : "rolls back",

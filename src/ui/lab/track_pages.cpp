@@ -122,7 +122,7 @@ std::vector<std::size_t> by_jolt(const std::vector<JointRow>& rows) {
 const JointList& kept_joints(Ui& ui) {
   const edit::Session& session = ui.session();
   const sim::Derived& derived = session.derived;
-  const sim::Ghost* const ridden = ui.find.ride();
+  const sim::SimulatedRide* const ridden = ui.find.ride();
   const std::uint64_t ride = ridden != nullptr ? ridden->serial : 0;
   const double cutoff = session.limits.envelope.cutoff;
   return ui.lab.joints.get({derived.last_build, derived.order, derived.closed, ride, cutoff}, [&] {

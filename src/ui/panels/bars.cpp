@@ -191,11 +191,11 @@ void value(RideRow& row, std::string_view label, std::string_view number, float 
 std::string ride_time(const Ui& ui) {
   const edit::Session& session = ui.session();
   const world::CartMotion* const train = session.motion.carts.find(edit::chosen_cart(session));
-  const sim::Ghost* const ride = ui.find.ride();
+  const sim::SimulatedRide* const ride = ui.find.ride();
   if (train == nullptr || ride == nullptr) return "--";
   const double way = sim::within_lap(train->track_distance - ride->start.front, ride->track_length, ride->closed);
   const auto at = std::find_if(ride->samples.begin(), ride->samples.end(),
-                               [&](const sim::GhostSample& sample) { return sample.travelled >= way; });
+                               [&](const sim::RideSample& sample) { return sample.travelled >= way; });
   const double seconds = static_cast<double>(at - ride->samples.begin()) * world::kTick;
   return fmt::format("{} / {} s", fixed(std::min(seconds, ride->seconds()), 1), fixed(ride->seconds(), 1));
 }

@@ -171,8 +171,8 @@ void circuit_button(Ui& ui) {
     toggle_proposals(ui);
 }
 
-// Shows the ways home during their preview.
-void ways_home(Ui& ui) {
+// Shows the closing sections during their preview.
+void closing_sections(Ui& ui) {
   const world::Aids& aids = *ui.session().settings.aids;
   if (aids.circuit <= 0 || !completable(ui.session().document)) return;
   if (ui.session().history.in_gesture) return tinted("The proposals show again after the drag.", palette().dim);
@@ -184,7 +184,7 @@ void ways_home(Ui& ui) {
            fmt::format("{} shows the next one.", ui.keys.shown("Panels")));
   read_out(ui, "Total length###Length home", way.plan.length, 1, "m", "Length of this closing section.");
   read_out(ui, "Worst g", way.felt.most, 1, "g", "Largest vertical felt g on this closing section, not low-passed.");
-  const double jolt = ui.find.way_jolt(at);
+  const double jolt = ui.find.closing_jolt(at);
   read_out(ui, "Worst jolt", jolt, 1, "g",
            "Largest sudden change of felt g at the joints of this closing section, low-passed.",
            jolt > sim::kJoltLimit);
@@ -249,7 +249,7 @@ void elements_panel(Ui& ui) {
     all_element_buttons(ui);
     circuit_button(ui);
   }
-  ways_home(ui);
+  closing_sections(ui);
   if (!session.settings.aids->show_element) return;
   parameters(ui);
   const sim::ElementPlan& plan = ui.find.element();

@@ -31,7 +31,7 @@ edit::AddCart free_place(const edit::Session& session, world::Entity first) {
   constexpr double kRoom = 6;  // m
   const auto is_free = [&](double distance) {
     for (const world::Cart& other : session.document.entities.pool<world::Cart>().items()) {
-      const sim::GhostStart start = sim::start_of(session.document, derived, other);
+      const sim::TrainStart start = sim::start_of(session.document, derived, other);
       if (sim::collide(rails, {distance, 1, kRoom, kRoom}, {start.front, start.cars, start.spacing, start.length}))
         return false;
     }

@@ -90,11 +90,11 @@ void expect_clear(const std::vector<Sample>& line, double from, double length) {
   }
 }
 
-// The ghost of the whole ride feels what was promised, on the new part alone.
-void expect_felt(const sim::Ghost& ride, double from, const sim::FeltRange& promised) {
+// The simulated ride of the whole ride feels what was promised, on the new part alone.
+void expect_felt(const sim::SimulatedRide& ride, double from, const sim::FeltRange& promised) {
   double most = 0, side = 0;
   for (std::size_t i = 0; i * sim::kForceEvery < ride.samples.size(); ++i) {
-    const sim::GhostSample& sample = ride.samples[i * sim::kForceEvery];
+    const sim::RideSample& sample = ride.samples[i * sim::kForceEvery];
     if (ride.distance(i * sim::kForceEvery) < from + 1 || sample.travelled > ride.track_length - ride.start.front)
       continue;
     const sim::Felt& f = ride.forces[i * static_cast<std::size_t>(ride.start.cars)];
@@ -117,7 +117,7 @@ void CompleteCircuitTest::check(std::size_t number) {
   const bool arrives = !proposals().assumed;
   const world::Document before = session.document;
   const std::size_t old = before.track.segments.size(), steps = session.history.undo.size();
-  const double jolt = Finder(session).way_jolt(number - 1);
+  const double jolt = Finder(session).closing_jolt(number - 1);
   const double from = session.derived.length,
                gap = static_cast<double>(glm::distance(world::knot(before, before.track.knots.back()).position,
                                                        world::knot(before, before.track.knots.front()).position));
@@ -152,7 +152,7 @@ TEST_F(CompleteCircuitTest, random_tracks_are_closed_smoothly_clear_and_within_w
     const std::size_t count = proposals().list.size();
     if (count == 0) std::printf("track %d: %s\n", seed, proposals().refusal.c_str());
     completed += count > 0, offers += static_cast<int>(count), arrived += !proposals().assumed;
-    for (const sim::CircuitProposal& way : proposals().list) gentle += way.felt.side <= sim::kGentleSide;
+    for (const sim::CircuitProposal& closing : proposals().list) gentle += closing.felt.side <= sim::kGentleSide;
     for (std::size_t n = 1; n <= count; ++n) {
       SCOPED_TRACE(fmt::format("track {}, proposal {}", seed, n));
       check(n);

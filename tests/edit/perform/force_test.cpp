@@ -73,8 +73,8 @@ TEST_F(Forces, both_ends_stay_while_the_keys_are_met_as_far_as_possible) {
   EXPECT_EQ(exchange::print_track(session.document).find("\"hold\": false"), std::string::npos);
 }
 
-// The way home that follows keeps its knots to the bit, too.
-TEST_F(Forces, a_circuit_is_closed_by_the_same_way_home_while_both_ends_stay) {
+// The closing section that follows keeps its knots to the bit, too.
+TEST_F(Forces, a_circuit_is_closed_by_the_same_closing_section_while_both_ends_stay) {
   drop_and_force();
   key("vertical key 1 at 0"), key("vertical key 1.8 at 15"), key("vertical key 0.9 at 32");
   good("complete 1");

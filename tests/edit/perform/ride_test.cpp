@@ -98,12 +98,12 @@ TEST_F(Riding, undo_never_rewinds_the_ride) {
 }
 
 TEST_F(Riding, the_selected_cart_is_the_one_that_is_spoken_of_else_the_first) {
-  const sim::Ghost* const first = Finder(session).ride();
+  const sim::SimulatedRide* const first = Finder(session).ride();
   ASSERT_TRUE(first);
   const double front = first->start.front;
   good("select @c2");
   EXPECT_EQ(chosen_cart(session), entity("c2"));
-  const sim::Ghost* const second = Finder(session).ride();
+  const sim::SimulatedRide* const second = Finder(session).ride();
   ASSERT_TRUE(second);
   EXPECT_NE(second->start.front, front);
   const world::CartMotion before = cart();

@@ -143,7 +143,7 @@ TEST_F(TakeUp, random_changes_are_refused_or_keep_random_circuits_closed) {
 TEST_F(TakeUp, a_higher_lift_moves_what_follows_and_keeps_the_first_knot) {
   circuit();
   const world::SectionRun before = completing();
-  const world::WayHome way = value().way;
+  const world::ClosingPlan way = value().way;
   const world::Knot start = knot_at(before.first), home = knot_at(before.end());
   good("section.change @q2 to climb height 30 equipment lift");
   const world::SectionRun now = completing();
@@ -197,12 +197,12 @@ TEST_F(TakeUp, knots_moved_by_hand_free_it) {
   const std::string inside = world::label_of(session.document, session.document.track.knots[run.first + 1]);
   good("move @" + inside + " to 0 30 0");
   EXPECT_TRUE(world::is_free(session.document, run.section));
-  EXPECT_EQ(world::section(session.document, run.section).way, world::WayHome{});
+  EXPECT_EQ(world::section(session.document, run.section).closing, world::ClosingPlan{});
   EXPECT_NE(session.notices.list.back().text.find("The closing section is now hand-shaped."), std::string::npos);
   refused("section.change @q2 to climb height 30", "no closing section follows");
 }
 
-TEST_F(TakeUp, what_no_way_home_can_take_up_is_refused) {
+TEST_F(TakeUp, what_no_closing_section_can_take_up_is_refused) {
   circuit();
   good("section.change @q1 to straight length 2000 equipment station");
   refused("section.change @q5 to straight length 2000",

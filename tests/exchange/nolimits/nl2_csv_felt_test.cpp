@@ -498,10 +498,10 @@ TEST(nl2_csv_felt, rolls_that_start_at_once_throw_riders_as_hard_as_in_closed_fo
     world::Document document = parse_nl2_csv(rows, "t.csv")->document;
     document.start_speed = kSpeed;
     const sim::Derived derived = sim::shapes_of(document);
-    sim::GhostMemo memo;
-    const sim::Ghost* const ghost = memo.ride(document, derived, world::first_cart(document));
+    sim::RideCache cache;
+    const sim::SimulatedRide* const simulated = cache.ride(document, derived, world::first_cart(document));
     double most = 0;
-    for (const sim::Jolt& jolt : sim::jolts(*ghost, 5)) most = std::max(most, jolt.total);
+    for (const sim::Jolt& jolt : sim::jolts(*simulated, 5)) most = std::max(most, jolt.total);
     EXPECT_LT(most, (spacing < 0.1 ? 1.2 : 3) * 2.40 * 5 * heart * kRate90 * kSpeed / world::kGravity);
   }
 }

@@ -13,7 +13,7 @@
 #include "exchange/nolimits/nl2_header.h"
 #include "exchange/nolimits/nl2_rounded.h"
 #include "exchange/nolimits/nl2_spline.h"
-#include "sim/ride/ghost.h"
+#include "sim/ride/simulated_ride.h"
 #include "sim/study/ratings.h"
 #include "world/topology.h"
 
@@ -38,10 +38,10 @@ world::Document sample_track(const std::string& name, double speed) {
 // What riders feel in a lap, low-passed at 5 Hz.
 sim::Ratings felt(const world::Document& document) {
   const sim::Derived derived = sim::shapes_of(document);
-  sim::GhostMemo memo;
-  const sim::Ghost* const ghost = memo.ride(document, derived, world::first_cart(document));
-  EXPECT_TRUE(ghost->lap || !document.track.closed) << "the ride ends early";
-  return sim::rate(*ghost, memo.tables(document, derived), 5);
+  sim::RideCache cache;
+  const sim::SimulatedRide* const simulated = cache.ride(document, derived, world::first_cart(document));
+  EXPECT_TRUE(simulated->lap || !document.track.closed) << "the ride ends early";
+  return sim::rate(*simulated, cache.tables(document, derived), 5);
 }
 
 // The largest distance of the rows' positions from the document's curve, by brute force.

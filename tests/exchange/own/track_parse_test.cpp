@@ -186,12 +186,12 @@ TEST(track_parse, sections_are_checked) {
                "sections[0].side: expected \"left\" or \"right\", found \"up\"");
   expect_error(one(R"("kind": "loop", "height": 101)"),
                "sections[0].height: expected a number from 3 to 100, found 101");
-  constexpr const char* kWay = R"("kind": "complete", "first": 90, "second": -90, "radius": 20, "before": 0,
+  constexpr const char* kProposal = R"("kind": "complete", "first": 90, "second": -90, "radius": 20, "before": 0,
       "after": 5, "level": true, "height": 12, "tight": false, "speed": 14, "coasts": true)";
-  EXPECT_EQ(error_of(one(kWay)), "");
+  EXPECT_EQ(error_of(one(kProposal)), "");
   expect_error(one(R"("kind": "complete")"), "sections[0].first: missing; expected a number");
   const auto way_with = [&](std::string_view before, std::string_view after) {
-    std::string way(kWay);
+    std::string way(kProposal);
     return one(way.replace(way.find(before), before.size(), after));
   };
   expect_error(way_with("-90", "-721"), "sections[0].second: expected a number from -720 to 720, found -721");

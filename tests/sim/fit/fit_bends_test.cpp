@@ -97,10 +97,10 @@ double largest_jolt(world::Document document) {
   world::add_cart(document, document.track.segments[0], 0);
   document.start_speed = 20;
   const Derived derived = shapes_of(document);
-  GhostMemo memo;
-  const Ghost* const ghost = memo.ride(document, derived, world::first_cart(document));
+  RideCache cache;
+  const SimulatedRide* const simulated = cache.ride(document, derived, world::first_cart(document));
   double most = 0;
-  for (const Jolt& jolt : jolts(*ghost, 5)) most = std::max(most, jolt.total);
+  for (const Jolt& jolt : jolts(*simulated, 5)) most = std::max(most, jolt.total);
   return most;
 }
 

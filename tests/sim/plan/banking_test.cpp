@@ -12,7 +12,7 @@ constexpr double kG = world::kGravity;
 struct Banked {
   world::Document document;
   Derived derived;
-  GhostMemo memo;
+  RideCache cache;
   world::Entity cart;
   Banked(world::Document d, double speed, int cars = 1, std::size_t segment = 0) : document(std::move(d)) {
     cart = world::add_cart(document, document.track.segments.at(segment), 0.2);
@@ -20,9 +20,9 @@ struct Banked {
     document.start_speed = speed, document.heartline = 0;
     derive(document, {}, {}, derived);
   }
-  const Ghost& ghost() { return *memo.ride(document, derived, cart); }
+  const SimulatedRide& simulated() { return *cache.ride(document, derived, cart); }
   void bank() {
-    const std::vector<glm::vec3> ups = banked_ups(document, derived, ghost());
+    const std::vector<glm::vec3> ups = banked_ups(document, derived, simulated());
     for (std::size_t i = 0; i < ups.size(); ++i) {
       world::Knot& knot = document.entities.get<world::Knot>(document.track.knots[i]);
       knot.up = ups[i];
@@ -37,7 +37,7 @@ TEST(banking, a_flat_circle_is_banked_by_the_angle_of_a_coordinated_turn) {
   for (const double speed : {5.3, 14.3, 23.7}) {
     const double radius = 20.3;
     Banked ring(test::ring_document(48, radius, 0.0), speed);
-    const std::vector<glm::vec3> ups = banked_ups(ring.document, ring.derived, ring.ghost());
+    const std::vector<glm::vec3> ups = banked_ups(ring.document, ring.derived, ring.simulated());
     ASSERT_EQ(ups.size(), 48u);
     for (std::size_t i = 0; i < ups.size(); ++i) {
       const world::Knot& knot = world::knot(ring.document, ring.document.track.knots[i]);
@@ -52,9 +52,9 @@ TEST(banking, riders_feel_no_lateral_g_once_it_is_applied) {
   Banked ring(test::ring_document(24, 30.3, 1.7), 17.3, 3);
   const auto worst_side = [&] {
     float worst = 0;
-    const Ghost& ghost = ring.ghost();
-    for (std::size_t k = 1; k < ghost.forces.size(); k += 3)
-      worst = std::max(worst, std::abs(ghost.forces[k].left));  // the middle car
+    const SimulatedRide& simulated = ring.simulated();
+    for (std::size_t k = 1; k < simulated.forces.size(); k += 3)
+      worst = std::max(worst, std::abs(simulated.forces[k].left));  // the middle car
     return worst;
   };
   const float before = worst_side();
@@ -69,18 +69,18 @@ TEST(banking, airtime_does_not_turn_riders_over) {
   for (const world::Entity e : d.track.knots)
     d.entities.get<world::Knot>(e).up *= -1.0f;  // a train outside on the circle
   Banked hill(d, 31.7);
-  const std::vector<glm::vec3> ups = banked_ups(hill.document, hill.derived, hill.ghost());
+  const std::vector<glm::vec3> ups = banked_ups(hill.document, hill.derived, hill.simulated());
   for (std::size_t i = 0; i < ups.size(); ++i)
     EXPECT_GT(glm::dot(ups[i], world::knot(hill.document, hill.document.track.knots[i]).up), 0) << i;
 }
 
-TEST(banking, knots_that_the_ghost_does_not_reach_keep_their_up) {
+TEST(banking, knots_that_the_simulated_ride_does_not_reach_keep_their_up) {
   world::Document d = test::ring_document(24, 30.3, 9.7);
   Banked stuck(d, 0.0, 1, 2);  // from just behind one top to just before the next, and back
   stuck.document.rollback_fails = true;
-  const Ghost& ghost = stuck.ghost();
-  ASSERT_FALSE(ghost.lap);
-  const std::vector<glm::vec3> ups = banked_ups(stuck.document, stuck.derived, ghost);
+  const SimulatedRide& simulated = stuck.simulated();
+  ASSERT_FALSE(simulated.lap);
+  const std::vector<glm::vec3> ups = banked_ups(stuck.document, stuck.derived, simulated);
   int kept = 0;
   for (std::size_t i = 0; i < ups.size(); ++i)
     kept += ups[i] == world::knot(stuck.document, stuck.document.track.knots[i]).up;

@@ -13,7 +13,7 @@ constexpr double kLevelEnd = 12;  // m: two shortest bends, where nothing is to 
 // The largest slope of a smooth step is 35/16 times its mean, so a bend of that radius takes this length.
 double bend(double change, double radius) { return 35.0 / 16.0 * std::abs(change) * radius; }
 
-TEST(circuit_heights, track_that_begins_steeper_than_a_way_home_may_be_goes_on_as_steep_to_its_level) {
+TEST(circuit_heights, track_that_begins_steeper_than_a_closing_section_may_be_goes_on_as_steep_to_its_level) {
   const HeightLimits limits{30, 20, 0.6};
   for (const double sign : {1.0, -1.0}) {
     const double out = bend(1, sign > 0 ? limits.crest : limits.valley), steady = 20,

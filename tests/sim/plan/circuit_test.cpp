@@ -1,5 +1,5 @@
-// The parts of a way home, checked by other methods: turns integrated by small steps, heights by differences, ends by
-// the track's own curvature.
+// The parts of a closing section, checked by other methods: turns integrated by small steps, heights by differences,
+// ends by the track's own curvature.
 #include <cmath>
 #include <random>
 
@@ -92,7 +92,7 @@ TEST(circuit_heights, reach_the_end_at_its_slope_within_the_radii) {
 }
 
 // The curve has the ends' curvature, roll and spin to the bit, and is continuous in between.
-TEST(circuit_way, its_curve_meets_both_ends_and_keeps_tangent_curvature_and_roll_continuous) {
+TEST(closing_curve, its_curve_meets_both_ends_and_keeps_tangent_curvature_and_roll_continuous) {
   test::RandomElements random(5);
   int curves = 0;
   for (int round = 0; round < 60 && curves < 12; ++round) {
@@ -104,10 +104,10 @@ TEST(circuit_way, its_curve_meets_both_ends_and_keeps_tangent_curvature_and_roll
     task.speed = 14, task.riders = 1.1;
     const CircuitCandidates candidates = circuit_candidates(task);
     if (!candidates.refusal.empty() || candidates.list.empty()) continue;
-    const std::optional<CircuitWay> way = candidates.exact(candidates.list.front());
-    ASSERT_TRUE(way);
+    const std::optional<ClosingCurve> closing = candidates.exact(candidates.list.front());
+    ASSERT_TRUE(closing);
     ++curves;
-    const ElementCurve curve = way_curve(task, *way);
+    const ElementCurve curve = ideal_closing(task, *closing);
     const ElementPoint &first = curve.points.front(), &last = curve.points.back();
     EXPECT_EQ(first.position, task.from.position);
     EXPECT_LT(glm::length(first.curvature - task.from.curvature), 1e-9);
@@ -131,16 +131,16 @@ TEST(circuit_way, its_curve_meets_both_ends_and_keeps_tangent_curvature_and_roll
 
 // The curve between the leads by its definition: place by integration, derivatives by differences.
 struct Middle {
-  const CircuitWay& way;
+  const ClosingCurve& closing;
   std::vector<dvec3> places;
   double step;
-  explicit Middle(const CircuitWay& of, int count) : way(of), step(of.turns.length() / count) {
-    dvec2 at = way.in.pose.place;
+  explicit Middle(const ClosingCurve& of, int count) : way(of), step(of.turns.length() / count) {
+    dvec2 at = closing.in.pose.place;
     constexpr int kFine = 8;
     for (int i = 0; i <= count; ++i) {
-      places.push_back({at.x, way.heights.at(i * step).height, at.y});
+      places.push_back({at.x, closing.heights.at(i * step).height, at.y});
       for (int k = 0; k < kFine; ++k) {
-        const double heading = way.turns.at(i * step + (k + 0.5) * step / kFine).angle;
+        const double heading = closing.turns.at(i * step + (k + 0.5) * step / kFine).angle;
         at += step / kFine * dvec2(std::cos(heading), std::sin(heading));
       }
     }
@@ -148,7 +148,7 @@ struct Middle {
 };
 
 // Felt is what carries the rider: gravity's opposite and the acceleration across the track, by three places of it.
-TEST(circuit_way, what_is_estimated_is_felt_and_the_rough_line_is_the_rails) {
+TEST(closing_curve, what_is_estimated_is_felt_and_the_rough_line_is_the_rails) {
   int ways = 0, lifted = 0, pressed = 0;
   for (const bool coasts : {true, false})
     for (const double rise : {-9.0, 4.0, 11.0})
@@ -158,12 +158,12 @@ TEST(circuit_way, what_is_estimated_is_felt_and_the_rough_line_is_the_rails) {
         task.speed = 21, task.coasts = coasts, task.rails = 0.7;
         const CircuitCandidates candidates = circuit_candidates(task);
         for (std::size_t i = 0; i < candidates.list.size(); i += 1 + candidates.list.size() / 3) {
-          const CircuitWay way = candidates.rough(candidates.list[i]);
+          const ClosingCurve closing = candidates.rough(candidates.list[i]);
           constexpr int kSteps = 2'000;
-          const std::optional<FeltRange> felt = estimate(task, way, kSteps);
+          const std::optional<FeltRange> felt = estimate(task, closing, kSteps);
           if (!felt) continue;
           ++ways;
-          const Middle middle(way, kSteps);
+          const Middle middle(closing, kSteps);
           double most = 1, least = 1;
           const auto square = [&](dvec3 place) {
             return 441 - (coasts ? 2 * 9.81 * (place.y - task.from.position.y) : 0);
@@ -181,10 +181,10 @@ TEST(circuit_way, what_is_estimated_is_felt_and_the_rough_line_is_the_rails) {
           EXPECT_NEAR(felt->least, least, 0.03);
           lifted += least<0.8, pressed += most> 1.5;
           const double each = 2.3;
-          const std::vector<WayPlace> line = rough_line(task, way, each);
-          const Middle at(way, static_cast<int>(line.size()) - 1);
+          const std::vector<ClosingPlace> line = rough_line(task, closing, each);
+          const Middle at(closing, static_cast<int>(line.size()) - 1);
           EXPECT_TRUE(line.size() == 301 ? at.step > each : at.step <= each && at.step > 0.8 * each) << at.step;
-          EXPECT_EQ(line.front().s, way.in.length);
+          EXPECT_EQ(line.front().s, closing.in.length);
           for (std::size_t k = 0; k < line.size(); ++k) {
             EXPECT_LT(glm::distance(line[k].rails - 0.7 * line[k].up, at.places[k]), 0.05);
             EXPECT_NEAR(glm::length(line[k].up), 1, 1e-9);
@@ -200,7 +200,7 @@ TEST(circuit_way, what_is_estimated_is_felt_and_the_rough_line_is_the_rails) {
 }
 
 // By the riders' own places over time instead of by the length of track.
-TEST(circuit_way, riders_feel_their_acceleration_by_time) {
+TEST(closing_curve, riders_feel_their_acceleration_by_time) {
   int ways = 0;
   for (const bool coasts : {true, false})
     for (const double rise : {-8.0, 6.0}) {
@@ -209,10 +209,10 @@ TEST(circuit_way, riders_feel_their_acceleration_by_time) {
       task.speed = 19, task.coasts = coasts, task.riders = 1.1;
       const CircuitCandidates candidates = circuit_candidates(task);
       for (std::size_t i = 0; i < candidates.list.size(); i += 1 + candidates.list.size() / 3) {
-        const std::optional<CircuitWay> way = candidates.exact(candidates.list[i]);
-        if (!way) continue;
+        const std::optional<ClosingCurve> closing = candidates.exact(candidates.list[i]);
+        if (!closing) continue;
         ++ways;
-        const ElementCurve curve = way_curve(task, *way);
+        const ElementCurve curve = ideal_closing(task, *closing);
         const FeltRange felt = felt_on(task, curve);
         const auto speed = [&](std::size_t k) {
           const double down = task.from.position.y - curve.points[k].position.y;
@@ -244,7 +244,7 @@ double roll_rate(const ElementPoint& a, const ElementPoint& b) {
   return curve::signed_angle(carried, b.up, b.tangent) / (b.s - a.s);
 }
 
-// A kept speed, and level ends without curvature: 60 m apart, for ways home in half circles.
+// A kept speed, and level ends without curvature: 60 m apart, for closing sections in half circles.
 CircuitTask level_task() {
   CircuitTask task;
   task.from.position = {60, 20, 0}, task.home.position = {0, 20, 0};
@@ -252,13 +252,13 @@ CircuitTask level_task() {
   return task;
 }
 
-TEST(circuit_way, spins_at_every_point_as_its_frame_turns) {
+TEST(closing_curve, spins_at_every_point_as_its_frame_turns) {
   for (const double spin : {-0.04, 0.0, 0.04}) {
     CircuitTask task = level_task();
     task.from.spin = spin, task.home.spin = 0.5 * spin;
     const CircuitCandidates candidates = circuit_candidates(task);
     ASSERT_FALSE(candidates.list.empty());
-    const ElementCurve curve = way_curve(task, candidates.exact(candidates.list.front()).value());
+    const ElementCurve curve = ideal_closing(task, candidates.exact(candidates.list.front()).value());
     for (std::size_t i = 1; i < curve.points.size(); ++i) {
       const ElementPoint &a = curve.points[i - 1], &b = curve.points[i];
       ASSERT_NEAR(roll_rate(a, b), 0.5 * (a.spin + b.spin), 1e-3) << "at " << b.s << " m with spin " << spin;
@@ -268,16 +268,16 @@ TEST(circuit_way, spins_at_every_point_as_its_frame_turns) {
 
 // The same way from an upright end shows what fades. A cubic of the time T that turns by r has a rate of 1.5 r / T in
 // its middle and a change of 6 r / T^2 at its ends: one of them is the limit, where the fade is not the shortest.
-TEST(circuit_way, fades_the_roll_of_the_open_end_as_quickly_as_riders_bear) {
+TEST(closing_curve, fades_the_roll_of_the_open_end_as_quickly_as_riders_bear) {
   const CircuitTask upright = level_task();
   const CircuitCandidates candidates = circuit_candidates(upright);
   ASSERT_FALSE(candidates.list.empty());
-  const CircuitWay way = candidates.exact(candidates.list.front()).value();
-  const ElementCurve plain = way_curve(upright, way);
+  const ClosingCurve closing = candidates.exact(candidates.list.front()).value();
+  const ElementCurve plain = ideal_closing(upright, closing);
   for (const double roll : {0.3, -0.6, 1.3}) {
     CircuitTask task = upright;
     task.from.up = curve::rotate(task.from.up, task.from.forward, roll);
-    const ElementCurve rolled = way_curve(task, way);
+    const ElementCurve rolled = ideal_closing(task, closing);
     ASSERT_EQ(rolled.points.size(), plain.points.size());
     const auto left = [&](std::size_t i) {
       return curve::signed_angle(plain.points[i].up, rolled.points[i].up, plain.points[i].tangent);
@@ -327,14 +327,14 @@ TEST(circuit_search, the_way_most_like_a_former_one_comes_first) {
     const CircuitCandidates candidates = circuit_candidates(task);
     for (std::size_t i = 0; i < candidates.list.size(); i += 1 + candidates.list.size() / 12) {
       const CircuitCandidate& candidate = candidates.list[i];
-      const std::optional<CircuitWay> way = candidates.exact(candidate);
-      if (!way) continue;
-      const world::WayHome former = candidates.described(candidate, *way);
+      const std::optional<ClosingCurve> closing = candidates.exact(candidate);
+      if (!closing) continue;
+      const world::ClosingPlan former = candidates.described(candidate, *closing);
       const CircuitCandidates again = candidates_like(former, task);
       ASSERT_FALSE(again.list.empty());
-      const std::optional<CircuitWay> first = again.exact(again.list.front());
+      const std::optional<ClosingCurve> first = again.exact(again.list.front());
       ASSERT_TRUE(first);
-      const world::WayHome found = again.described(again.list.front(), *first);
+      const world::ClosingPlan found = again.described(again.list.front(), *first);
       EXPECT_EQ(found.radius, former.radius);
       EXPECT_EQ(found.before, former.before);
       EXPECT_EQ(found.after, former.after);
@@ -357,7 +357,7 @@ TEST(circuit_search, the_way_most_like_a_former_one_comes_first) {
   EXPECT_GT(moves, 80);
 }
 
-TEST(circuit_search, says_what_makes_a_way_home_impossible) {
+TEST(circuit_search, says_what_makes_a_closing_section_impossible) {
   CircuitTask task;
   task.from.position = {0, 3, 0}, task.home.position = {40, 30, 10};
   task.speed = 9;

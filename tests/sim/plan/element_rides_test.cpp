@@ -1,4 +1,4 @@
-// Every element with its default values, ridden by the ghost at its design speed: forces and inversions.
+// Every element with its default values, ridden by the simulated ride at its design speed: forces and inversions.
 #include <gtest/gtest.h>
 
 #include "sim/plan/elements.h"
@@ -38,11 +38,11 @@ Ratings rated(const Ride& ride, world::TrackCurve curve) {
   const world::Entity cart = world::add_cart(d, d.track.segments.front(), 0.5);
   d.start_speed = ride.speed;
   const Derived derived = test::derived_of(d);
-  GhostMemo memo;
-  const Ghost& ghost = *memo.ride(d, derived, cart);
-  const double end_place = ghost.samples.back().travelled + ghost.start.front;
-  EXPECT_GT(end_place, ghost.track_length - 2) << base::name_of(ride.kind) << " is ridden to its end";
-  return rate(ghost, memo.tables(d, derived), 5.0);
+  RideCache cache;
+  const SimulatedRide& simulated = *cache.ride(d, derived, cart);
+  const double end_place = simulated.samples.back().travelled + simulated.start.front;
+  EXPECT_GT(end_place, simulated.track_length - 2) << base::name_of(ride.kind) << " is ridden to its end";
+  return rate(simulated, cache.tables(d, derived), 5.0);
 }
 
 constexpr Ride kRides[] = {
@@ -77,11 +77,11 @@ TEST(element_rides, a_brake_run_stops_a_fast_train_in_its_station) {
   const world::Entity cart = world::add_cart(d, d.track.segments.front(), 0);
   d.start_speed = 23;
   const Derived derived = test::derived_of(d);
-  GhostMemo memo;
-  const Ghost& ghost = *memo.ride(d, derived, cart);
+  RideCache cache;
+  const SimulatedRide& simulated = *cache.ride(d, derived, cart);
   double in_station = 0, waiting = 1e9;
-  for (std::size_t i = 0; i < ghost.samples.size(); ++i) {
-    const double place = ghost.distance(i), speed = std::abs(ghost.samples[i].speed);
+  for (std::size_t i = 0; i < simulated.samples.size(); ++i) {
+    const double place = simulated.distance(i), speed = std::abs(simulated.samples[i].speed);
     if (place > 45.5 && place < 46) in_station = speed;
     if (place > 46) waiting = std::min(waiting, speed);
   }

@@ -93,17 +93,17 @@ TEST(elements, the_open_end_is_the_last_knot_with_the_curvature_that_leads_there
 }
 
 TEST(elements, the_memo_plans_anew_when_the_element_or_the_end_changes) {
-  ElementMemo memo;
+  ElementCache cache;
   world::Document document;
   const world::Element loop = world::usual_element(ElementKind::loop), curve = world::usual_element(ElementKind::curve);
-  const ElementPlan* const first = &memo.plan(loop, document);
+  const ElementPlan* const first = &cache.plan(loop, document);
   EXPECT_EQ(first->element, loop);
   const void* const points = first->ideal.points.data();
-  EXPECT_EQ(memo.plan(loop, document).ideal.points.data(), points) << "kept";
-  EXPECT_EQ(memo.plan(curve, document).element, curve);
-  EXPECT_NEAR(memo.plan(loop, document).lowest, 2, 1e-9);
+  EXPECT_EQ(cache.plan(loop, document).ideal.points.data(), points) << "kept";
+  EXPECT_EQ(cache.plan(curve, document).element, curve);
+  EXPECT_NEAR(cache.plan(loop, document).lowest, 2, 1e-9);
   world::append_knot(document, {{0, 30, 0}, {0, 0, 1}, {0, 1, 0}, 5, 5});
-  EXPECT_NEAR(memo.plan(loop, document).lowest, 30, 1e-9);
+  EXPECT_NEAR(cache.plan(loop, document).lowest, 30, 1e-9);
 }
 
 TEST(elements, far_from_the_origin_rounding_to_float_is_allowed_for) {

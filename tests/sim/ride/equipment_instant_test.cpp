@@ -1,12 +1,12 @@
-// Equipment switches at the instant: speeds by the energy, whatever the ticks, and the ghost as the ride.
+// Equipment switches at the instant: speeds by the energy, whatever the ticks, and the simulated ride as the ride.
 #include <gtest/gtest.h>
 
 #include <cmath>
 
 #include "exchange/formats.h"
 #include "sim/ride/equipment.h"
-#include "sim/ride/ghost.h"
 #include "sim/ride/live_ride.h"
+#include "sim/ride/simulated_ride.h"
 #include "sim/tracks.h"
 #include "world/equipment_rows.h"
 
@@ -42,10 +42,10 @@ void expect_exit(const world::Document& document, double expected, double pull, 
   while (ride.runs() && ride.train().track_distance <= end) ride.step(1);
   const world::CartMotion& cart = ride.train();
   EXPECT_NEAR(speed_at(end, cart.track_distance, cart.speed, pull), expected, 1e-6) << what;
-  const Ghost& ghost = ride.ghost();
-  const auto passed = passing(ghost, end);
+  const SimulatedRide& simulated = ride.simulated();
+  const auto passed = passing(simulated, end);
   ASSERT_TRUE(passed) << what;
-  EXPECT_NEAR(passed->speed, expected, 1.5e-6) << what << ", ghost";  // the knots are floats
+  EXPECT_NEAR(passed->speed, expected, 1.5e-6) << what << ", simulated";  // the knots are floats
 }
 
 TEST(equipment_instant, exits_have_the_speed_of_the_energy_with_slope_and_losses) {
@@ -130,32 +130,33 @@ TEST(equipment_instant, a_brake_that_is_too_weak_slows_a_train_that_rolls_back) 
 }
 
 // Compares tick by tick, where the first car has just passed an end of equipment.
-void expect_as_ghost(world::Document document, int cars, double speed_within, double within, const std::string& what) {
+void expect_as_simulated(world::Document document, int cars, double speed_within, double within,
+                         const std::string& what) {
   document.entities.get<world::Cart>(world::first_cart(document)).cars = cars;
   Ride ride(std::move(document));
   const auto spans = equipment_spans(ride.document, ride.derived);
-  const Ghost ghost = ride.ghost();
+  const SimulatedRide simulated = ride.simulated();
   double worst_speed = 0, worst = 0;
-  for (std::size_t tick = 1; tick < ghost.samples.size() && ride.runs(); ++tick) {
+  for (std::size_t tick = 1; tick < simulated.samples.size() && ride.runs(); ++tick) {
     const double before = ride.train().track_distance;
     ride.step(1);
     const double after = ride.train().track_distance;
     for (const EquipmentSpan& span : spans) {
       if (!(before < span.to && after >= span.to)) continue;
-      worst_speed = std::max(worst_speed, std::abs(ride.train().speed - ghost.samples[tick].speed));
-      worst = std::max(worst, std::abs(ride.train().travelled - ghost.samples[tick].travelled));
+      worst_speed = std::max(worst_speed, std::abs(ride.train().speed - simulated.samples[tick].speed));
+      worst = std::max(worst, std::abs(ride.train().travelled - simulated.samples[tick].travelled));
     }
   }
   EXPECT_LT(worst_speed, speed_within) << what << ", " << cars << " cars";
   EXPECT_LT(worst, within) << what << ", " << cars << " cars";
 }
 
-TEST(equipment_instant, the_ghost_passes_every_end_as_the_ride_does) {
+TEST(equipment_instant, the_simulated_ride_passes_every_end_as_the_ride_does) {
   base::Files files;
   for (const char* const name : {"kingfisher", "old_timber"}) {
     auto track = exchange::load_track(files, std::string(COASTER_SOURCE_DIR) + "/tracks/" + name + ".json");
     ASSERT_TRUE(track.ok()) << name;
-    for (const int cars : {1, 8}) expect_as_ghost(track->document, cars, 1e-6, 1e-6, name);
+    for (const int cars : {1, 8}) expect_as_simulated(track->document, cars, 1e-6, 1e-6, name);
   }
   world::Document ring = test::ring_document(16, 40.3, 2);
   ring.entities.put(ring.track.segments[4], world::Equipment{EquipmentKind::brake, 8, 20, 0.5f, 0});
@@ -163,7 +164,7 @@ TEST(equipment_instant, the_ghost_passes_every_end_as_the_ride_does) {
   ring.entities.put(ring.track.segments[12], world::Equipment{EquipmentKind::block, 9, 9, 0.2f, 0});
   world::add_cart(ring, ring.track.segments[2], 0.3);
   ring.start_speed = 16;
-  for (const int cars : {1, 8}) expect_as_ghost(ring, cars, 3e-6, 1e-6, "ring");  // the tables
+  for (const int cars : {1, 8}) expect_as_simulated(ring, cars, 3e-6, 1e-6, "ring");  // the tables
 }
 
 TEST(blocks_at_rest, a_train_on_a_free_block_is_driven_on) {
@@ -177,7 +178,7 @@ TEST(blocks_at_rest, a_train_on_a_free_block_is_driven_on) {
       ride.step(600);
       EXPECT_TRUE(ride.runs());
       EXPECT_GT(ride.train().travelled, fraction < 1 ? 5 : 1) << fraction << ", " << cars;
-      EXPECT_EQ(ride.ghost().end, world::FailureKind::off_end);
+      EXPECT_EQ(ride.simulated().end, world::FailureKind::off_end);
     }
 }
 

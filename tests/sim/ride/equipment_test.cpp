@@ -254,8 +254,8 @@ TEST(train_mass, drag_slows_a_heavy_train_less_by_the_closed_form) {
     const double k = 0.01 * 500.0 / static_cast<double>(mass);
     EXPECT_NEAR(ride.train().speed, 20 / (1 + k * 20 * 2), 1e-6) << mass;
     EXPECT_LT(ride.drift(), 1e-9);
-    const Ghost& ghost = *ride.memo.ride(ride.document, ride.derived, world::first_cart(ride.document));
-    EXPECT_NEAR(ghost.samples.at(240).speed, ride.train().speed, 1e-6) << mass;
+    const SimulatedRide& simulated = *ride.cache.ride(ride.document, ride.derived, world::first_cart(ride.document));
+    EXPECT_NEAR(simulated.samples.at(240).speed, ride.train().speed, 1e-6) << mass;
   }
 }
 

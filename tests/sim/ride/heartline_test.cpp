@@ -1,8 +1,8 @@
 // A roll on a level straight at constant speed, about the riders' hearts and about the rails.
 #include <gtest/gtest.h>
 
-#include "sim/ride/ghost.h"
 #include "sim/ride/ride.h"
+#include "sim/ride/simulated_ride.h"
 #include "sim/tracks.h"
 
 namespace coaster::sim {
@@ -43,8 +43,8 @@ void each_place(const world::Document& document, const Visit& visit) {
   const world::Entity entity = document.entities.pool<world::Cart>().entities()[0];
   world::Motion motion;
   reset(document, derived, motion);
-  GhostMemo memo;
-  const RailTables& tables = memo.tables(document, derived);
+  RideCache cache;
+  const RailTables& tables = cache.tables(document, derived);
   for (std::size_t i = 0; i < derived.order.size(); ++i)
     for (double s = 2; s < derived.shape_at(i).arc.length() - 2; s += 0.7) {
       seek(document, derived, entity, derived.starts[i] + s, motion);

@@ -11,9 +11,9 @@ namespace lap_table_test {
 struct Lap {
   world::Document document;
   Derived derived;
-  GhostMemo memo;
+  RideCache cache;
   world::Entity cart;
-  GhostStart start;
+  TrainStart start;
 
   explicit Lap(int cars = 1, double speed = 17.3) : document(test::ring_document(12, 40.3, 7.7)) {
     cart = world::add_cart(document, document.track.segments[4], 0.37);
@@ -22,22 +22,22 @@ struct Lap {
     derive(document, {}, {}, derived);
     start = start_of(document, derived, document.entities.get<world::Cart>(cart));
   }
-  const LapTable& table() { return memo.lap(document, derived, start); }
+  const LapTable& table() { return cache.lap(document, derived, start); }
 };
 
-TEST(lap_table, is_the_ghost_at_whole_ticks) {
+TEST(lap_table, is_the_simulated_ride_at_whole_ticks) {
   Lap lap;
   const LapTable table = lap.table();
   ASSERT_TRUE(table.valid());
-  const Ghost& ghost = lap.memo.from(lap.document, lap.derived, lap.start);
+  const SimulatedRide& simulated = lap.cache.from(lap.document, lap.derived, lap.start);
   LapCart cart = lap_cart(table, 0);
   for (std::size_t tick = 0; static_cast<double>(tick) < table.period(); ++tick) {
-    ASSERT_EQ(cart.along, ghost.samples[tick].travelled) << tick;
-    ASSERT_EQ(cart.speed, ghost.samples[tick].speed) << tick;
+    ASSERT_EQ(cart.along, simulated.samples[tick].travelled) << tick;
+    ASSERT_EQ(cart.speed, simulated.samples[tick].speed) << tick;
     advance(table, cart);
   }
   EXPECT_EQ(cart.laps, 1);
-  EXPECT_NEAR(table.period() * world::kTick, ghost.lap_time, 1e-5);
+  EXPECT_NEAR(table.period() * world::kTick, simulated.lap_time, 1e-5);
 }
 
 TEST(lap_table, moves_many_carts_with_the_bits_of_one) {
@@ -73,7 +73,7 @@ TEST(lap_table, is_there_for_laps_that_repeat_alone) {
   Lap slow(1, 1.0), losing, equipped;
   EXPECT_FALSE(slow.table().valid());  // does not come over the hill
   losing.document.resistance = {0.001f, 0};
-  EXPECT_TRUE(losing.memo.from(losing.document, losing.derived, losing.start).lap);
+  EXPECT_TRUE(losing.cache.from(losing.document, losing.derived, losing.start).lap);
   EXPECT_FALSE(losing.table().valid());
   equipped.document.entities.put(equipped.document.track.segments[0], world::Equipment{});
   EXPECT_FALSE(equipped.table().valid());
@@ -88,7 +88,7 @@ struct Rides {
     motion.state = world::RideState::running;
   }
   void step(int ticks, const char* row) {
-    sim::step(lap.document, lap.derived, base::value_named<world::IntegratorId>(row).value(), ticks, lap.memo, motion);
+    sim::step(lap.document, lap.derived, base::value_named<world::IntegratorId>(row).value(), ticks, lap.cache, motion);
   }
   const world::CartMotion& cart() const { return motion.carts.items()[0]; }
   // The first time at which it has gone round `laps` times, s, by the ticks around it and the speed.
@@ -129,8 +129,8 @@ TEST(precomputed, one_step_of_many_ticks_is_many_steps_of_one_and_simulates_once
   for (int i = 0; i < 5000; ++i) many.step(1, "precomputed");
   EXPECT_GT(one.cart().laps, 2);
   EXPECT_EQ(one.motion, many.motion);
-  EXPECT_EQ(one.lap.memo.simulations(), 1u);
-  EXPECT_EQ(many.lap.memo.simulations(), 1u);
+  EXPECT_EQ(one.lap.cache.simulations(), 1u);
+  EXPECT_EQ(many.lap.cache.simulations(), 1u);
 }
 
 TEST(precomputed, hands_over_to_another_integrator_where_it_is) {
@@ -148,7 +148,7 @@ TEST(precomputed, hands_over_to_another_integrator_where_it_is) {
 struct Crowd {
   world::Document document = test::ring_document(12, 400.3, 7.7);
   Derived derived;
-  GhostMemo memo;
+  RideCache cache;
   world::Motion motion;
 
   Crowd() {
@@ -161,7 +161,7 @@ struct Crowd {
     motion.state = world::RideState::running;
   }
   void run(std::string_view integrator, int ticks) {
-    step(document, derived, base::value_named<world::IntegratorId>(integrator).value(), ticks, memo, motion);
+    step(document, derived, base::value_named<world::IntegratorId>(integrator).value(), ticks, cache, motion);
   }
 };
 
@@ -169,7 +169,7 @@ TEST(lap_table, is_shared_by_a_hundred_trains_of_one_energy) {
   Crowd crowd, truth;
   for (int i = 0; i < 60; ++i) crowd.run("precomputed", 20);
   truth.run("rk4", 1200);
-  EXPECT_EQ(crowd.memo.simulations(), 1u);
+  EXPECT_EQ(crowd.cache.simulations(), 1u);
   for (std::size_t i = 0; i < 100; ++i) {
     const world::CartMotion &is = crowd.motion.carts.items()[i], &should = truth.motion.carts.items()[i];
     ASSERT_NEAR(is.travelled, should.travelled, 1e-3) << i;
@@ -189,7 +189,7 @@ TEST(lap_table, trains_of_a_crowd_have_the_bits_of_one_alone) {
     alone.carts.put(crowd.motion.carts.entities()[i], before[i]);
     alone.state = world::RideState::running;
     for (int k = 0; k < 111; ++k)
-      step(crowd.document, crowd.derived, base::value_named<world::IntegratorId>("precomputed").value(), 7, crowd.memo,
+      step(crowd.document, crowd.derived, base::value_named<world::IntegratorId>("precomputed").value(), 7, crowd.cache,
            alone);
     EXPECT_EQ(alone.carts.items()[0], crowd.motion.carts.items()[i]) << i;
   }
@@ -201,7 +201,7 @@ TEST(lap_table, of_more_than_64_energies_is_not_kept_and_trains_move_by_runge_ku
     for (std::size_t i = 0; i < 100; ++i) each->motion.carts.items()[i].speed += 0.01 * static_cast<double>(i);
   crowd.run("precomputed", 100);
   truth.run("rk4", 100);
-  EXPECT_EQ(crowd.memo.simulations(), 0u);
+  EXPECT_EQ(crowd.cache.simulations(), 0u);
   EXPECT_EQ(crowd.motion, truth.motion);
   EXPECT_EQ(truth.motion.state, world::RideState::running);
 }

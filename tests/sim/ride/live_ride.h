@@ -11,7 +11,7 @@ struct LiveRide {
   world::Document document;
   sim::Derived derived;
   world::Motion motion;
-  sim::GhostMemo memo;
+  sim::RideCache cache;
 
   explicit LiveRide(world::Document d) : document(std::move(d)) {
     sim::derive(document, {}, {}, derived);
@@ -19,14 +19,14 @@ struct LiveRide {
     motion.state = world::RideState::running;
   }
   void step(int ticks, const char* row = "rk4") {
-    sim::step(document, derived, base::value_named<world::IntegratorId>(row).value(), ticks, memo, motion);
+    sim::step(document, derived, base::value_named<world::IntegratorId>(row).value(), ticks, cache, motion);
   }
   bool runs() const { return motion.state == world::RideState::running; }
   world::CartMotion& train(std::size_t i = 0) { return motion.carts.items().at(i); }
   double drift(std::size_t i = 0) {
     return sim::energy_drift(document, derived, motion.carts.entities().at(i), train(i));
   }
-  const sim::Ghost& ghost() { return *memo.ride(document, derived, world::first_cart(document)); }
+  const sim::SimulatedRide& simulated() { return *cache.ride(document, derived, world::first_cart(document)); }
 };
 
 }  // namespace coaster::test

@@ -1,4 +1,4 @@
-#include "sim/ride/ghost.h"
+#include "sim/ride/simulated_ride.h"
 
 #include <gtest/gtest.h>
 
@@ -14,15 +14,15 @@ using world::EquipmentKind;
 struct Ridden {
   world::Document document;
   Derived derived;
-  GhostMemo memo;
-  const Ghost* ghost = nullptr;
+  RideCache cache;
+  const SimulatedRide* simulated = nullptr;
 
   Ridden(world::Document d, double speed, int cars, double fraction = 0) : document(std::move(d)) {
     const world::Entity train = world::add_cart(document, document.track.segments.front(), fraction);
     document.entities.get<world::Cart>(train).cars = cars;
     document.start_speed = speed;
     derive(document, {}, {}, derived);
-    ghost = memo.ride(document, derived, train);
+    simulated = cache.ride(document, derived, train);
   }
   double height(double distance) const {
     const TrackPlace at = place_at(derived, distance);
@@ -42,8 +42,8 @@ world::Document straight(const world::Equipment& e) {
 TEST(passing, a_brake_takes_from_each_train_what_its_cars_on_it_do) {
   for (const int cars : {1, 2, 5, 8}) {
     const Ridden ride(straight({EquipmentKind::brake, 2, 4.3f, 0.2f, 0}), 27, cars, 0.6);
-    const double a = 4.3f, d = ride.ghost->start.spacing, in = ride.derived.starts[1], out = ride.derived.starts[2];
-    const Passings passings(*ride.ghost);
+    const double a = 4.3f, d = ride.simulated->start.spacing, in = ride.derived.starts[1], out = ride.derived.starts[2];
+    const Passings passings(*ride.simulated);
     ASSERT_TRUE(passings.at(in) && passings.at(out));
     EXPECT_NEAR(passings.at(in)->speed, 27, 1e-6);
     const auto square = [&](double way) {  // that the first car is on the brake
@@ -61,9 +61,9 @@ TEST(passing, a_brake_takes_from_each_train_what_its_cars_on_it_do) {
 
 TEST(passing, speeds_on_a_tilted_ring_are_those_of_the_energy) {
   const Ridden ride(test::ring_document(24, 40, 6), 19, 1, 0.7);
-  ASSERT_TRUE(ride.ghost->lap);
-  const double start = ride.height(ride.ghost->start.front);
-  const Passings passings(*ride.ghost);
+  ASSERT_TRUE(ride.simulated->lap);
+  const double start = ride.height(ride.simulated->start.front);
+  const Passings passings(*ride.simulated);
   for (int i = 0; i <= 400; ++i) {
     const double at = ride.derived.length * i / 400;
     ASSERT_TRUE(passings.at(at)) << at;
@@ -76,13 +76,13 @@ TEST(passing, a_ride_that_rolls_back_has_its_first_passes_and_one_backwards_its_
   world::Document slope = test::straight_document({0, 0, 0}, {60, 30, 0}, 3);
   slope.rollback_fails = false;
   const Ridden up(slope, 12, 1, 0.5);
-  const double top = 12 * 12 / (2 * world::kGravity * std::sin(std::atan2(30, 60))), from = up.ghost->start.front;
-  ASSERT_TRUE(passing(*up.ghost, from + 0.9 * top));
-  EXPECT_NEAR(passing(*up.ghost, from + 0.9 * top)->speed, 12 * std::sqrt(0.1), 1e-6);
-  EXPECT_FALSE(passing(*up.ghost, from + 1.1 * top));
-  EXPECT_FALSE(passing(*up.ghost, from - 0.1)) << "a first pass is forwards";
+  const double top = 12 * 12 / (2 * world::kGravity * std::sin(std::atan2(30, 60))), from = up.simulated->start.front;
+  ASSERT_TRUE(passing(*up.simulated, from + 0.9 * top));
+  EXPECT_NEAR(passing(*up.simulated, from + 0.9 * top)->speed, 12 * std::sqrt(0.1), 1e-6);
+  EXPECT_FALSE(passing(*up.simulated, from + 1.1 * top));
+  EXPECT_FALSE(passing(*up.simulated, from - 0.1)) << "a first pass is forwards";
   const Ridden down(slope, 0.5, 1, 0.5);
-  const auto back = passing(*down.ghost, down.ghost->start.front - 4);
+  const auto back = passing(*down.simulated, down.simulated->start.front - 4);
   ASSERT_TRUE(back);
   const double pull = world::kGravity * std::sin(std::atan2(30, 60));
   EXPECT_NEAR(back->speed, -std::sqrt(0.25 + 2 * pull * 4), 1e-6);

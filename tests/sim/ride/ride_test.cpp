@@ -13,7 +13,7 @@ struct Ride {
   world::Document document;
   Derived derived;
   world::Motion motion;
-  GhostMemo memo;
+  RideCache cache;
 
   explicit Ride(world::Document d, double speed) : document(std::move(d)) {
     document.start_speed = speed;
@@ -23,7 +23,7 @@ struct Ride {
   }
   void start() { motion.state = world::RideState::running; }
   void step(int ticks, const char* row = "rk4") {
-    sim::step(document, derived, base::value_named<world::IntegratorId>(row).value(), ticks, memo, motion);
+    sim::step(document, derived, base::value_named<world::IntegratorId>(row).value(), ticks, cache, motion);
   }
   world::CartMotion& cart(std::size_t i = 0) { return motion.carts.items().at(i); }
   // v^2/2 + g y of a cart, from the segment's control points by de Casteljau at the parameter that bisection finds for

@@ -1,5 +1,5 @@
 // Start speeds by the energy needed for the highest point.
-#include "sim/ride/ghost.h"
+#include "sim/ride/simulated_ride.h"
 
 #include <cmath>
 

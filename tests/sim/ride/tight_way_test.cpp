@@ -1,7 +1,7 @@
 // Rides through bends far sharper than a tick, compared with a ride in fine steps: the heading of a plane cubic in
 // closed form, the path of a rider above it, and the low-pass as a differential equation. None of it shares code with
 // the ride.
-#include "sim/ride/ghost_detail.h"
+#include "sim/ride/simulated_ride_detail.h"
 
 #include <gtest/gtest.h>
 
@@ -126,7 +126,7 @@ Most fine_ride(const Bend& bend, double front, double speed) {
 
 struct Ridden {
   Ratings ratings;
-  Ghost ghost;
+  SimulatedRide simulated;
 };
 Ridden ride(world::Document d, double front, int cars, float spacing = 1) {
   world::add_cart(d, d.track.segments[0], 0);
@@ -134,9 +134,9 @@ Ridden ride(world::Document d, double front, int cars, float spacing = 1) {
   const Derived derived = test::derived_of(d);
   world::Cart& design = d.entities.get<world::Cart>(cart);
   design.fraction = front / derived.length, design.cars = cars, design.spacing = spacing;
-  GhostMemo memo;
-  const Ghost& ghost = *memo.ride(d, derived, cart);
-  return {rate(ghost, memo.tables(d, derived), kCutoff), ghost};
+  RideCache cache;
+  const SimulatedRide& simulated = *cache.ride(d, derived, cart);
+  return {rate(simulated, cache.tables(d, derived), kCutoff), simulated};
 }
 
 // Within 2 %, or 0.4 % of what half a turn is felt as: what is left where parts of a bend cancel each other.
@@ -252,9 +252,10 @@ TEST(TightWay, IsPassedWhenTheTrainIsThere) {
     for (const double start : {2.0, 8.0, 15.0}) {
       const world::Document document = document_of({.radius = 0.1}, speed);
       const Ridden found = ride(document, start, 1);
-      const auto bend = std::ranges::find_if(
-          found.ghost.bends, [](const BendPassage& b) { return b.peak.impulse.left != 0 || b.peak.impulse.up != 0; });
-      ASSERT_NE(bend, found.ghost.bends.end());
+      const auto bend = std::ranges::find_if(found.simulated.bends, [](const BendPassage& b) {
+        return b.peak.impulse.left != 0 || b.peak.impulse.up != 0;
+      });
+      ASSERT_NE(bend, found.simulated.bends.end());
       const double way = 0.5 * world::exact_length(document) - start;  // the bend is in the middle of the track
       EXPECT_NEAR(bend->peak.time, way / speed, 0.2 / speed) << speed << " from " << start;
     }
@@ -304,7 +305,7 @@ TEST(TightWay, EndsWhereTheTableIsFineEnough) {
   for (const double speed : {2.0, 10.0, 30.0}) {
     const Bend bend{.radius = radius};
     const Ridden found = ride(document_of(bend, speed), 8, 1);
-    EXPECT_TRUE(found.ghost.bends.empty());
+    EXPECT_TRUE(found.simulated.bends.empty());
     const Most right = fine_ride(bend, 8, speed);
     expect_near(found.ratings.side_most.value, std::max(right.most.y, -right.least.y), speed, "side");
   }

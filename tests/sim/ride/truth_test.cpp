@@ -1,12 +1,12 @@
 // Rides on curves in closed form, compared with the motion and forces of mechanics, by both simulations: step() on the
-// exact curve and the ghost over tables. tools/plot_ride_truth draws the same numbers for docs/ride.md.
+// exact curve and the simulated ride over tables. tools/plot_ride_truth draws the same numbers for docs/ride.md.
 #include <gtest/gtest.h>
 
 #include <functional>
 
 #include "sim/ride/comparison.h"
-#include "sim/ride/ghost.h"
 #include "sim/ride/ride.h"
+#include "sim/ride/simulated_ride.h"
 #include "sim/tracks.h"
 #include "world/losses.h"
 
@@ -71,7 +71,7 @@ using Simulate = std::vector<Moment> (*)(const world::Document& document, double
 std::vector<Moment> on_the_curve(const world::Document& document, double seconds) {
   const Derived derived = test::derived_of(document);
   world::Motion motion;
-  GhostMemo memo;
+  RideCache cache;
   reset(document, derived, motion);
   motion.state = world::RideState::running;
   const world::Entity entity = motion.carts.entities()[0];
@@ -81,7 +81,7 @@ std::vector<Moment> on_the_curve(const world::Document& document, double seconds
     const world::CartMotion& cart = motion.carts.items()[0];
     moments.push_back({tick * world::kTick, cart.travelled, cart.speed, {}});
     for (int car = 0; car < cars; ++car) moments.back().felt.push_back(felt(document, derived, entity, cart, car));
-    step(document, derived, {}, kForceEvery, memo, motion);
+    step(document, derived, {}, kForceEvery, cache, motion);
     if (motion.state != world::RideState::running || motion.failure.kind != world::FailureKind::none) break;
   }
   return moments;
@@ -89,17 +89,18 @@ std::vector<Moment> on_the_curve(const world::Document& document, double seconds
 
 std::vector<Moment> over_tables(const world::Document& document, double seconds) {
   const Derived derived = test::derived_of(document);
-  GhostMemo memo;
+  RideCache cache;
   const world::Entity entity = document.entities.pool<world::Cart>().entities()[0];
-  const Ghost& ghost = *memo.ride(document, derived, entity);
-  const auto cars = static_cast<std::size_t>(ghost.start.cars);
+  const SimulatedRide& simulated = *cache.ride(document, derived, entity);
+  const auto cars = static_cast<std::size_t>(simulated.start.cars);
   std::vector<Moment> moments;
   const auto most = static_cast<std::size_t>(seconds * world::kTicksPerSecond);
-  for (std::size_t tick = 0; tick < most && tick + 1 < ghost.samples.size(); tick += kForceEvery) {  // not at the end
-    const GhostSample& sample = ghost.samples[tick];
+  for (std::size_t tick = 0; tick < most && tick + 1 < simulated.samples.size();
+       tick += kForceEvery) {  // not at the end
+    const RideSample& sample = simulated.samples[tick];
     moments.push_back({static_cast<double>(tick) * world::kTick, sample.travelled, sample.speed, {}});
     for (std::size_t car = 0; car < cars; ++car) {
-      const Felt& force = ghost.forces[tick / kForceEvery * cars + car];
+      const Felt& force = simulated.forces[tick / kForceEvery * cars + car];
       moments.back().felt.push_back(force);
     }
   }

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "base/tries.h"
-#include "sim/ride/ghost.h"
+#include "sim/ride/simulated_ride.h"
 #include "sim/solids/supports.h"
 #include "sim/solids/track_mesh.h"
 #include "sim/tracks.h"
@@ -66,8 +66,8 @@ TEST(detail, knots_at_the_corners_of_the_world_take_bounded_memory) {
     tables.update(derived, 1.1);
     EXPECT_LT(bytes_of_tables(tables), 150u << 20);
     EXPECT_LE(tables.segment(0).step, detail.table_step);
-    const Ghost ghost = simulate(tables, {}, d, {.front = 10, .speed = 50}, {});
-    EXPECT_GT(ghost.samples.size(), 100u);
+    const SimulatedRide simulated = simulate(tables, {}, d, {.front = 10, .speed = 50}, {});
+    EXPECT_GT(simulated.samples.size(), 100u);
   }
 }
 

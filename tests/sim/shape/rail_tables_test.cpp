@@ -57,13 +57,13 @@ TEST(rail_tables, what_riders_feel_is_what_the_ride_says_on_the_exact_curve) {
   const Derived derived = test::derived_of(d);
   RailTables tables;
   tables.update(derived, d.heartline);
-  GhostMemo memo;
+  RideCache cache;
   world::Motion motion;
   reset(d, derived, motion);
   motion.state = world::RideState::running;
   std::size_t hint = 0;
   for (int n = 0; n < 400; ++n) {
-    step(d, derived, {}, 3, memo, motion);
+    step(d, derived, {}, 3, cache, motion);
     const world::CartMotion& at = motion.carts.get(cart);
     const Felt exact = felt(d, derived, cart, at);
     const double s = tables.locate(at.track_distance, hint);

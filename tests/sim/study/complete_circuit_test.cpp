@@ -1,5 +1,5 @@
-// Ways home from the end of a straight, whose minimum length follows from the paths of Dubins. Whole circuits are
-// tested on documents (tests/edit/perform/complete_circuit_test.cpp).
+// Closing sections from the end of a straight, whose minimum length follows from the paths of Dubins. Whole circuits
+// are tested on documents (tests/edit/perform/complete_circuit_test.cpp).
 #include "sim/study/complete_circuit.h"
 
 #include <cmath>
@@ -29,33 +29,33 @@ world::Document ridden_straight(float length, float speed) {
   return d;
 }
 
-CircuitProposals ways_home(const world::Document& document) {
+CircuitProposals closing_sections(const world::Document& document) {
   const Derived derived = test::derived_of(document);
   Conflicts conflicts;
   conflicts.update(derived);
-  GhostMemo rides;
-  CircuitMemo memo;
-  return memo.update(document, derived, conflicts, rides.ride(document, derived, world::first_cart(document)));
+  RideCache rides;
+  ProposalCache cache;
+  return cache.update(document, derived, conflicts, rides.ride(document, derived, world::first_cart(document)));
 }
 
 // The shortest path back to the start of a straight, in its direction, is two half circles and a straight.
-TEST(complete_circuit, no_way_home_is_shorter_than_the_path_of_dubins) {
-  const CircuitProposals found = ways_home(straight());
+TEST(complete_circuit, no_closing_section_is_shorter_than_the_path_of_dubins) {
+  const CircuitProposals found = closing_sections(straight());
   ASSERT_FALSE(found.list.empty()) << found.refusal;
-  for (const CircuitProposal& way : found.list) {
-    EXPECT_GT(way.plan.length, 2 * std::numbers::pi * kLeastRadius + kLength);
-    EXPECT_EQ(way.plan.fit.knots.back().position, glm::vec3(0, 5, 0));
-    EXPECT_LT(glm::distance(way.plan.fit.knots.back().tangent, {1, 0, 0}), 1e-6f);
+  for (const CircuitProposal& closing : found.list) {
+    EXPECT_GT(closing.plan.length, 2 * std::numbers::pi * kLeastRadius + kLength);
+    EXPECT_EQ(closing.plan.fit.knots.back().position, glm::vec3(0, 5, 0));
+    EXPECT_LT(glm::distance(closing.plan.fit.knots.back().tangent, {1, 0, 0}), 1e-6f);
   }
 }
 
 TEST(complete_circuit, assumes_a_speed_where_no_train_reaches_the_end) {
-  const CircuitProposals found = ways_home(straight());
+  const CircuitProposals found = closing_sections(straight());
   EXPECT_TRUE(found.assumed);
   EXPECT_EQ(found.speed, kAssumedSpeed);
 }
 
-// The ghost's speeds give the drag: v falls by the factor exp(-C s) on a level straight.
+// The simulated ride's speeds give the drag: v falls by the factor exp(-C s) on a level straight.
 TEST(complete_circuit, plans_with_the_drag_that_the_train_has_by_its_mass) {
   for (const float mass : {0.5f * world::kCarMass, world::kCarMass, 3.0f * world::kCarMass}) {
     world::Document document = straight();
@@ -63,12 +63,12 @@ TEST(complete_circuit, plans_with_the_drag_that_the_train_has_by_its_mass) {
     document.start_speed = 20;
     const world::Entity cart = world::add_cart(document, document.track.segments.front(), 0);
     document.entities.get<world::Cart>(cart).mass = mass;
-    GhostMemo memo;
-    const Ghost& ride = *memo.ride(document, test::derived_of(document), cart);
+    RideCache cache;
+    const SimulatedRide& ride = *cache.ride(document, test::derived_of(document), cart);
     const std::optional<CircuitTask> task = circuit_task(document, test::derived_of(document), &ride);
     ASSERT_TRUE(task);
     ASSERT_TRUE(task->coasts);
-    const GhostSample& last = *(ride.samples.end() - 2);  // the very last is cut at the end of the track
+    const RideSample& last = *(ride.samples.end() - 2);  // the very last is cut at the end of the track
     const double drag = std::log(ride.samples.front().speed / last.speed) / last.travelled;
     EXPECT_NEAR(task->losses.drag, drag, 1e-3 * drag) << mass << " kg";
   }
@@ -79,10 +79,10 @@ TEST(complete_circuit, offers_gentle_ways_alone_where_there_are_any) {
   int gentle = 0, ways = 0;
   for (const float speed : {12.0f, 18.0f, 24.0f})
     for (const float length : {40.0f, 120.0f}) {
-      const CircuitProposals found = ways_home(ridden_straight(length, speed));
+      const CircuitProposals found = closing_sections(ridden_straight(length, speed));
       ASSERT_FALSE(found.assumed);
       int of_these = 0;
-      for (const CircuitProposal& way : found.list) of_these += way.felt.side <= kGentleSide;
+      for (const CircuitProposal& closing : found.list) of_these += closing.felt.side <= kGentleSide;
       EXPECT_TRUE(of_these == 0 || of_these == static_cast<int>(found.list.size()))
           << speed << " m/s, " << length << " m";
       gentle += of_these, ways += static_cast<int>(found.list.size());
@@ -92,11 +92,11 @@ TEST(complete_circuit, offers_gentle_ways_alone_where_there_are_any) {
 
 TEST(complete_circuit, is_refused_without_a_segment_and_for_a_closed_track) {
   EXPECT_FALSE(circuit_task(world::Document{}, {}, nullptr));
-  EXPECT_FALSE(ways_home(world::Document{}).refusal.empty());
+  EXPECT_FALSE(closing_sections(world::Document{}).refusal.empty());
   world::Document closed = straight();
   world::set_closed(closed, true);
   EXPECT_FALSE(circuit_task(closed, test::derived_of(closed), nullptr));
-  EXPECT_TRUE(ways_home(closed).list.empty());
+  EXPECT_TRUE(closing_sections(closed).list.empty());
 }
 
 }  // namespace complete_circuit_test

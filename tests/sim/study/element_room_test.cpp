@@ -29,7 +29,7 @@ std::vector<Narrow> narrow(float over, double length, world::TrackCurve curve = 
   conflicts.update(derived);
   world::Element straight = world::usual_element(world::ElementKind::straight);
   straight.values[0] = length;
-  ElementMemo plans;
+  ElementCache plans;
   ElementRoom room;
   const ElementPlan& plan = plans.plan(straight, d);
   EXPECT_TRUE(plan.refusal.empty()) << plan.refusal;
@@ -67,7 +67,7 @@ TEST(element_room, a_plan_is_judged_again_when_the_track_has_changed) {
   conflicts.update(derived);
   world::Element straight = world::usual_element(world::ElementKind::straight);
   straight.values[0] = 60;
-  ElementMemo plans;
+  ElementCache plans;
   ElementRoom room;
   EXPECT_FALSE(room.update(plans.plan(straight, d), conflicts, derived, 0).empty());
   for (const std::size_t knot : {0u, 1u}) d.entities.get<world::Knot>(d.track.knots[knot]).position.x += 70;

@@ -13,16 +13,16 @@ namespace envelope_test {
 
 // A ride of one car at 10 m/s whose riders feel up(t).
 template <class Up>
-Ghost ride_of(double seconds, Up up) {
-  Ghost ghost;
-  ghost.track_length = 1e4;
+SimulatedRide ride_of(double seconds, Up up) {
+  SimulatedRide simulated;
+  simulated.track_length = 1e4;
   const auto ticks = static_cast<std::size_t>(seconds * world::kTicksPerSecond);
   for (std::size_t i = 0; i <= ticks; ++i) {
-    ghost.samples.push_back({10.0 * static_cast<double>(i) * world::kTick, 10, 0, 0});
+    simulated.samples.push_back({10.0 * static_cast<double>(i) * world::kTick, 10, 0, 0});
     if (i % kForceEvery == 0)
-      ghost.forces.push_back({0, 0, static_cast<float>(up(static_cast<double>(i) * world::kTick))});
+      simulated.forces.push_back({0, 0, static_cast<float>(up(static_cast<double>(i) * world::kTick))});
   }
-  return ghost;
+  return simulated;
 }
 
 TEST(envelope, limits_are_linear_between_their_points_and_constant_beyond) {
@@ -67,10 +67,10 @@ TEST(envelope, a_plateau_is_red_when_it_lasts_longer_than_it_may) {
 }
 
 TEST(envelope, what_is_shorter_than_a_fifth_of_a_second_does_not_count) {
-  const Ghost ghost = ride_of(10, [](double t) { return t > 3 && t < 3.1 ? 9.0 : 1.0; });
+  const SimulatedRide simulated = ride_of(10, [](double t) { return t > 3 && t < 3.1 ? 9.0 : 1.0; });
   Envelope envelope = default_envelope();
   envelope.cutoff = 25;
-  EXPECT_TRUE(red_spans(ghost, envelope).empty());
+  EXPECT_TRUE(red_spans(simulated, envelope).empty());
 }
 
 // The definition, by brute force over levels and moments: a moment is red when some level is not left for longer than
@@ -82,10 +82,10 @@ TEST(envelope, finds_the_same_red_moments_as_brute_force) {
     double value = 3;
     std::vector<double> walk;
     for (int i = 0; i < 600; ++i) walk.push_back(value = std::clamp(value + step(random), -3.0, 7.0));
-    const Ghost ghost = ride_of(
+    const SimulatedRide simulated = ride_of(
         600.0 / 60, [&](double t) { return walk[std::min<std::size_t>(599, static_cast<std::size_t>(t * 60 + 0.5))]; });
     const Envelope& envelope = default_envelope();
-    const std::vector<float> values = pressed(ghost, 0, ForceAxis::down, envelope.cutoff);
+    const std::vector<float> values = pressed(simulated, 0, ForceAxis::down, envelope.cutoff);
     std::vector<bool> expected(values.size(), false), found(values.size(), false);
     std::vector<double> excess(values.size(), 0.0), allowed(values.size(), 0.0);
     for (std::size_t own = 0; own < values.size(); ++own) {
@@ -106,7 +106,7 @@ TEST(envelope, finds_the_same_red_moments_as_brute_force) {
         i = j + 1;
       }
     }
-    for (const RedSpan& span : red_spans(ghost, envelope)) {
+    for (const RedSpan& span : red_spans(simulated, envelope)) {
       if (span.axis != ForceAxis::down) continue;
       const auto place = [](double seconds) { return static_cast<std::size_t>(seconds * 60 + 0.5); };
       std::size_t worst = place(span.from);

@@ -100,8 +100,8 @@ world::Document fitted(const Curve& curve, double from, double to, double step) 
 struct Ridden {
   world::Document document;
   Derived derived;
-  GhostMemo memo;
-  const Ghost* ghost;
+  RideCache cache;
+  const SimulatedRide* simulated;
   std::vector<Jolt> found;
 
   Ridden(world::Document d, double speed, int cars = 1, std::size_t segment = 0, double fraction = 0.0)
@@ -110,8 +110,8 @@ struct Ridden {
     document.entities.get<world::Cart>(cart).cars = cars;
     document.start_speed = speed, document.heartline = kHeart, document.rollback_fails = false;
     derive(document, {}, {}, derived);
-    ghost = memo.ride(document, derived, cart);
-    found = jolts(*ghost, kCutoff);
+    simulated = cache.ride(document, derived, cart);
+    found = jolts(*simulated, kCutoff);
   }
 };
 
@@ -153,7 +153,7 @@ TEST(jolt, a_step_of_curvature_is_that_of_a_finely_sampled_ride) {
                 bound(found.left));
     EXPECT_NEAR(found.forward, 2.397 * kCutoff * speed * kHeart * towards_up / kG, bound(found.forward));
     // What the limits and the ratings see: 12 entries per 1 / cutoff, which take 2.3 % of an impulse's peak.
-    const Ratings rated = rate(*ride.ghost, ride.memo.tables(ride.document, ride.derived), kCutoff);
+    const Ratings rated = rate(*ride.simulated, ride.cache.tables(ride.document, ride.derived), kCutoff);
     EXPECT_NEAR(rated.side_most.value, std::abs(fine.most.y), bound(fine.most.y)) << bank;
     EXPECT_NEAR(rated.up_most.value, fine.most.z, bound(fine.most.z)) << bank;
     EXPECT_NEAR(rated.back_most.value, fine.jolt.forward, 0.025 * fine.jolt.forward + 1e-3) << bank;
@@ -218,7 +218,7 @@ TEST(jolt, a_roll_that_begins_within_a_short_stretch_jolts_as_a_sudden_one) {
     Ridden ride(std::move(d), speed);
     for (const std::size_t joint : {1, 2})
       EXPECT_NEAR(ride.found.at(joint).left, sudden.jolt.left, 0.12 * sudden.jolt.left) << joint;
-    const Ratings rated = rate(*ride.ghost, ride.memo.tables(ride.document, ride.derived), kCutoff);
+    const Ratings rated = rate(*ride.simulated, ride.cache.tables(ride.document, ride.derived), kCutoff);
     EXPECT_NEAR(rated.side_most.value, spread.most.y, 0.03 * spread.most.y);
     EXPECT_EQ(rated.jolt_most.value, std::max(ride.found.at(1).total, ride.found.at(2).total));
   }
@@ -259,8 +259,8 @@ TEST(jolt, joints_close_together_count_as_the_run_that_jolts_least) {
     // Impulses and steps are an entry apart, 4 ms, at the most.
     const float pushed = round % 2 == 0 ? 0.0f : 0.02f;
     const double slack = pushed > 0 ? 0.04 : 0.01;
-    Ghost ghost;
-    ghost.start.cars = 2;
+    SimulatedRide simulated;
+    simulated.start.cars = 2;
     for (int car = 0; car < 2; ++car) {
       double time = 1 + 0.005 * car;
       Felt felt{0, 0, 1};
@@ -272,17 +272,17 @@ TEST(jolt, joints_close_together_count_as_the_run_that_jolts_least) {
         p.impulse = {pushed * number(-0.5, 0.5), pushed * number(-1, 1), 0};
         felt = {felt.forward + p.step.forward + number(-0.2, 0.2), felt.left + p.step.left + number(-1, 1),
                 felt.up + p.step.up + number(-0.5, 0.5)};
-        ghost.passages.push_back(p);
+        simulated.passages.push_back(p);
       }
     }
-    std::stable_sort(ghost.passages.begin(), ghost.passages.end(),
+    std::stable_sort(simulated.passages.begin(), simulated.passages.end(),
                      [](const Passage& a, const Passage& b) { return a.time < b.time; });
-    const std::vector<Jolt> found = passage_jolts(ghost, kCutoff);
+    const std::vector<Jolt> found = passage_jolts(simulated, kCutoff);
     for (int car = 0; car < 2; ++car) {
       std::vector<const Passage*> passed;
       std::vector<std::size_t> places;  // among all
       for (std::size_t n = 0; n < found.size(); ++n)
-        if (ghost.passages[n].car == car) passed.push_back(&ghost.passages[n]), places.push_back(n);
+        if (simulated.passages[n].car == car) passed.push_back(&simulated.passages[n]), places.push_back(n);
       std::vector<Jolt> least(passed.size());
       std::vector<double> alone(passed.size());
       for (std::size_t i = 0; i < passed.size(); ++i) least[i] = filtered({passed[i]}), alone[i] = least[i].total;
@@ -322,18 +322,18 @@ TEST(jolt, a_joint_with_continuous_curvature_has_none) {
 
 TEST(jolt, every_car_passes_every_joint_of_a_lap_once_and_the_worst_one_counts) {
   const Ridden ride(test::ring_document(12, 40.3, 7.7), 17.3, 3, 2, 0.4);
-  ASSERT_TRUE(ride.ghost->lap);
+  ASSERT_TRUE(ride.simulated->lap);
   std::vector<int> passed(12, 0);
   std::vector<Jolt> worst(12);
   std::size_t entry = 0;
-  for (const Passage& passage : ride.ghost->passages) {
+  for (const Passage& passage : ride.simulated->passages) {
     ++passed.at(passage.knot);
     EXPECT_GE(passage.entry, entry);
     entry = passage.entry;
-    const double distance = ride.ghost->distance(entry * kForceEvery, passage.car),
+    const double distance = ride.simulated->distance(entry * kForceEvery, passage.car),
                  joint = ride.derived.starts.at(passage.knot);
     EXPECT_LE(within_lap(distance - joint, ride.derived.length, true), passage.speed / 60 + 0.02);
-    EXPECT_NEAR(passage.speed, ride.ghost->samples[entry * kForceEvery].speed, 0.2);
+    EXPECT_NEAR(passage.speed, ride.simulated->samples[entry * kForceEvery].speed, 0.2);
     if (const Jolt one = jolt_of(passage, kCutoff); one.total > worst.at(passage.knot).total)
       worst.at(passage.knot) = one;
   }

@@ -23,10 +23,10 @@ NearMisses misses(const world::Document& document, double speed, bool with_suppo
   const world::Entity cart = world::add_cart(d, d.track.segments.front(), 0.05);
   d.start_speed = static_cast<float>(speed);
   const Derived derived = test::derived_of(d);
-  GhostMemo memo;
+  RideCache cache;
   Supports supports;
   supports.update(derived);
-  return near_misses(*memo.ride(d, derived, cart), derived, with_supports ? &supports : nullptr);
+  return near_misses(*cache.ride(d, derived, cart), derived, with_supports ? &supports : nullptr);
 }
 
 // A straight up that other track passes beside, at any height: track may be as high as it is long.
@@ -52,10 +52,10 @@ TEST(near_misses, the_track_beside_the_seam_of_a_circuit_is_no_other_track) {
     const world::Entity cart = world::add_cart(d, d.track.segments.front(), from);
     d.start_speed = 19;
     const Derived derived = test::derived_of(d);
-    GhostMemo memo;
-    const Ghost& ghost = *memo.ride(d, derived, cart);
-    ASSERT_TRUE(ghost.lap);
-    EXPECT_EQ(near_misses(ghost, derived, nullptr).track, 0) << from;
+    RideCache cache;
+    const SimulatedRide& simulated = *cache.ride(d, derived, cart);
+    ASSERT_TRUE(simulated.lap);
+    EXPECT_EQ(near_misses(simulated, derived, nullptr).track, 0) << from;
   }
 }
 

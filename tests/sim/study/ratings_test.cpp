@@ -12,17 +12,17 @@ constexpr double kG = world::kGravity, kCutoff = 5.0;
 struct Rated {
   world::Document document;
   Derived derived;
-  GhostMemo memo;
+  RideCache cache;
   world::Entity cart;
   Rated(world::Document d, double speed, double fraction = 0.2) : document(std::move(d)) {
     cart = world::add_cart(document, document.track.segments.at(0), fraction);
     document.start_speed = speed, document.heartline = 0;
     derive(document, {}, {}, derived);
   }
-  const Ghost& ghost() { return *memo.ride(document, derived, cart); }
+  const SimulatedRide& simulated() { return *cache.ride(document, derived, cart); }
   Ratings rate() {
-    const Ghost& g = ghost();
-    return sim::rate(g, memo.tables(document, derived), kCutoff);
+    const SimulatedRide& g = simulated();
+    return sim::rate(g, cache.tables(document, derived), kCutoff);
   }
 };
 
@@ -70,7 +70,7 @@ TEST(ratings, airtime_is_the_time_on_a_parabola_that_is_taken_too_fast) {
   Rated fast(parabola(speed, angle), speed * std::sqrt(1 + more), 0.0);
   const Ratings r = fast.rate();
   EXPECT_TRUE(r.complete);  // to the end of an open track
-  EXPECT_NEAR(r.airtime, fast.ghost().seconds(), 0.05);
+  EXPECT_NEAR(r.airtime, fast.simulated().seconds(), 0.05);
   EXPECT_NEAR(r.up_least.value, -more * speed * speed / (speed * speed * std::pow(std::cos(angle), 2)), 0.02);
   EXPECT_NEAR(r.up_stop_most.value, -r.up_least.value * 0.5 * kG, 1e-6);
   const Ratings slow = Rated(parabola(speed, angle), speed * 0.98, 0.0).rate();

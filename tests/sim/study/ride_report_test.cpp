@@ -14,8 +14,8 @@ namespace ride_report_test {
 struct Reported {
   world::Document document;
   Derived derived;
-  GhostMemo memo;
-  const Ghost* ghost = nullptr;
+  RideCache cache;
+  const SimulatedRide* simulated = nullptr;
   Ratings ratings;
   std::vector<RedSpan> red;
   Riders riders;
@@ -25,13 +25,15 @@ struct Reported {
     document.entities.get<world::Cart>(cart).cars = cars;
     document.start_speed = speed;
     derive(document, {}, {}, derived);
-    ghost = memo.ride(document, derived, cart);
-    ratings = rate(*ghost, tables(), 5);
-    red = red_spans(*ghost, default_envelope());
-    riders.update(*ghost, tables(), derived, 5, {0, cars - 1});
+    simulated = cache.ride(document, derived, cart);
+    ratings = rate(*simulated, tables(), 5);
+    red = red_spans(*simulated, default_envelope());
+    riders.update(*simulated, tables(), derived, 5, {0, cars - 1});
   }
-  const RailTables& tables() { return memo.tables(document, derived); }
-  std::string text(const std::string& name = "") const { return report_text(*ghost, ratings, riders.all(), red, name); }
+  const RailTables& tables() { return cache.tables(document, derived); }
+  std::string text(const std::string& name = "") const {
+    return report_text(*simulated, ratings, riders.all(), red, name);
+  }
 };
 
 std::vector<std::string> split(const std::string& text, char at) {
@@ -53,7 +55,7 @@ TEST(ride_report, tells_the_ratings_of_the_ride) {
   const std::string report = ride.text("Skew ring");
   EXPECT_EQ(report.rfind("Skew ring\n", 0), 0u);
   EXPECT_NEAR(number_of(report, "length"), ride.derived.length, 0.01);
-  EXPECT_NEAR(number_of(report, "lap"), ride.ghost->lap_time, 0.01);
+  EXPECT_NEAR(number_of(report, "lap"), ride.simulated->lap_time, 0.01);
   EXPECT_NEAR(number_of(report, "cars"), 3, 0);
   EXPECT_NEAR(number_of(report, "top speed"), ride.ratings.top_speed.value, 0.01);
   EXPECT_NEAR(number_of(report, "highest") - number_of(report, "lowest"), 8.6, 0.05);
@@ -84,16 +86,16 @@ TEST(ride_report, shows_no_sign_before_a_zero) {
 
 TEST(ride_report, says_why_a_ride_ended_early) {
   Reported ride(test::ring_document(24, 40.7, 9.3), 6.3, 1);
-  ASSERT_NE(ride.ghost->end, world::FailureKind::none);
+  ASSERT_NE(ride.simulated->end, world::FailureKind::none);
   const std::string report = ride.text();
   EXPECT_NE(report.find("no complete lap"), std::string::npos);
-  EXPECT_NE(report.find(std::string(base::name_of(ride.ghost->end)) + " at "), std::string::npos);
+  EXPECT_NE(report.find(std::string(base::name_of(ride.simulated->end)) + " at "), std::string::npos);
 }
 
-TEST(ride_report, the_values_by_time_are_a_table_of_the_ghost) {
+TEST(ride_report, the_values_by_time_are_a_table_of_the_simulated_ride) {
   Reported ride(test::ring_document(24, 40.7, 4.3), 16.3, 3);
-  const std::vector<std::string> lines = split(report_csv(*ride.ghost, ride.riders.all()), '\n');
-  ASSERT_EQ(lines.size(), 2 + (ride.ghost->samples.size() + kForceEvery - 2) / kForceEvery);
+  const std::vector<std::string> lines = split(report_csv(*ride.simulated, ride.riders.all()), '\n');
+  ASSERT_EQ(lines.size(), 2 + (ride.simulated->samples.size() + kForceEvery - 2) / kForceEvery);
   const std::vector<std::string> head = split(lines[0], ',');
   ASSERT_EQ(head.size(), 5u + 9 * 3 + 5 * 3);
   EXPECT_EQ(head[0], "time_s");
@@ -105,11 +107,11 @@ TEST(ride_report, the_values_by_time_are_a_table_of_the_ghost) {
   for (const std::size_t k : {std::size_t{0}, std::size_t{17}, lines.size() - 2}) {
     const std::vector<std::string> row = split(lines[k + 1], ',');
     ASSERT_EQ(row.size(), head.size());
-    const GhostSample& sample = ride.ghost->samples[ride.ghost->sample_of(k)];
-    EXPECT_NEAR(std::stod(row[0]), static_cast<double>(ride.ghost->sample_of(k)) * world::kTick, 1e-5);
-    EXPECT_NEAR(std::stod(row[1]), ride.ghost->distance(ride.ghost->sample_of(k)), 1e-3);
+    const RideSample& sample = ride.simulated->samples[ride.simulated->sample_of(k)];
+    EXPECT_NEAR(std::stod(row[0]), static_cast<double>(ride.simulated->sample_of(k)) * world::kTick, 1e-5);
+    EXPECT_NEAR(std::stod(row[1]), ride.simulated->distance(ride.simulated->sample_of(k)), 1e-3);
     EXPECT_NEAR(std::stod(row[2]), sample.speed, 1e-3);
-    EXPECT_NEAR(std::stod(row[14]), ride.ghost->forces[k * 3 + 1].up, 1e-3);
+    EXPECT_NEAR(std::stod(row[14]), ride.simulated->forces[k * 3 + 1].up, 1e-3);
     // The wheels of the second car give 500 kg what it feels.
     const auto cell = [&](std::size_t column) { return std::stod(row[column]); };
     const double weight = 0.5 * 9.81;  // kN

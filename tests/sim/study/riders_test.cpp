@@ -13,7 +13,7 @@ constexpr double kG = world::kGravity, kCutoff = 5, kEntry = kForceEvery * world
 struct Ridden {
   world::Document document;
   Derived derived;
-  GhostMemo memo;
+  RideCache cache;
   world::Entity cart;
   Riders riders;
   Ridden(world::Document d, double speed, int cars = 1) : document(std::move(d)) {
@@ -24,8 +24,8 @@ struct Ridden {
     update({0, cars - 1});
   }
   void update(CarRange cars, double cutoff = kCutoff) {
-    const Ghost& ghost = *memo.ride(document, derived, cart);
-    riders.update(ghost, memo.tables(document, derived), derived, cutoff, cars);
+    const SimulatedRide& simulated = *cache.ride(document, derived, cart);
+    riders.update(simulated, cache.tables(document, derived), derived, cutoff, cars);
   }
 };
 
@@ -139,8 +139,8 @@ TEST(riders, jerk_is_the_difference_quotient_of_the_g_that_the_limits_use) {
   Ridden ride(test::ring_document(24, 40.7, 4.3), 16.3, 3);
   for (const int car : {0, 2}) {
     const Rider rider = ride.riders.car(car);
-    const std::vector<float> up = pressed(*rider.ghost, car, ForceAxis::down, kCutoff),
-                             forward = pressed(*rider.ghost, car, ForceAxis::forward, kCutoff);
+    const std::vector<float> up = pressed(*rider.simulated, car, ForceAxis::down, kCutoff),
+                             forward = pressed(*rider.simulated, car, ForceAxis::forward, kCutoff);
     ASSERT_EQ(up.size(), rider.entries());
     double most = 0;
     for (std::size_t i = 1; i + 1 < rider.entries(); ++i) {
@@ -159,16 +159,16 @@ TEST(riders, jerk_is_the_difference_quotient_of_the_g_that_the_limits_use) {
 TEST(riders, cars_are_kept_for_the_ride_and_computed_again_for_another_one_or_another_filter) {
   Ridden ride(test::ring_document(24, 40.7, 4.3), 16.3, 3);
   Riders some;
-  const Ghost& ghost = *ride.memo.ride(ride.document, ride.derived, ride.cart);
-  const RailTables& tables = ride.memo.tables(ride.document, ride.derived);
-  some.update(ghost, tables, ride.derived, kCutoff, {1, 1});
+  const SimulatedRide& simulated = *ride.cache.ride(ride.document, ride.derived, ride.cart);
+  const RailTables& tables = ride.cache.tables(ride.document, ride.derived);
+  some.update(simulated, tables, ride.derived, kCutoff, {1, 1});
   EXPECT_TRUE(some.car(0).samples.empty());
   ASSERT_EQ(some.car(1).samples.size(), some.car(1).entries());
   const RiderSample* const first = some.car(1).samples.data();
-  some.update(ghost, tables, ride.derived, kCutoff, {2, 2});
+  some.update(simulated, tables, ride.derived, kCutoff, {2, 2});
   EXPECT_EQ(some.car(1).samples.data(), first);  // kept
   EXPECT_EQ(some.all().size(), 3u);
-  some.update(ghost, tables, ride.derived, 1, {2, 2});
+  some.update(simulated, tables, ride.derived, 1, {2, 2});
   EXPECT_TRUE(some.car(1).samples.empty());
   ride.update({2, 2});
   double wide = 0, narrow = 0;
@@ -178,7 +178,7 @@ TEST(riders, cars_are_kept_for_the_ride_and_computed_again_for_another_one_or_an
   }
   EXPECT_LT(narrow, wide);
   ride.document.start_speed = 17;
-  const Ghost& faster = *ride.memo.ride(ride.document, ride.derived, ride.cart);
+  const SimulatedRide& faster = *ride.cache.ride(ride.document, ride.derived, ride.cart);
   some.update(faster, tables, ride.derived, 1, {0, 0});
   EXPECT_TRUE(some.car(2).samples.empty());
 }

@@ -16,17 +16,17 @@ constexpr double kG = world::kGravity;
 struct Ridden {
   world::Document document;
   Derived derived;
-  GhostMemo memo;
+  RideCache cache;
   Riders riders;
-  const Ghost* ghost = nullptr;
+  const SimulatedRide* simulated = nullptr;
   Ridden(world::Document d, double speed, int cars, double spacing = 3) : document(std::move(d)) {
     const world::Entity cart = world::add_cart(document, document.track.segments.at(0), 0.3);
     document.entities.get<world::Cart>(cart).cars = cars;
     document.entities.get<world::Cart>(cart).spacing = static_cast<float>(spacing);
     document.start_speed = speed, document.rollback_fails = false;
     derive(document, {}, {}, derived);
-    ghost = memo.ride(document, derived, cart);
-    riders.update(*ghost, memo.tables(document, derived), derived, 5, {0, cars - 1});
+    simulated = cache.ride(document, derived, cart);
+    riders.update(*simulated, cache.tables(document, derived), derived, 5, {0, cars - 1});
   }
 };
 
@@ -38,7 +38,7 @@ struct Loop {
   double radius = 10, spacing = 3, v0 = 24;
   Ridden ride{test::circle_document(radius, {3.3, 1.7, -2.9}, {0.6, 0, 0.8}), v0, kCars, spacing};
   double q = spacing / radius, share = std::sin(kCars * q / 2) / (kCars * std::sin(q / 2));
-  double first = ride.ghost->start.front / radius - 3 * q;  // the middle's angle at the start
+  double first = ride.simulated->start.front / radius - 3 * q;  // the middle's angle at the start
 
   // Vertical g of a car at an angle from the bottom.
   double up(int car, double angle) const {
@@ -79,7 +79,7 @@ TEST(seat, the_band_holds_every_car_at_every_place_of_a_closed_track) {
   const SeatCurves band = curves_by_place(loop.ride.riders.all());
   const double lap = loop.ride.derived.length;
   ASSERT_NEAR(band.place.back() - band.place.front(), lap, 0.5);
-  EXPECT_NEAR(band.place.front(), loop.ride.ghost->start.front - 3 * loop.spacing, 1e-9);  // of the middle car
+  EXPECT_NEAR(band.place.front(), loop.ride.simulated->start.front - 3 * loop.spacing, 1e-9);  // of the middle car
   for (std::size_t i = 0; i < band.place.size(); ++i) {
     const double angle = band.place[i] / loop.radius;
     double least = 1e9, most = -1e9;
@@ -93,11 +93,11 @@ TEST(seat, the_band_holds_every_car_at_every_place_of_a_closed_track) {
 TEST(seat, by_time_the_band_holds_every_car_at_every_moment) {
   const Loop loop;
   const SeatCurves band = curves_by_time(loop.ride.riders.all());
-  const Ghost& ghost = *loop.ride.ghost;
-  ASSERT_EQ(band.time.size() * Loop::kCars, ghost.forces.size());
+  const SimulatedRide& simulated = *loop.ride.simulated;
+  ASSERT_EQ(band.time.size() * Loop::kCars, simulated.forces.size());
   for (std::size_t k = 0; k < band.time.size(); ++k) {
     EXPECT_NEAR(band.time[k], static_cast<double>(k) / 60, 1e-12);
-    const auto begin = ghost.forces.begin() + static_cast<std::ptrdiff_t>(k * Loop::kCars);
+    const auto begin = simulated.forces.begin() + static_cast<std::ptrdiff_t>(k * Loop::kCars);
     const auto [least, most] =
         std::minmax_element(begin, begin + Loop::kCars, [](const Felt& a, const Felt& b) { return a.left < b.left; });
     const auto side = static_cast<std::size_t>(RideValue::lateral);

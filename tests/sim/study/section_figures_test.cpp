@@ -14,17 +14,17 @@ constexpr double kG = world::kGravity;
 struct Ridden {
   world::Document document;
   Derived derived;
-  GhostMemo memo;
+  RideCache cache;
   Riders riders;
   std::vector<SectionFigures> rows;
-  const Ghost* ghost = nullptr;
+  const SimulatedRide* simulated = nullptr;
 
   Ridden(world::Document d, double fraction, double speed) : document(std::move(d)) {
     const world::Entity cart = world::add_cart(document, document.track.segments.at(0), fraction);
     document.start_speed = speed;
     derive(document, {}, {}, derived);
-    ghost = memo.ride(document, derived, cart);
-    riders.update(*ghost, memo.tables(document, derived), derived, 5, {0, 0});
+    simulated = cache.ride(document, derived, cart);
+    riders.update(*simulated, cache.tables(document, derived), derived, 5, {0, 0});
     rows = section_figures(document, derived, riders.all());
   }
   double height(double distance) const {
@@ -58,7 +58,7 @@ TEST(section_figures, speeds_at_both_ends_follow_from_the_heights) {
   world::make_section(d, 0, 2, {});
   const Ridden ride(std::move(d), 0.5, 6);
   ASSERT_EQ(ride.rows.size(), 2u);
-  const double start = ride.height(ride.ghost->start.front);
+  const double start = ride.height(ride.simulated->start.front);
   const auto speed = [&](double height) { return std::sqrt(36 + 2 * kG * (start - height)); };
   EXPECT_FALSE(ride.rows[0].speed_in) << "the train starts behind it";
   EXPECT_NEAR(ride.rows[0].speed_out.value(), speed(20), 1e-6);
@@ -77,19 +77,19 @@ TEST(section_figures, a_closed_track_has_all_figures_of_the_lap) {
   world::make_section(d, 0, 3, {});
   world::make_section(d, 3, 6, {});
   const Ridden ride(std::move(d), 0.7, 15);
-  ASSERT_TRUE(ride.ghost->lap);
+  ASSERT_TRUE(ride.simulated->lap);
   ASSERT_EQ(ride.rows.size(), 3u);
-  const double start = ride.height(ride.ghost->start.front);
+  const double start = ride.height(ride.simulated->start.front);
   for (const SectionFigures& row : ride.rows) {
     const double in = ride.derived.starts[row.run.first], out = ride.derived.starts[row.run.end()];
     EXPECT_NEAR(row.speed_in.value(), std::sqrt(225 + 2 * kG * (start - ride.height(in))), 1e-6);
     EXPECT_NEAR(row.speed_out.value(), std::sqrt(225 + 2 * kG * (start - ride.height(out))), 1e-6);
     // By brute force over the ride's own samples.
     double most = -1e9, least = 1e9, side = 0;
-    for (std::size_t k = 0; k < ride.ghost->forces.size(); ++k) {
-      const double at = ride.ghost->distance(ride.ghost->sample_of(k));
+    for (std::size_t k = 0; k < ride.simulated->forces.size(); ++k) {
+      const double at = ride.simulated->distance(ride.simulated->sample_of(k));
       if (at < in || at > out) continue;
-      const Felt& f = ride.ghost->forces[k];
+      const Felt& f = ride.simulated->forces[k];
       most = std::max(most, double{f.up}), least = std::min(least, double{f.up});
       side = std::max(side, std::abs(double{f.left}));
     }

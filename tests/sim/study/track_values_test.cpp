@@ -18,8 +18,8 @@ struct Coloured {
   world::Document document;
   world::Settings settings;
   Derived derived;
-  GhostMemo ghosts;
-  TrackValueMemo memo;
+  RideCache simulated_rides;
+  TrackValueCache cache;
   Riders riders;
   world::Entity cart;
 
@@ -30,12 +30,12 @@ struct Coloured {
   }
   const TrackValues& by(Colouring colouring) {
     settings.lab->colouring = colouring;
-    return memo.update(derived, settings, rider());
+    return cache.update(derived, settings, rider());
   }
   Rider rider() {
-    const Ghost& ghost = *ghosts.ride(document, derived, cart);
-    riders.update(ghost, ghosts.tables(document, derived), derived, 5, {0, ghost.start.cars - 1});
-    return riders.car(ghost.start.cars / 2);
+    const SimulatedRide& simulated = *simulated_rides.ride(document, derived, cart);
+    riders.update(simulated, simulated_rides.tables(document, derived), derived, 5, {0, simulated.start.cars - 1});
+    return riders.car(simulated.start.cars / 2);
   }
   glm::dvec3 place(std::size_t i, int j) const {
     const SegmentShape& shape = derived.shape(derived.order[i]);
@@ -63,7 +63,7 @@ TEST(track_values, where_a_ride_does_not_come_is_unknown) {
   const TrackValues& values = track.by(Colouring::speed);
   EXPECT_NE(values.of(0)[10], kUnknownValue);
   EXPECT_EQ(values.of(3)[10], kUnknownValue);
-  for (const float value : track.memo.update(track.derived, track.settings, std::nullopt).values)
+  for (const float value : track.cache.update(track.derived, track.settings, std::nullopt).values)
     EXPECT_EQ(value, kUnknownValue);
 }
 
@@ -169,7 +169,7 @@ TEST(track_values, plain_needs_nothing_and_an_empty_track_has_nothing) {
   const Derived none;
   for (std::size_t row = 0; row < std::size(world::kColourings); ++row) {
     track.settings.lab->colouring = static_cast<Colouring>(row);
-    const TrackValues& values = track.memo.update(none, track.settings, std::nullopt);
+    const TrackValues& values = track.cache.update(none, track.settings, std::nullopt);
     EXPECT_TRUE(values.values.empty());
     EXPECT_LT(values.low, values.high);
   }

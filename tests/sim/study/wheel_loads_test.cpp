@@ -161,7 +161,7 @@ TEST(wheel_loads, at_minus_one_g_on_a_crest_the_up_stops_carry_the_weight) {
   EXPECT_EQ(loads.of(WheelSet::car).road, 0);
 }
 
-TEST(wheel_loads, the_ghost_and_the_moving_train_agree) {
+TEST(wheel_loads, the_simulated_ride_and_the_moving_train_agree) {
   world::Document document = test::ring_document(24, 40.7, 4.3);
   const world::Entity train = world::add_cart(document, document.track.segments.at(0), 0.2);
   document.entities.get<world::Cart>(train).cars = 3, document.entities.get<world::Cart>(train).mass = 730;
@@ -169,10 +169,10 @@ TEST(wheel_loads, the_ghost_and_the_moving_train_agree) {
   const Derived derived = test::derived_of(document);
   world::Motion motion;
   reset(document, derived, motion);
-  GhostMemo memo;
-  const Ghost& ghost = *memo.ride(document, derived, train);
+  RideCache cache;
+  const SimulatedRide& simulated = *cache.ride(document, derived, train);
   const WheelLoads moving = wheel_loads(document, derived, train, *motion.carts.find(train)),
-                   simulated = wheel_loads(ghost, 0, 0);
+                   simulated = wheel_loads(simulated, 0, 0);
   EXPECT_GT(moving.of(WheelSet::car).side, 0.5);
   for (std::size_t i = 0; i < 4; ++i) {
     EXPECT_NEAR(simulated.corners[i].road, moving.corners[i].road, 0.05);

@@ -63,7 +63,7 @@ TEST_F(PanelElementsTest, enter_on_an_element_that_does_not_fit_says_why) {
   EXPECT_TRUE(session_.settings.aids->show_element);
 }
 
-TEST_F(PanelElementsTest, enter_without_a_way_home_says_why) {
+TEST_F(PanelElementsTest, enter_without_a_closing_section_says_why) {
   ASSERT_TRUE(edit::apply(session_, files_, edit::MoveKnot{{{world::Kind::knot, 1}}, {-17, 240, 7}}).ok());
   ASSERT_TRUE(edit::apply(session_, files_, edit::Set<&world::Aids::circuit>{1}).ok());
   frames(3);

@@ -20,8 +20,8 @@ namespace panels_test {
 
 struct PanelsTest : Stage {};
 
-// Whatever the column was scrolled to, what a click chooses is in sight: the parameters of an element, the ways home,
-// the section.
+// Whatever the column was scrolled to, what a click chooses is in sight: the parameters of an element, the closing
+// sections, the section.
 TEST_F(PanelsTest, the_parameters_begin_with_what_was_just_chosen) {
   resize(1280, 720);
   ASSERT_TRUE(edit::apply(session_, files_, edit::Set<&world::Panels::workspace>{world::Workspace::build}).ok());

@@ -30,7 +30,7 @@ class ScoreCardTest : public Stage {
   }
 };
 
-TEST_F(ScoreCardTest, the_card_shows_the_ghosts_numbers_and_closes_by_key) {
+TEST_F(ScoreCardTest, the_card_shows_the_simulated_numbers_and_closes_by_key) {
   resize(1280, 720);
   EXPECT_EQ(find("Score/Top speed"), nullptr);
   end_a_ride();

@@ -188,7 +188,7 @@ TEST_F(FollowCameraTest, leaves_room_beside_what_it_brings_into_view) {
   EXPECT_GT(pixel_of(4).x - all.x, 0.5f * all.width);
 }
 
-TEST_F(FollowCameraTest, shows_the_way_home_and_the_completed_circuit) {
+TEST_F(FollowCameraTest, shows_the_closing_section_and_the_completed_circuit) {
   ASSERT_TRUE(edit::apply(session_, files_, edit::NewTrack{}));
   place_straight(60), place_straight(60);
   ASSERT_TRUE(edit::apply(session_, files_, edit::set_camera({.target = {120, 2, 0}, .distance = 40})));

@@ -1,4 +1,5 @@
-// Tables that the ghost reads at every tick: the train's mean slope, and what riders feel. For ghost.cpp.
+// Tables that the simulated ride reads at every tick: the train's mean slope, and what riders feel. For simulated
+// ride.cpp.
 #pragma once
 
 #include <algorithm>
@@ -7,7 +8,7 @@
 #include <span>
 #include <vector>
 
-#include "sim/ride/ghost.h"
+#include "sim/ride/simulated_ride.h"
 
 namespace coaster::sim {
 
@@ -94,8 +95,7 @@ inline Felt force_at(const SegmentTable& table, double s, Float4 a, Float4 v2) {
 class TightWay {
  public:
   // Speed and acceleration of the train change linearly from `then` to `now`.
-  TightWay(const GhostSample& then, const GhostSample& now, double seconds)
-      : then_(then), now_(now), seconds_(seconds) {}
+  TightWay(const RideSample& then, const RideSample& now, double seconds) : then_(then), now_(now), seconds_(seconds) {}
 
   // Adds the part of the way within one segment, from s0 to s1 m along it: shares u0 to u1 of the time.
   void add(const SegmentTable& table, double s0, double s1, double u0, double u1);
@@ -113,7 +113,7 @@ class TightWay {
   // Notes what the bend around a place adds, if that is most so far.
   void take_peak(const SegmentTable& table, double peak, double share);
 
-  const GhostSample &then_, &now_;
+  const RideSample &then_, &now_;
   double seconds_;
   bool tight_ = false;
   glm::dvec3 before_{0}, after_{0};  // g s

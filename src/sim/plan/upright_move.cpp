@@ -1,4 +1,4 @@
-#include "sim/plan/carry.h"
+#include "sim/plan/upright_move.h"
 
 #include <cmath>
 
@@ -36,7 +36,7 @@ base::Status refused(std::string reason) { return {base::Code::refused, std::mov
 
 }  // namespace
 
-world::Knot Carry::knot(world::Knot k) const {
+world::Knot UprightMove::knot(world::Knot k) const {
   k.position = glm::vec3(point(dvec3(k.position)));
   if (cos == 1 && sin == 0) return k;
   k.tangent = glm::vec3(glm::normalize(direction(dvec3(k.tangent))));
@@ -45,17 +45,17 @@ world::Knot Carry::knot(world::Knot k) const {
   return k;
 }
 
-Carry carry_between(dvec3 from, dvec3 from_heading, dvec3 to, dvec3 to_heading) {
+UprightMove move_between(dvec3 from, dvec3 from_heading, dvec3 to, dvec3 to_heading) {
   const dvec3 was(from_heading.x, 0, from_heading.z), is(to_heading.x, 0, to_heading.z);
   const double scale = glm::length(was) * glm::length(is);
-  Carry carry{from, to};
+  UprightMove carry{from, to};
   if (!(scale > 0) || was == is) return carry;
   carry.cos = glm::dot(was, is) / scale, carry.sin = glm::cross(was, is).y / scale;
   return carry;
 }
 
-base::Result<Carry> carry_between(const world::Knot& from, const world::Knot& to) {
-  const Carry carry = carry_between(dvec3(from.position), heading(from), dvec3(to.position), heading(to));
+base::Result<UprightMove> move_between(const world::Knot& from, const world::Knot& to) {
+  const UprightMove carry = move_between(dvec3(from.position), heading(from), dvec3(to.position), heading(to));
   const dvec3 forward = glm::normalize(dvec3(to.tangent)), carried = carry.direction(dvec3(from.tangent));
   if (const double off = curve::angle_between(carried, forward); !(off <= kSame)) {
     const double steeper = steepness(forward) - steepness(carried);

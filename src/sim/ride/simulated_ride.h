@@ -1,5 +1,5 @@
-// The ghost: a whole ride of one train, simulated at once over tables of the rails. It predicts the ride while the
-// track is being dragged, and is the timetable of the integrator `precomputed`.
+// The simulated ride: a whole ride of one train, simulated at once over tables of the rails. It predicts the ride while
+// the track is being dragged, and is the timetable of the integrator `precomputed`.
 #pragma once
 
 #include <algorithm>
@@ -17,7 +17,7 @@
 namespace coaster::sim {
 
 // The start position and speed of a train.
-struct GhostStart {
+struct TrainStart {
   double front = 0;  // m from the track's start, of the first car
   double speed = 0;  // m/s
   int cars = 1;
@@ -25,10 +25,10 @@ struct GhostStart {
   ControlState control;
   double length = world::kCarLength;  // m, of a car
   double mass = world::kCarMass;      // kg, of a car
-  friend bool operator==(const GhostStart&, const GhostStart&) = default;
+  friend bool operator==(const TrainStart&, const TrainStart&) = default;
 };
 
-struct GhostSample {
+struct RideSample {
   double travelled = 0;     // m since the start, signed
   double speed = 0;         // m/s
   double acceleration = 0;  // m/s^2 along the rails
@@ -36,7 +36,7 @@ struct GhostSample {
 };
 
 // An instant within a tick at which equipment switches.
-struct GhostSwitch {
+struct RideSwitch {
   std::size_t sample = 0;                                  // the one at the tick's end
   double travelled = 0, speed = 0;                         // as above
   double acceleration_before = 0, acceleration_after = 0;  // m/s^2 along the rails
@@ -46,7 +46,7 @@ struct GhostSwitch {
 struct Felt {
   float forward = 0, left = 0, up = 1;
 };
-// Ticks between two entries of Ghost::forces: 60 a second. The last one may be nearer to the one before.
+// Ticks between two entries of SimulatedRide::forces: 60 a second. The last one may be nearer to the one before.
 inline constexpr int kForceEvery = 2;
 
 // A car's passage of a joint: the sudden changes caused by the jumps of curvature and roll there, on the seat's axes.
@@ -76,13 +76,13 @@ struct BendPassage {
 };
 inline constexpr double kSharpSeconds = 0.05;
 
-struct Ghost {
-  GhostStart start;
+struct SimulatedRide {
+  TrainStart start;
   double track_length = 0;
   bool closed = false;
   double heartline = 0;                               // m, of the riders above the rails
-  std::vector<GhostSample> samples;                   // one per tick of 1/120 s, the first at the start
-  std::vector<GhostSwitch> switches;                  // in order
+  std::vector<RideSample> samples;                    // one per tick of 1/120 s, the first at the start
+  std::vector<RideSwitch> switches;                   // in order
   std::vector<Felt> forces;                           // entry k of car c at [k * cars + c], at sample_of(k)
   std::vector<Passage> passages;                      // of all cars over all joints, in order
   std::vector<BendPassage> bends;                     // of all cars, in order
@@ -104,7 +104,7 @@ struct Ghost {
   // Returns how far the train gets from its start, m.
   double furthest() const {
     double most = 0;
-    for (const GhostSample& sample : samples) most = std::max(most, sample.travelled);
+    for (const RideSample& sample : samples) most = std::max(most, sample.travelled);
     return most;
   }
   // Returns the track distance (m) of car `car` (0: the first) after the train has travelled that far from its start,
@@ -115,7 +115,7 @@ struct Ghost {
   double distance(std::size_t sample, int car = 0) const { return place(samples[sample].travelled, car); }
 };
 
-struct GhostLimits {
+struct RideLimits {
   double seconds = 900;  // of simulated time
   bool stop_after_lap = true;
 };
@@ -123,25 +123,26 @@ struct GhostLimits {
 // Simulates by Runge-Kutta 4 over the train's mean height, one step per tick: on a frictionless 2 km circuit the energy
 // stays within 1e-6 of the largest kinetic energy, and a lap takes under 4 ms with 8 cars. The train is alone on the
 // track. An empty track gives one sample. Reuses `memory` for the result.
-Ghost simulate(const RailTables& tables, std::span<const EquipmentSpan> equipment, const world::Document& document,
-               const GhostStart& start, const GhostLimits& limits = {}, Ghost memory = {});
+SimulatedRide simulate(const RailTables& tables, std::span<const EquipmentSpan> equipment,
+                       const world::Document& document, const TrainStart& start, const RideLimits& limits = {},
+                       SimulatedRide memory = {});
 
 // Return the start of a designed train: with its present motion, and at its start position.
-GhostStart start_at(const Derived& derived, const world::Cart& design, double front, double speed,
+TrainStart start_at(const Derived& derived, const world::Cart& design, double front, double speed,
                     ControlState control);
-GhostStart start_of(const world::Document& document, const Derived& derived, const world::Cart& design);
+TrainStart start_of(const world::Document& document, const Derived& derived, const world::Cart& design);
 
-// Caches the tables and the ghosts of a document's trains, and simulates on demand after changes. A result stays valid
-// until kMostEntries other rides have been requested.
-class GhostMemo {
+// Caches the tables and the simulated rides of a document's trains, and simulates on demand after changes. A result
+// stays valid until kMostEntries other rides have been requested.
+class RideCache {
  public:
   // Returns the ride of a designed train from its start; null if there is no such train or no track.
-  const Ghost* ride(const world::Document& document, const Derived& derived, world::Entity cart);
+  const SimulatedRide* ride(const world::Document& document, const Derived& derived, world::Entity cart);
   // Returns a ride from any start: the timetable of a moving train.
-  const Ghost& from(const world::Document& document, const Derived& derived, const GhostStart& start);
+  const SimulatedRide& from(const world::Document& document, const Derived& derived, const TrainStart& start);
   // Returns the same ride as a table of one lap, valid as long as from()'s result. The table is invalid if laps do not
   // repeat (with losses or equipment) or none is completed.
-  const LapTable& lap(const world::Document& document, const Derived& derived, const GhostStart& start);
+  const LapTable& lap(const world::Document& document, const Derived& derived, const TrainStart& start);
   // Caches at least as many rides (up to kMostEntries * 16), so that many trains do not evict each other's.
   void keep(std::size_t rides);
   // Returns the tables, up to date.
@@ -153,7 +154,7 @@ class GhostMemo {
   // Everything that a ride depends on.
   struct Key {
     std::uint64_t tables = 0;  // their serial
-    GhostStart start;
+    TrainStart start;
     world::Resistance resistance;
     bool rollback_fails = false;
     std::vector<EquipmentSpan> equipment;
@@ -161,12 +162,12 @@ class GhostMemo {
   };
   struct Entry {
     Key key;
-    Ghost ghost;
+    SimulatedRide simulated;
     std::uint64_t used = 0;
-    bool has_lap = false;  // `lap` is up to date with the ghost
+    bool has_lap = false;  // `lap` is up to date with the simulated ride
     LapTable lap;
   };
-  Entry& find(const world::Document& document, const Derived& derived, const GhostStart& start);
+  Entry& find(const world::Document& document, const Derived& derived, const TrainStart& start);
 
   RailTables tables_;
   std::deque<Entry> entries_;  // at most most_; the least recently used is evicted
@@ -180,25 +181,27 @@ struct Passing {
 };
 
 // Returns true if a ride goes farther backwards than forwards.
-bool runs_backwards(const Ghost& ride);
+bool runs_backwards(const SimulatedRide& ride);
 
-// Looks up many positions of one ride. Valid as long as the ghost.
+// Looks up many positions of one ride. Valid as long as the simulated ride.
 class Passings {
  public:
-  explicit Passings(const Ghost& ride);
+  explicit Passings(const SimulatedRide& ride);
   // Returns the state when the point `back` m behind the first car first passes `distance` m from the track's start;
   // nothing if it does not. v^2 between two samples, or a sample and an instant where equipment switches, is the cubic
   // of the way with their speeds and accelerations: within 2e-6 m/s of the energy's.
   std::optional<Passing> at(double distance, double back = 0) const;
 
  private:
-  const Ghost& ride_;
+  const SimulatedRide& ride_;
   bool backwards_;
   std::vector<double> furthest_;  // by sample: how far it has been until then, in that direction
 };
 
 // Returns the state at the first car's first pass; nothing if the ride does not reach the position.
-inline std::optional<Passing> passing(const Ghost& ride, double distance) { return Passings(ride).at(distance); }
+inline std::optional<Passing> passing(const SimulatedRide& ride, double distance) {
+  return Passings(ride).at(distance);
+}
 
 // Returns a start speed (m/s) with which the first train completes its lap, or reaches the end of an open track: the
 // smallest whole number that does, plus 1 so that no top is passed too slowly; at most world::kMaxSpeed. Nothing if

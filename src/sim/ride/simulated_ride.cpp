@@ -1,5 +1,5 @@
 // Simulated rides and their cache.
-#include "sim/ride/ghost.h"
+#include "sim/ride/simulated_ride.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "base/interrupted.h"
-#include "sim/ride/ghost_detail.h"
+#include "sim/ride/simulated_ride_detail.h"
 #include "sim/ride/train.h"
 #include "world/evaluation.h"
 
@@ -16,11 +16,11 @@ namespace coaster::sim {
 namespace {
 
 // The train of a simulated ride: its motion over tables of the rails, tick by tick.
-class GhostTrain {
+class SimulatedTrain {
  public:
   // Refers to its arguments.
-  GhostTrain(const RailTables& tables, std::span<const SegmentTable* const> segments,
-             std::span<const EquipmentSpan> equipment, const world::Resistance& resistance, const GhostStart& start)
+  SimulatedTrain(const RailTables& tables, std::span<const SegmentTable* const> segments,
+                 std::span<const EquipmentSpan> equipment, const world::Resistance& resistance, const TrainStart& start)
       : equipment_(equipment),
         resistance_(resistance),
         landscape_(tables, segments, start.cars, start.spacing),
@@ -41,7 +41,7 @@ class GhostTrain {
     return gravity_here_ + (drive_.acceleration - direction() * loss(resistance_, moving_.speed));
   }
   // Returns those of the last tick; `travelled` is state().x, `sample` 0.
-  std::span<const GhostSwitch> switches() const { return switches_; }
+  std::span<const RideSwitch> switches() const { return switches_; }
 
   // Advances by a tick, in parts that end where equipment switches. Returns false at an open end.
   bool advance() {
@@ -157,7 +157,7 @@ class GhostTrain {
   TrainContacts near_;
   const Contacts* contacts_ = nullptr;  // the present ones
   Drive drive_;
-  std::vector<GhostSwitch> switches_;
+  std::vector<RideSwitch> switches_;
   int switched_ = 0;  // in this tick
   TrainState moving_;
   double round_ = 0, gravity_here_ = 0;  // m, m/s^2
@@ -190,7 +190,7 @@ Passage passage(std::span<const FeltEntry> from, std::span<const FeltEntry> to, 
 class Simulation {
  public:
   Simulation(const RailTables& tables, std::span<const EquipmentSpan> equipment, const world::Document& document,
-             const GhostStart& start)
+             const TrainStart& start)
       : tables_(tables),
         document_(document),
         start_(start),
@@ -200,61 +200,63 @@ class Simulation {
     for (int car = 0; car < start.cars; ++car) cars_.push_back({.back = car * start.spacing});
   }
 
-  // Runs the simulation and reuses the memory of `ghost`.
-  Ghost run(const GhostLimits& limits, Ghost ghost) {
-    ghost.samples.clear(), ghost.switches.clear(), ghost.forces.clear(), ghost.passages.clear(), ghost.bends.clear();
-    ghost = {.start = start_,
-             .track_length = rails_.length,
-             .closed = rails_.closed,
-             .heartline = document_.heartline,
-             .samples = std::move(ghost.samples),
-             .switches = std::move(ghost.switches),
-             .forces = std::move(ghost.forces),
-             .passages = std::move(ghost.passages),
-             .bends = std::move(ghost.bends)};
+  // Runs the simulation and reuses the memory of `simulated`.
+  SimulatedRide run(const RideLimits& limits, SimulatedRide simulated) {
+    simulated.samples.clear(), simulated.switches.clear(), simulated.forces.clear(), simulated.passages.clear(),
+        simulated.bends.clear();
+    simulated = {.start = start_,
+                 .track_length = rails_.length,
+                 .closed = rails_.closed,
+                 .heartline = document_.heartline,
+                 .samples = std::move(simulated.samples),
+                 .switches = std::move(simulated.switches),
+                 .forces = std::move(simulated.forces),
+                 .passages = std::move(simulated.passages),
+                 .bends = std::move(simulated.bends)};
     const auto most = static_cast<std::size_t>(std::max(0.0, limits.seconds) * world::kTicksPerSecond);
     const std::size_t usual = std::min<std::size_t>(most + 1, 20'000);
-    ghost.samples.reserve(usual), ghost.forces.reserve(usual / kForceEvery * static_cast<std::size_t>(start_.cars));
-    add_sample(ghost);
-    while (ghost.samples.size() <= most && ghost.end == world::FailureKind::none && !base::interrupted()) {
+    simulated.samples.reserve(usual),
+        simulated.forces.reserve(usual / kForceEvery * static_cast<std::size_t>(start_.cars));
+    add_sample(simulated);
+    while (simulated.samples.size() <= most && simulated.end == world::FailureKind::none && !base::interrupted()) {
       const double before = train_.state().x - start_.front;
-      if (!train_.advance()) ghost.end = world::FailureKind::off_end;
-      for (GhostSwitch at : train_.switches()) {
-        at.sample = ghost.samples.size(), at.travelled -= start_.front;
-        ghost.switches.push_back(at);
+      if (!train_.advance()) simulated.end = world::FailureKind::off_end;
+      for (RideSwitch at : train_.switches()) {
+        at.sample = simulated.samples.size(), at.travelled -= start_.front;
+        simulated.switches.push_back(at);
       }
-      add_sample(ghost);
-      if (ghost.end == world::FailureKind::none)
-        ghost.end = end_of_ride(document_, train_.state().speed, ghost.samples.back().travelled, train_.held(),
-                                furthest_, still_);
+      add_sample(simulated);
+      if (simulated.end == world::FailureKind::none)
+        simulated.end = end_of_ride(document_, train_.state().speed, simulated.samples.back().travelled, train_.held(),
+                                    furthest_, still_);
       const double after = train_.state().x - start_.front;
-      if (rails_.closed && !ghost.lap && after >= rails_.length) {
+      if (rails_.closed && !simulated.lap && after >= rails_.length) {
         const double part = after > before ? (rails_.length - before) / (after - before) : 1.0;
-        ghost.lap = true;
-        ghost.lap_time = (static_cast<double>(ghost.samples.size() - 2) + part) * world::kTick;
+        simulated.lap = true;
+        simulated.lap_time = (static_cast<double>(simulated.samples.size() - 2) + part) * world::kTick;
         if (limits.stop_after_lap) break;
       }
     }
-    if (const std::size_t ticks_left = (ghost.samples.size() - 1) % kForceEvery; ticks_left > 0)
-      add_forces(ghost, ticks_left);
-    return ghost;
+    if (const std::size_t ticks_left = (simulated.samples.size() - 1) % kForceEvery; ticks_left > 0)
+      add_forces(simulated, ticks_left);
+    return simulated;
   }
 
  private:
-  void add_sample(Ghost& ghost) {
+  void add_sample(SimulatedRide& simulated) {
     const TrainState& now = train_.state();
-    ghost.samples.push_back({now.x - start_.front, now.speed, train_.acceleration(), now.work});
-    if ((ghost.samples.size() - 1) % kForceEvery == 0) add_forces(ghost, kForceEvery);
+    simulated.samples.push_back({now.x - start_.front, now.speed, train_.acceleration(), now.work});
+    if ((simulated.samples.size() - 1) % kForceEvery == 0) add_forces(simulated, kForceEvery);
   }
 
   // Adds an entry of the forces, of the last sample, `ticks` after the entry before.
-  void add_forces(Ghost& ghost, std::size_t ticks) {
-    const double along = ghost.samples.back().acceleration, speed = ghost.samples.back().speed;
+  void add_forces(SimulatedRide& simulated, std::size_t ticks) {
+    const double along = simulated.samples.back().acceleration, speed = simulated.samples.back().speed;
     between_ = ticks;
     const Float4 a = four(static_cast<float>(along / world::kGravity)),
                  v2 = four(static_cast<float>(speed * speed / world::kGravity));
-    const std::size_t first = ghost.forces.size();
-    ghost.forces.resize(first + cars_.size());
+    const std::size_t first = simulated.forces.size();
+    simulated.forces.resize(first + cars_.size());
     for (std::size_t i = 0; i < cars_.size(); ++i) {
       CarPlace& car = cars_[i];
       double at = train_.in_lap() - car.back;
@@ -266,23 +268,24 @@ class Simulation {
         car.table = segments_[car.segment];
         car.from = tables_.start(car.segment), car.to = tables_.start(car.segment + 1);
       }
-      ghost.forces[first + i] = force_at(*car.table, s, a, v2);
+      simulated.forces[first + i] = force_at(*car.table, s, a, v2);
       if (first == 0) continue;
-      if (car.segment != before) add_passages(static_cast<int>(i), before, car.segment, at, ghost);
-      else if (!car.table->cells.empty()) add_tight(static_cast<int>(i), before, before, at, ghost);
+      if (car.segment != before) add_passages(static_cast<int>(i), before, car.segment, at, simulated);
+      else if (!car.table->cells.empty()) add_tight(static_cast<int>(i), before, before, at, simulated);
     }
   }
 
   // Adds a car's passages since the last entry of the forces, from one segment to another, where it is at `at` m.
-  void add_passages(int car, std::size_t from, std::size_t to, double at, Ghost& ghost) const {
+  void add_passages(int car, std::size_t from, std::size_t to, double at, SimulatedRide& simulated) const {
     const std::size_t first = from;
     bool tight = !segments_[from]->cells.empty();
-    const GhostSample &now = ghost.samples.back(), &then = ghost.samples[ghost.samples.size() - 1 - between_];
+    const RideSample &now = simulated.samples.back(),
+                     &then = simulated.samples[simulated.samples.size() - 1 - between_];
     const double moved = now.travelled - then.travelled, time = static_cast<double>(between_) * world::kTick;
-    const std::size_t count = segments_.size(), entry = ghost.forces.size() / cars_.size() - 1;
+    const std::size_t count = segments_.size(), entry = simulated.forces.size() / cars_.size() - 1;
     const auto speed = [&](double share) { return std::lerp(then.speed, now.speed, share); };
     const auto acceleration = [&](double share) { return std::lerp(then.acceleration, now.acceleration, share); };
-    const Felt* const felt = &ghost.forces[entry * cars_.size() + static_cast<std::size_t>(car)];
+    const Felt* const felt = &simulated.forces[entry * cars_.size() + static_cast<std::size_t>(car)];
     glm::dvec3 missed = -0.5 * time * (seat_vector(felt[0]) + seat_vector(*(felt - cars_.size())));
     double done = 0;  // of the way between the entries
     // Adds the integral of felt g on one segment's part of the way, from `done` on, by Simpson's rule.
@@ -303,9 +306,9 @@ class Simulation {
       const bool back = moved < 0;
       const std::size_t next = (from + (back ? count - 1 : 1)) % count, knot = back ? from : next;
       const double share = share_to(knot, at, moved);
-      ghost.passages.push_back(
+      simulated.passages.push_back(
           passage(segments_[from]->felt, segments_[next]->felt, back, speed(share), acceleration(share)));
-      Passage& passed = ghost.passages.back();
+      Passage& passed = simulated.passages.back();
       passed.knot = knot, passed.car = car, passed.entry = entry;
       passed.time = (static_cast<double>(entry) - 1) * kForceEvery * world::kTick + share * time;
       ride_to(share, from);
@@ -314,7 +317,7 @@ class Simulation {
       ride_to(1, to);
       passed.missed = force_of(missed);
     }
-    if (tight) add_tight(car, first, to, at, ghost);
+    if (tight) add_tight(car, first, to, at, simulated);
   }
   // Returns the share of a car's way of `moved` m to `at` that it had behind it at a knot.
   double share_to(std::size_t knot, double at, double moved) const {
@@ -324,10 +327,11 @@ class Simulation {
   }
 
   // Adds the passage inside segments on the same way, if there are cells on it that the entries do not resolve.
-  void add_tight(int car, std::size_t from, std::size_t to, double at, Ghost& ghost) const {
-    const GhostSample &now = ghost.samples.back(), &then = ghost.samples[ghost.samples.size() - 1 - between_];
+  void add_tight(int car, std::size_t from, std::size_t to, double at, SimulatedRide& simulated) const {
+    const RideSample &now = simulated.samples.back(),
+                     &then = simulated.samples[simulated.samples.size() - 1 - between_];
     const double moved = now.travelled - then.travelled;
-    const std::size_t count = segments_.size(), entry = ghost.forces.size() / cars_.size() - 1;
+    const std::size_t count = segments_.size(), entry = simulated.forces.size() / cars_.size() - 1;
     TightWay way{then, now, static_cast<double>(between_) * world::kTick};
     const bool joint = from != to;
     for (double done = 0; moved != 0;) {
@@ -340,12 +344,13 @@ class Simulation {
       if (from == to) break;
       from = next;
     }
-    const Felt* const felt = &ghost.forces[entry * cars_.size() + static_cast<std::size_t>(car)];
+    const Felt* const felt = &simulated.forces[entry * cars_.size() + static_cast<std::size_t>(car)];
     if (!way.is_needed(seat_vector(*(felt - cars_.size())), seat_vector(felt[0]), joint)) return;
-    for (auto it = ghost.passages.rbegin(); it != ghost.passages.rend() && it->car == car && it->entry == entry; ++it)
+    for (auto it = simulated.passages.rbegin(); it != simulated.passages.rend() && it->car == car && it->entry == entry;
+         ++it)
       it->missed = {0, 0, 0};  // the integrals are whole
-    ghost.bends.push_back(way.passage());
-    Passage& passed = ghost.bends.back().peak;
+    simulated.bends.push_back(way.passage());
+    Passage& passed = simulated.bends.back().peak;
     passed.car = car, passed.entry = entry;
     passed.time += (static_cast<double>(entry) - 1) * kForceEvery * world::kTick;
   }
@@ -353,9 +358,9 @@ class Simulation {
 
   const RailTables& tables_;
   const world::Document& document_;
-  GhostStart start_;
+  TrainStart start_;
   std::vector<const SegmentTable*> segments_;
-  GhostTrain train_;
+  SimulatedTrain train_;
   Rails rails_;
   double furthest_ = 0;
   std::int32_t still_ = 0;
@@ -371,42 +376,43 @@ class Simulation {
 
 constexpr double kSpare = 1;  // m/s more than the least that completes the ride
 
-bool completes(const Ghost& ghost) {
-  return ghost.lap || (ghost.end == world::FailureKind::off_end && ghost.samples.back().speed > 0);
+bool completes(const SimulatedRide& simulated) {
+  return simulated.lap || (simulated.end == world::FailureKind::off_end && simulated.samples.back().speed > 0);
 }
 
 }  // namespace
 
-Ghost simulate(const RailTables& tables, std::span<const EquipmentSpan> equipment, const world::Document& document,
-               const GhostStart& start, const GhostLimits& limits, Ghost memory) {
+SimulatedRide simulate(const RailTables& tables, std::span<const EquipmentSpan> equipment,
+                       const world::Document& document, const TrainStart& start, const RideLimits& limits,
+                       SimulatedRide memory) {
   if (tables.size() == 0 || !(tables.length() > 0) || base::interrupted()) {
-    Ghost ghost;
-    ghost.start = start;
-    ghost.samples.push_back({0, start.speed, 0, 0});
-    ghost.forces.resize(static_cast<std::size_t>(start.cars));
-    return ghost;
+    SimulatedRide simulated;
+    simulated.start = start;
+    simulated.samples.push_back({0, start.speed, 0, 0});
+    simulated.forces.resize(static_cast<std::size_t>(start.cars));
+    return simulated;
   }
   return Simulation(tables, equipment, document, start).run(limits, std::move(memory));
 }
 
-GhostStart start_at(const Derived& derived, const world::Cart& design, double front, double speed,
+TrainStart start_at(const Derived& derived, const world::Cart& design, double front, double speed,
                     ControlState control) {
   return {front, speed, cars_on(derived, design), design.spacing, control, design.body(), design.mass};
 }
 
-GhostStart start_of(const world::Document& document, const Derived& derived, const world::Cart& design) {
-  GhostStart start = start_at(derived, design, 0, document.start_speed, {});
+TrainStart start_of(const world::Document& document, const Derived& derived, const world::Cart& design) {
+  TrainStart start = start_at(derived, design, 0, document.start_speed, {});
   if (const auto index = world::index_of(derived.order, design.segment))
     start.front = derived.starts[*index] + design.fraction * derived.shape(design.segment).arc.length();
   return start;
 }
 
-const RailTables& GhostMemo::tables(const world::Document& document, const Derived& derived) {
+const RailTables& RideCache::tables(const world::Document& document, const Derived& derived) {
   tables_.update(derived, world::riders_height(document));
   return tables_;
 }
 
-GhostMemo::Entry& GhostMemo::find(const world::Document& document, const Derived& derived, const GhostStart& start) {
+RideCache::Entry& RideCache::find(const world::Document& document, const Derived& derived, const TrainStart& start) {
   tables(document, derived);
   Key key{tables_.serial(), start, document.resistance, document.rollback_fails, equipment_spans(document, derived)};
   ++clock_;
@@ -418,33 +424,33 @@ GhostMemo::Entry& GhostMemo::find(const world::Document& document, const Derived
   if (entries_.size() < most_) entries_.emplace_back();  // used 0: the oldest
   Entry& entry = *std::min_element(entries_.begin(), entries_.end(),
                                    [](const Entry& a, const Entry& b) { return a.used < b.used; });
-  Ghost ghost = simulate(tables_, key.equipment, document, start, {}, std::move(entry.ghost));
-  ghost.serial = ++simulations_;
-  entry = {std::move(key), std::move(ghost), clock_, false, {}};
+  SimulatedRide simulated = simulate(tables_, key.equipment, document, start, {}, std::move(entry.simulated));
+  simulated.serial = ++simulations_;
+  entry = {std::move(key), std::move(simulated), clock_, false, {}};
   return entry;
 }
 
-const Ghost* GhostMemo::ride(const world::Document& document, const Derived& derived, world::Entity cart) {
+const SimulatedRide* RideCache::ride(const world::Document& document, const Derived& derived, world::Entity cart) {
   const world::Cart* const design = document.entities.find<world::Cart>(cart);
   if (!design || derived.order.empty()) return nullptr;
-  return &find(document, derived, start_of(document, derived, *design)).ghost;
+  return &find(document, derived, start_of(document, derived, *design)).simulated;
 }
 
-const Ghost& GhostMemo::from(const world::Document& document, const Derived& derived, const GhostStart& start) {
-  return find(document, derived, start).ghost;
+const SimulatedRide& RideCache::from(const world::Document& document, const Derived& derived, const TrainStart& start) {
+  return find(document, derived, start).simulated;
 }
 
-const LapTable& GhostMemo::lap(const world::Document& document, const Derived& derived, const GhostStart& start) {
+const LapTable& RideCache::lap(const world::Document& document, const Derived& derived, const TrainStart& start) {
   Entry& entry = find(document, derived, start);
   if (!entry.has_lap) {
     const bool repeats = entry.key.resistance == world::Resistance{} && entry.key.equipment.empty();
-    entry.lap = repeats ? LapTable(entry.ghost) : LapTable();
+    entry.lap = repeats ? LapTable(entry.simulated) : LapTable();
     entry.has_lap = true;
   }
   return entry.lap;
 }
 
-void GhostMemo::keep(std::size_t rides) { most_ = std::clamp(rides, most_, kMostEntries * 16); }
+void RideCache::keep(std::size_t rides) { most_ = std::clamp(rides, most_, kMostEntries * 16); }
 
 std::optional<double> completing_speed(world::Document document) {
   const world::Entity cart = world::first_cart(document);
@@ -453,11 +459,11 @@ std::optional<double> completing_speed(world::Document document) {
   settings.evaluation->steps = 1;  // polylines are not needed
   Derived derived;
   derive(document, settings, {}, derived);
-  GhostMemo memo;
+  RideCache cache;
   const auto enough = [&](int speed) {
     document.start_speed = speed;
-    const Ghost* const ghost = memo.ride(document, derived, cart);
-    return ghost != nullptr && completes(*ghost);
+    const SimulatedRide* const simulated = cache.ride(document, derived, cart);
+    return simulated != nullptr && completes(*simulated);
   };
   int low = 0, high = static_cast<int>(world::kMaxSpeed);  // too slow, fast enough
   if (!enough(high)) return std::nullopt;

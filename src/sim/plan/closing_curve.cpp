@@ -1,4 +1,4 @@
-#include "sim/plan/circuit_way.h"
+#include "sim/plan/closing_curve.h"
 
 #include <algorithm>
 #include <array>
@@ -311,14 +311,14 @@ std::vector<double> merged(std::vector<double> a, const std::vector<double>& b, 
 }
 
 // Adds the curve between the leads.
-void add_middle(const CircuitWay& way, ElementPath& path) {
+void add_middle(const ClosingCurve& closing, ElementPath& path) {
   path.set_axes({1, 0, 0}, {0, 1, 0}, {0, 0, -1});
-  const double end = way.turns.length();
+  const double end = closing.turns.length();
   double begin = 0;
-  for (const double u : merged(way.turns.breaks(), way.heights.breaks(), end)) {
-    path.add(u - begin, [&way, begin](double v) {
-      const Turns::At turn = way.turns.at(begin + v);
-      const Heights::At height = way.heights.at(begin + v);
+  for (const double u : merged(closing.turns.breaks(), closing.heights.breaks(), end)) {
+    path.add(u - begin, [&closing, begin](double v) {
+      const Turns::At turn = closing.turns.at(begin + v);
+      const Heights::At height = closing.heights.at(begin + v);
       const auto [sin, cos] = base::sin_cos(turn.angle);
       return ElementRate{{cos, height.slope, -sin}, {-sin * turn.bend, height.change, -cos * turn.bend}, dvec3(0), 0};
     });
@@ -346,19 +346,19 @@ std::size_t first_from(const ElementCurve& curve, double s) {
 void fade_end(const TrackEnd& end, double slope, const std::vector<double>& squares, bool last, ElementCurve& curve) {
   std::vector<ElementPoint>& points = curve.points;
   const std::size_t all = points.size();
-  const double whole = curve.length(), way = last ? -1.0 : 1.0;
+  const double whole = curve.length(), sign = last ? -1.0 : 1.0;
   const auto index = [&](std::size_t i) { return last ? all - 1 - i : i; };
   const ElementPoint& first = points[index(0)];
   const double angle = curve::signed_angle(first.up, curve::perpendicular(first.tangent, end.up), first.tangent),
                square = squares[index(0)], most = kMostFade * whole, most_slope = fade_slope(most, square),
                more = std::clamp(slope - slopes_at(first, points[index(1)], points[index(2)]).spin, -most_slope,
                                  most_slope);  // more than that jolts
-  const RollFade fade(std::min(fade_length(angle, more, square), most), angle, way * (end.spin - first.spin), more);
+  const RollFade fade(std::min(fade_length(angle, more, square), most), angle, sign * (end.spin - first.spin), more);
   for (std::size_t i = 0; i < all; ++i) {
     ElementPoint& p = points[index(i)];
     const double s = last ? whole - p.s : p.s;
     if (s >= fade.length()) break;
-    turn_up(p, fade.angle(s), way * fade.spin(s));
+    turn_up(p, fade.angle(s), sign * fade.spin(s));
   }
   for (const double s : {fade.first_joint(), fade.second_joint(), fade.length()})
     add_break(curve, first_from(curve, last ? whole - s : s));
@@ -381,28 +381,28 @@ double lowest_of(const Heights& heights) {
   return lowest;
 }
 
-std::optional<FeltRange> estimate(const CircuitTask& task, const CircuitWay& way, int steps) {
+std::optional<FeltRange> estimate(const CircuitTask& task, const ClosingCurve& closing, int steps) {
   constexpr double kSteepestRollRate = 5.8;  // of soft_step()'s second derivative, over a ramp
   FeltRange felt;
-  const double length = way.turns.length(), from = task.from.position.y;
+  const double length = closing.turns.length(), from = task.from.position.y;
   for (int i = 0; i <= steps; ++i) {
     const double u = length * i / steps;
-    const Heights::At h = way.heights.at(u);
-    const double square = square_speed(task, h.height - from, way.in.length + u * std::sqrt(1 + h.slope * h.slope));
+    const Heights::At h = closing.heights.at(u);
+    const double square = square_speed(task, h.height - from, closing.in.length + u * std::sqrt(1 + h.slope * h.slope));
     if (square < slowest(task) * slowest(task)) return std::nullopt;
     const double flat = 1.0 + h.slope * h.slope, root = std::sqrt(flat);
-    const double side = square * way.turns.at(u).bend / (flat * world::kGravity),
+    const double side = square * closing.turns.at(u).bend / (flat * world::kGravity),
                  up = 1.0 / root + square * h.change / (flat * root * world::kGravity);
     felt.most = std::max(felt.most, std::sqrt(side * side + up * up));
     felt.least = std::min(felt.least, up);
   }
-  const Turns& turns = way.turns;
+  const Turns& turns = closing.turns;
   for (const auto& [bend, begin] :
        {std::pair{&turns.first, turns.before}, {&turns.second, length - turns.after - turns.second.length()}}) {
     const double ramp = bend->ramp();
     if (!(ramp > 0)) continue;
     for (const double u : {begin, begin + bend->length()}) {
-      const double square = square_speed(task, way.heights.at(u).height - from, way.in.length + u),
+      const double square = square_speed(task, closing.heights.at(u).height - from, closing.in.length + u),
                    side = square / (bend->radius * world::kGravity);
       felt.side = std::max(felt.side, square * task.riders * kSteepestRollRate * side / std::sqrt(1 + side * side) /
                                           (ramp * ramp * world::kGravity));
@@ -411,18 +411,18 @@ std::optional<FeltRange> estimate(const CircuitTask& task, const CircuitWay& way
   return felt;
 }
 
-std::vector<WayPlace> rough_line(const CircuitTask& task, const CircuitWay& way, double step) {
-  const double length = way.turns.length(), from = task.from.position.y;
+std::vector<ClosingPlace> rough_line(const CircuitTask& task, const ClosingCurve& closing, double step) {
+  const double length = closing.turns.length(), from = task.from.position.y;
   constexpr int kMostPlaces = 300;
   const int steps = std::clamp(static_cast<int>(length / step) + 1, 2, kMostPlaces);
   const double each = length / steps;
-  std::vector<WayPlace> line;
-  dvec2 at = way.in.pose.place;
-  double s = way.in.length;
+  std::vector<ClosingPlace> line;
+  dvec2 at = closing.in.pose.place;
+  double s = closing.in.length;
   for (int i = 0; i <= steps; ++i) {
     const double u = each * i;
-    const Turns::At turn = way.turns.at(u);
-    const Heights::At h = way.heights.at(u);
+    const Turns::At turn = closing.turns.at(u);
+    const Heights::At h = closing.heights.at(u);
     const auto [sin, cos] = base::sin_cos(turn.angle);
     const double flat = 1.0 + h.slope * h.slope, root = std::sqrt(flat);
     const dvec3 d1(cos, h.slope, sin), d2(-sin * turn.bend, h.change, cos * turn.bend), tangent = d1 / root;
@@ -430,7 +430,7 @@ std::vector<WayPlace> rough_line(const CircuitTask& task, const CircuitWay& way,
     const dvec3 up = felt_up(tangent, curvature, std::max(0.0, square_speed(task, h.height - from, s)));
     line.push_back({s, place + task.rails * up, up});
     at += integral(each, 1, [&](double v) {
-      const auto [side, ahead] = base::sin_cos(way.turns.at(u + v).angle);
+      const auto [side, ahead] = base::sin_cos(closing.turns.at(u + v).angle);
       return dvec2(ahead, side);
     });
     s += root * each;
@@ -438,22 +438,22 @@ std::vector<WayPlace> rough_line(const CircuitTask& task, const CircuitWay& way,
   return line;
 }
 
-ElementCurve way_curve(const CircuitTask& task, const CircuitWay& way) {
+ElementCurve ideal_closing(const CircuitTask& task, const ClosingCurve& closing) {
   const TrackEnd& from = task.from;
   ElementPath path(from.position, from.forward, glm::length(from.curvature) < kStraightEnd ? dvec3(0) : from.curvature,
                    from.up, from.spin);
-  add_lead(way.in, path);
+  add_lead(closing.in, path);
   const std::size_t middle = path.curve().points.size() - 1;
-  add_middle(way, path);
+  add_middle(closing, path);
   const std::size_t after = path.curve().points.size() - 1;
-  add_lead(way.out, path);
+  add_lead(closing.out, path);
   ElementCurve curve = path.curve();
   ElementPoint& last = curve.points.back();
   last.position = task.home.position, last.tangent = task.home.forward, last.curvature = task.home.curvature;
   const std::vector<double> squares = squares_on(task, curve);
   for (std::size_t i = 0; i < curve.points.size(); ++i) {
     ElementPoint& p = curve.points[i];
-    const bool kept = (way.in.steep && i < middle) || (way.out.steep && i > after);
+    const bool kept = (closing.in.steep && i < middle) || (closing.out.steep && i > after);
     p.slope_error = kSlopeError / std::max(squares[i], 1.0);
     p.up = kept ? curve::perpendicular(p.tangent, p.up) : felt_up(p.tangent, p.curvature, std::max(0.0, squares[i]));
   }

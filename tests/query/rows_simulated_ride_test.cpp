@@ -4,9 +4,9 @@
 #include "query/query.h"
 
 namespace coaster::query {
-namespace rows_ghost_test {
+namespace rows_simulated_ride_test {
 
-class GhostRows : public test::SessionTest {
+class SimulatedRideRows : public test::SessionTest {
  protected:
   std::string words(std::string_view name) {
     return to_text(*find_query(name)->evaluate({session, stats, "", ""}, {}));
@@ -14,7 +14,7 @@ class GhostRows : public test::SessionTest {
   FrameStats stats;
 };
 
-TEST_F(GhostRows, losses_have_the_name_of_their_set_or_are_own) {
+TEST_F(SimulatedRideRows, losses_have_the_name_of_their_set_or_are_own) {
   EXPECT_EQ(words("losses"), "frictionless");
   good("losses rolling 0.03 drag 0.00002");
   EXPECT_EQ(words("losses"), "openfvd");
@@ -24,5 +24,5 @@ TEST_F(GhostRows, losses_have_the_name_of_their_set_or_are_own) {
   EXPECT_EQ(words("losses"), "kexedit");
 }
 
-}  // namespace rows_ghost_test
+}  // namespace rows_simulated_ride_test
 }  // namespace coaster::query

@@ -9,7 +9,7 @@
 #include "edit/session_fixture.h"
 
 namespace coaster::edit {
-namespace way_search_test {
+namespace closing_search_test {
 
 class WaySearches : public test::SessionTest {
  protected:
@@ -36,7 +36,7 @@ TEST_F(WaySearches, a_search_beside_the_frames_comes_to_the_same) {
     EXPECT_EQ(session.notices.serial, silent) << "nothing to tell yet";
     ASSERT_TRUE(search.wanted);
     sim::OpenedTrack opened;
-    Search answer{.found = sim::changed_way(*search.wanted, opened), .asked = search.wanted};
+    Search answer{.found = sim::changed_closing(*search.wanted, opened), .asked = search.wanted};
     EXPECT_EQ(apply(line, &answer).ok(), can);
     EXPECT_EQ(hash(), wanted);
     EXPECT_EQ(session.notices.list.back().text, notice);
@@ -68,7 +68,7 @@ TEST_F(WaySearches, neither_frame_of_a_change_does_the_search) {
   Search search{.leaves = true};
   const double asked = took(&search);
   ASSERT_TRUE(search.wanted);
-  Search answer{.found = sim::changed_way(*search.wanted, edit::opened_track_of(session)), .asked = search.wanted};
+  Search answer{.found = sim::changed_closing(*search.wanted, edit::opened_track_of(session)), .asked = search.wanted};
   const double taken = took(&answer);
   EXPECT_EQ(hash(), after);
   std::printf("at once %.1f ms; beside the frames %.1f and %.1f ms\n", 1e3 * whole, 1e3 * asked, 1e3 * taken);
@@ -81,7 +81,7 @@ TEST_F(WaySearches, an_answer_to_another_change_is_not_taken) {
   Search search{.leaves = true};
   EXPECT_FALSE(apply("section.change @q2 to climb height 30 equipment lift", &search).ok());
   ASSERT_TRUE(search.wanted);
-  Search answer{.found = sim::ChangedWay{.refusal = "an answer to another question"}, .asked = search.wanted};
+  Search answer{.found = sim::ChangedClosing{.refusal = "an answer to another question"}, .asked = search.wanted};
   EXPECT_TRUE(apply("section.change @q2 to climb height 31 equipment lift", &answer).ok());
   EXPECT_TRUE(answer.found);
   const std::uint64_t after = hash();
@@ -90,5 +90,5 @@ TEST_F(WaySearches, an_answer_to_another_change_is_not_taken) {
   EXPECT_EQ(after, hash());
 }
 
-}  // namespace way_search_test
+}  // namespace closing_search_test
 }  // namespace coaster::edit

@@ -1,4 +1,4 @@
-#include "sim/ride/ghost.h"
+#include "sim/ride/simulated_ride.h"
 
 #include <gtest/gtest.h>
 
@@ -6,20 +6,20 @@
 #include <cmath>
 #include <random>
 
-#include "sim/ride/ghost_detail.h"
 #include "sim/ride/ride.h"
+#include "sim/ride/simulated_ride_detail.h"
 #include "sim/study/ratings.h"
 #include "sim/tracks.h"
 
 namespace coaster::sim {
-namespace ghost_test {
+namespace simulated_ride_test {
 
 constexpr double kG = world::kGravity;
 
 struct Riding {
   world::Document document;
   Derived derived;
-  GhostMemo memo;
+  RideCache cache;
   world::Entity cart;
 
   Riding(world::Document d, std::size_t segment, double fraction, double speed, int cars = 1) : document(std::move(d)) {
@@ -28,7 +28,7 @@ struct Riding {
     document.start_speed = speed;
     derive(document, {}, {}, derived);
   }
-  const Ghost& ghost() { return *memo.ride(document, derived, cart); }
+  const SimulatedRide& simulated() { return *cache.ride(document, derived, cart); }
 };
 
 // A helix about a vertical axis, `per_turn` segments a turn, going down by `drop` m a turn; up as near to +Y as can be.
@@ -66,7 +66,7 @@ double mean_slope(const RailTables& tables, int cars, double spacing, double ste
   return a.slope + u * (6 * rise - 4 * a.slope - 2 * b.slope) + u * u * (3 * a.slope + 3 * b.slope - 6 * rise);
 }
 
-TEST(ghost, slopes_are_those_of_all_cars_in_any_order_of_the_places) {
+TEST(simulated_ride, slopes_are_those_of_all_cars_in_any_order_of_the_places) {
   std::mt19937 bits(3);
   for (const bool closed : {true, false})
     for (const int cars : {1, 2, 7}) {
@@ -93,76 +93,77 @@ TEST(ghost, slopes_are_those_of_all_cars_in_any_order_of_the_places) {
     }
 }
 
-TEST(ghost, the_felt_acceleration_in_a_vertical_circle_is_that_of_the_textbook) {
+TEST(simulated_ride, the_felt_acceleration_in_a_vertical_circle_is_that_of_the_textbook) {
   const double radius = 7.5, bottom_speed = 20.3;
   world::Document d = test::circle_document(radius, {3.3, 1.7, -2.9}, {0.6, 0, 0.8});
   d.heartline = 1.1;
   Riding setup(d, 0, 0.0, bottom_speed);
-  const Ghost& ghost = setup.ghost();
-  ASSERT_TRUE(ghost.lap);
+  const SimulatedRide& simulated = setup.simulated();
+  ASSERT_TRUE(simulated.lap);
   // Riders inside the loop go (R - d)/R as fast as the rails: felt = v^2 (R - d)/R^2 + g at the bottom, less g at the
   // top.
   const auto felt = [&](double v2, double weight) { return v2 * (radius - 1.1) / (radius * radius) / kG + weight; };
   const double top_v2 = bottom_speed * bottom_speed - 4 * kG * radius;
-  EXPECT_NEAR(ghost.forces.front().up, felt(bottom_speed * bottom_speed, 1), 0.02);
+  EXPECT_NEAR(simulated.forces.front().up, felt(bottom_speed * bottom_speed, 1), 0.02);
   std::size_t top = 0;
-  for (std::size_t i = 0; i < ghost.samples.size(); ++i)
-    if (ghost.samples[i].speed < ghost.samples[top].speed) top = i;
-  EXPECT_NEAR(ghost.samples[top].speed, std::sqrt(top_v2), 2e-3);
-  EXPECT_NEAR(ghost.forces[top / kForceEvery].up, felt(top_v2, -1), 0.02);
+  for (std::size_t i = 0; i < simulated.samples.size(); ++i)
+    if (simulated.samples[i].speed < simulated.samples[top].speed) top = i;
+  EXPECT_NEAR(simulated.samples[top].speed, std::sqrt(top_v2), 2e-3);
+  EXPECT_NEAR(simulated.forces[top / kForceEvery].up, felt(top_v2, -1), 0.02);
 }
 
-TEST(ghost, a_helix_presses_sideways_by_v2_over_r) {
+TEST(simulated_ride, a_helix_presses_sideways_by_v2_over_r) {
   const double radius = 12.3, drop = 4.1, c = drop / (2 * M_PI);
   world::Document d = helix_document(radius, drop, 3);
   d.heartline = 0;
   Riding setup(d, 4, 0.0, 9.7);
-  const Ghost& ghost = setup.ghost();
+  const SimulatedRide& simulated = setup.simulated();
   const double curvature = radius / (radius * radius + c * c);
-  for (std::size_t k = 20; k + 20 < ghost.forces.size(); k += 7) {
-    const double speed = ghost.samples[k * kForceEvery].speed;
-    EXPECT_NEAR(std::abs(ghost.forces[k].left), speed * speed * curvature / kG, 0.01 * speed * speed * curvature / kG)
+  for (std::size_t k = 20; k + 20 < simulated.forces.size(); k += 7) {
+    const double speed = simulated.samples[k * kForceEvery].speed;
+    EXPECT_NEAR(std::abs(simulated.forces[k].left), speed * speed * curvature / kG,
+                0.01 * speed * speed * curvature / kG)
         << k;
   }
 }
 
-TEST(ghost, a_straight_ramp_takes_the_time_of_uniform_acceleration) {
+TEST(simulated_ride, a_straight_ramp_takes_the_time_of_uniform_acceleration) {
   Riding setup(test::straight_document({1.1f, 29.3f, 2.7f}, {31.1f, 6.3f, 12.7f}, 5), 0, 0.0, 0.5);
-  const Ghost& ghost = setup.ghost();
+  const SimulatedRide& simulated = setup.simulated();
   const double length = std::sqrt(30.0 * 30 + 23.0 * 23 + 10.0 * 10), a = kG * 23.0 / length;
   const double time = (std::sqrt(0.25 + 2 * a * length) - 0.5) / a;
-  EXPECT_EQ(ghost.end, world::FailureKind::off_end);
-  EXPECT_NEAR(ghost.seconds(), time, world::kTick);
-  const GhostSample& middle = ghost.samples[ghost.samples.size() / 2];
-  const double t = static_cast<double>(ghost.samples.size() / 2) * world::kTick;
+  EXPECT_EQ(simulated.end, world::FailureKind::off_end);
+  EXPECT_NEAR(simulated.seconds(), time, world::kTick);
+  const RideSample& middle = simulated.samples[simulated.samples.size() / 2];
+  const double t = static_cast<double>(simulated.samples.size() / 2) * world::kTick;
   EXPECT_NEAR(middle.travelled, 0.5 * t + 0.5 * a * t * t, 1e-4);
 }
 
-TEST(ghost, keeps_the_energy_and_agrees_with_runge_kutta_on_the_exact_curve) {
+TEST(simulated_ride, keeps_the_energy_and_agrees_with_runge_kutta_on_the_exact_curve) {
   for (const int cars : {1, 8}) {
     Riding setup(test::ring_document(12, 40.3, 7.7), 4, 0.37, 17.3, cars);
-    const Ghost& ghost = setup.ghost();
-    ASSERT_TRUE(ghost.lap);
+    const SimulatedRide& simulated = setup.simulated();
+    ASSERT_TRUE(simulated.lap);
     world::Motion motion;
     reset(setup.document, setup.derived, motion);
     motion.state = world::RideState::running;
     double worst = 0;
-    for (std::size_t tick = 0; tick < ghost.samples.size(); ++tick) {
+    for (std::size_t tick = 0; tick < simulated.samples.size(); ++tick) {
       const world::CartMotion& cart = motion.carts.items()[0];
-      worst = std::max(worst, std::abs(cart.travelled - ghost.samples[tick].travelled));
-      step(setup.document, setup.derived, {}, 1, setup.memo, motion);
+      worst = std::max(worst, std::abs(cart.travelled - simulated.samples[tick].travelled));
+      step(setup.document, setup.derived, {}, 1, setup.cache, motion);
     }
     EXPECT_LT(worst, 2e-3) << cars;  // m
     // The lap's time, by the speed at the end of it.
     const world::CartMotion& cart = motion.carts.items()[0];
-    const double exact =
-        static_cast<double>(ghost.samples.size()) * world::kTick - (cart.travelled - setup.derived.length) / cart.speed;
-    EXPECT_NEAR(ghost.lap_time / exact, 1.0, 1e-5) << cars;
+    const double exact = static_cast<double>(simulated.samples.size()) * world::kTick -
+                         (cart.travelled - setup.derived.length) / cart.speed;
+    EXPECT_NEAR(simulated.lap_time / exact, 1.0, 1e-5) << cars;
   }
 }
 
 // Eight cars over a hill: s'' = -(g/8) sum of T_y, by tiny steps over a polyline of 400,000 chords.
-TEST(ghost, a_long_train_moves_as_its_lagrangian_says) {
+TEST(simulated_ride, a_long_train_moves_as_its_lagrangian_says) {
   world::Document d;
   const glm::vec3 at[] = {{0.3f, 2, 0.7f}, {30, 2, 4}, {60, 24, 8}, {90, 3, 3}, {140, 2, 0.1f}, {190, 2.5f, 0}};
   const glm::vec3 along[] = {{1, 0, 0}, {1, 0.1f, 0.1f}, {1, 0, 0}, {1, -0.2f, 0}, {1, 0, 0}, {1, 0, 0}};
@@ -187,7 +188,7 @@ TEST(ghost, a_long_train_moves_as_its_lagrangian_says) {
     const auto k = static_cast<std::size_t>(above);
     return (height[k] - height[k - 1]) / (distance[k] - distance[k - 1]);
   };
-  double s = setup.ghost().start.front, v = 22.7;
+  double s = setup.simulated().start.front, v = 22.7;
   const double from = s, dt = 1e-4;
   const auto pull = [&](double x) {
     double a = 0;
@@ -201,66 +202,66 @@ TEST(ghost, a_long_train_moves_as_its_lagrangian_says) {
     v += 0.5 * (a + next) * dt;
     a = next;
   }
-  const GhostSample& sample = setup.ghost().samples.at(600);
+  const RideSample& sample = setup.simulated().samples.at(600);
   EXPECT_NEAR(sample.travelled, s - from, 5e-3);
   EXPECT_NEAR(sample.speed, v, 1e-3);
 }
 
-TEST(ghost, is_simulated_again_when_its_ride_changes_and_not_otherwise) {
+TEST(simulated_ride, is_simulated_again_when_its_ride_changes_and_not_otherwise) {
   Riding setup(test::ring_document(12, 20.3), 4, 0.37, 14.3, 3);
-  setup.ghost();
-  EXPECT_EQ(setup.memo.simulations(), 1u);
-  setup.ghost();
-  EXPECT_EQ(setup.memo.simulations(), 1u);
+  setup.simulated();
+  EXPECT_EQ(setup.cache.simulations(), 1u);
+  setup.simulated();
+  EXPECT_EQ(setup.cache.simulations(), 1u);
   setup.document.entities.get<world::Knot>(setup.document.track.knots[2]).position.y += 0.5f;
   derive(setup.document, {}, {}, setup.derived);
-  setup.ghost();
+  setup.simulated();
   setup.document.resistance.rolling = 0.02f;
-  setup.ghost();
-  EXPECT_EQ(setup.memo.simulations(), 3u);
+  setup.simulated();
+  EXPECT_EQ(setup.cache.simulations(), 3u);
 }
 
-TEST(ghost, equipment_carries_a_train_round) {
+TEST(simulated_ride, equipment_carries_a_train_round) {
   world::Document d = test::ring_document(16, 30.7, 0.0);
   d.entities.put(d.track.segments[0], world::Equipment{world::EquipmentKind::station, 4.0f, 3.0f, 0, 2});
   d.entities.put(d.track.segments[1], world::Equipment{world::EquipmentKind::launch, 15.0f, 9.0f, 0, 0});
   d.resistance = {0.01f, 1e-4f};
   Riding setup(d, 0, 0.2, 1.0, 4);
-  const Ghost& ghost = setup.ghost();
-  EXPECT_TRUE(ghost.lap);
-  const auto fastest = std::max_element(ghost.samples.begin(), ghost.samples.end(),
+  const SimulatedRide& simulated = setup.simulated();
+  EXPECT_TRUE(simulated.lap);
+  const auto fastest = std::max_element(simulated.samples.begin(), simulated.samples.end(),
                                         [](const auto& a, const auto& b) { return a.speed < b.speed; });
   EXPECT_GT(fastest->speed, 10);
   EXPECT_LE(fastest->speed, 15.01);
 }
 
-TEST(ghost, the_timetable_is_the_ghost_tick_by_tick_and_goes_on_after_a_lap) {
+TEST(simulated_ride, the_timetable_is_the_simulated_ride_tick_by_tick_and_goes_on_after_a_lap) {
   Riding setup(test::ring_document(12, 20.3), 4, 0.37, 14.3, 2);
   world::Motion motion;
   reset(setup.document, setup.derived, motion);
   motion.state = world::RideState::running;
   const world::IntegratorId row = base::value_named<world::IntegratorId>("precomputed").value();
-  const Ghost ghost = setup.ghost();
-  for (std::size_t tick = 1; tick + 1 < ghost.samples.size(); ++tick) {  // in the last tick the next lap begins
-    step(setup.document, setup.derived, row, 1, setup.memo, motion);
-    ASSERT_EQ(motion.carts.items()[0].speed, ghost.samples[tick].speed) << tick;
-    ASSERT_NEAR(motion.carts.items()[0].travelled, ghost.samples[tick].travelled, 1e-9);
+  const SimulatedRide simulated = setup.simulated();
+  for (std::size_t tick = 1; tick + 1 < simulated.samples.size(); ++tick) {  // in the last tick the next lap begins
+    step(setup.document, setup.derived, row, 1, setup.cache, motion);
+    ASSERT_EQ(motion.carts.items()[0].speed, simulated.samples[tick].speed) << tick;
+    ASSERT_NEAR(motion.carts.items()[0].travelled, simulated.samples[tick].travelled, 1e-9);
   }
-  step(setup.document, setup.derived, row, 120 * 60, setup.memo, motion);
+  step(setup.document, setup.derived, row, 120 * 60, setup.cache, motion);
   EXPECT_GT(motion.carts.items()[0].laps, 3);
   EXPECT_LT(energy_drift(setup.document, setup.derived, setup.cart, motion.carts.items()[0]), 1e-5);
 }
 
-TEST(ghost, no_track_and_no_length_give_a_ghost_that_stands) {
+TEST(simulated_ride, no_track_and_no_length_give_a_simulated_ride_that_stands) {
   world::Document d;
-  GhostMemo memo;
-  EXPECT_EQ(memo.ride(d, {}, world::kNone), nullptr);
-  EXPECT_EQ(memo.from(d, {}, {}).samples.size(), 1u);
+  RideCache cache;
+  EXPECT_EQ(cache.ride(d, {}, world::kNone), nullptr);
+  EXPECT_EQ(cache.from(d, {}, {}).samples.size(), 1u);
 }
 
-// At rest at the open end where the train starts: on level track it stalls after two seconds, live and as a ghost; on
-// rising track it is pulled off the end; on falling track it moves on.
-TEST(ghost, a_train_that_stands_at_its_start_ends_as_it_does_live) {
+// At rest at the open end where the train starts: on level track it stalls after two seconds, live and as a simulated
+// ride; on rising track it is pulled off the end; on falling track it moves on.
+TEST(simulated_ride, a_train_that_stands_at_its_start_ends_as_it_does_live) {
   const struct {
     float rise;
     world::FailureKind end;
@@ -271,7 +272,7 @@ TEST(ghost, a_train_that_stands_at_its_start_ends_as_it_does_live) {
     reset(setup.document, setup.derived, motion);
     motion.state = world::RideState::running;
     const auto step_live = [&](int ticks) {
-      step(setup.document, setup.derived, base::value_named<world::IntegratorId>("rk4").value(), ticks, setup.memo,
+      step(setup.document, setup.derived, base::value_named<world::IntegratorId>("rk4").value(), ticks, setup.cache,
            motion);
     };
     step_live(200);
@@ -279,10 +280,10 @@ TEST(ghost, a_train_that_stands_at_its_start_ends_as_it_does_live) {
     step_live(41);
     EXPECT_EQ(motion.failure.kind, end) << rise;
     EXPECT_EQ(motion.state == world::RideState::running, end == world::FailureKind::none) << rise;
-    if (end != world::FailureKind::none) EXPECT_EQ(setup.ghost().end, end) << rise;
+    if (end != world::FailureKind::none) EXPECT_EQ(setup.simulated().end, end) << rise;
     else EXPECT_GT(motion.carts.items()[0].travelled, 0);
   }
 }
 
-}  // namespace ghost_test
+}  // namespace simulated_ride_test
 }  // namespace coaster::sim

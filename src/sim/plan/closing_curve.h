@@ -1,4 +1,4 @@
-// Ways home in plan: straight, turn, straight, turn, straight. They are Dubins' paths whose turns have ramps of
+// Closing sections in plan: straight, turn, straight, turn, straight. They are Dubins' paths whose turns have ramps of
 // curvature (Bend), so the curvature is continuous; what the open end and the first knot ask of them; and the curve of
 // one in space.
 #pragma once
@@ -89,11 +89,11 @@ struct CircuitTask {
   friend bool operator==(const CircuitTask&, const CircuitTask&) = default;
 };
 
-// Limits for what riders feel on a way home: the strictest, for durations over 4 s (docs/ride.md).
+// Limits for what riders feel on a closing section: the strictest, for durations over 4 s (docs/ride.md).
 inline constexpr double kMostUp = 4.0, kLeastUp = -0.3, kMostSide = 1.2;  // g
-// g, lateral, caused by rolling: ways home with less are preferred.
+// g, lateral, caused by rolling: closing sections with less are preferred.
 inline constexpr double kGentleSide = 0.55;
-inline constexpr double kSlowestHome = 2;     // m/s, anywhere on the way; less for a train that arrives slower
+inline constexpr double kSlowestHome = 2;     // m/s, anywhere on it; less for a train that arrives slower
 inline constexpr double kSteepestHome = 0.7;  // m per metre in plan, between the bends
 inline constexpr double kLowestRails = 1;     // m above the ground, or the lower end's height if that is less
 
@@ -102,13 +102,13 @@ struct FeltRange {
   bool within() const { return most <= kMostUp && least >= kLeastUp && side <= kMostSide; }
 };
 
-struct CircuitWay {
+struct ClosingCurve {
   Lead in, out;
   Turns turns;
   Heights heights;
 };
 
-// Returns the least speed on the way, m/s.
+// Returns the least speed on it, m/s.
 inline double slowest(const CircuitTask& task) { return std::min(kSlowestHome, 0.8 * task.speed); }
 
 // Returns the squared speed after rising by `rise` m over `length` m of track.
@@ -119,18 +119,18 @@ double lowest_of(const Heights& heights);
 
 // Returns what is felt on the curve between the leads, from `steps` positions on it; nothing if the train would be
 // slower than slowest(). Lateral g is that of rolling with the bank. About 5 us for 48 steps.
-std::optional<FeltRange> estimate(const CircuitTask& task, const CircuitWay& way, int steps);
+std::optional<FeltRange> estimate(const CircuitTask& task, const ClosingCurve& closing, int steps);
 
 // Returns positions of the rails about `step` m apart, with their up, for a first check of clearance: accurate to 5 cm.
-struct WayPlace {
+struct ClosingPlace {
   double s;  // m
   glm::dvec3 rails, up;
 };
-std::vector<WayPlace> rough_line(const CircuitTask& task, const CircuitWay& way, double step);
+std::vector<ClosingPlace> rough_line(const CircuitTask& task, const ClosingCurve& closing, double step);
 
 // Returns the ideal curve. Its up is the felt direction, so lateral g is 0 on the curve itself; the roll of both ends,
 // with its rate and the slope of that, fades into it (circuit_heights.h). Its last point is exactly `task.home`.
-ElementCurve way_curve(const CircuitTask& task, const CircuitWay& way);
+ElementCurve ideal_closing(const CircuitTask& task, const ClosingCurve& closing);
 // Returns what riders feel on it, without the lateral g caused by the roll of both ends.
 FeltRange felt_on(const CircuitTask& task, const ElementCurve& curve);
 

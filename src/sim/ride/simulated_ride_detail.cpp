@@ -1,4 +1,4 @@
-#include "sim/ride/ghost_detail.h"
+#include "sim/ride/simulated_ride_detail.h"
 
 #include <algorithm>
 #include <array>

@@ -1,11 +1,11 @@
-#include "sim/plan/carry.h"
+#include "sim/plan/upright_move.h"
 
 #include <gtest/gtest.h>
 
 #include "world/sample_documents.h"
 
 namespace coaster::sim {
-namespace carry_test {
+namespace upright_move_test {
 
 using glm::dvec3;
 
@@ -16,19 +16,19 @@ world::Knot knot(glm::vec3 position, glm::vec3 tangent, double roll_deg = 0) {
 }
 
 TEST(carry, turns_about_the_vertical_alone) {
-  const Carry carry = carry_between({1, 2, 3}, {1, 5, 0}, {-7, 8, 9}, {0, -1, -2});
+  const UprightMove carry = move_between({1, 2, 3}, {1, 5, 0}, {-7, 8, 9}, {0, -1, -2});
   EXPECT_EQ(carry.point({1, 2, 3}), dvec3(-7, 8, 9));
   // +X becomes -Z, so +Z becomes +X.
   EXPECT_LT(glm::distance(carry.point({4, 5, 4}), dvec3(-6, 11, 6)), 1e-12);
   EXPECT_LT(glm::distance(carry.direction({0.6, 0.8, 0}), dvec3(0, 0.8, -0.6)), 1e-15);
-  const Carry shift = carry_between({1, 2, 3}, {0, 1, 0}, {2, 2, 3}, {1, 0, 0});
+  const UprightMove shift = move_between({1, 2, 3}, {0, 1, 0}, {2, 2, 3}, {1, 0, 0});
   EXPECT_EQ(shift.direction({0.6, 0, 0.8}), dvec3(0.6, 0, 0.8)) << "a vertical direction has no heading";
 }
 
 TEST(carry, takes_one_knot_to_another_and_others_along) {
   const world::Knot from = knot({10.3f, 4.7f, -3.1f}, {0.8f, 0.3f, 0.4f}, 25),
                     to = knot({-50.1f, 9.3f, 7.7f}, {-0.4f, 0.3f, 0.8f}, 25);
-  const auto carry = carry_between(from, to);
+  const auto carry = move_between(from, to);
   ASSERT_TRUE(carry) << carry.status().message;
   const world::Knot there = carry->knot(from);
   EXPECT_EQ(there.position, to.position);
@@ -45,7 +45,7 @@ TEST(carry, takes_one_knot_to_another_and_others_along) {
 TEST(carry, never_tilts) {
   const world::Knot level = knot({0, 5, 0}, {1, 0, 0});
   const auto reason = [&](const world::Knot& to) {
-    const auto carry = carry_between(level, to);
+    const auto carry = move_between(level, to);
     return carry ? "" : carry.status().message;
   };
   EXPECT_EQ(reason(knot({9, 9, 9}, {0, 0, -1})), "");
@@ -62,5 +62,5 @@ TEST(carry, never_tilts) {
             "the track would end there rolled by 0.02 degrees against what follows");
 }
 
-}  // namespace carry_test
+}  // namespace upright_move_test
 }  // namespace coaster::sim
