@@ -131,6 +131,7 @@ struct Change;  // of the session by one command: edit/perform/perform.h
 // The CommandInfo of a kind of command, and the function that carries it out. It checks first and changes nothing on
 // failure; one with Effect::document changes only the document.
 #define COASTER_COMMAND(Kind, ...)                 \
+  static_assert(__COUNTER__ >= 0);                 \
   static constexpr CommandInfo kInfo{__VA_ARGS__}; \
   friend base::Status perform(Session& session, Change& change, const Kind& command)
 
@@ -164,5 +165,12 @@ struct CommandList {
 };
 template <class... A, class... B>
 CommandList<A..., B...> operator+(CommandList<A...>, CommandList<B...>);
+
+// The commands of a header stand between COASTER_COMMAND_GROUP(Ride) and COASTER_COMMAND_LIST(Ride, kinds), which
+// defines RideCommands, their CommandList. A command that the list leaves out does not compile: both count.
+#define COASTER_COMMAND_GROUP(Group) constexpr int kBefore##Group = __COUNTER__
+#define COASTER_COMMAND_LIST(Group, ...)            \
+  using Group##Commands = CommandList<__VA_ARGS__>; \
+  static_assert(Group##Commands::size == __COUNTER__ - kBefore##Group - 1, "the list has each command of its header")
 
 }  // namespace coaster::edit

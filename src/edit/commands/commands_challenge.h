@@ -6,6 +6,7 @@
 #include "edit/commands/command_fields.h"
 
 namespace coaster::edit {
+COASTER_COMMAND_GROUP(Challenge);
 
 struct StartChallenge {
   std::string path;
@@ -29,6 +30,6 @@ struct CloseCard {
   COASTER_FIELDS()
 };
 
-using ChallengeCommands = CommandList<StartChallenge, LeaveChallenge, ShowHint, CloseCard>;
+COASTER_COMMAND_LIST(Challenge, StartChallenge, LeaveChallenge, ShowHint, CloseCard);
 
 }  // namespace coaster::edit

@@ -10,6 +10,7 @@
 #include "world/components.h"
 
 namespace coaster::edit {
+COASTER_COMMAND_GROUP(Document);
 
 struct MoveKnot {
   Target knot;
@@ -148,8 +149,8 @@ struct MakeAllG2 {
   COASTER_FIELDS()
 };
 
-using DocumentCommands = CommandList<MoveKnot, MoveHandle, SetDirection, SetLengths, SetRoll, SetSpin, AutomaticSpin,
-                                     SetJoint, SetTurns, SplitSegment, AddCurve, AppendKnot, RemoveKnot, SetClosed,
-                                     AddCart, SetName, SetStartSpeed, SetDatum, MakeG2, MakeAllG2>;
+COASTER_COMMAND_LIST(Document, MoveKnot, MoveHandle, SetDirection, SetLengths, SetRoll, SetSpin, AutomaticSpin,
+                     SetJoint, SetTurns, SplitSegment, AddCurve, AppendKnot, RemoveKnot, SetClosed, AddCart, SetName,
+                     SetStartSpeed, SetDatum, MakeG2, MakeAllG2);
 
 }  // namespace coaster::edit

@@ -5,6 +5,7 @@
 #include "world/element.h"
 
 namespace coaster::edit {
+COASTER_COMMAND_GROUP(Element);
 
 struct PlaceElement {
   world::Element what;
@@ -29,6 +30,6 @@ struct CompleteCircuit {
   COASTER_FIELDS(visit("", self.proposal))
 };
 
-using ElementCommands = CommandList<PlaceElement, ChooseElement, CompleteCircuit>;
+COASTER_COMMAND_LIST(Element, PlaceElement, ChooseElement, CompleteCircuit);
 
 }  // namespace coaster::edit

@@ -7,6 +7,7 @@
 #include "world/force.h"
 
 namespace coaster::edit {
+COASTER_COMMAND_GROUP(Force);
 
 struct AddForce {
   world::ForceOver over{};
@@ -155,8 +156,8 @@ struct FreeForces {
   COASTER_FIELDS(visit("", self.section))
 };
 
-using ForceCommands = CommandList<AddForce, SetForceKey, InsertForceKey, MoveForceKey, RemoveForceKey, ShapeForceKey,
-                                  CopyForceKeys, PasteForceKeys, SetForceLength, SetForceTolerance, SetForceOver,
-                                  SetForceOf, HoldForces, ReadForces, FreeForces>;
+COASTER_COMMAND_LIST(Force, AddForce, SetForceKey, InsertForceKey, MoveForceKey, RemoveForceKey, ShapeForceKey,
+                     CopyForceKeys, PasteForceKeys, SetForceLength, SetForceTolerance, SetForceOver, SetForceOf,
+                     HoldForces, ReadForces, FreeForces);
 
 }  // namespace coaster::edit

@@ -7,6 +7,7 @@
 #include "world/settings.h"
 
 namespace coaster::edit {
+COASTER_COMMAND_GROUP(Lab);
 
 struct ShowLayer {
   world::Layer what{};
@@ -33,6 +34,6 @@ struct SaveMeasurements {
   COASTER_FIELDS(visit("", self.path))
 };
 
-using LabCommands = CommandList<ShowLayer, Measure, StopMeasuring, SaveMeasurements>;
+COASTER_COMMAND_LIST(Lab, ShowLayer, Measure, StopMeasuring, SaveMeasurements);
 
 }  // namespace coaster::edit

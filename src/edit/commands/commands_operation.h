@@ -8,6 +8,7 @@
 #include "world/losses.h"
 
 namespace coaster::edit {
+COASTER_COMMAND_GROUP(Operation);
 
 struct SetEquipment {
   Target segment;
@@ -97,7 +98,7 @@ struct AutoBank {
   COASTER_FIELDS()
 };
 
-using OperationCommands = CommandList<SetEquipment, RemoveEquipment, SetTrain, SetLosses, SetLossSet, SetHeartline,
-                                      SetCurve, SetRollbackFails, SaveReport, LoadEnvelope, AutoBank>;
+COASTER_COMMAND_LIST(Operation, SetEquipment, RemoveEquipment, SetTrain, SetLosses, SetLossSet, SetHeartline, SetCurve,
+                     SetRollbackFails, SaveReport, LoadEnvelope, AutoBank);
 
 }  // namespace coaster::edit

@@ -4,6 +4,7 @@
 #include "edit/commands/command_fields.h"
 
 namespace coaster::edit {
+COASTER_COMMAND_GROUP(Ride);
 
 struct RideStart {
   COASTER_COMMAND(RideStart, "ride.start", "Start or resume the ride.", Effect::motion);
@@ -31,6 +32,6 @@ struct RideSeek {
   COASTER_FIELDS(visit("", self.to))
 };
 
-using RideCommands = CommandList<RideStart, RidePause, RideStop, RideStep, RideSeek>;
+COASTER_COMMAND_LIST(Ride, RideStart, RidePause, RideStop, RideStep, RideSeek);
 
 }  // namespace coaster::edit

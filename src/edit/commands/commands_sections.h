@@ -7,6 +7,7 @@
 #include "world/components.h"
 
 namespace coaster::edit {
+COASTER_COMMAND_GROUP(Section);
 
 struct MakeSection {
   Knots knots;
@@ -118,8 +119,8 @@ struct OpenSections {
   COASTER_FIELDS(visit("", self.path))
 };
 
-using SectionCommands =
-    CommandList<MakeSection, SplitSection, JoinSections, SetSectionTitle, ChangeSection, EquipSection, UnequipSection,
-                DeleteSection, MirrorSection, MoveSection, CopySection, PasteSections, SaveSections, OpenSections>;
+COASTER_COMMAND_LIST(Section, MakeSection, SplitSection, JoinSections, SetSectionTitle, ChangeSection, EquipSection,
+                     UnequipSection, DeleteSection, MirrorSection, MoveSection, CopySection, PasteSections,
+                     SaveSections, OpenSections);
 
 }  // namespace coaster::edit

@@ -5,6 +5,7 @@
 #include "world/document.h"
 
 namespace coaster::edit {
+COASTER_COMMAND_GROUP(Seek);
 
 // `by` is height, x, z, place or roll of knots, or a parameter of sections. Of force sections it is length, a channel
 // for all of its keys, or "vertical at 40" for one key. The limits apply to each of these numbers: m, or degrees for
@@ -25,6 +26,6 @@ struct Seek {
                  visit("above?", self.above), visit("below?", self.below), visit("together?", self.together))
 };
 
-using SeekCommands = CommandList<Seek>;
+COASTER_COMMAND_LIST(Seek, Seek);
 
 }  // namespace coaster::edit

@@ -7,6 +7,7 @@
 #include "exchange/own/import.h"
 
 namespace coaster::edit {
+COASTER_COMMAND_GROUP(Session);
 
 struct Undo {
   COASTER_COMMAND(Undo, "undo", "Undo the last step.", Effect::history);
@@ -69,7 +70,7 @@ struct NewTrack {
   COASTER_FIELDS()
 };
 
-using SessionCommands =
-    CommandList<Undo, Redo, BeginGesture, EndGesture, CancelGesture, Load, Save, Share, RecoverTrack, NewTrack>;
+COASTER_COMMAND_LIST(Session, Undo, Redo, BeginGesture, EndGesture, CancelGesture, Load, Save, Share, RecoverTrack,
+                     NewTrack);
 
 }  // namespace coaster::edit

@@ -6,6 +6,7 @@
 #include "world/settings.h"
 
 namespace coaster::edit {
+COASTER_COMMAND_GROUP(Settings);
 
 struct SetCamera {
   CameraChange to;
@@ -66,6 +67,6 @@ struct SetPolyline {
   COASTER_FIELDS(visit("", self.to))
 };
 
-using SettingsCommands = CommandList<SetCamera, SetFly, Select, SelectKnots, SelectSections, SetSnapping, SetPolyline>;
+COASTER_COMMAND_LIST(Settings, SetCamera, SetFly, Select, SelectKnots, SelectSections, SetSnapping, SetPolyline);
 
 }  // namespace coaster::edit

@@ -7,6 +7,7 @@
 #include "world/settings.h"
 
 namespace coaster::edit {
+COASTER_COMMAND_GROUP(Shape);
 
 // `from_start on` starts from the knots' state when the open gesture began: if a drag sends several commands, only the
 // last one counts.
@@ -110,7 +111,7 @@ struct CloseExactly {
   COASTER_FIELDS(visit("within?", self.within))
 };
 
-using ShapeCommands = CommandList<Translate, Rotate, Scale, Mirror, Align, Smooth, Equalise, Straighten, SetRadius,
-                                  DropToGround, Reverse, Duplicate, CloseExactly>;
+COASTER_COMMAND_LIST(Shape, Translate, Rotate, Scale, Mirror, Align, Smooth, Equalise, Straighten, SetRadius,
+                     DropToGround, Reverse, Duplicate, CloseExactly);
 
 }  // namespace coaster::edit
