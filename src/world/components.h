@@ -128,9 +128,9 @@ struct ClosingPlan {
 struct Section {
   std::string title;  // UTF-8, at most kMaxNameBytes; empty: the kind is shown
   SectionKind kind = SectionKind::free;
-  Element element = {};     // element and parameters, if it was planned as one; else the default
-  ClosingPlan way = {};     // if it completes a circuit; else the default
-  ForceProgram force = {};  // if it is a force section; else the default
+  Element element = {};      // element and parameters, if it was planned as one; else the default
+  ClosingPlan closing = {};  // if it completes a circuit; else the default
+  ForceProgram force = {};   // if it is a force section; else the default
   // Not the plan: files and hashes use the names of kind and parameters.
   static constexpr void fields(auto visit) { visit(Field{"title"}, &Section::title); }
   std::size_t list_bytes() const { return force.list_bytes(); }

@@ -80,7 +80,7 @@ void add_sections(base::Hasher& hasher, const Document& document) {
       hasher.add(s.element.right);
       for (std::size_t i = 0; i < base::row_of(s.element.kind).parameters.size(); ++i) hasher.add(s.element.values[i]);
     }
-    if (s.kind == SectionKind::complete) add_component(hasher, document, s.way);
+    if (s.kind == SectionKind::complete) add_component(hasher, document, s.closing);
     if (s.kind == SectionKind::force) add_force(hasher, document, s.force);
     add_extra(hasher, document, run.section);
   }

@@ -48,7 +48,7 @@ TEST(found, a_search_and_a_failure_arrive_whole) {
 
 TEST(found, a_closing_section_arrives_with_what_a_command_needs) {
   sim::ChangedClosing way;
-  way.way = {.first = 180.1, .second = -1.0 / 3, .radius = 31, .level = true, .height = 1e-300, .coasts = false};
+  way.closing = {.first = 180.1, .second = -1.0 / 3, .radius = 31, .level = true, .height = 1e-300, .coasts = false};
   way.another = true;
   for (const float x : {0.1f, -7e-20f}) {
     world::Knot& knot = way.fit.knots.emplace_back();
@@ -58,7 +58,7 @@ TEST(found, a_closing_section_arrives_with_what_a_command_needs) {
   const base::Result<JobResult> arrived = sent(JobResult(way));
   ASSERT_TRUE(arrived.ok()) << arrived.status().message;
   const auto& read = std::get<sim::ChangedClosing>(*arrived);
-  EXPECT_EQ(read.way, way.way);
+  EXPECT_EQ(read.closing, way.closing);
   EXPECT_EQ(read.fit.knots, way.fit.knots);
   EXPECT_TRUE(read.another);
   EXPECT_EQ(std::get<sim::ChangedClosing>(*sent(JobResult(sim::ChangedClosing{.refusal = "no room"}))).refusal,

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "world/element_rows.h"
 #include "world/sample_documents.h"
 
 namespace coaster::world {
@@ -62,14 +63,14 @@ TEST(invariants, every_broken_promise_is_noticed) {
   expect_broken([&](Document& d) { section_of(d).title = "a\n"; }, "q1: title");
   expect_broken([&](Document& d) { section_of(d).element = usual_element(ElementKind::loop); }, "q1: title or param");
   expect_broken([&](Document& d) { section_of(d).kind = SectionKind::element; }, "q1: title or parameters");
-  expect_broken([&](Document& d) { section_of(d).way.radius = 2; }, "q1: title or parameters");
+  expect_broken([&](Document& d) { section_of(d).closing.radius = 2; }, "q1: title or parameters");
   for (double ClosingPlan::*const number :
        {&ClosingPlan::second, &ClosingPlan::radius, &ClosingPlan::height, &ClosingPlan::speed})
     for (const double value : {1e9, std::nan("")})
       expect_broken(
           [&](Document& d) {
             section_of(d).kind = SectionKind::complete;
-            section_of(d).way.*number = value;
+            section_of(d).closing.*number = value;
           },
           "q1: title or parameters");
   expect_broken([](Document& d) { d.entities.put(segment(d, d.track.segments[0]).section, Name{Kind::cart, 2}); }, "");

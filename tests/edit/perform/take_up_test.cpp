@@ -143,7 +143,7 @@ TEST_F(TakeUp, random_changes_are_refused_or_keep_random_circuits_closed) {
 TEST_F(TakeUp, a_higher_lift_moves_what_follows_and_keeps_the_first_knot) {
   circuit();
   const world::SectionRun before = completing();
-  const world::ClosingPlan way = value().way;
+  const world::ClosingPlan was_closing = value().closing;
   const world::Knot start = knot_at(before.first), home = knot_at(before.end());
   good("section.change @q2 to climb height 30 equipment lift");
   const world::SectionRun now = completing();
@@ -153,8 +153,8 @@ TEST_F(TakeUp, a_higher_lift_moves_what_follows_and_keeps_the_first_knot) {
   world::Knot kept = knot_at(now.end());
   kept.in_length = home.in_length;
   EXPECT_EQ(kept, home) << "to the bit";
-  EXPECT_EQ(value().way.speed, way.speed) << "the brakes give it";
-  EXPECT_NEAR(value().way.first, way.first, 15);
+  EXPECT_EQ(value().closing.speed, was_closing.speed) << "the brakes give it";
+  EXPECT_NEAR(value().closing.first, was_closing.first, 15);
   expect_closed_smoothly();
   const auto again = exchange::parse_track(exchange::print_track(session.document), "t");
   ASSERT_TRUE(again) << again.status().message;
@@ -164,9 +164,9 @@ TEST_F(TakeUp, a_higher_lift_moves_what_follows_and_keeps_the_first_knot) {
 TEST_F(TakeUp, where_it_coasts_it_is_planned_for_the_speed_that_the_height_gives) {
   circuit();
   good("section.delete @q7");
-  const double was = value().way.speed;
+  const double was = value().closing.speed;
   good("section.change @q3 to dive height 20");
-  const double now = value().way.speed;
+  const double now = value().closing.speed;
   EXPECT_NEAR(was * was - now * now, 2 * 9.81 * 2, 0.01);
 }
 

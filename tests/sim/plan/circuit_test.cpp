@@ -134,7 +134,7 @@ struct Middle {
   const ClosingCurve& closing;
   std::vector<dvec3> places;
   double step;
-  explicit Middle(const ClosingCurve& of, int count) : way(of), step(of.turns.length() / count) {
+  explicit Middle(const ClosingCurve& of, int count) : closing(of), step(of.turns.length() / count) {
     dvec2 at = closing.in.pose.place;
     constexpr int kFine = 8;
     for (int i = 0; i <= count; ++i) {

@@ -170,9 +170,8 @@ TEST(wheel_loads, the_simulated_ride_and_the_moving_train_agree) {
   world::Motion motion;
   reset(document, derived, motion);
   RideCache cache;
-  const SimulatedRide& simulated = *cache.ride(document, derived, train);
   const WheelLoads moving = wheel_loads(document, derived, train, *motion.carts.find(train)),
-                   simulated = wheel_loads(simulated, 0, 0);
+                   simulated = wheel_loads(*cache.ride(document, derived, train), 0, 0);
   EXPECT_GT(moving.of(WheelSet::car).side, 0.5);
   for (std::size_t i = 0; i < 4; ++i) {
     EXPECT_NEAR(simulated.corners[i].road, moving.corners[i].road, 0.05);
