@@ -75,10 +75,10 @@ struct LongJob {
   bool slow = false;
 
   // Only of a change of a circuit.
-  std::optional<sim::ClosingChange> way;     // what is searched for
-  std::unique_ptr<sim::OpenedTrack> opened;  // taken from the session's findings meanwhile
-  bool in_gesture = false;                   // a drag: has no bar, and takes some ms a move
-  std::vector<edit::Command> rest;           // later commands of the same frame
+  std::optional<sim::ClosingChange> closing;  // what is searched for
+  std::unique_ptr<sim::OpenedTrack> opened;   // taken from the session's findings meanwhile
+  bool in_gesture = false;                    // a drag: has no bar, and takes some ms a move
+  std::vector<edit::Command> rest;            // later commands of the same frame
 
   std::unique_ptr<BackgroundWork> work;  // declared last: it ends before what it reads
 };

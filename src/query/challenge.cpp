@@ -153,7 +153,7 @@ std::string unridden(const edit::ActiveChallenge& challenge, const edit::RideRes
 bool may_judge(const Query& query) {
   if (query.name == "challenge.deviation") return true;
   if (query.values.of_view) return false;
-  return named(document_rows(), query.name) || named(ride_rows(), query.name) || named(ride_rows(), query.name) ||
+  return named(document_rows(), query.name) || named(ride_rows(), query.name) || named(simulated_rows(), query.name) ||
          named(joint_rows(), query.name);
 }
 

@@ -18,7 +18,7 @@ namespace coaster::query {
 std::span<const Query> document_rows();
 std::span<const Query> section_rows();
 std::span<const Query> ride_rows();
-std::span<const Query> ride_rows();
+std::span<const Query> simulated_rows();
 std::span<const Query> rider_rows();
 std::span<const Query> session_rows();
 std::span<const Query> setting_rows();

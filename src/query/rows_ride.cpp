@@ -285,7 +285,7 @@ constexpr std::array kSimulatedRows{
 
 }  // namespace
 
-std::span<const Query> ride_rows() { return kSimulatedRows; }
+std::span<const Query> simulated_rows() { return kSimulatedRows; }
 
 namespace {
 
