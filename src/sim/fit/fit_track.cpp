@@ -6,6 +6,7 @@
 
 #include "base/check.h"
 #include "base/portable_math.h"
+#include "curve/span_search.h"
 #include "sim/fit/fit_smooth.h"
 #include "sim/fit/fit_work.h"
 #include "world/topology.h"
@@ -17,31 +18,20 @@ constexpr std::size_t kFirstStride = 32;  // rows of the first span to try
 constexpr double kLeastScale = 0.4;       // relative to the bounds
 constexpr double kCopyScale = 0.2;        // the same for the rows of a track that was fitted before
 
-// Returns the longest span from `first`: doubles the last one's length, then bisects. Assumes that a shorter part of a
-// fitting span fits too.
+// Returns the longest span from `first`; `usual`: the rows of the last one.
 Span longest_span(FitWork& w, std::size_t first, const RollRange& allowed, std::size_t usual) {
   const std::size_t end = w.rows.size() - 1;
   Span good{first, first + 1, w.fit(first, first + 1, allowed), allowed};
   const auto beyond = std::lower_bound(w.distances.begin() + static_cast<std::ptrdiff_t>(first), w.distances.end(),
                                        w.distances[first] + kLeastSpan);
   const auto short_rows = static_cast<std::size_t>(beyond - w.distances.begin()) - first;
-  std::size_t bad = end + 1, length = std::max<std::size_t>({usual, 2, short_rows});
-  while (good.last < end) {
-    const std::size_t last = std::min(first + length, end);
-    if (last <= good.last || last >= bad) break;
-    SpanFit fit = w.fit(first, last, allowed);
-    const bool within = fit.within;
-    if (within) good.last = last, good.fit = std::move(fit);
-    else bad = last;
-    length = within ? length + std::max<std::size_t>(1, length / 2) : length;
-    if (bad <= end) break;
-  }
-  while (bad > good.last + 1 + (good.last - first) / 64) {
-    const std::size_t last = good.last + (bad - good.last) / 2;
-    SpanFit fit = w.fit(first, last, allowed);
-    if (fit.within) good.last = last, good.fit = std::move(fit);
-    else bad = last;
-  }
+  curve::longest_span(1, end - first, std::max<std::size_t>({usual, 2, short_rows}), {.coarseness = 64},
+                      [&](std::size_t length) {
+                        SpanFit fit = w.fit(first, first + length, allowed);
+                        if (!fit.within) return false;
+                        good.last = first + length, good.fit = std::move(fit);
+                        return true;
+                      });
   // A knot just before the end moves back slightly: the step that closes a track is shorter than the others.
   if (good.last < end && w.distances[end] - w.distances[good.last] < w.last_span) {
     std::size_t last = good.last;

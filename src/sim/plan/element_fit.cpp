@@ -10,6 +10,7 @@
 #include "curve/continuity.h"
 #include "curve/frames.h"
 #include "curve/span_fit.h"
+#include "curve/span_search.h"
 #include "sim/shape/roll.h"
 #include "world/topology.h"
 
@@ -157,7 +158,7 @@ Spans make_spans(const ElementCurve& curve, std::span<const std::size_t> at, dou
 namespace {
 
 constexpr double kTurnOfSpan = 1.6;  // rad, largest turn of an initial span
-constexpr int kMostRounds = 60, kMostSpans = 2000;
+constexpr int kMostRounds = 60, kMostSpans = 2000, kEvenings = 4;
 constexpr std::size_t kMostThinning = 400'000;  // points times knots: beyond it no knots are removed
 constexpr double kFarFromExact = 1e-9;
 constexpr double kOfG2 = 0.6;  // of the largest jump that is G2
@@ -193,19 +194,18 @@ Bounds bounds_for(const ElementCurve& curve, std::span<const std::size_t> at) {
   return bounds;
 }
 
-// A choice of knots, and the checks of its spans.
-struct Trial {
-  std::vector<std::size_t> at;  // indices into the curve's points
+// A choice of knots among the curve's points, and the checks of its spans.
+struct Trial : curve::SpanTrial {
   Spans spans;
   Bounds bounds;
   std::vector<SpanCheck> checks;
 };
 
-Trial try_places(const ElementCurve& curve, std::vector<std::size_t> at) {
-  Trial trial{std::move(at), {}, {}, {}};
-  trial.spans = make_spans(curve, trial.at);
-  trial.bounds = bounds_for(curve, trial.at);
-  trial.checks.resize(trial.at.size() - 1);
+Trial try_places(const ElementCurve& curve, std::vector<std::size_t> ends) {
+  Trial trial{{std::move(ends), {}}, {}, {}, {}};
+  trial.spans = make_spans(curve, trial.ends);
+  trial.bounds = bounds_for(curve, trial.ends);
+  trial.checks.resize(trial.ends.size() - 1);
   return trial;
 }
 
@@ -213,7 +213,7 @@ Trial try_places(const ElementCurve& curve, std::vector<std::size_t> at) {
 bool holds(const ElementCurve& curve, Trial& t, std::size_t k) {
   const std::span<const ElementPoint> points(curve.points);
   const SpanCheck& check = t.checks[k] =
-      check_span(points.subspan(t.at[k], t.at[k + 1] - t.at[k] + 1), t.spans.knots[k], t.spans.knots[k + 1]);
+      check_span(points.subspan(t.ends[k], t.ends[k + 1] - t.ends[k] + 1), t.spans.knots[k], t.spans.knots[k + 1]);
   return check.sound && check.slopes && check.error <= t.bounds.distance && check.roll_error <= t.bounds.roll &&
          t.spans.jumps[k] <= t.bounds.jumps[k] && t.spans.jumps[k + 1] <= t.bounds.jumps[k + 1] &&
          t.spans.strains[k] <= kOfG2 && t.spans.strains[k + 1] <= kOfG2;
@@ -225,6 +225,25 @@ bool all_hold(const ElementCurve& curve, Trial& t, std::size_t first) {
   for (std::size_t i = 0; i < count; ++i)
     if (!holds(curve, t, (first + i) % count)) return false;
   return true;
+}
+
+// Sets the difficulties from the checks.
+void rate(Trial& t) {
+  t.difficulties.clear();
+  for (const SpanCheck& check : t.checks) {
+    const double distance = std::sqrt(std::sqrt(check.error / t.bounds.distance)),
+                 roll = std::sqrt(check.roll_error / t.bounds.roll);
+    t.difficulties.push_back(std::max({distance, roll, 0.1}));
+  }
+}
+
+// Checks all spans. Returns those that fail.
+std::vector<std::size_t> judge(const ElementCurve& curve, Trial& t) {
+  std::vector<std::size_t> failing;
+  for (std::size_t k = 0; k < t.checks.size(); ++k)
+    if (!holds(curve, t, k)) failing.push_back(k);
+  t.holds = failing.empty();
+  return failing;
 }
 
 // Returns the total turn of a piece, rad, from its points.
@@ -261,26 +280,24 @@ std::vector<std::size_t> places_for(const ElementCurve& curve, std::span<const i
 
 // Adds spans to the pieces with failing spans. Returns 0: none fails; 1: more to try; -1: nothing more to do.
 int refine(const ElementCurve& curve, Trial& trial, std::vector<int>& counts) {
-  bool changed = false, all = true;
-  std::size_t k = 0;
+  const std::vector<std::size_t> failing = judge(curve, trial);
+  bool changed = false;
   for (std::size_t p = 0; p + 1 < curve.breaks.size(); ++p) {
-    bool good = true;
-    for (; k + 1 < trial.at.size() && trial.at[k + 1] <= curve.breaks[p + 1]; ++k)
-      good = holds(curve, trial, k) && good;
-    all = all && good;
-    if (good || counts[p] >= kMostSpans || static_cast<std::size_t>(counts[p]) >= curve.breaks[p + 1] - curve.breaks[p])
-      continue;
+    const std::size_t first = curve.breaks[p], last = curve.breaks[p + 1];
+    const bool good = std::none_of(failing.begin(), failing.end(),
+                                   [&](std::size_t k) { return trial.ends[k] >= first && trial.ends[k + 1] <= last; });
+    if (good || counts[p] >= kMostSpans || static_cast<std::size_t>(counts[p]) >= last - first) continue;
     counts[p] += 1 + counts[p] / 8;
     changed = true;
   }
-  return all ? 0 : changed ? 1 : -1;
+  return failing.empty() ? 0 : changed ? 1 : -1;
 }
 
 // Removes knots while all checks pass: first in pairs symmetric about the middle, as most elements are symmetric, then
 // singly.
 void thin(const ElementCurve& curve, Trial& best) {
   const auto attempt = [&](std::size_t k, std::size_t other) {
-    std::vector<std::size_t> fewer = best.at;
+    std::vector<std::size_t> fewer = best.ends;
     fewer.erase(fewer.begin() + static_cast<std::ptrdiff_t>(other));
     if (k != other) fewer.erase(fewer.begin() + static_cast<std::ptrdiff_t>(k));
     Trial trial = try_places(curve, std::move(fewer));
@@ -288,47 +305,10 @@ void thin(const ElementCurve& curve, Trial& best) {
     best = std::move(trial);
     return true;
   };
-  for (std::size_t k = 1; 2 * k + 1 <= best.at.size();)
-    if (!attempt(k, best.at.size() - 1 - k)) ++k;
-  for (std::size_t k = 1; k + 1 < best.at.size();)
+  for (std::size_t k = 1; 2 * k + 1 <= best.ends.size();)
+    if (!attempt(k, best.ends.size() - 1 - k)) ++k;
+  for (std::size_t k = 1; k + 1 < best.ends.size();)
     if (!attempt(k, k)) ++k;
-}
-
-// Returns the ends of `count` spans of about equal difficulty.
-std::vector<std::size_t> evened(const ElementCurve& curve, const Trial& trial, std::size_t count) {
-  std::vector<double> sums{0.0};
-  for (const SpanCheck& check : trial.checks) {
-    const double distance = std::sqrt(std::sqrt(check.error / trial.bounds.distance)),
-                 roll = std::sqrt(check.roll_error / trial.bounds.roll);
-    sums.push_back(sums.back() + std::max({distance, roll, 0.1}));
-  }
-  std::vector<std::size_t> places{0};
-  for (std::size_t i = 1, k = 1; i < count; ++i) {
-    const double wanted = sums.back() * static_cast<double>(i) / static_cast<double>(count);
-    while (k + 1 < sums.size() && sums[k] < wanted) ++k;
-    const double share = (wanted - sums[k - 1]) / (sums[k] - sums[k - 1]),
-                 many = static_cast<double>(trial.at[k] - trial.at[k - 1]);
-    const auto place = trial.at[k - 1] + static_cast<std::size_t>(share * many + 0.5);
-    if (place > places.back() && place + 1 < curve.points.size()) places.push_back(place);
-  }
-  places.push_back(curve.points.size() - 1);
-  return places;
-}
-
-// Tries one span fewer, evened out over several rounds, until that fails.
-void even_out(const ElementCurve& curve, Trial& best) {
-  constexpr int kRounds = 4;
-  for (bool better = true; better && best.at.size() > 2;) {
-    better = false;
-    Trial trial = best;
-    for (int round = 0; round < kRounds && !better; ++round) {
-      trial = try_places(curve, evened(curve, trial, best.at.size() - 2));
-      better = true;
-      for (std::size_t k = 0; k < trial.checks.size(); ++k)
-        better = holds(curve, trial, k) && better;  // all of them: the next round needs the results
-    }
-    if (better) best = std::move(trial);
-  }
 }
 
 // Returns the break within that many metres of a length along the curve, else the point there.
@@ -376,15 +356,9 @@ ElementFit fit_element(const ElementCurve& curve, std::span<const double> length
   std::vector<std::size_t> at = places_of(curve, lengths);
   for (int round = 0; round < kRounds && at.size() > 1; ++round) {
     Trial trial = try_places(curve, std::move(at));
-    bool all = true;
-    at = {0};
-    for (std::size_t k = 0; k < trial.checks.size(); ++k) {
-      const bool good = holds(curve, trial, k);
-      all = all && good;
-      if (!good && trial.at[k + 1] - trial.at[k] > 1) at.push_back((trial.at[k] + trial.at[k + 1]) / 2);
-      at.push_back(trial.at[k + 1]);
-    }
-    if (all) return fit_of(std::move(trial), true);
+    const std::vector<std::size_t> failing = judge(curve, trial);
+    if (failing.empty()) return fit_of(std::move(trial), true);
+    at = curve::halved(trial.ends, failing);
   }
   return fit_element(curve);
 }
@@ -402,7 +376,17 @@ ElementFit fit_element(const ElementCurve& curve) {
     more = refine(curve, trial, counts);
   }
   const bool within = more == 0;
-  if (within && curve.points.size() * trial.at.size() <= kMostThinning) thin(curve, trial), even_out(curve, trial);
+  if (within && curve.points.size() * trial.ends.size() <= kMostThinning) {
+    thin(curve, trial);
+    rate(trial);
+    const auto attempt = [&](std::vector<std::size_t> ends) {
+      Trial fewer = try_places(curve, std::move(ends));
+      judge(curve, fewer);
+      rate(fewer);
+      return fewer;
+    };
+    curve::remove_spans(trial, kEvenings, attempt, [](Trial&) { return false; });
+  }
   return fit_of(std::move(trial), within);
 }
 

@@ -10,12 +10,16 @@
 
 #include "base/portable_math.h"
 #include "curve/frames.h"
+#include "curve/span_search.h"
 #include "sim/plan/element_fit.h"
 #include "sim/ride/train.h"
 #include "sim/shape/roll.h"
 #include "world/topology.h"
 
 namespace coaster::sim {
+namespace {
+
+using glm::dvec3;
 
 struct SpanError {
   SpanCheck check;
@@ -25,12 +29,12 @@ struct SpanError {
 
 // Returns the squared speed at which curvature is judged at a point of the path, m^2/s^2: that of the train, or on a
 // section of curvature that of world::kCurvatureSpeed.
-inline double judged_square(const ForceTask& task, const ForcePoint& point) {
+double judged_square(const ForceTask& task, const ForcePoint& point) {
   const bool at_any = task.program.of == world::ForceOf::curvature;
   return at_any ? world::kCurvatureSpeed * world::kCurvatureSpeed : point.square;
 }
 
-inline constexpr double kNoSpan = 1e9;  // g: the span does not follow the path
+constexpr double kNoSpan = 1e9;  // g: the span does not follow the path
 
 // How the spans are judged at a point of the path: by what riders feel there. On a section of curvature, which has to
 // be the same at any speed, by what they would feel on the curve itself at world::kCurvatureSpeed.
@@ -38,7 +42,7 @@ struct Judged {
   double square, along, riders;  // m^2/s^2, m/s^2, m above the curve
   double up, side;               // g felt on the path
 };
-inline Judged judged_at(const ForceTask& task, const ForcePath& path, std::size_t i) {
+Judged judged_at(const ForceTask& task, const ForcePath& path, std::size_t i) {
   const ForcePoint& point = path.points[i];
   const double square = judged_square(task, point);
   if (task.program.of == world::ForceOf::forces) return {square, point.along, task.riders, point.up, point.side};
@@ -47,19 +51,9 @@ inline Judged judged_at(const ForceTask& task, const ForcePath& path, std::size_
   return {square, 0, 0, felt.up, felt.side};
 }
 
-// Returns what riders feel on a cubic at t, upwards and to the left: sim/shape/rail_tables.h.
-inline glm::dvec2 felt_on_span(const curve::CoefficientsD& c, double t, const curve::Frame& frame, double spin,
-                               double spin_slope, const Judged& as) {
-  const glm::dvec3 left = frame.left(), first = c.derivative(t), second = c.second_derivative(t);
-  const double square = glm::dot(first, first), to_left = glm::dot(second, left) / square, d = as.riders,
-               to_up = glm::dot(second, frame.up) / square, v2 = as.square / world::kGravity;
-  return {v2 * (to_up - d * (to_up * to_up + spin * spin)) + frame.up.y,
-          v2 * (to_left - d * (to_left * to_up + spin_slope)) - as.along / world::kGravity * d * spin + left.y};
-}
-
 // Returns the errors of the span between two knots against the path's points from `first` to `last`.
-inline SpanError span_error(const ForceTask& task, const ForcePath& path, std::size_t first, std::size_t last,
-                            const world::Knot& from, const world::Knot& to) {
+SpanError span_error(const ForceTask& task, const ForcePath& path, std::size_t first, std::size_t last,
+                     const world::Knot& from, const world::Knot& to) {
   const std::span<const ElementPoint> points = std::span(path.curve.points).subspan(first, last - first + 1);
   std::vector<SpanPlace> places;
   SpanError error{check_span(points, from, to, &places), {}, 0};
@@ -72,17 +66,17 @@ inline SpanError span_error(const ForceTask& task, const ForcePath& path, std::s
     curve::Frame frame = places[i].frame;
     frame.up = curve::rotate(frame.up, frame.forward, roll.angle(s));
     const Judged asked = judged_at(task, path, first + i);
-    const glm::dvec2 felt = felt_on_span(c, places[i].t, frame, roll.spin(s), roll.slope(s), asked);
-    const double off = std::max(std::abs(felt.x - asked.up), std::abs(felt.y - asked.side));
+    const double t = places[i].t;
+    const dvec3 first_derivative = c.derivative(t);
+    const dvec3 curvature = c.second_derivative(t) / glm::dot(first_derivative, first_derivative);
+    const FeltG felt = felt_on({c.point(t), frame.forward, frame.up, asked.square},
+                               {curvature, roll.spin(s), roll.slope(s), asked.along}, asked.riders);
+    const double off = std::max(std::abs(felt.up - asked.up), std::abs(felt.side - asked.side));
     if (!(off <= error.felt.error)) error.felt = {off, first + i};
     if (i == 0 || i + 1 == points.size()) error.at_ends = std::max(error.at_ends, off);
   }
   return error;
 }
-
-namespace {
-
-using glm::dvec3;
 
 // Returns the fewest points that a span from there may cover: in a shorter one, riders would feel the rounding of its
 // control points to float. An error e of a control point changes a curvature by about 72 e / length^2.
@@ -140,18 +134,8 @@ class Reach {
   std::size_t reach(std::size_t from, std::size_t room, std::size_t guess, bool back) const {
     const std::size_t least = fewest_points(task_, path_, back ? path_.points.size() - 1 - from : from);
     if (room <= least) return room;
-    std::size_t good = least, bad = room + 1, next = std::clamp(guess, least + 1, room);
-    while (good + 1 < bad) {
-      if (holds(from, next, back)) {
-        good = next;
-        next = bad > room ? std::min(room, good + 1 + good / 3) : good + (bad - good) / 2;
-      } else {
-        bad = next;
-        next = good > least ? good + (bad - good) / 2 : std::max(least + 1, bad - 1 - bad / 4);
-      }
-      if (good == room) return room;
-    }
-    return good;
+    return curve::longest_span(least, room, guess, {.growth = 3, .more = 1, .by_quarters = true},
+                               [&](std::size_t length) { return holds(from, length, back); });
   }
 
   const ForceTask& task_;
@@ -159,8 +143,7 @@ class Reach {
   double at_ends_;
 };
 
-struct Attempt {
-  std::vector<std::size_t> at;
+struct Attempt : curve::SpanTrial {
   Spans spans;
   std::vector<SpanError> errors;
   std::vector<double> strains;  // of the spans: the largest error as a part of what is allowed
@@ -192,17 +175,21 @@ double jump_strain(const ForceTask& task, const Spans& spans, std::size_t knot) 
 
 Attempt attempt_with(const ForceTask& task, const ForcePath& path, std::vector<std::size_t> at, double share) {
   constexpr double kAtPoints = 0.99;  // of the tolerance: between the path's points riders feel slightly more
-  Attempt now{std::move(at), {}, {}, {}, {}};
-  now.spans = make_spans(path.curve, now.at, shift_at(task, path, now.at, share));
-  for (std::size_t k = 0; k + 1 < now.at.size(); ++k) {
+  constexpr double kEasiest = 0.1, kHardest = 2.5;
+  Attempt now{{std::move(at), {}}, {}, {}, {}, {}};
+  now.spans = make_spans(path.curve, now.ends, shift_at(task, path, now.ends, share));
+  for (std::size_t k = 0; k + 1 < now.ends.size(); ++k) {
     const world::Knot &from = now.spans.knots[k], &to = now.spans.knots[k + 1];
-    now.errors.push_back(span_error(task, path, now.at[k], now.at[k + 1], from, to));
+    now.errors.push_back(span_error(task, path, now.ends[k], now.ends[k + 1], from, to));
     const SpanError& error = now.errors.back();
     const double jump = std::max(jump_strain(task, now.spans, k), jump_strain(task, now.spans, k + 1));
     now.strains.push_back(std::max({error.felt.error / (kAtPoints * task.program.tolerance), jump,
                                     error.check.roll_error / base::radians(kElementRoll_deg)}));
     if (!(now.strains.back() <= 1)) now.failing.push_back(k);
+    // The error grows with the square of the length.
+    now.difficulties.push_back(std::clamp(std::sqrt(error.felt.error / task.program.tolerance), kEasiest, kHardest));
   }
+  now.strain = now.strains[now.worst()], now.holds = now.failing.empty();
   return now;
 }
 
@@ -211,7 +198,7 @@ Attempt attempt(const ForceTask& task, const ForcePath& path, const std::vector<
   for (const double share : {1.0, 4.0}) {
     if (std::max(jump_strain(task, best.spans, 0), jump_strain(task, best.spans, at.size() - 1)) <= 1) break;
     Attempt farther = attempt_with(task, path, at, share);
-    if (farther.strains[farther.worst()] < best.strains[best.worst()]) best = std::move(farther);
+    if (farther.strain < best.strain) best = std::move(farther);
   }
   return best;
 }
@@ -219,10 +206,10 @@ Attempt attempt(const ForceTask& task, const ForcePath& path, const std::vector<
 // Returns the span to halve in order to mend a failing one: itself, or a longer neighbour at the joint where it fails.
 std::size_t longer(const Attempt& attempt, std::size_t k) {
   if (attempt.errors[k].felt.error >= kNoSpan) return k;
-  const auto length = [&](std::size_t i) { return attempt.at[i + 1] - attempt.at[i]; };
+  const auto length = [&](std::size_t i) { return attempt.ends[i + 1] - attempt.ends[i]; };
   const std::size_t worst = attempt.errors[k].felt.at;
-  if (worst == attempt.at[k] && k > 0 && length(k - 1) > length(k)) return k - 1;
-  if (worst == attempt.at[k + 1] && k + 1 < attempt.errors.size() && length(k + 1) > length(k)) return k + 1;
+  if (worst == attempt.ends[k] && k > 0 && length(k - 1) > length(k)) return k - 1;
+  if (worst == attempt.ends[k + 1] && k + 1 < attempt.errors.size() && length(k + 1) > length(k)) return k + 1;
   return k;
 }
 
@@ -230,38 +217,17 @@ std::size_t longer(const Attempt& attempt, std::size_t k) {
 // rounding will then be felt.
 Attempt mended(const ForceTask& task, const ForcePath& path, Attempt now) {
   constexpr int kRounds = 8;
-  for (int round = 0; round < kRounds && !now.failing.empty(); ++round) {
-    std::vector<std::size_t> at = now.at;
+  for (int round = 0; round < kRounds && !now.holds; ++round) {
+    std::vector<std::size_t> spans;
     for (const std::size_t k : now.failing) {
-      const std::size_t halved = longer(now, k), first = now.at[halved], last = now.at[halved + 1];
-      const bool follows = now.errors[halved].felt.error < kNoSpan;
-      if (last - first >= 2 * (follows ? fewest_points(task, path, first) : 1)) at.push_back((first + last) / 2);
+      const std::size_t span = longer(now, k), first = now.ends[span], last = now.ends[span + 1];
+      const bool follows = now.errors[span].felt.error < kNoSpan;
+      if (last - first >= 2 * (follows ? fewest_points(task, path, first) : 1)) spans.push_back(span);
     }
-    std::sort(at.begin(), at.end());
-    at.erase(std::unique(at.begin(), at.end()), at.end());
-    if (at.size() == now.at.size()) break;
-    now = attempt(task, path, at);
+    if (spans.empty()) break;
+    now = attempt(task, path, curve::halved(now.ends, spans));
   }
   return now;
-}
-
-// Returns the ends of `count` spans of about equal difficulty: the error grows with the square of the length.
-std::vector<std::size_t> evened(const ForceTask& task, const Attempt& now, std::size_t count) {
-  constexpr double kLeast = 0.1, kMost = 2.5;
-  std::vector<double> sums{0.0};
-  for (const SpanError& error : now.errors)
-    sums.push_back(sums.back() + std::clamp(std::sqrt(error.felt.error / task.program.tolerance), kLeast, kMost));
-  std::vector<std::size_t> at{0};
-  for (std::size_t i = 1, k = 1; i < count; ++i) {
-    const double wanted = sums.back() * static_cast<double>(i) / static_cast<double>(count);
-    while (k + 1 < sums.size() && sums[k] < wanted) ++k;
-    const double share = (wanted - sums[k - 1]) / (sums[k] - sums[k - 1]),
-                 many = static_cast<double>(now.at[k] - now.at[k - 1]);
-    const std::size_t place = now.at[k - 1] + static_cast<std::size_t>(share * many + 0.5);
-    if (place > at.back() && place < now.at.back()) at.push_back(place);
-  }
-  at.push_back(now.at.back());
-  return at;
 }
 
 constexpr std::size_t kEasing = 12'000;  // points of paths that easing may try: some 5 ms
@@ -270,20 +236,20 @@ constexpr std::size_t kEasing = 12'000;  // points of paths that easing may try:
 // points of paths that may still be tried.
 void ease(const ForceTask& task, const ForcePath& path, Attempt& now, std::size_t& budget) {
   const auto moved = [&](std::size_t knot, int by) {
-    const auto place = static_cast<std::ptrdiff_t>(now.at[knot]) + by;
-    const bool room =
-        place > static_cast<std::ptrdiff_t>(now.at[knot - 1]) && place < static_cast<std::ptrdiff_t>(now.at[knot + 1]);
+    const auto place = static_cast<std::ptrdiff_t>(now.ends[knot]) + by;
+    const bool room = place > static_cast<std::ptrdiff_t>(now.ends[knot - 1]) &&
+                      place < static_cast<std::ptrdiff_t>(now.ends[knot + 1]);
     if (!room || budget < path.points.size()) return false;
     budget -= path.points.size();
-    std::vector<std::size_t> at = now.at;
+    std::vector<std::size_t> at = now.ends;
     at[knot] = static_cast<std::size_t>(place);
     Attempt next = attempt(task, path, at);
-    if (!(next.strains[next.worst()] < 0.999 * now.strains[now.worst()])) return false;
+    if (!(next.strain < 0.999 * now.strain)) return false;
     now = std::move(next);
     return true;
   };
   const auto eased = [&](int by) {
-    const std::size_t worst = now.worst(), last = now.at.size() - 1;
+    const std::size_t worst = now.worst(), last = now.ends.size() - 1;
     for (std::size_t knot = std::max<std::size_t>(worst, 1); knot < std::min(worst + 3, last); ++knot) {
       const int shorter = knot <= worst ? by : -by;  // the worst span first
       if (moved(knot, shorter) || moved(knot, -shorter)) return true;
@@ -294,7 +260,7 @@ void ease(const ForceTask& task, const ForcePath& path, Attempt& now, std::size_
     const std::size_t worst = now.worst();
     return worst > 1 && (moved(worst - 1, by) || moved(worst - 1, -by));
   };
-  while (!now.failing.empty() && (eased(8) || eased(4) || eased(2) || eased(1) || eased_before(2))) {
+  while (!now.holds && (eased(8) || eased(4) || eased(2) || eased(1) || eased_before(2))) {
   }
 }
 
@@ -303,17 +269,12 @@ void even_out(const ForceTask& task, const ForcePath& path, Attempt& best) {
   constexpr int kRounds = 5;
   constexpr std::size_t kEased = 200;  // points of the longest path that is eased
   std::size_t budget = path.points.size() <= kEased ? kEasing : 0;
-  for (bool better = true; better && best.errors.size() > 1;) {
-    better = false;
-    Attempt now = best, least;
-    for (int round = 0; round < kRounds && !better; ++round) {
-      now = attempt(task, path, evened(task, now, best.errors.size() - 1));
-      better = now.failing.empty();
-      if (round == 0 || now.strains[now.worst()] < least.strains[least.worst()]) least = now;
-    }
-    if (!better) ease(task, path, least, budget), now = std::move(least), better = now.failing.empty();
-    if (better) best = std::move(now);
-  }
+  curve::remove_spans(
+      best, kRounds, [&](std::vector<std::size_t> ends) { return attempt(task, path, ends); },
+      [&](Attempt& least) {
+        ease(task, path, least, budget);
+        return least.holds;
+      });
 }
 
 // Returns spans that are as long as possible, built from the start, from the end, or from both to the middle.
@@ -331,14 +292,14 @@ Attempt best_places(const ForceTask& task, const ForcePath& path) {
     for (const std::vector<std::size_t>& at : places) {
       Attempt now = attempt(task, path, at);
       if (!best || now.failing.size() < best->failing.size()) best = std::move(now);
-      if (best->failing.empty()) break;
+      if (best->holds) break;
     }
-    if (best->failing.empty()) break;
+    if (best->holds) break;
   }
   Attempt done = mended(task, path, std::move(*best));
   std::size_t budget = kEasing;
   ease(task, path, done, budget);
-  if (done.failing.empty() && !quick) even_out(task, path, done);
+  if (done.holds && !quick) even_out(task, path, done);
   return done;
 }
 
@@ -352,7 +313,7 @@ FeltError felt_error(const ForceTask& task, const ForcePath& path, std::size_t f
 ForceFit fit_force(const ForceTask& task, const ForcePath& path) {
   Attempt now = best_places(task, path);
   ForceFit fit;
-  fit.within = now.failing.empty();
+  fit.within = now.holds;
   for (const SpanError& error : now.errors) {
     fit.spans.error = std::max(fit.spans.error, error.check.error);
     fit.spans.roll_error = std::max(fit.spans.roll_error, error.check.roll_error);
