@@ -9,6 +9,7 @@
 #include "base/portable_math.h"
 #include "base/text.h"
 #include "curve/frames.h"
+#include "sim/ride/equipment.h"
 #include "sim/ride/train.h"
 
 namespace coaster::sim {
@@ -157,22 +158,18 @@ double ForceLaw::along(const ForceState& s) const {
   return task_.equipment ? free + drive(s, free) : free;
 }
 
-// Returns what the equipment adds to the acceleration `free` of a train whose first car is there.
+// Returns what the equipment adds to the acceleration `free` of a train whose first car is there: what it does on a
+// ride (drive_of), but brakes keep the speed of trains that are as slow as a plan may be.
 double ForceLaw::drive(const ForceState& s, double free) const {
-  using world::EquipmentKind;
-  const world::Equipment& e = *task_.equipment;
+  const double speed = std::sqrt(std::max(s.square, 0.0));
+  if (s.braking && speed <= world::kSlowestForce) return std::max(-free, 0.0);
   const int on = std::min(task_.cars, 1 + static_cast<int>(s.length / task_.spacing));
-  const double push = e.acceleration, share = push * on / task_.cars, to = double{e.speed} * e.speed;
-  switch (e.kind) {
-    case EquipmentKind::lift: return s.square > to ? 0.0 : std::max((s.square < to ? push : 0.0) - free, 0.0);
-    case EquipmentKind::launch: return s.square > to ? 0.0 : s.square < to ? share : std::clamp(-free, 0.0, share);
-    case EquipmentKind::brake:
-    case EquipmentKind::block:
-      if (!s.braking) return 0;
-      return s.square > world::kSlowestForce * world::kSlowestForce ? -share : std::max(-free, 0.0);
-    case EquipmentKind::station: break;
-  }
-  return 0;
+  const EquipmentSpan span{.equipment = *task_.equipment};
+  const Contacts contacts{.on = {{&span, static_cast<double>(on) / task_.cars, false}}};
+  ControlState control{.braking = s.braking};
+  const TrainPlace train{.front = s.length, .cars = task_.cars, .spacing = task_.spacing};
+  const Drive drive = drive_of(contacts, train, {s.length, speed, [free] { return free; }}, true, control);
+  return drive.net ? drive.acceleration - free : drive.acceleration;
 }
 
 void ForceLaw::settle(const ForceState& before, ForceState& next) const {
