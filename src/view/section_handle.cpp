@@ -7,6 +7,7 @@
 #include "curve/frames.h"
 #include "sim/shape/rails.h"
 #include "view/overlay_detail.h"
+#include "world/element_rows.h"
 #include "world/sections.h"
 
 namespace coaster::view {

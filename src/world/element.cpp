@@ -16,11 +16,16 @@ Element usual_element(ElementKind kind) {
   return element;
 }
 
-std::array<Element, base::count_of<ElementKind>()> usual_elements() {
-  std::array<Element, base::count_of<ElementKind>()> all;
-  for (std::size_t i = 0; i < all.size(); ++i) all[i] = usual_element(static_cast<ElementKind>(i));
+std::vector<Element> usual_elements() {
+  std::vector<Element> all;
+  for (std::size_t i = 0; i < base::count_of<ElementKind>(); ++i)
+    all.push_back(usual_element(static_cast<ElementKind>(i)));
   return all;
 }
+
+Element first_element() { return usual_element(ElementKind::curve); }
+ElementKind first_of_forces() { return ElementKind::force_hill; }
+bool is_of_forces(ElementKind kind) { return kind >= first_of_forces(); }
 
 bool within_limits(const Element& element) {
   if (!base::has_row(element.kind)) return false;

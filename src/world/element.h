@@ -2,10 +2,11 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <string_view>
-
-#include "world/element_kind.h"
+#include <vector>
 
 namespace coaster::base {
 struct NameRow;
@@ -13,19 +14,26 @@ struct NameRow;
 
 namespace coaster::world {
 
-struct ElementParameter;  // world/element_rows.h
+enum class ElementKind : std::uint8_t;  // world/element_rows.h
+struct ElementParameter;
+inline constexpr std::size_t kMaxElementParameters = 5;
 
 // One element with its parameters: the first `values` are those of its row, in the row's order; the others are 0.
 struct Element {
-  ElementKind kind = ElementKind::straight;
+  ElementKind kind{};
   bool right = false;  // false: to the left; always false if the row is not sided
   std::array<double, kMaxElementParameters> values{};
   friend bool operator==(const Element&, const Element&) = default;
 };
 
-// Return an element with the row's default values, to the left; and all such elements, by kind.
+// Return an element with the row's default values, to the left; all such elements, by kind; and the element and the
+// force element with which the palette begins.
 Element usual_element(ElementKind kind);
-std::array<Element, kElementKinds> usual_elements();
+std::vector<Element> usual_elements();
+Element first_element();
+ElementKind first_of_forces();
+// True for a force element, which is placed as a force section: what riders feel shapes it, and its keys can be edited.
+bool is_of_forces(ElementKind kind);
 
 // True if the kind is in the table, the side exists, the values are within their limits, and those beyond its
 // parameters are 0.

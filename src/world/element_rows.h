@@ -1,19 +1,46 @@
 // The elements of the palette as plain data, and their parameters with units, defaults and limits. To add one: an
-// enumerator in world/element_kind.h, a row and its parameters here, its shape in sim/plan/element_shapes_*.cpp and in
-// the table there, its icon in ui/widgets/icons.cpp; for a force element its keys in sim/plan/force_elements.cpp
-// instead.
+// enumerator, a row and its parameters here, and its shape in the table of sim/plan/element_shapes.cpp, or for a force
+// element its keys in that of sim/plan/force_elements.cpp.
 #pragma once
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <span>
 #include <string_view>
 
 #include "base/names.h"
-#include "world/element_kind.h"
+#include "world/element.h"
 #include "world/equipment_rows.h"
 
 namespace coaster::world {
+
+// Rows of elements(), in its order, then of force_elements().
+enum class ElementKind : std::uint8_t {
+  straight,
+  curve,
+  helix,
+  climb,
+  dive,
+  camelback,
+  loop,
+  corkscrew,
+  s_bend,
+  overbanked_turn,
+  bunny_hops,
+  zero_g_roll,
+  immelmann,
+  dive_loop,
+  cobra_roll,
+  brake_run,
+  force_hill,
+  force_valley,
+  force_turn,
+  force_roll,
+  force_heartline,
+  force_loop,
+  force_brakes
+};
 
 struct ElementParameter {
   std::string_view name;   // in scripts and recordings: "radius"
@@ -31,6 +58,7 @@ struct ElementRow {
   std::string_view help;
   bool sided;  // has a left and a right form
   std::span<const ElementParameter> parameters;
+  std::string_view icon;         // its name in ui/widgets/icons.cpp
   std::string_view button = {};  // on the palette's button; empty: the label
   bool proper = false;           // a proper name: keeps its capital in sentences
 };
@@ -193,68 +221,71 @@ inline constexpr ElementParameter kForceBrakes[] = {
 }  // namespace element_rows
 
 inline constexpr ElementRow kElements[] = {
-    {"straight", "Straight", "A straight. It can roll.", false, element_rows::kStraight},
+    {"straight", "Straight", "A straight. It can roll.", false, element_rows::kStraight, "straight"},
     {"curve", "Banked curve",
      "A banked turn with roll-in and roll-out: curvature and bank rise, stay and fall. It keeps the slope it starts "
      "with.",
-     true, element_rows::kCurve, "Curve"},
-    {"helix", "Helix", "A rising or descending helix that ends level.", true, element_rows::kHelix},
-    {"climb", "Climb", "A climb that ends level, for lifts.", false, element_rows::kClimb},
-    {"dive", "Dive", "A drop that ends level.", false, element_rows::kDive},
-    {"camelback", "Camelback", "A hill with airtime: a parabola between clothoids.", false, element_rows::kCamelback},
+     true, element_rows::kCurve, "curve", "Curve"},
+    {"helix", "Helix", "A rising or descending helix that ends level.", true, element_rows::kHelix, "helix"},
+    {"climb", "Climb", "A climb that ends level, for lifts.", false, element_rows::kClimb, "climb"},
+    {"dive", "Dive", "A drop that ends level.", false, element_rows::kDive, "dive"},
+    {"camelback", "Camelback", "A hill with airtime: a parabola between clothoids.", false, element_rows::kCamelback,
+     "camelback"},
     {"loop", "Loop",
      "A clothoid (teardrop) loop: its curvature grows from the foot to the top, which limits g at the foot.", true,
-     element_rows::kLoop},
+     element_rows::kLoop, "loop"},
     {"corkscrew", "Corkscrew",
      "An inversion around a horizontal axis. It ends upright, in the same direction, shifted sideways.", true,
-     element_rows::kCorkscrew},
+     element_rows::kCorkscrew, "corkscrew"},
     {"s_bend",
      "S-bend",
      "Two banked turns, one to each side, without a straight between them. It ends in the same direction.",
      true,
      element_rows::kSBend,
+     "s_bend",
      {},
      true},
     {"overbanked_turn", "Overbanked",
      "Overbanked turn: it rises and falls while it turns, banked beyond the vertical at the top. It starts and ends "
      "level.",
-     true, element_rows::kOverbankedTurn, "Overbank"},
+     true, element_rows::kOverbankedTurn, "overbanked_turn", "Overbank"},
     {"bunny_hops", "Bunny hops", "Low hills in a row, each with airtime: parabolas between valleys.", false,
-     element_rows::kBunnyHops},
+     element_rows::kBunnyHops, "bunny_hops"},
     {"zero_g_roll", "Zero-g roll", "A hill over whose crest riders float while they are rolled by 360 degrees.", true,
-     element_rows::kZeroGRoll},
+     element_rows::kZeroGRoll, "zero_g_roll"},
     {"immelmann",
      "Immelmann",
      "Half a loop upwards, then half a roll on which riders float. It ends upright in the opposite direction, higher.",
      true,
      element_rows::kImmelmann,
+     "immelmann",
      {},
      true},
     {"dive_loop", "Dive loop",
      "Half a roll on which riders float, then half a loop downwards. It ends upright in the opposite direction, lower.",
-     true, element_rows::kDiveLoop},
+     true, element_rows::kDiveLoop, "dive_loop"},
     {"cobra_roll", "Cobra roll",
      "Two inversions: up a half loop, twisted down into a valley across the entry, and the same mirrored. It ends in "
      "the opposite direction, shifted sideways.",
-     true, element_rows::kCobraRoll},
+     true, element_rows::kCobraRoll, "cobra_roll"},
     {"brake_run", "Brake run", "Level brakes, then a station: the end of a ride. A sloping end is levelled first.",
-     false, element_rows::kBrakeRun},
+     false, element_rows::kBrakeRun, "brake_run"},
     {"force_hill", "Float hill", "A hill over which riders float for some seconds, between bends of constant g.", false,
-     element_rows::kForceHill},
+     element_rows::kForceHill, "forces"},
     {"force_valley", "Valley", "A bend of constant g up or down to a slope: a valley, a pull-up or a crest.", false,
-     element_rows::kForceValley},
+     element_rows::kForceValley, "forces"},
     {"force_turn", "Turn", "A level turn at constant g, banked so that riders feel no lateral g.", true,
-     element_rows::kForceTurn},
+     element_rows::kForceTurn, "forces"},
     {"force_roll", "Float roll", "A hill over which riders float while they are rolled by 360 degrees.", true,
-     element_rows::kForceRoll},
+     element_rows::kForceRoll, "forces"},
     {"force_heartline", "Heartline", "A roll by 360 degrees about the riders' straight path.", true,
-     element_rows::kForceHeartline},
+     element_rows::kForceHeartline, "forces"},
     {"force_loop", "Force loop", "A loop at constant g: a teardrop, tighter towards the top. It ends level.", true,
-     element_rows::kForceLoop},
+     element_rows::kForceLoop, "forces"},
     {"force_brakes", "Brakes", "Straight brakes, as long as the train needs to slow down.", false,
-     element_rows::kForceBrakes},
+     element_rows::kForceBrakes, "forces"},
 };
-static_assert(std::size(kElements) == kElementKinds);
+static_assert(std::size(kElements) == 1 + static_cast<std::size_t>(ElementKind::force_brakes));
 constexpr std::span<const ElementRow> rows_of(ElementKind) { return kElements; }
 // Elements with a fixed shape; and those that are placed as force sections (sim/plan/force_elements.h).
 constexpr std::span<const ElementRow> elements() {

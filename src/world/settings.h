@@ -74,7 +74,7 @@ struct Settings {
                              // selection
   double selected_t = 0.5;   // the picked position on a selected segment, parameter in [0,1]
   Snapping snapping;
-  Element element = usual_element(ElementKind::curve);  // the palette's element
+  Element element = first_element();  // the palette's element
   friend bool operator==(const Settings&, const Settings&) = default;
 
   static constexpr auto kRows =

@@ -13,6 +13,7 @@
 #include "edit/session_fixture.h"
 #include "gfx/image.h"
 #include "world/aids.h"
+#include "world/element_rows.h"
 #include "world/layers.h"
 #include "world/sections.h"
 

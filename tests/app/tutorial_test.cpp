@@ -14,6 +14,7 @@
 #include "edit/commands/commands_settings.h"
 #include "edit/commands/set_setting.h"
 #include "world/aids.h"
+#include "world/element_rows.h"
 #include "world/panels.h"
 
 namespace coaster::app {

@@ -7,6 +7,7 @@
 #include "edit/commands/codec.h"
 #include "edit/commands/commands_session.h"
 #include "script/fake_host.h"
+#include "world/element_rows.h"
 #include "world/lab_view.h"
 #include "world/layers.h"
 #include "world/other_settings.h"

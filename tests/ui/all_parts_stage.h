@@ -15,6 +15,7 @@
 #include "edit/commands/set_setting.h"
 #include "ui/stage.h"
 #include "world/aids.h"
+#include "world/element_rows.h"
 #include "world/lab_view.h"
 #include "world/look.h"
 #include "world/panels.h"

@@ -7,6 +7,7 @@
 #include "edit/commands/commands_settings.h"
 #include "edit/commands/set_setting.h"
 #include "ui/stage.h"
+#include "world/element_rows.h"
 #include "world/equipment_rows.h"
 #include "world/panels.h"
 #include "world/sections.h"

@@ -7,6 +7,7 @@
 #include "edit/session_fixture.h"
 #include "sim/plan/elements.h"
 #include "view/overlay.h"
+#include "world/element_rows.h"
 #include "world/lab_view.h"
 #include "world/panels.h"
 

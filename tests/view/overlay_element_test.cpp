@@ -10,6 +10,7 @@
 #include "sim/random_elements.h"
 #include "sim/solids/track_mesh.h"
 #include "view/camera.h"
+#include "world/element_rows.h"
 
 namespace coaster::view {
 namespace overlay_element_test {

@@ -6,6 +6,7 @@
 #include <map>
 
 #include "sim/tracks.h"
+#include "world/element_rows.h"
 #include "world/panels.h"
 #include "world/sections.h"
 #include "world/topology.h"

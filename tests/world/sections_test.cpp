@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "world/element_rows.h"
 #include "world/sample_documents.h"
 
 namespace coaster::world {

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "base/hash.h"
+#include "world/element_rows.h"
 #include "world/motion.h"
 #include "world/sample_documents.h"
 

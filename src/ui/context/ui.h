@@ -70,9 +70,8 @@ struct Inputs {
   double radius = 20;                    // m, the number in Shape/Radius
   std::string_view panel_to_open;        // the panel that an action opens when it shows next; empty: none
   std::string waits_for_key, keys_note;  // settings window: the action that waits for a key press, and what was changed
-  std::array<world::Element, base::count_of<world::ElementKind>()> elements =
-      world::usual_elements();                                    // the elements of the palette, by kind
-  world::ElementKind of_forces = world::ElementKind::force_hill;  // the force element used last in the palette
+  std::vector<world::Element> elements = world::usual_elements();  // the elements of the palette, by kind
+  world::ElementKind of_forces = world::first_of_forces();         // the force element used last in the palette
   AskedChange asked;
   std::optional<EditedCell> cell;
   GoalInputs goal;

@@ -98,7 +98,7 @@ void forces_button(Ui& ui, const PaletteGrid& grid, int cell) {
   constexpr std::string_view kHelp =
       "Forces. Track from what riders feel: hills, valleys, turns, rolls and loops at constant g, whose keys you edit "
       "in the force graph.";
-  if (face_button(ui, {kForcesIcon, std::string(kForces), std::string(kHelp), on}, grid))
+  if (face_button(ui, {icon_of(world::first_of_forces()), std::string(kForces), std::string(kHelp), on}, grid))
     choose(ui, ui.inputs.of_forces, on);
 }
 

@@ -104,11 +104,36 @@ constexpr Icon::Bar kStepBar[] = {{{0.74f, 0.06f}, {0.92f, 0.94f}}},
                     kPauseBars[] = {{{0.14f, 0.06f}, {0.4f, 0.94f}}, {{0.6f, 0.06f}, {0.86f, 0.94f}}},
                     kStopBar[] = {{{0.12f, 0.12f}, {0.88f, 0.88f}}};
 
-// Icons in the order of world::elements().
-constexpr Icon kElementIcons[] = {
-    {kStraight}, {kCurve},          {kHelix},     {kClimb},     {kDive},      {kCamelback}, {kLoop},      {kCorkscrew},
-    {kSBend},    {kOverbankedTurn}, {kBunnyHops}, {kZeroGRoll}, {kImmelmann}, {kDiveLoop},  {kCobraRoll}, {kBrakeRun}};
-static_assert(std::size(kElementIcons) == world::elements().size());
+// The icons of elements, by the name in their rows.
+struct ElementIcon {
+  std::string_view name;
+  Icon icon;
+};
+constexpr ElementIcon kElementIcons[] = {{"straight", {kStraight}},
+                                         {"curve", {kCurve}},
+                                         {"helix", {kHelix}},
+                                         {"climb", {kClimb}},
+                                         {"dive", {kDive}},
+                                         {"camelback", {kCamelback}},
+                                         {"loop", {kLoop}},
+                                         {"corkscrew", {kCorkscrew}},
+                                         {"s_bend", {kSBend}},
+                                         {"overbanked_turn", {kOverbankedTurn}},
+                                         {"bunny_hops", {kBunnyHops}},
+                                         {"zero_g_roll", {kZeroGRoll}},
+                                         {"immelmann", {kImmelmann}},
+                                         {"dive_loop", {kDiveLoop}},
+                                         {"cobra_roll", {kCobraRoll}},
+                                         {"brake_run", {kBrakeRun}},
+                                         {"forces", {kGraph, {}, kForceKeys}}};
+constexpr const ElementIcon* icon_named(std::string_view name) {
+  return std::ranges::find_if(kElementIcons, [&](const ElementIcon& icon) { return icon.name == name; });
+}
+static_assert(std::ranges::all_of(world::kElements,
+                                  [](const world::ElementRow& row) {
+                                    return icon_named(row.icon) != std::end(kElementIcons);
+                                  }),
+              "each element names an icon");
 
 // Draws into the square of `size` px whose top left is `low`.
 void draw_icon(ImDrawList& list, const Icon& icon, ImVec2 low, float size, ImU32 colour) {
@@ -143,12 +168,10 @@ void draw_star(ImDrawList& list, ImVec2 middle, float radius, ImU32 colour) {
 }  // namespace
 
 const Icon kPlayIcon{{}, kPlayArrow}, kPauseIcon{{}, {}, kPauseBars}, kStepIcon{{}, kStepArrow, kStepBar},
-    kResetIcon{kReset}, kPencilIcon{kPencil}, kCircuitIcon{kCircuit}, kForcesIcon{kGraph, {}, kForceKeys},
-    kRecordIcon{kRing, {}, kDot}, kStopIcon{{}, {}, kStopBar};
+    kResetIcon{kReset}, kPencilIcon{kPencil}, kCircuitIcon{kCircuit}, kRecordIcon{kRing, {}, kDot},
+    kStopIcon{{}, {}, kStopBar};
 
-const Icon& icon_of(world::ElementKind kind) {
-  return world::is_of_forces(kind) ? kForcesIcon : kElementIcons[static_cast<std::size_t>(kind)];
-}
+const Icon& icon_of(world::ElementKind kind) { return icon_named(base::row_of(kind).icon)->icon; }
 
 bool icon_button(WidgetFrame& ui, const Icon& icon, std::string_view label, std::string_view tooltip, bool enabled,
                  float width, IconPlace place) {

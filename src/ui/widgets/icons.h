@@ -27,8 +27,7 @@ struct Icon {
   std::span<const Place> arrow = {};  // three corners, or none
   std::span<const Bar> bars = {};
 };
-extern const Icon kPlayIcon, kPauseIcon, kStepIcon, kResetIcon, kPencilIcon, kCircuitIcon, kForcesIcon, kRecordIcon,
-    kStopIcon;
+extern const Icon kPlayIcon, kPauseIcon, kStepIcon, kResetIcon, kPencilIcon, kCircuitIcon, kRecordIcon, kStopIcon;
 const Icon& icon_of(world::ElementKind kind);  // one icon for all force elements
 
 // Position of a button's icon: before its label, above it with the label in the small font, or without a visible label.

@@ -13,6 +13,7 @@
 #include "edit/commands/commands_settings.h"
 #include "edit/commands/commands_shape.h"
 #include "edit/random_commands.h"
+#include "world/element_rows.h"
 
 namespace coaster::edit {
 namespace codec_test {

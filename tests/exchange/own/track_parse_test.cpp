@@ -9,6 +9,7 @@
 #include "exchange/bad_file.h"
 #include "exchange/formats.h"
 #include "exchange/own/track_file.h"
+#include "world/element_rows.h"
 #include "world/sample_documents.h"
 #include "world/sections.h"
 

@@ -3,6 +3,7 @@
 
 #include "base/tries.h"
 #include "exchange/own/track_file.h"
+#include "world/element_rows.h"
 #include "world/sample_documents.h"
 
 namespace coaster::exchange {

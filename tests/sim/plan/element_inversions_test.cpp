@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "sim/built_elements.h"
+#include "world/element_rows.h"
 
 namespace coaster::sim {
 namespace element_inversions_test {

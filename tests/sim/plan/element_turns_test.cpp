@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "sim/built_elements.h"
+#include "world/element_rows.h"
 
 namespace coaster::sim {
 namespace element_turns_test {

@@ -5,6 +5,7 @@
 #include "sim/force_oracle.h"
 #include "sim/plan/force_elements.h"
 #include "sim/plan/force_law.h"
+#include "world/element_rows.h"
 
 namespace coaster::sim {
 namespace force_turns_test {

@@ -6,6 +6,7 @@
 
 #include "sim/plan/element_memo.h"
 #include "sim/tracks.h"
+#include "world/element_rows.h"
 
 namespace coaster::sim {
 namespace element_room_test {

@@ -12,6 +12,7 @@
 #include "ui/stage.h"
 #include "ui/widgets/widgets.h"
 #include "world/aids.h"
+#include "world/element_rows.h"
 #include "world/look.h"
 #include "world/panels.h"
 

@@ -13,6 +13,7 @@
 #include "edit/commands/set_setting.h"
 #include "ui/stage.h"
 #include "world/aids.h"
+#include "world/element_rows.h"
 #include "world/panels.h"
 
 namespace coaster::ui {

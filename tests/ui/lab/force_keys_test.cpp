@@ -2,6 +2,7 @@
 #include "edit/commands/commands_force.h"
 #include "edit/commands/set_setting.h"
 #include "ui/sections_stage.h"
+#include "world/element_rows.h"
 #include "world/panels.h"
 
 namespace coaster::ui {

@@ -8,6 +8,7 @@
 #include "ui/panels/panels.h"
 #include "ui/stage.h"
 #include "world/aids.h"
+#include "world/element_rows.h"
 
 namespace coaster::ui {
 namespace panel_elements_test {

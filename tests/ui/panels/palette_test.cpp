@@ -6,6 +6,7 @@
 #include "edit/commands/set_setting.h"
 #include "ui/stage.h"
 #include "world/aids.h"
+#include "world/element_rows.h"
 #include "world/look.h"
 #include "world/panels.h"
 

@@ -14,6 +14,7 @@
 #include "ui/widgets/icons.h"
 #include "ui/widgets/widgets.h"
 #include "world/aids.h"
+#include "world/element_rows.h"
 #include "world/sections.h"
 
 namespace coaster::ui {

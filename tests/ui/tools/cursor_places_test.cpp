@@ -10,6 +10,7 @@
 #include "ui/stage.h"
 #include "view/gizmo.h"
 #include "world/aids.h"
+#include "world/element_rows.h"
 
 namespace coaster::ui {
 namespace cursor_places_test {

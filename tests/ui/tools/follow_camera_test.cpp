@@ -9,6 +9,7 @@
 #include "ui/stage.h"
 #include "world/aids.h"
 #include "world/camera_feel.h"
+#include "world/element_rows.h"
 
 namespace coaster::ui {
 namespace follow_camera_test {

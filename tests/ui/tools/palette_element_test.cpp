@@ -6,6 +6,7 @@
 #include "edit/commands/commands_session.h"
 #include "edit/commands/set_setting.h"
 #include "ui/stage.h"
+#include "world/element_rows.h"
 #include "world/panels.h"
 
 namespace coaster::ui {

@@ -6,6 +6,7 @@
 #include "ui/widgets/widgets.h"
 #include "view/gizmo.h"
 #include "view/section_handle.h"
+#include "world/element_rows.h"
 #include "world/panels.h"
 #include "world/selection.h"
 
