@@ -9,7 +9,7 @@ import sys
 from pathlib import Path
 
 INCLUDE = re.compile(r'^#include "([^"]+)"', re.M)
-FUNCTION = r"^(?:\[\[nodiscard\]\] )?[a-zA-Z][^;{}=#]*\([^;{}]*\)(?: const)?;"
+FUNCTION = r"^(?!COASTER_)(?:\[\[nodiscard\]\] )?[a-zA-Z][^;{}=#]*\([^;{}]*\)(?: const)?;"
 CLASS = r"^(?:template .*\n)?class \w+ (?:final )?\{"
 DECLARES = re.compile(f"{FUNCTION}|{CLASS}", re.M)
 
