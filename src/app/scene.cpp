@@ -6,7 +6,6 @@
 #include "base/console.h"
 #include "gfx/instances.h"
 #include "sim/ride/ride.h"
-#include "sim/shape/folds.h"
 #include "sim/solids/supports.h"
 #include "sim/study/complete_circuit.h"
 #include "world/aids.h"

@@ -1,6 +1,5 @@
 // What a message says about an unknown first word: the word that was probably meant, of this language or another one.
 #include <algorithm>
-#include <iterator>
 
 #include <fmt/format.h>
 

@@ -2,9 +2,7 @@
 #include "edit/commands/codec.h"
 
 #include <algorithm>
-#include <array>
 #include <type_traits>
-#include <utility>
 
 #include <fmt/format.h>
 

@@ -1,6 +1,5 @@
 // Commands of the ride.
 #include <algorithm>
-#include <cmath>
 
 #include "edit/commands/commands_challenge.h"
 #include "edit/commands/commands_ride.h"

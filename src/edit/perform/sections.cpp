@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 
-#include "base/portable_math.h"
 #include "base/text.h"
 #include "edit/commands/commands_sections.h"
 #include "edit/perform/equipping.h"

@@ -15,7 +15,6 @@
 #include "edit/perform/follow.h"
 #include "edit/perform/knot_runs.h"
 #include "edit/perform/replan.h"
-#include "sim/shape/roll.h"
 #include "world/element.h"
 #include "world/element_rows.h"
 #include "world/force.h"
