@@ -25,7 +25,6 @@ struct ArgumentPart {
 };
 using Argument = std::span<const ArgumentPart>;
 
-inline constexpr Argument kNoArgument{};
 inline constexpr ArgumentPart kKnot[]{{.usage = "@knot", .kind = world::Kind::knot}};
 inline constexpr ArgumentPart kSegment[]{{.usage = "@segment", .kind = world::Kind::segment}};
 inline constexpr ArgumentPart kCart[]{{.usage = "@cart", .kind = world::Kind::cart}};

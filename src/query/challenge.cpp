@@ -18,15 +18,6 @@ namespace {
 
 using exchange::RuleList;
 
-bool named(std::span<const Query> rows, std::string_view name) {
-  return std::any_of(rows.begin(), rows.end(), [&](const Query& row) { return row.name == name; });
-}
-
-Context context_of(const edit::Finder& find) {
-  static const FrameStats kNothingDrawn;
-  return {find, kNothingDrawn, {}, {}};
-}
-
 std::optional<double> place_of_knot(const edit::Session& session, std::string_view label) {
   const auto name = world::parse_name(label);
   if (!name) return std::nullopt;
@@ -153,8 +144,8 @@ std::string unridden(const edit::ActiveChallenge& challenge, const edit::RideRes
 bool may_judge(const Query& query) {
   if (query.name == "challenge.deviation") return true;
   if (query.values.of_view) return false;
-  return named(document_rows(), query.name) || named(ride_rows(), query.name) || named(simulated_rows(), query.name) ||
-         named(joint_rows(), query.name);
+  return std::ranges::any_of(std::array{document_rows(), ride_rows(), simulated_rows(), joint_rows()},
+                             [&](std::span<const Query> rows) { return has_row(rows, query.name); });
 }
 
 base::Result<std::vector<Rule>> read_rules(const exchange::ChallengeFile& challenge, std::string_view path) {

@@ -32,12 +32,8 @@ std::string name_of(const Query& query, std::string_view argument) {
   return fmt::format("{}{}{}", query.name, argument.empty() ? "" : " ", argument);
 }
 
-bool in(std::span<const Query> rows, const Query& query) {
-  return std::any_of(rows.begin(), rows.end(), [&](const Query& row) { return row.name == query.name; });
-}
-
 bool may_be_sought(const Query& query) {
-  return may_judge(query) || in(rider_rows(), query) || in(section_rows(), query);
+  return may_judge(query) || has_row(rider_rows(), query.name) || has_row(section_rows(), query.name);
 }
 
 struct Goal {
@@ -89,8 +85,7 @@ bool check_goal(base::Words& words) { return parse_goal(words).has_value(); }
 base::Result<edit::GoalState> measure_goal(edit::Session& session, const std::string& goal) {
   const base::Result<Goal> read = read_goal(goal);
   if (!read) return read.status();
-  static const FrameStats kNothingDrawn;
-  const base::Result<Value> value = read->query->evaluate(Context{session, kNothingDrawn, {}, {}}, read->argument);
+  const base::Result<Value> value = read->query->evaluate(context_of(session), read->argument);
   if (!value) return value.status();
   const double* const number = std::get_if<double>(&*value);
   if (const None* const none = std::get_if<None>(&*value))

@@ -105,6 +105,11 @@ Value parameter_of(const world::Element& element, std::string_view name) {
   return none("the element has no such parameter");
 }
 
+Context context_of(const edit::Finder& find) {
+  static const FrameStats kNothingDrawn;
+  return {find, kNothingDrawn, {}, {}};
+}
+
 base::Result<world::Entity> entity_of(const Context& context, std::string_view argument, world::Kind kind) {
   const world::Document& document = context.session.document;
   const std::string_view word = argument.starts_with('@') ? argument.substr(1) : argument;

@@ -48,8 +48,14 @@ struct Query {
   Argument argument;
   std::string_view unit;  // "m/s", "" if none
   std::string_view text;
-  base::Result<Value> (*row)(const Context& context, std::string_view argument);  // of an argument that is accepted
-  Values values = {};
+  using Row = base::Result<Value> (*)(const Context& context, std::string_view argument);
+  Row row;  // of an argument that is accepted
+  Values values;
+
+  constexpr Query(std::string_view n, Argument a, std::string_view u, std::string_view t, Row r, Values v = {})
+      : name(n), argument(a), unit(u), text(t), row(r), values(v) {}
+  constexpr Query(std::string_view n, std::string_view u, std::string_view t, Row r, Values v = {})
+      : Query(n, {}, u, t, r, v) {}
 
   // Returns a value of it; of a figure at its limit (base/units.h) that it is over it.
   std::string words(const Value& value) const;

@@ -1,6 +1,7 @@
 // The parts of the table of queries, and helpers of their rows.
 #pragma once
 
+#include <algorithm>
 #include <type_traits>
 
 #include <fmt/format.h>
@@ -10,7 +11,6 @@
 #include "query/context.h"
 #include "query/query.h"
 #include "world/element_rows.h"
-#include "world/equipment_rows.h"
 #include "world/topology.h"
 
 namespace coaster::query {
@@ -30,6 +30,14 @@ std::span<const Query> game_rows();
 std::span<const Query> draw_rows();
 std::span<const Query> frame_rows();
 std::span<const Query> evaluation_rows();
+
+// True if one of the rows has that name.
+inline bool has_row(std::span<const Query> rows, std::string_view name) {
+  return std::any_of(rows.begin(), rows.end(), [&](const Query& row) { return row.name == name; });
+}
+
+// Returns what queries of track and ride read: no picture and no panels.
+Context context_of(const edit::Finder& find);
 
 // Returns the entity of that kind named `argument` ("@k3" or "k3"), or a Status with the error and a suggestion.
 base::Result<world::Entity> entity_of(const Context& context, std::string_view argument, world::Kind kind);
@@ -76,6 +84,7 @@ template <base::Named E>
 inline constexpr Values kOneOf{Type::text, base::names_of<E>};
 template <base::Named E>
 inline constexpr Values kRankOf{Type::ranked, base::names_of<E>};
+constexpr Values texts(std::vector<std::string> (*words)()) { return {Type::text, words}; }
 constexpr Values or_none(Values values = {}) {
   values.may_be_none = true;
   return values;

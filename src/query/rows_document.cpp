@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 
 #include "base/hash.h"
 #include "base/portable_math.h"
@@ -91,16 +92,9 @@ Answer import_knots(const Context& c, View) { return number(c.session.file.impor
 template <auto member>
 Answer of_knot(const Context& c, View argument) {
   return of_entity(c, argument, world::Kind::knot,
-                   [&](world::Entity e) { return world::knot(c.session.document, e).*member; });
+                   [&](world::Entity e) { return std::invoke(member, world::knot(c.session.document, e)); });
 }
-Answer roll(const Context& c, View argument) {
-  return of_entity(c, argument, world::Kind::knot,
-                   [&](world::Entity e) { return world::roll_deg(world::knot(c.session.document, e)); });
-}
-Answer spin(const Context& c, View argument) {
-  return of_entity(c, argument, world::Kind::knot,
-                   [&](world::Entity e) { return base::degrees(double{world::knot(c.session.document, e).spin}); });
-}
+double spin_deg(const world::Knot& knot) { return base::degrees(double{knot.spin}); }
 
 // --- segments
 Answer turns(const Context& c, View argument) {
@@ -123,98 +117,85 @@ Answer vertices(const Context& c, View) { return number(c.session.derived.vertic
 
 constexpr ArgumentPart kHashed[]{{.words = [] { return std::vector<std::string>{"document", "motion"}; }}};
 
-constexpr std::array kDocumentRows{
-    Query{"knots", kNoArgument, "", "Number of knots.", knots},
-    Query{"segments", kNoArgument, "", "Number of segments.", segments},
-    Query{"closed", kNoArgument, "", "on if the track is closed.",
-          of_document<&world::Document::track, &world::Track::closed>, kSwitch},
-    Query{"length", kNoArgument, "m", "Length of the track by the chosen arc-length method.", length, of_view()},
-    Query{"exact_length", kNoArgument, "m", "Length of the track by adaptive Gauss-Legendre.", exact_length},
-    Query{"name", kNoArgument, "", "The track's name.", of_document<&world::Document::name>, kText},
-    Query{"start_speed", kNoArgument, "m/s", "Start speed of trains.", of_document<&world::Document::start_speed>},
-    Query{"open_end.distance", kNoArgument, "m",
-          "Distance of the last knot from the first one in space; 0 on a closed track, none below two knots.",
-          open_end_distance, or_none()},
-    Query{"datum", kNoArgument, "m", "Height at which potential energy is zero.", of_document<&world::Document::datum>},
-    Query{"longest", kNoArgument, "", "The longest segment; none without one.", longest, of_view(or_none(kText))},
-    Query{"conflicts", kNoArgument, "",
-          "Places where the track lacks clearance from itself: a train would be too close beside, below or above "
-          "other track.",
-          conflicts},
-    Query{"conflict.missing", kNoArgument, "m", "Clearance missing at the worst conflict; 0 if there is none.",
-          conflict_missing},
-    Query{"conflict.at", kNoArgument, "m", "Distance of the worst conflict along the track; none if there is none.",
-          conflict_place<&sim::Conflict::at>, or_none()},
-    Query{"conflict.other", kNoArgument, "m", "Distance of its other stretch along the track; none if there is none.",
-          conflict_place<&sim::Conflict::other>, or_none()},
-    Query{"folds", kNoArgument, "",
-          "Places where the rails fold: the curve's radius is below the rails' distance from it.", folds},
-    Query{"fold.at", kNoArgument, "m", "Distance of the first fold along the track; none if there is none.",
-          first_fold<&sim::Fold::at>, or_none()},
-    Query{"fold.radius", kNoArgument, "m", "The curve's radius there; none if there is none.",
-          first_fold<&sim::Fold::radius>, or_none()},
-    Query{"tight_bends", kNoArgument, "",
-          "Places where the curve bends with a radius below 0.5 m or reverses its direction: no train can pass.",
-          tight_bends},
-    Query{"tight_bend.at", kNoArgument, "m", "Distance of the tightest one along the track; none if there is none.",
-          tight_bend_at, or_none()},
-    Query{"least_radius", kNoArgument, "m",
-          "Least radius of the curve, found exactly: 0 where it reverses its direction, none for a straight track.",
-          least_radius, or_none()},
-    Query{"hash", kHashed, "", "Hash of the document or of the motion, 16 hexadecimal digits.", hash, of_view(kText)},
-    Query{"position", kKnot, "m", "A knot's position.", of_knot<&world::Knot::position>, kVector},
-    Query{"tangent", kKnot, "", "A knot's direction of travel, a unit vector.", of_knot<&world::Knot::tangent>,
-          kVector},
-    Query{"up", kKnot, "", "Direction of riders' heads at a knot, a unit vector.", of_knot<&world::Knot::up>, kVector},
-    Query{"roll", kKnot, "deg", "A knot's roll from the horizon, positive to the rider's right.", roll},
-    Query{"spin", kKnot, "deg/m",
-          "A knot's spin: the rate of roll along the track there, against the rotation-minimising frame.", spin},
-    Query{"spin_kind", kKnot, "", "Where a knot's spin comes from: automatic or set.", of_knot<&world::Knot::spin_kind>,
-          kOneOf<world::SpinKind>},
-    Query{"in_length", kKnot, "m", "Length of a knot's incoming handle.", of_knot<&world::Knot::in_length>},
-    Query{"out_length", kKnot, "m", "Length of a knot's outgoing handle.", of_knot<&world::Knot::out_length>},
-    Query{"joint", kKnot, "", "A knot's kind of joint: smooth, aligned or automatic.", of_knot<&world::Knot::joint>,
-          kOneOf<world::JointKind>},
-    Query{"geometric", kKnot, "", "Geometric continuity: G0 < G1 < G2; none at the end of an open track.",
-          of_joint<&curve::Joint::geometric>, or_none(kRankOf<curve::Geometric>)},
-    Query{"parametric", kKnot, "", "Parametric continuity: C0 < C1 < C2; none at the end of an open track.",
-          of_joint<&curve::Joint::parametric>, or_none(kRankOf<curve::Parametric>)},
-    Query{"gap", kKnot, "m", "Distance between the ends of the segments at a knot; none at the end of an open track.",
-          of_joint<&curve::Joint::gap>, or_none()},
-    Query{"speed_ratio", kKnot, "", "|C'(0)| / |B'(1)| of the segments at a knot; none at the end of an open track.",
-          of_joint<&curve::Joint::speed_ratio>, or_none()},
-    Query{"curvature_jump", kKnot, "1/m",
-          "Length of the difference of the curvature vectors at a knot; none at the end of an open track.",
-          of_joint<&curve::Joint::curvature_jump>, or_none()},
-    Query{"turns", kSegment, "", "Whole turns of roll within a segment.", turns},
-    Query{"segment_length", kSegment, "m", "A segment's length by the chosen arc-length method.", segment_length,
-          of_view()},
-    Query{"twist", kSegment, "deg", "Roll over a segment, relative to its rotation-minimising frame; none over a cusp.",
-          twist, or_none()},
-    Query{"import.max_error", kNoArgument, "m",
-          "Largest distance of an imported file's rows from the fitted track; none without an import.",
-          of_import<&exchange::ImportReport::max_error>, or_none()},
-    Query{
-        "import.frame_error", kNoArgument, "deg",
-        "Largest angle between a row's frame and the fitted track's, except within 0.5 m of a jump between rows; none "
-        "without an import.",
-        of_import<&exchange::ImportReport::frame_error>, or_none()},
-    Query{"import.rms_error", kNoArgument, "m", "Root mean square of the distances of import.max_error.",
-          of_import<&exchange::ImportReport::rms_error>, or_none()},
-    Query{"import.rms_frame_error", kNoArgument, "deg", "Root mean square of the angles of import.frame_error.",
-          of_import<&exchange::ImportReport::rms_frame_error>, or_none()},
-    Query{"import.jump_error", kNoArgument, "deg",
-          "As import.frame_error, within 0.5 m of where rows jump; 0 without a jump.",
-          of_import<&exchange::ImportReport::jump_error>, or_none()},
-    Query{"import.knots", kNoArgument, "", "Number of knots of the fitted track; 0 without an import.", import_knots},
-    Query{"vertices", kNoArgument, "", "Number of vertices of all polylines.", vertices, of_view()},
+constexpr Query kDocumentRows[]{
+    {"knots", "", "Number of knots.", knots},
+    {"segments", "", "Number of segments.", segments},
+    {"closed", "", "on if the track is closed.", of_document<&world::Document::track, &world::Track::closed>, kSwitch},
+    {"length", "m", "Length of the track by the chosen arc-length method.", length, of_view()},
+    {"exact_length", "m", "Length of the track by adaptive Gauss-Legendre.", exact_length},
+    {"name", "", "The track's name.", of_document<&world::Document::name>, kText},
+    {"start_speed", "m/s", "Start speed of trains.", of_document<&world::Document::start_speed>},
+    {"open_end.distance", "m",
+     "Distance of the last knot from the first one in space; 0 on a closed track, none below two knots.",
+     open_end_distance, or_none()},
+    {"datum", "m", "Height at which potential energy is zero.", of_document<&world::Document::datum>},
+    {"longest", "", "The longest segment; none without one.", longest, of_view(or_none(kText))},
+    {"conflicts", "",
+     "Places where the track lacks clearance from itself: a train would be too close beside, below or above "
+     "other track.",
+     conflicts},
+    {"conflict.missing", "m", "Clearance missing at the worst conflict; 0 if there is none.", conflict_missing},
+    {"conflict.at", "m", "Distance of the worst conflict along the track; none if there is none.",
+     conflict_place<&sim::Conflict::at>, or_none()},
+    {"conflict.other", "m", "Distance of its other stretch along the track; none if there is none.",
+     conflict_place<&sim::Conflict::other>, or_none()},
+    {"folds", "", "Places where the rails fold: the curve's radius is below the rails' distance from it.", folds},
+    {"fold.at", "m", "Distance of the first fold along the track; none if there is none.", first_fold<&sim::Fold::at>,
+     or_none()},
+    {"fold.radius", "m", "The curve's radius there; none if there is none.", first_fold<&sim::Fold::radius>, or_none()},
+    {"tight_bends", "",
+     "Places where the curve bends with a radius below 0.5 m or reverses its direction: no train can pass.",
+     tight_bends},
+    {"tight_bend.at", "m", "Distance of the tightest one along the track; none if there is none.", tight_bend_at,
+     or_none()},
+    {"least_radius", "m",
+     "Least radius of the curve, found exactly: 0 where it reverses its direction, none for a straight track.",
+     least_radius, or_none()},
+    {"hash", kHashed, "", "Hash of the document or of the motion, 16 hexadecimal digits.", hash, of_view(kText)},
+    {"position", kKnot, "m", "A knot's position.", of_knot<&world::Knot::position>, kVector},
+    {"tangent", kKnot, "", "A knot's direction of travel, a unit vector.", of_knot<&world::Knot::tangent>, kVector},
+    {"up", kKnot, "", "Direction of riders' heads at a knot, a unit vector.", of_knot<&world::Knot::up>, kVector},
+    {"roll", kKnot, "deg", "A knot's roll from the horizon, positive to the rider's right.", of_knot<world::roll_deg>},
+    {"spin", kKnot, "deg/m",
+     "A knot's spin: the rate of roll along the track there, against the rotation-minimising frame.",
+     of_knot<spin_deg>},
+    {"spin_kind", kKnot, "", "Where a knot's spin comes from: automatic or set.", of_knot<&world::Knot::spin_kind>,
+     kOneOf<world::SpinKind>},
+    {"in_length", kKnot, "m", "Length of a knot's incoming handle.", of_knot<&world::Knot::in_length>},
+    {"out_length", kKnot, "m", "Length of a knot's outgoing handle.", of_knot<&world::Knot::out_length>},
+    {"joint", kKnot, "", "A knot's kind of joint: smooth, aligned or automatic.", of_knot<&world::Knot::joint>,
+     kOneOf<world::JointKind>},
+    {"geometric", kKnot, "", "Geometric continuity: G0 < G1 < G2; none at the end of an open track.",
+     of_joint<&curve::Joint::geometric>, or_none(kRankOf<curve::Geometric>)},
+    {"parametric", kKnot, "", "Parametric continuity: C0 < C1 < C2; none at the end of an open track.",
+     of_joint<&curve::Joint::parametric>, or_none(kRankOf<curve::Parametric>)},
+    {"gap", kKnot, "m", "Distance between the ends of the segments at a knot; none at the end of an open track.",
+     of_joint<&curve::Joint::gap>, or_none()},
+    {"speed_ratio", kKnot, "", "|C'(0)| / |B'(1)| of the segments at a knot; none at the end of an open track.",
+     of_joint<&curve::Joint::speed_ratio>, or_none()},
+    {"curvature_jump", kKnot, "1/m",
+     "Length of the difference of the curvature vectors at a knot; none at the end of an open track.",
+     of_joint<&curve::Joint::curvature_jump>, or_none()},
+    {"turns", kSegment, "", "Whole turns of roll within a segment.", turns},
+    {"segment_length", kSegment, "m", "A segment's length by the chosen arc-length method.", segment_length, of_view()},
+    {"twist", kSegment, "deg", "Roll over a segment, relative to its rotation-minimising frame; none over a cusp.",
+     twist, or_none()},
+    {"import.max_error", "m",
+     "Largest distance of an imported file's rows from the fitted track; none without an import.",
+     of_import<&exchange::ImportReport::max_error>, or_none()},
+    {"import.frame_error", "deg",
+     "Largest angle between a row's frame and the fitted track's, except within 0.5 m of a jump between rows; none "
+     "without an import.",
+     of_import<&exchange::ImportReport::frame_error>, or_none()},
+    {"import.rms_error", "m", "Root mean square of the distances of import.max_error.",
+     of_import<&exchange::ImportReport::rms_error>, or_none()},
+    {"import.rms_frame_error", "deg", "Root mean square of the angles of import.frame_error.",
+     of_import<&exchange::ImportReport::rms_frame_error>, or_none()},
+    {"import.jump_error", "deg", "As import.frame_error, within 0.5 m of where rows jump; 0 without a jump.",
+     of_import<&exchange::ImportReport::jump_error>, or_none()},
+    {"import.knots", "", "Number of knots of the fitted track; 0 without an import.", import_knots},
+    {"vertices", "", "Number of vertices of all polylines.", vertices, of_view()},
 };
-
-}  // namespace
-
-std::span<const Query> document_rows() { return kDocumentRows; }
-
-namespace {
 
 // Returns the speed of the first train by name, m/s; nothing without one.
 std::optional<double> present_speed(const edit::Session& session) {
@@ -406,79 +387,70 @@ Answer erratum_wrong(const Context& c, View name) { return of_erratum(c, name, &
 constexpr ArgumentPart kErratum[]{
     {.words = [] { return std::vector<std::string>(sim::kErrata.begin(), sim::kErrata.end()); }}};
 
-constexpr std::array kJointRows{
-    Query{"joint_angle", kKnot, "deg", "Angle between the tangents of the segments at a knot.", joint_angle, or_none()},
-    Query{"curvature_before", kKnot, "1/m",
-          "Curvature vector at the end of the segment before a knot, towards the centre.",
-          of_joint<&curve::Joint::curvature_before>, or_none(kVector)},
-    Query{"curvature_after", kKnot, "1/m",
-          "Curvature vector at the start of the segment after a knot, towards the centre.",
-          of_joint<&curve::Joint::curvature_after>, or_none(kVector)},
-    Query{"second_jump", kKnot, "m", "Length of C''(0) - B''(1) at a knot; 0 for C2.",
-          of_joint<&curve::Joint::second_jump>, or_none()},
-    Query{"g_step", kKnot, "g", "Jump of the force at a knot, v^2 |dK| / g, at the present speed of the first train.",
-          g_step, or_none()},
-    Query{"g_step_max", kNoArgument, "g", "The largest such jump of the track.", g_step_max, or_none()},
-    Query{"ride.g_step", kKnot, "g",
-          "The same at the fastest passage of the whole ride, of all cars; none where it does not pass.", ride_g_step,
-          or_none()},
-    Query{"ride.g_step_max", kNoArgument, "g", "The largest such jump of the whole ride; none without a passage.",
-          ride_g_step_max, or_none()},
-    Query{"roughest_joint", kNoArgument, "", "The knot with the largest jump of curvature; none if there is no jump.",
-          roughest_joint, or_none(kText)},
-    Query{
-        "jolt", kKnot, "g",
-        "Largest difference of low-passed felt g that the jumps at a knot make in the whole ride, of all cars and the "
-        "three axes together.",
-        jolt<&sim::Jolt::total>, or_none()},
-    Query{"jolt.vertical", kKnot, "g", "The same of vertical g alone.", jolt<&sim::Jolt::up>, or_none()},
-    Query{"jolt.lateral", kKnot, "g", "The same of lateral g alone.", jolt<&sim::Jolt::left>, or_none()},
-    Query{"jolt.longitudinal", kKnot, "g", "The same of longitudinal g alone.", jolt<&sim::Jolt::forward>, or_none()},
-    Query{"ride.jolt_knot", kNoArgument, "", "The knot with the largest jolt; none without a jolt.", jolt_knot,
-          or_none(kText)},
-    Query{"geometric_min", kNoArgument, "",
-          "Lowest geometric continuity of all joints: G0 < G1 < G2; none without a joint.",
-          weakest_level<&curve::Joint::geometric>, or_none(kRankOf<curve::Geometric>)},
-    Query{"parametric_min", kNoArgument, "",
-          "Lowest parametric continuity of all joints: C0 < C1 < C2; none without a joint.",
-          weakest_level<&curve::Joint::parametric>, or_none(kRankOf<curve::Parametric>)},
-    Query{"weakest_geometric", kNoArgument, "", "The first knot with that geometric continuity; none without a joint.",
-          weakest_knot<&curve::Joint::geometric>, or_none(kText)},
-    Query{"weakest_parametric", kNoArgument, "",
-          "The first knot with that parametric continuity; none without a joint.",
-          weakest_knot<&curve::Joint::parametric>, or_none(kText)},
-    Query{"roll_max", kNoArgument, "deg", "Largest roll of a knot, to either side.", roll_max, or_none()},
-    Query{"joints_g2", kNoArgument, "", "Number of joints that are G2.", joints_g2},
-    Query{"curvature", kNoArgument, "1/m",
-          "Curvature at the selected position, on a segment, at a knot or a train; none at a cusp, where it is "
-          "unbounded.",
-          curvature, of_view(or_none())},
-    Query{"torsion", kNoArgument, "1/m", "Torsion at the selected position; none where Frenet-Serret is undefined.",
-          torsion, of_view(or_none())},
-    Query{"frenet", kNoArgument, "", "on if the Frenet-Serret frame is defined at the selected position.", frenet,
-          of_view(kSwitch)},
-    Query{"frenet_flips", kNoArgument, "",
-          "Number of places where the Frenet-Serret normal is undefined or flips: by over 90 degrees at a joint or "
-          "within "
-          "1/32 of a segment around an inflection or a place close to one.",
-          frenet_flips, of_view()},
-    Query{
-        "loop_twist", kNoArgument, "deg",
-        "Remaining twist of the rotation-minimising frame on a closed track, which is spread over it; none on an open "
-        "one, and with a cusp.",
-        loop_twist, or_none()},
-    Query{"cart_up", kNoArgument, "",
-          "Up of the selected train, else the first, by the chosen frame method; a unit vector.", cart_up,
-          of_view(or_none(kVector))},
-    Query{"erratum", kErratum, "",
-          "Correct value of an erratum: gravesen (m), line (m), frozen (m), g_step (g), frenet_flip (deg), pen (m).",
-          erratum, or_none()},
-    Query{"erratum_wrong", kErratum, "", "Claimed value of an erratum: gravesen in m^2, the others in the same unit.",
-          erratum_wrong, or_none()},
+constexpr Query kJointRows[]{
+    {"joint_angle", kKnot, "deg", "Angle between the tangents of the segments at a knot.", joint_angle, or_none()},
+    {"curvature_before", kKnot, "1/m", "Curvature vector at the end of the segment before a knot, towards the centre.",
+     of_joint<&curve::Joint::curvature_before>, or_none(kVector)},
+    {"curvature_after", kKnot, "1/m", "Curvature vector at the start of the segment after a knot, towards the centre.",
+     of_joint<&curve::Joint::curvature_after>, or_none(kVector)},
+    {"second_jump", kKnot, "m", "Length of C''(0) - B''(1) at a knot; 0 for C2.", of_joint<&curve::Joint::second_jump>,
+     or_none()},
+    {"g_step", kKnot, "g", "Jump of the force at a knot, v^2 |dK| / g, at the present speed of the first train.",
+     g_step, or_none()},
+    {"g_step_max", "g", "The largest such jump of the track.", g_step_max, or_none()},
+    {"ride.g_step", kKnot, "g",
+     "The same at the fastest passage of the whole ride, of all cars; none where it does not pass.", ride_g_step,
+     or_none()},
+    {"ride.g_step_max", "g", "The largest such jump of the whole ride; none without a passage.", ride_g_step_max,
+     or_none()},
+    {"roughest_joint", "", "The knot with the largest jump of curvature; none if there is no jump.", roughest_joint,
+     or_none(kText)},
+    {"jolt", kKnot, "g",
+     "Largest difference of low-passed felt g that the jumps at a knot make in the whole ride, of all cars and the "
+     "three axes together.",
+     jolt<&sim::Jolt::total>, or_none()},
+    {"jolt.vertical", kKnot, "g", "The same of vertical g alone.", jolt<&sim::Jolt::up>, or_none()},
+    {"jolt.lateral", kKnot, "g", "The same of lateral g alone.", jolt<&sim::Jolt::left>, or_none()},
+    {"jolt.longitudinal", kKnot, "g", "The same of longitudinal g alone.", jolt<&sim::Jolt::forward>, or_none()},
+    {"ride.jolt_knot", "", "The knot with the largest jolt; none without a jolt.", jolt_knot, or_none(kText)},
+    {"geometric_min", "", "Lowest geometric continuity of all joints: G0 < G1 < G2; none without a joint.",
+     weakest_level<&curve::Joint::geometric>, or_none(kRankOf<curve::Geometric>)},
+    {"parametric_min", "", "Lowest parametric continuity of all joints: C0 < C1 < C2; none without a joint.",
+     weakest_level<&curve::Joint::parametric>, or_none(kRankOf<curve::Parametric>)},
+    {"weakest_geometric", "", "The first knot with that geometric continuity; none without a joint.",
+     weakest_knot<&curve::Joint::geometric>, or_none(kText)},
+    {"weakest_parametric", "", "The first knot with that parametric continuity; none without a joint.",
+     weakest_knot<&curve::Joint::parametric>, or_none(kText)},
+    {"roll_max", "deg", "Largest roll of a knot, to either side.", roll_max, or_none()},
+    {"joints_g2", "", "Number of joints that are G2.", joints_g2},
+    {"curvature", "1/m",
+     "Curvature at the selected position, on a segment, at a knot or a train; none at a cusp, where it is "
+     "unbounded.",
+     curvature, of_view(or_none())},
+    {"torsion", "1/m", "Torsion at the selected position; none where Frenet-Serret is undefined.", torsion,
+     of_view(or_none())},
+    {"frenet", "", "on if the Frenet-Serret frame is defined at the selected position.", frenet, of_view(kSwitch)},
+    {"frenet_flips", "",
+     "Number of places where the Frenet-Serret normal is undefined or flips: by over 90 degrees at a joint or "
+     "within "
+     "1/32 of a segment around an inflection or a place close to one.",
+     frenet_flips, of_view()},
+    {"loop_twist", "deg",
+     "Remaining twist of the rotation-minimising frame on a closed track, which is spread over it; none on an open "
+     "one, and with a cusp.",
+     loop_twist, or_none()},
+    {"cart_up", "", "Up of the selected train, else the first, by the chosen frame method; a unit vector.", cart_up,
+     of_view(or_none(kVector))},
+    {"erratum", kErratum, "",
+     "Correct value of an erratum: gravesen (m), line (m), frozen (m), g_step (g), frenet_flip (deg), pen (m).",
+     erratum, or_none()},
+    {"erratum_wrong", kErratum, "", "Claimed value of an erratum: gravesen in m^2, the others in the same unit.",
+     erratum_wrong, or_none()},
 };
 
 }  // namespace
 
+std::span<const Query> document_rows() { return kDocumentRows; }
 std::span<const Query> joint_rows() { return kJointRows; }
 
 }  // namespace coaster::query

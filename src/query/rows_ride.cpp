@@ -93,52 +93,43 @@ Answer segment(const Context& c, View) {
 }
 Answer carts(const Context& c, View) { return number(c.session.document.entities.pool<world::Cart>().size()); }
 
-constexpr std::array kRideRows{
-    Query{"carts", kNoArgument, "", "Number of trains.", carts},
-    Query{"ride.state", kNoArgument, "", "stopped, running, paused, ended or failed; none without a train.", state,
-          or_none(kOneOf<world::RideState>)},
-    Query{"ride.speed", kNoArgument, "m/s", "Speed along the track, negative backwards.",
-          of_motion<&world::CartMotion::speed>, or_none()},
-    Query{"ride.height", kNoArgument, "m", "Height (y) of the rails under the train.", cart_height, or_none()},
-    Query{"ride.distance", kNoArgument, "m", "Distance of the train along the track.",
-          of_motion<&world::CartMotion::track_distance>, or_none()},
-    Query{"ride.travelled", kNoArgument, "m", "Distance travelled since the start; backwards counts negative.",
-          of_motion<&world::CartMotion::travelled>, or_none()},
-    Query{"ride.lap", kNoArgument, "", "Whole laps since the start; backwards counts negative.",
-          of_motion<&world::CartMotion::laps>, or_none()},
-    Query{"ride.segment", kNoArgument, "", "Segment under the train.", segment, or_none(kText)},
-    Query{"ride.energy", kNoArgument, "J/kg", "v^2/2 + g (y - datum).", energy<sim::energy>, or_none()},
-    Query{"ride.cost", kNoArgument, "ns",
-          "Time of a tick of the live ride on this machine, all trains together; none before the first tick.", cost,
-          of_view(or_none())},
-    Query{"ride.energy_drift", kNoArgument, "", "|energy - energy at the start| / largest kinetic energy.",
-          energy<sim::energy_drift>, or_none()},
-    Query{"ride.g_up", kNoArgument, "g", "Felt g towards the rider's head, not low-passed; 1 at rest on level track.",
-          felt<&sim::Felt::up>, or_none()},
-    Query{"ride.g_side", kNoArgument, "g", "Felt g to the rider's left, not low-passed.", felt<&sim::Felt::left>,
-          or_none()},
-    Query{"ride.g_forward", kNoArgument, "g", "Felt g forwards, not low-passed.", felt<&sim::Felt::forward>, or_none()},
-    Query{"wheels.road", kWordOf<sim::WheelSet>, "kN", "Load of the first car's road wheels: the rails push them up.",
-          wheels<&sim::Wheels::road>, or_none()},
-    Query{"wheels.up_stop", kWordOf<sim::WheelSet>, "kN",
-          "Load of the first car's up-stop wheels: the rails push them down.", wheels<&sim::Wheels::up_stop>,
-          or_none()},
-    Query{"wheels.side", kWordOf<sim::WheelSet>, "kN",
-          "Load of the first car's side wheels: the rails push them outwards.", wheels<&sim::Wheels::side>, or_none()},
-    Query{"ride.jerk", kNoArgument, "g/s",
-          "Change of the low-passed felt g per second where the train is, in the whole ride.", jerk, or_none()},
-    Query{"ride.roll_rate", kNoArgument, "deg/s",
-          "Rate at which the first car rolls about the rails. Positive to the right.", roll<&sim::Rolling::rate>,
-          or_none()},
-    Query{"ride.roll_acceleration", kNoArgument, "deg/s^2", "Change of the roll rate per second.",
-          roll<&sim::Rolling::acceleration>, or_none()},
+constexpr Query kRideRows[]{
+    {"carts", "", "Number of trains.", carts},
+    {"ride.state", "", "stopped, running, paused, ended or failed; none without a train.", state,
+     or_none(kOneOf<world::RideState>)},
+    {"ride.speed", "m/s", "Speed along the track, negative backwards.", of_motion<&world::CartMotion::speed>,
+     or_none()},
+    {"ride.height", "m", "Height (y) of the rails under the train.", cart_height, or_none()},
+    {"ride.distance", "m", "Distance of the train along the track.", of_motion<&world::CartMotion::track_distance>,
+     or_none()},
+    {"ride.travelled", "m", "Distance travelled since the start; backwards counts negative.",
+     of_motion<&world::CartMotion::travelled>, or_none()},
+    {"ride.lap", "", "Whole laps since the start; backwards counts negative.", of_motion<&world::CartMotion::laps>,
+     or_none()},
+    {"ride.segment", "", "Segment under the train.", segment, or_none(kText)},
+    {"ride.energy", "J/kg", "v^2/2 + g (y - datum).", energy<sim::energy>, or_none()},
+    {"ride.cost", "ns",
+     "Time of a tick of the live ride on this machine, all trains together; none before the first tick.", cost,
+     of_view(or_none())},
+    {"ride.energy_drift", "", "|energy - energy at the start| / largest kinetic energy.", energy<sim::energy_drift>,
+     or_none()},
+    {"ride.g_up", "g", "Felt g towards the rider's head, not low-passed; 1 at rest on level track.",
+     felt<&sim::Felt::up>, or_none()},
+    {"ride.g_side", "g", "Felt g to the rider's left, not low-passed.", felt<&sim::Felt::left>, or_none()},
+    {"ride.g_forward", "g", "Felt g forwards, not low-passed.", felt<&sim::Felt::forward>, or_none()},
+    {"wheels.road", kWordOf<sim::WheelSet>, "kN", "Load of the first car's road wheels: the rails push them up.",
+     wheels<&sim::Wheels::road>, or_none()},
+    {"wheels.up_stop", kWordOf<sim::WheelSet>, "kN",
+     "Load of the first car's up-stop wheels: the rails push them down.", wheels<&sim::Wheels::up_stop>, or_none()},
+    {"wheels.side", kWordOf<sim::WheelSet>, "kN", "Load of the first car's side wheels: the rails push them outwards.",
+     wheels<&sim::Wheels::side>, or_none()},
+    {"ride.jerk", "g/s", "Change of the low-passed felt g per second where the train is, in the whole ride.", jerk,
+     or_none()},
+    {"ride.roll_rate", "deg/s", "Rate at which the first car rolls about the rails. Positive to the right.",
+     roll<&sim::Rolling::rate>, or_none()},
+    {"ride.roll_acceleration", "deg/s^2", "Change of the roll rate per second.", roll<&sim::Rolling::acceleration>,
+     or_none()},
 };
-
-}  // namespace
-
-std::span<const Query> ride_rows() { return kRideRows; }
-
-namespace {
 
 const sim::SimulatedRide* simulated_ride_of(const Context& c) { return c.find.ride(); }
 
@@ -201,93 +192,72 @@ std::vector<std::string> loss_sets() {
   return words;
 }
 
-constexpr std::array kSimulatedRows{
-    Query{"ride.lap_time", kNoArgument, "s", "Lap time of the simulated ride; none if it does not complete the lap.",
-          lap_time, or_none()},
-    Query{"ride.g_up_max", kNoArgument, "g", "Largest vertical felt g of the whole ride, low-passed, of all cars.",
-          extreme<&sim::Ratings::up_most>, or_none()},
-    Query{"ride.g_up_min", kNoArgument, "g", "Smallest vertical felt g of the whole ride, low-passed.",
-          extreme<&sim::Ratings::up_least>, or_none()},
-    Query{"ride.g_side_max", kNoArgument, "g", "Largest lateral felt g of the whole ride, low-passed, to either side.",
-          extreme<&sim::Ratings::side_most>, or_none()},
-    Query{"ride.g_forward_max", kNoArgument, "g", "Largest felt g forwards of the whole ride, low-passed.",
-          extreme<&sim::Ratings::forward_most>, or_none()},
-    Query{"ride.g_back_max", kNoArgument, "g", "Largest felt g backwards of the whole ride, low-passed.",
-          extreme<&sim::Ratings::back_most>, or_none()},
-    Query{"ride.road_load_max", kNoArgument, "kN", "Largest load of a car's road wheels in the whole ride, low-passed.",
-          extreme<&sim::Ratings::road_most>, or_none()},
-    Query{"ride.up_stop_load_max", kNoArgument, "kN", "Largest load of a car's up-stop wheels in the whole ride.",
-          extreme<&sim::Ratings::up_stop_most>, or_none()},
-    Query{"ride.side_load_max", kNoArgument, "kN", "Largest load of a car's side wheels in the whole ride.",
-          extreme<&sim::Ratings::side_load_most>, or_none()},
-    Query{"ride.jerk_max", kNoArgument, "g/s", "Largest jerk of the whole ride, of all cars.",
-          most<sim::RideValue::jerk>, or_none()},
-    Query{"ride.roll_rate_max", kNoArgument, "deg/s", "Largest roll rate of the whole ride, to either side.",
-          most<sim::RideValue::roll_rate>, or_none()},
-    Query{"ride.roll_acceleration_max", kNoArgument, "deg/s^2",
-          "Largest roll acceleration of the whole ride, to either side.", most<sim::RideValue::roll_acceleration>,
-          or_none()},
-    Query{"ride.jolt_max", kNoArgument, "g", "Largest jolt of the whole ride, of all joints and cars.",
-          extreme<&sim::Ratings::jolt_most>, or_none()},
-    Query{"ride.speed_max", kNoArgument, "m/s", "Largest speed of the whole ride.", extreme<&sim::Ratings::top_speed>,
-          or_none()},
-    Query{"ride.envelope", kNoArgument, "", "Number of overloads: stretches where a g exceeds its limit for too long.",
-          envelope, or_none()},
-    Query{"envelope", kNoArgument, "", "Name of the force limits: data to edit, not a compliance check.", envelope_name,
-          kText},
-    Query{"ride.excitement", kNoArgument, "",
-          "Excitement from 0 to 10: drops, speed, airtime, near misses, less jolts and overloads.",
-          rating<&sim::Ratings::excitement>, or_none()},
-    Query{"ride.intensity", kNoArgument, "", "Intensity by OpenRCT2's terms of g and drops.",
-          rating<&sim::Ratings::intensity>, or_none()},
-    Query{"ride.nausea", kNoArgument, "", "Nausea by OpenRCT2's terms of g and drops.", rating<&sim::Ratings::nausea>,
-          or_none()},
-    Query{"ride.airtime", kNoArgument, "s", "Time of the whole ride with vertical g below 0.",
-          rating<&sim::Ratings::airtime>, or_none()},
-    Query{"ride.drops", kNoArgument, "", "Number of descents of 3 m or more in the whole ride.",
-          rating<&sim::Ratings::drops>, or_none()},
-    Query{"ride.drop_max", kNoArgument, "m", "Height of the highest of these descents.",
-          rating<&sim::Ratings::highest_drop>, or_none()},
-    Query{"ride.height_max", kNoArgument, "m", "Largest height of the rails in the whole ride.",
-          extreme<&sim::Ratings::highest>, or_none()},
-    Query{"ride.near_misses", kNoArgument, "", "Times that riders pass close by other track or a support.",
-          rating<&sim::Ratings::near_misses>, or_none()},
-    Query{"ride.inversions", kNoArgument, "", "Number of inversions in the whole ride.",
-          rating<&sim::Ratings::inversions>, or_none()},
-    Query{"ride.ghost_end", kNoArgument, "",
-          "Why the simulated ride does not complete the lap: none, stalled, rolled back, ran off the open end.",
-          why_ended, or_none(kOneOf<world::FailureKind>)},
-    Query{"ride.fail", kNoArgument, "",
-          "Why the ride stopped by itself: none, stalled, rolled back, ran off the open end, collided.", fail,
-          or_none(kOneOf<world::FailureKind>)},
-    Query{"ride.fail_distance", kNoArgument, "m", "Distance along the track where it stopped; none if it has not.",
-          fail_distance, or_none()},
-    Query{"rolling", kNoArgument, "", "Rolling friction, as a fraction of the weight.",
-          of_document<&world::Document::resistance, &world::Resistance::rolling>},
-    Query{"drag", kNoArgument, "1/m", "Drag.", of_document<&world::Document::resistance, &world::Resistance::drag>},
-    Query{"losses",
-          kNoArgument,
-          "",
-          "Named set of losses: frictionless, openfvd, kexedit, or own for other numbers.",
-          losses,
-          {Type::text, loss_sets}},
-    Query{"heartline", kNoArgument, "m", "Height of the riders' hearts above the rails, for which forces are given.",
-          of_document<&world::Document::heartline>},
-    Query{"curve", kNoArgument, "", "What the track's curve is: rails or heartline.",
-          of_document<&world::Document::curve>, kOneOf<world::TrackCurve>},
-    Query{"cars", kCart, "", "Number of cars of a train.", of_cart<&world::Cart::cars>},
-    Query{"car_length", kCart, "m", "Length of a car's body.", of_cart<&world::Cart::length>},
-    Query{"car_mass", kCart, "kg", "Mass of a car with its riders.", of_cart<&world::Cart::mass>},
-    Query{"equipment", kSegment, "", "Equipment of a segment: station, lift, launch, brake, block or none.", equipment,
-          or_none(kOneOf<world::EquipmentKind>)},
-    Query{"equipped", kWordOf<world::EquipmentKind>, "", "Number of segments with that equipment.", equipped},
+constexpr Query kSimulatedRows[]{
+    {"ride.lap_time", "s", "Lap time of the simulated ride; none if it does not complete the lap.", lap_time,
+     or_none()},
+    {"ride.g_up_max", "g", "Largest vertical felt g of the whole ride, low-passed, of all cars.",
+     extreme<&sim::Ratings::up_most>, or_none()},
+    {"ride.g_up_min", "g", "Smallest vertical felt g of the whole ride, low-passed.", extreme<&sim::Ratings::up_least>,
+     or_none()},
+    {"ride.g_side_max", "g", "Largest lateral felt g of the whole ride, low-passed, to either side.",
+     extreme<&sim::Ratings::side_most>, or_none()},
+    {"ride.g_forward_max", "g", "Largest felt g forwards of the whole ride, low-passed.",
+     extreme<&sim::Ratings::forward_most>, or_none()},
+    {"ride.g_back_max", "g", "Largest felt g backwards of the whole ride, low-passed.",
+     extreme<&sim::Ratings::back_most>, or_none()},
+    {"ride.road_load_max", "kN", "Largest load of a car's road wheels in the whole ride, low-passed.",
+     extreme<&sim::Ratings::road_most>, or_none()},
+    {"ride.up_stop_load_max", "kN", "Largest load of a car's up-stop wheels in the whole ride.",
+     extreme<&sim::Ratings::up_stop_most>, or_none()},
+    {"ride.side_load_max", "kN", "Largest load of a car's side wheels in the whole ride.",
+     extreme<&sim::Ratings::side_load_most>, or_none()},
+    {"ride.jerk_max", "g/s", "Largest jerk of the whole ride, of all cars.", most<sim::RideValue::jerk>, or_none()},
+    {"ride.roll_rate_max", "deg/s", "Largest roll rate of the whole ride, to either side.",
+     most<sim::RideValue::roll_rate>, or_none()},
+    {"ride.roll_acceleration_max", "deg/s^2", "Largest roll acceleration of the whole ride, to either side.",
+     most<sim::RideValue::roll_acceleration>, or_none()},
+    {"ride.jolt_max", "g", "Largest jolt of the whole ride, of all joints and cars.", extreme<&sim::Ratings::jolt_most>,
+     or_none()},
+    {"ride.speed_max", "m/s", "Largest speed of the whole ride.", extreme<&sim::Ratings::top_speed>, or_none()},
+    {"ride.envelope", "", "Number of overloads: stretches where a g exceeds its limit for too long.", envelope,
+     or_none()},
+    {"envelope", "", "Name of the force limits: data to edit, not a compliance check.", envelope_name, kText},
+    {"ride.excitement", "", "Excitement from 0 to 10: drops, speed, airtime, near misses, less jolts and overloads.",
+     rating<&sim::Ratings::excitement>, or_none()},
+    {"ride.intensity", "", "Intensity by OpenRCT2's terms of g and drops.", rating<&sim::Ratings::intensity>,
+     or_none()},
+    {"ride.nausea", "", "Nausea by OpenRCT2's terms of g and drops.", rating<&sim::Ratings::nausea>, or_none()},
+    {"ride.airtime", "s", "Time of the whole ride with vertical g below 0.", rating<&sim::Ratings::airtime>, or_none()},
+    {"ride.drops", "", "Number of descents of 3 m or more in the whole ride.", rating<&sim::Ratings::drops>, or_none()},
+    {"ride.drop_max", "m", "Height of the highest of these descents.", rating<&sim::Ratings::highest_drop>, or_none()},
+    {"ride.height_max", "m", "Largest height of the rails in the whole ride.", extreme<&sim::Ratings::highest>,
+     or_none()},
+    {"ride.near_misses", "", "Times that riders pass close by other track or a support.",
+     rating<&sim::Ratings::near_misses>, or_none()},
+    {"ride.inversions", "", "Number of inversions in the whole ride.", rating<&sim::Ratings::inversions>, or_none()},
+    {"ride.ghost_end", "",
+     "Why the simulated ride does not complete the lap: none, stalled, rolled back, ran off the open end.", why_ended,
+     or_none(kOneOf<world::FailureKind>)},
+    {"ride.fail", "", "Why the ride stopped by itself: none, stalled, rolled back, ran off the open end, collided.",
+     fail, or_none(kOneOf<world::FailureKind>)},
+    {"ride.fail_distance", "m", "Distance along the track where it stopped; none if it has not.", fail_distance,
+     or_none()},
+    {"rolling", "", "Rolling friction, as a fraction of the weight.",
+     of_document<&world::Document::resistance, &world::Resistance::rolling>},
+    {"drag", "1/m", "Drag.", of_document<&world::Document::resistance, &world::Resistance::drag>},
+    {"losses", "", "Named set of losses: frictionless, openfvd, kexedit, or own for other numbers.", losses,
+     texts(loss_sets)},
+    {"heartline", "m", "Height of the riders' hearts above the rails, for which forces are given.",
+     of_document<&world::Document::heartline>},
+    {"curve", "", "What the track's curve is: rails or heartline.", of_document<&world::Document::curve>,
+     kOneOf<world::TrackCurve>},
+    {"cars", kCart, "", "Number of cars of a train.", of_cart<&world::Cart::cars>},
+    {"car_length", kCart, "m", "Length of a car's body.", of_cart<&world::Cart::length>},
+    {"car_mass", kCart, "kg", "Mass of a car with its riders.", of_cart<&world::Cart::mass>},
+    {"equipment", kSegment, "", "Equipment of a segment: station, lift, launch, brake, block or none.", equipment,
+     or_none(kOneOf<world::EquipmentKind>)},
+    {"equipped", kWordOf<world::EquipmentKind>, "", "Number of segments with that equipment.", equipped},
 };
-
-}  // namespace
-
-std::span<const Query> simulated_rows() { return kSimulatedRows; }
-
-namespace {
 
 // A position on the track and a seat that passes it.
 struct Spot {
@@ -335,24 +305,6 @@ Answer at_seat(const Context& c, View word) {
   return result ? number(*result) : none(ride ? "the seat does not arrive there" : kNoRide);
 }
 
-}  // namespace
-
-std::span<const Query> rider_rows() {
-  static const std::vector<Query> rows = [] {
-    std::vector<Query> made;
-    const auto add = [&]<std::size_t... I>(std::index_sequence<I...>) {
-      (made.push_back({sim::kRideValues[I].name, kDistanceSeat, sim::kRideValues[I].unit, sim::kRideValues[I].help,
-                       at_seat<static_cast<sim::RideValue>(I)>, or_none()}),
-       ...);
-    };
-    add(std::make_index_sequence<sim::kRideValueCount>());
-    return made;
-  }();
-  return rows;
-}
-
-namespace {
-
 constexpr View kNoChallenge = "there is no challenge";
 
 Answer active(const Context& c, View) { return yes_no(c.session.game.challenge.has_value()); }
@@ -394,39 +346,49 @@ Answer challenge_deviation(const Context& c, View) {
 Answer card_shows(const Context& c, View) {
   return yes_no(c.session.settings.aids->show_card && c.session.game.show_result && c.session.game.result);
 }
-constexpr std::array kGameRows{
-    Query{"challenge.active", kNoArgument, "", "on during a challenge.", active, kSwitch},
-    Query{"challenge.name", kNoArgument, "", "Name of the challenge, none without one.", challenge_name,
-          or_none(kText)},
-    Query{"challenge.goals", kNoArgument, "", "Number of goals and limits of the challenge.", goals, or_none()},
-    Query{"challenge.met", kNoArgument, "",
-          "Number of them that hold now; rules about the ride use the simulated ride.", met, or_none()},
-    Query{"challenge.passed", kNoArgument, "", "on if the challenge has been passed since it was started.", passed,
-          kSwitch},
-    Query{"challenge.medal", kNoArgument, "", "Best medal since it was started: 0 none, 1 bronze, 2 silver, 3 gold.",
-          of_challenge<&edit::ActiveChallenge::medal>, or_none()},
-    Query{"challenge.judged", kNoArgument, "", "Number of judgements since it was started.",
-          of_challenge<&edit::ActiveChallenge::judged>, or_none()},
-    Query{"challenge.failure", kNoArgument, "", "Why the last judgement failed; empty if it passed or there was none.",
-          failure, or_none(kText)},
-    Query{"challenge.hints", kNoArgument, "", "Number of hints shown.", of_challenge<&edit::ActiveChallenge::hints>,
-          or_none()},
-    Query{
-        "challenge.deviation", kNoArgument, "m",
-        "Largest distance between the track and the challenge's start track, independent of their knots; none without "
-        "either.",
-        challenge_deviation, or_none()},
-    Query{"card.shows", kNoArgument, "", "on while a score card is shown.", card_shows, kSwitch},
-    Query{"card.end", kNoArgument, "", "How the last ride ended: lap, open end, time, failed; none before the first.",
-          of_card<&edit::RideResult::end>, or_none(kOneOf<edit::RideEnd>)},
-    Query{"card.reason", kNoArgument, "", "Why it ended, if not with a lap.", of_card<&edit::RideResult::reason>,
-          or_none(kText)},
-    Query{"card.seconds", kNoArgument, "s", "Duration of the last ride.", of_card<&edit::RideResult::seconds>,
-          or_none()},
-    Query{"card.rides", kNoArgument, "", "Number of rides that ended since the track was opened.", rides},
+constexpr Query kGameRows[]{
+    {"challenge.active", "", "on during a challenge.", active, kSwitch},
+    {"challenge.name", "", "Name of the challenge, none without one.", challenge_name, or_none(kText)},
+    {"challenge.goals", "", "Number of goals and limits of the challenge.", goals, or_none()},
+    {"challenge.met", "", "Number of them that hold now; rules about the ride use the simulated ride.", met, or_none()},
+    {"challenge.passed", "", "on if the challenge has been passed since it was started.", passed, kSwitch},
+    {"challenge.medal", "", "Best medal since it was started: 0 none, 1 bronze, 2 silver, 3 gold.",
+     of_challenge<&edit::ActiveChallenge::medal>, or_none()},
+    {"challenge.judged", "", "Number of judgements since it was started.", of_challenge<&edit::ActiveChallenge::judged>,
+     or_none()},
+    {"challenge.failure", "", "Why the last judgement failed; empty if it passed or there was none.", failure,
+     or_none(kText)},
+    {"challenge.hints", "", "Number of hints shown.", of_challenge<&edit::ActiveChallenge::hints>, or_none()},
+    {"challenge.deviation", "m",
+     "Largest distance between the track and the challenge's start track, independent of their knots; none without "
+     "either.",
+     challenge_deviation, or_none()},
+    {"card.shows", "", "on while a score card is shown.", card_shows, kSwitch},
+    {"card.end", "", "How the last ride ended: lap, open end, time, failed; none before the first.",
+     of_card<&edit::RideResult::end>, or_none(kOneOf<edit::RideEnd>)},
+    {"card.reason", "", "Why it ended, if not with a lap.", of_card<&edit::RideResult::reason>, or_none(kText)},
+    {"card.seconds", "s", "Duration of the last ride.", of_card<&edit::RideResult::seconds>, or_none()},
+    {"card.rides", "", "Number of rides that ended since the track was opened.", rides},
 };
 
 }  // namespace
+
+std::span<const Query> ride_rows() { return kRideRows; }
+std::span<const Query> simulated_rows() { return kSimulatedRows; }
+
+std::span<const Query> rider_rows() {
+  static const std::vector<Query> rows = [] {
+    std::vector<Query> made;
+    const auto add = [&]<std::size_t... I>(std::index_sequence<I...>) {
+      (made.push_back({sim::kRideValues[I].name, kDistanceSeat, sim::kRideValues[I].unit, sim::kRideValues[I].help,
+                       at_seat<static_cast<sim::RideValue>(I)>, or_none()}),
+       ...);
+    };
+    add(std::make_index_sequence<sim::kRideValueCount>());
+    return made;
+  }();
+  return rows;
+}
 
 std::span<const Query> game_rows() { return kGameRows; }
 

@@ -1,6 +1,5 @@
 // Queries of sections: those of the track, those of forces, and the palette's element at the open end.
 #include <array>
-#include <cmath>
 
 #include "base/portable_math.h"
 #include "query/rows.h"
@@ -80,42 +79,32 @@ std::vector<std::string> kinds() {
   return words;
 }
 
-constexpr std::array kSectionRows{
-    Query{"sections", kNoArgument, "", "Number of sections of the track.", sections},
-    Query{"section.of", kSegment, "", "The section of a segment, such as q2.", section_of, kText},
-    Query{"section.kind",
-          kSection,
-          "",
-          "What a section was planned as, such as loop; free if shaped by hand.",
-          section_kind,
-          {Type::text, kinds}},
-    Query{"section.title", kSection, "", "A section's title; without one its kind.", section_title, kText},
-    Query{"section.value", kSectionParameter, "",
-          "A parameter that a section was planned with, such as @q2.height; none if it has no such parameter.",
-          section_value, or_none({Type::parameter})},
-    Query{"section.length", kSection, "m", "A section's length.", section_length},
-    Query{"section.top", kSection, "m", "A section's largest height.", section_figure<&sim::SectionFigures::top>},
-    Query{"section.speed_in", kSection, "m/s",
-          "Speed of the chosen seat where a section begins; none where the ride does not arrive.",
-          section_figure<&sim::SectionFigures::speed_in>, or_none()},
-    Query{"section.speed_out", kSection, "m/s", "The same where it ends.",
-          section_figure<&sim::SectionFigures::speed_out>, or_none()},
-    Query{"section.g_most", kSection, "g", "Largest vertical felt g of the chosen seat on a section, not low-passed.",
-          section_figure<&sim::SectionFigures::g_most>, or_none()},
-    Query{"section.g_least", kSection, "g", "Least vertical g on it.", section_figure<&sim::SectionFigures::g_least>,
-          or_none()},
-    Query{"section.g_side", kSection, "g", "Largest lateral g on it, to either side.",
-          section_figure<&sim::SectionFigures::g_side>, or_none()},
-    Query{"section.segments", kSection, "", "Number of a section's segments.", section_segments},
-    Query{"section.first", kSection, "", "The knot where a section begins.", section_first, kText},
-    Query{"section.last", kSection, "", "The knot where a section ends.", section_last, kText},
+constexpr Query kSectionRows[]{
+    {"sections", "", "Number of sections of the track.", sections},
+    {"section.of", kSegment, "", "The section of a segment, such as q2.", section_of, kText},
+    {"section.kind", kSection, "", "What a section was planned as, such as loop; free if shaped by hand.", section_kind,
+     texts(kinds)},
+    {"section.title", kSection, "", "A section's title; without one its kind.", section_title, kText},
+    {"section.value", kSectionParameter, "",
+     "A parameter that a section was planned with, such as @q2.height; none if it has no such parameter.",
+     section_value, or_none({Type::parameter})},
+    {"section.length", kSection, "m", "A section's length.", section_length},
+    {"section.top", kSection, "m", "A section's largest height.", section_figure<&sim::SectionFigures::top>},
+    {"section.speed_in", kSection, "m/s",
+     "Speed of the chosen seat where a section begins; none where the ride does not arrive.",
+     section_figure<&sim::SectionFigures::speed_in>, or_none()},
+    {"section.speed_out", kSection, "m/s", "The same where it ends.", section_figure<&sim::SectionFigures::speed_out>,
+     or_none()},
+    {"section.g_most", kSection, "g", "Largest vertical felt g of the chosen seat on a section, not low-passed.",
+     section_figure<&sim::SectionFigures::g_most>, or_none()},
+    {"section.g_least", kSection, "g", "Least vertical g on it.", section_figure<&sim::SectionFigures::g_least>,
+     or_none()},
+    {"section.g_side", kSection, "g", "Largest lateral g on it, to either side.",
+     section_figure<&sim::SectionFigures::g_side>, or_none()},
+    {"section.segments", kSection, "", "Number of a section's segments.", section_segments},
+    {"section.first", kSection, "", "The knot where a section begins.", section_first, kText},
+    {"section.last", kSection, "", "The knot where a section ends.", section_last, kText},
 };
-
-}  // namespace
-
-std::span<const Query> section_rows() { return kSectionRows; }
-
-namespace {
 
 const sim::ElementPlan& plan(const Context& c) { return c.find.element(); }
 
@@ -168,48 +157,36 @@ Answer circuit_refusal(const Context& c, View) {
 constexpr ArgumentPart kParameter[]{{.words = parameter_names}};
 std::vector<std::string> sides() { return {"left", "right"}; }
 
-constexpr std::array kElementRows{
-    Query{"element", kNoArgument, "", "The palette's element, such as loop.", element, kOneOf<world::ElementKind>},
-    Query{"element.side", kNoArgument, "", "left or right; none for an element without a side.", side,
-          or_none({Type::text, sides})},
-    Query{"element.value", kParameter, "",
-          "A parameter of the palette's element, such as radius, within its limits; none if it has no such parameter.",
-          value, or_none({Type::parameter})},
-    Query{"element.error", kNoArgument, "m",
-          "Largest distance of the palette's element, as Bezier spans, from its ideal curve; none without a plan.",
-          of_plan<&sim::ElementPlan::fit, &sim::ElementFit::error>, or_none()},
-    Query{"element.roll_error", kNoArgument, "deg", "Largest angle between the spans' frames and the ideal curve's.",
-          roll_error, or_none()},
-    Query{"element.jump", kNoArgument, "1/m",
-          "Largest jump of curvature at the joints of the palette's element, including its first.",
-          of_plan<&sim::ElementPlan::fit, &sim::ElementFit::jump>, or_none()},
-    Query{"element.spans", kNoArgument, "", "Number of Bezier spans of the palette's element.", spans},
-    Query{"element.length", kNoArgument, "m", "Length of the palette's element with its lead-in.",
-          of_plan<&sim::ElementPlan::length>, or_none()},
-    Query{"element.lead", kNoArgument, "m",
-          "Length of its lead-in, which eases the curvature of the open end and levels it.",
-          of_plan<&sim::ElementPlan::lead>, or_none()},
-    Query{"element.lowest", kNoArgument, "m", "Lowest height of its rails above the ground.",
-          of_plan<&sim::ElementPlan::lowest>, or_none()},
-    Query{"element.missing", kNoArgument, "m", "Clearance missing between it and other track; 0 if there is enough.",
-          missing, or_none()},
-    Query{"element.refusal", kNoArgument, "", "Why it cannot be placed; none if it can.", refusal, or_none(kText)},
-    Query{"complete.proposals", kNoArgument, "", "Number of closing sections that are proposed: 0 to 3.", proposals},
-    Query{"complete.length", kProposal, "m", "Length of a closing section; none without it.", circuit_length,
-          or_none()},
-    Query{"complete.worst_g", kProposal, "g",
-          "Largest vertical felt g on a closing section, not low-passed; none without it.", circuit_g, or_none()},
-    Query{"complete.jolt", kProposal, "g",
-          "Largest jolt at the joints of a closing section on a whole ride; none without it.", circuit_jolt, or_none()},
-    Query{"complete.refusal", kNoArgument, "", "Why there is no closing section; none if there is one.",
-          circuit_refusal, or_none(kText)},
+constexpr Query kElementRows[]{
+    {"element", "", "The palette's element, such as loop.", element, kOneOf<world::ElementKind>},
+    {"element.side", "", "left or right; none for an element without a side.", side, or_none(texts(sides))},
+    {"element.value", kParameter, "",
+     "A parameter of the palette's element, such as radius, within its limits; none if it has no such parameter.",
+     value, or_none({Type::parameter})},
+    {"element.error", "m",
+     "Largest distance of the palette's element, as Bezier spans, from its ideal curve; none without a plan.",
+     of_plan<&sim::ElementPlan::fit, &sim::ElementFit::error>, or_none()},
+    {"element.roll_error", "deg", "Largest angle between the spans' frames and the ideal curve's.", roll_error,
+     or_none()},
+    {"element.jump", "1/m", "Largest jump of curvature at the joints of the palette's element, including its first.",
+     of_plan<&sim::ElementPlan::fit, &sim::ElementFit::jump>, or_none()},
+    {"element.spans", "", "Number of Bezier spans of the palette's element.", spans},
+    {"element.length", "m", "Length of the palette's element with its lead-in.", of_plan<&sim::ElementPlan::length>,
+     or_none()},
+    {"element.lead", "m", "Length of its lead-in, which eases the curvature of the open end and levels it.",
+     of_plan<&sim::ElementPlan::lead>, or_none()},
+    {"element.lowest", "m", "Lowest height of its rails above the ground.", of_plan<&sim::ElementPlan::lowest>,
+     or_none()},
+    {"element.missing", "m", "Clearance missing between it and other track; 0 if there is enough.", missing, or_none()},
+    {"element.refusal", "", "Why it cannot be placed; none if it can.", refusal, or_none(kText)},
+    {"complete.proposals", "", "Number of closing sections that are proposed: 0 to 3.", proposals},
+    {"complete.length", kProposal, "m", "Length of a closing section; none without it.", circuit_length, or_none()},
+    {"complete.worst_g", kProposal, "g",
+     "Largest vertical felt g on a closing section, not low-passed; none without it.", circuit_g, or_none()},
+    {"complete.jolt", kProposal, "g",
+     "Largest jolt at the joints of a closing section on a whole ride; none without it.", circuit_jolt, or_none()},
+    {"complete.refusal", "", "Why there is no closing section; none if there is one.", circuit_refusal, or_none(kText)},
 };
-
-}  // namespace
-
-std::span<const Query> element_rows() { return kElementRows; }
-
-namespace {
 
 // Returns the value of `function` for the plan of the force section that the argument names; "none" for others.
 template <class Function>
@@ -303,53 +280,53 @@ constexpr ArgumentPart kOfSection = kSection[0],
 constexpr ArgumentPart kChannel[]{kOfSection, kOfChannel};
 constexpr ArgumentPart kChannelPlace[]{kOfSection, kOfChannel, {.usage = "PLACE", .number = true, .before = '/'}};
 
-constexpr std::array kForceRows{
-    Query{"force.asked", kChannelPlace, "",
-          "The value that a force section requires at a position (m or s from its start), such as @q3.vertical/40: "
-          "vertical or lateral g, or roll in degrees per metre or second; of curvature 1/m, or degrees. With the ramp "
-          "at its start.",
-          force_asked, or_none()},
-    Query{"force.met", kChannelPlace, "",
-          "What the riders of the first car feel there, none where the ride does not arrive; of curvature, what the "
-          "track "
-          "has there.",
-          force_met, or_none()},
-    Query{"force.keys", kChannel, "", "Number of keys of a channel.", force_keys, or_none()},
-    Query{"force.over", kSection, "", "Axis of the keys: distance or time.", of_program<&world::ForceProgram::over>,
-          or_none(kOneOf<world::ForceOver>)},
-    Query{"force.of", kSection, "", "Quantity of the keys: forces or curvature.", of_program<&world::ForceProgram::of>,
-          or_none(kOneOf<world::ForceOf>)},
-    Query{"force.length", kSection, "", "Length of a force section's program, m or s.",
-          of_program<&world::ForceProgram::length>, or_none()},
-    Query{"force.tolerance", kSection, "g",
-          "Largest allowed difference between what riders feel and the keys; of curvature, at 20 m/s.",
-          of_program<&world::ForceProgram::tolerance>, or_none()},
-    Query{"force.speed", kSection, "m/s", "The speed at its start that a force section was planned for.",
-          of_program<&world::ForceProgram::speed>, or_none()},
-    Query{"force.error", kSection, "g",
-          "Largest difference between what riders feel on its spans and the required value, vertical or lateral; of "
-          "curvature, at 20 m/s.",
-          of_force<&sim::ForcePlan::fit, &sim::ForceFit::felt_error>, or_none()},
-    Query{"force.shape_error", kSection, "m", "Largest distance of its spans from the path with those forces.",
-          of_force<&sim::ForcePlan::fit, &sim::ForceFit::spans, &sim::ElementFit::error>, or_none()},
-    Query{"force.hold", kSection, "", "Whether both ends of a force section stay.",
-          of_program<&world::ForceProgram::hold>, or_none(kSwitch)},
-    Query{
-        "force.unmet", kSection, "",
-        "Largest difference between what riders feel and the keys, vertical or lateral, because both ends stay: g; of "
-        "curvature 1/m.",
-        of_force<&sim::ForcePlan::unmet>, or_none()},
-    Query{"force.unmet_at", kSection, "", "Where that is, m or s from its start; none if it is 0.", force_unmet_at,
-          or_none()},
-    Query{"force.ramp", kSection, "",
-          "Length of the ramp at its start from the felt values to those of the keys, m or s.",
-          of_force<&sim::ForcePlan::path, &sim::ForcePath::ramp>, or_none()},
-    Query{"force.stopped", kSection, "", "Why a force section is shorter than its program; none if it is not.",
-          force_stopped, or_none(kText)},
+constexpr Query kForceRows[]{
+    {"force.asked", kChannelPlace, "",
+     "The value that a force section requires at a position (m or s from its start), such as @q3.vertical/40: "
+     "vertical or lateral g, or roll in degrees per metre or second; of curvature 1/m, or degrees. With the ramp "
+     "at its start.",
+     force_asked, or_none()},
+    {"force.met", kChannelPlace, "",
+     "What the riders of the first car feel there, none where the ride does not arrive; of curvature, what the "
+     "track "
+     "has there.",
+     force_met, or_none()},
+    {"force.keys", kChannel, "", "Number of keys of a channel.", force_keys, or_none()},
+    {"force.over", kSection, "", "Axis of the keys: distance or time.", of_program<&world::ForceProgram::over>,
+     or_none(kOneOf<world::ForceOver>)},
+    {"force.of", kSection, "", "Quantity of the keys: forces or curvature.", of_program<&world::ForceProgram::of>,
+     or_none(kOneOf<world::ForceOf>)},
+    {"force.length", kSection, "", "Length of a force section's program, m or s.",
+     of_program<&world::ForceProgram::length>, or_none()},
+    {"force.tolerance", kSection, "g",
+     "Largest allowed difference between what riders feel and the keys; of curvature, at 20 m/s.",
+     of_program<&world::ForceProgram::tolerance>, or_none()},
+    {"force.speed", kSection, "m/s", "The speed at its start that a force section was planned for.",
+     of_program<&world::ForceProgram::speed>, or_none()},
+    {"force.error", kSection, "g",
+     "Largest difference between what riders feel on its spans and the required value, vertical or lateral; of "
+     "curvature, at 20 m/s.",
+     of_force<&sim::ForcePlan::fit, &sim::ForceFit::felt_error>, or_none()},
+    {"force.shape_error", kSection, "m", "Largest distance of its spans from the path with those forces.",
+     of_force<&sim::ForcePlan::fit, &sim::ForceFit::spans, &sim::ElementFit::error>, or_none()},
+    {"force.hold", kSection, "", "Whether both ends of a force section stay.", of_program<&world::ForceProgram::hold>,
+     or_none(kSwitch)},
+    {"force.unmet", kSection, "",
+     "Largest difference between what riders feel and the keys, vertical or lateral, because both ends stay: g; of "
+     "curvature 1/m.",
+     of_force<&sim::ForcePlan::unmet>, or_none()},
+    {"force.unmet_at", kSection, "", "Where that is, m or s from its start; none if it is 0.", force_unmet_at,
+     or_none()},
+    {"force.ramp", kSection, "", "Length of the ramp at its start from the felt values to those of the keys, m or s.",
+     of_force<&sim::ForcePlan::path, &sim::ForcePath::ramp>, or_none()},
+    {"force.stopped", kSection, "", "Why a force section is shorter than its program; none if it is not.",
+     force_stopped, or_none(kText)},
 };
 
 }  // namespace
 
+std::span<const Query> section_rows() { return kSectionRows; }
+std::span<const Query> element_rows() { return kElementRows; }
 std::span<const Query> force_rows() { return kForceRows; }
 
 }  // namespace coaster::query

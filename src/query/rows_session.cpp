@@ -89,91 +89,56 @@ Answer entities(const Context& c, View) {
   return number(all.size() - all.pool<world::Section>().size());
 }
 
-constexpr std::array kSessionRows{
-    Query{"selected", kNoArgument, "", "The selection, such as k4; none if nothing is selected.", selected,
-          or_none(kText)},
-    Query{"selected_t", kNoArgument, "", "Selected position on the selected segment, a parameter from 0 to 1.",
-          selected_t, or_none()},
-    Query{"selected_kind", kNoArgument, "", "knot, segment, cart or section: what is selected; none if nothing is.",
-          selected_kind, or_none(kOneOf<world::Kind>)},
-    Query{"selected_count", kNoArgument, "", "Number of selected knots or sections; 1 for a segment or a train.",
-          selected_count},
-    Query{"snapping", kNoArgument, "", "Dragged knots snap to: off, grid, knots or ground.", snapping,
-          kOneOf<world::SnapTo>},
-    Query{"undo_label", kNoArgument, "", "Name of the next undo step; empty if there is none.", undo_label, kText},
-    Query{"undo_depth", kNoArgument, "", "Number of undo steps.", undo_depth},
-    Query{"redo_depth", kNoArgument, "", "Number of redo steps.", redo_depth},
-    Query{"dirty", kNoArgument, "", "on if the track has unsaved changes.", dirty, kSwitch},
-    Query{"toast", kNoArgument, "",
-          "Text of the newest notice, below the warnings of its command; empty if none is shown.", toast, kText},
-    Query{"title", kNoArgument, "", "The window's title.", title, kText},
-    Query{"text", kWidget, "", "What a widget shows: its value; of a button or a text without a value, its label.",
-          widget_text, kText},
-    Query{"visible", kWidget, "", "on if a widget is in sight and not covered; off if there is none.", visible,
-          kSwitch},
-    Query{"enabled", kWidget, "", "on if a widget can be operated, off if it is greyed out.", enabled, kSwitch},
-    Query{"polyline", kNoArgument, "", "on if the evaluated polyline is shown.", polyline, kSwitch},
-    Query{"track_file", kNoArgument, "", "Name of the track's file without its folder, empty if it has none.", file,
-          kText},
-    Query{"link_bytes", kNoArgument, "", "Characters of the link that was shared last, from its # on; 0: none.",
-          link_bytes},
-    Query{"locked_by", kNoArgument, "", "Other process that has the track's file open, empty if none.",
-          of_stats<&FrameStats::keeping, &Keeping::holder>, kText},
-    Query{"recoverable", kNoArgument, "", "Number of autosaves of other runs that can be recovered.",
-          of_stats<&FrameStats::keeping, &Keeping::recoverable>},
-    Query{"autosaves", kNoArgument, "", "Number of autosaves written since the start.",
-          of_stats<&FrameStats::keeping, &Keeping::autosaves>},
-    Query{"quits", kNoArgument, "", "on if the program was asked to quit: a window closes then, a script continues.",
-          of_stats<&FrameStats::keeping, &Keeping::quits>, kSwitch},
-    Query{"camera_shown", kNoArgument, "", "The camera of the last frame: orbit if there is no train to follow.",
-          of_frame<&FrameStats::camera_shown>, or_none(kOneOf<world::CameraMode>)},
-    Query{"camera_eye", kNoArgument, "m", "Position of the last frame's camera.", of_frame<&FrameStats::eye>,
-          or_none(kVector)},
-    Query{"camera_height", kNoArgument, "m", "Height of the last frame's camera above the ground.", camera_height,
-          or_none()},
-    Query{"camera_forward", kNoArgument, "", "Direction of the last frame's view.", of_frame<&FrameStats::eye_forward>,
-          or_none(kVector)},
-    Query{"camera_up", kNoArgument, "", "Up vector of the last frame's camera.", of_frame<&FrameStats::eye_up>,
-          or_none(kVector)},
-    Query{"camera_tilt", kNoArgument, "deg", "Roll of the last frame's view, positive to the right.", camera_tilt,
-          or_none()},
-    Query{"camera_field_of_view", kNoArgument, "deg", "Vertical field of view of the last frame.",
-          of_frame<&FrameStats::field_of_view_deg>, or_none()},
-    Query{"camera_target", kNoArgument, "m", "Target of the camera.", camera_target, kVector},
-    Query{"camera_distance", kNoArgument, "m", "Distance of the camera from its target.", camera_distance},
-    Query{"camera_yaw", kNoArgument, "deg", "Yaw of the camera; 0 looks along -Z.", camera_yaw},
-    Query{"camera_pitch", kNoArgument, "deg", "Pitch of the camera above the horizon.", camera_pitch},
-    Query{"tick", kNoArgument, "", "Number of ticks of 1/120 s since the start.", tick},
-    Query{"entities", kNoArgument, "", "Number of knots, segments and trains.", entities},
+constexpr Query kSessionRows[]{
+    {"selected", "", "The selection, such as k4; none if nothing is selected.", selected, or_none(kText)},
+    {"selected_t", "", "Selected position on the selected segment, a parameter from 0 to 1.", selected_t, or_none()},
+    {"selected_kind", "", "knot, segment, cart or section: what is selected; none if nothing is.", selected_kind,
+     or_none(kOneOf<world::Kind>)},
+    {"selected_count", "", "Number of selected knots or sections; 1 for a segment or a train.", selected_count},
+    {"snapping", "", "Dragged knots snap to: off, grid, knots or ground.", snapping, kOneOf<world::SnapTo>},
+    {"undo_label", "", "Name of the next undo step; empty if there is none.", undo_label, kText},
+    {"undo_depth", "", "Number of undo steps.", undo_depth},
+    {"redo_depth", "", "Number of redo steps.", redo_depth},
+    {"dirty", "", "on if the track has unsaved changes.", dirty, kSwitch},
+    {"toast", "", "Text of the newest notice, below the warnings of its command; empty if none is shown.", toast,
+     kText},
+    {"title", "", "The window's title.", title, kText},
+    {"text", kWidget, "", "What a widget shows: its value; of a button or a text without a value, its label.",
+     widget_text, kText},
+    {"visible", kWidget, "", "on if a widget is in sight and not covered; off if there is none.", visible, kSwitch},
+    {"enabled", kWidget, "", "on if a widget can be operated, off if it is greyed out.", enabled, kSwitch},
+    {"polyline", "", "on if the evaluated polyline is shown.", polyline, kSwitch},
+    {"track_file", "", "Name of the track's file without its folder, empty if it has none.", file, kText},
+    {"link_bytes", "", "Characters of the link that was shared last, from its # on; 0: none.", link_bytes},
+    {"locked_by", "", "Other process that has the track's file open, empty if none.",
+     of_stats<&FrameStats::keeping, &Keeping::holder>, kText},
+    {"recoverable", "", "Number of autosaves of other runs that can be recovered.",
+     of_stats<&FrameStats::keeping, &Keeping::recoverable>},
+    {"autosaves", "", "Number of autosaves written since the start.",
+     of_stats<&FrameStats::keeping, &Keeping::autosaves>},
+    {"quits", "", "on if the program was asked to quit: a window closes then, a script continues.",
+     of_stats<&FrameStats::keeping, &Keeping::quits>, kSwitch},
+    {"camera_shown", "", "The camera of the last frame: orbit if there is no train to follow.",
+     of_frame<&FrameStats::camera_shown>, or_none(kOneOf<world::CameraMode>)},
+    {"camera_eye", "m", "Position of the last frame's camera.", of_frame<&FrameStats::eye>, or_none(kVector)},
+    {"camera_height", "m", "Height of the last frame's camera above the ground.", camera_height, or_none()},
+    {"camera_forward", "", "Direction of the last frame's view.", of_frame<&FrameStats::eye_forward>, or_none(kVector)},
+    {"camera_up", "", "Up vector of the last frame's camera.", of_frame<&FrameStats::eye_up>, or_none(kVector)},
+    {"camera_tilt", "deg", "Roll of the last frame's view, positive to the right.", camera_tilt, or_none()},
+    {"camera_field_of_view", "deg", "Vertical field of view of the last frame.",
+     of_frame<&FrameStats::field_of_view_deg>, or_none()},
+    {"camera_target", "m", "Target of the camera.", camera_target, kVector},
+    {"camera_distance", "m", "Distance of the camera from its target.", camera_distance},
+    {"camera_yaw", "deg", "Yaw of the camera; 0 looks along -Z.", camera_yaw},
+    {"camera_pitch", "deg", "Pitch of the camera above the horizon.", camera_pitch},
+    {"tick", "", "Number of ticks of 1/120 s since the start.", tick},
+    {"entities", "", "Number of knots, segments and trains.", entities},
 };
-
-}  // namespace
-
-std::span<const Query> session_rows() { return kSessionRows; }
-
-namespace {
 
 template <auto Member>
 Answer setting(const Context& c, View) {
   return value_of(world::value_in<Member>(c.session.settings));
 }
-
-}  // namespace
-
-std::span<const Query> setting_rows() {
-  static const std::vector<Query> rows = [] {
-    std::vector<Query> made;
-    world::for_each_setting([&]<auto Member>() {
-      static constexpr world::SettingRow kRow = world::setting_row<Member>();
-      made.push_back(
-          {kRow.query_name(), kNoArgument, kRow.unit, kRow.help, setting<Member>, values_of<world::ValueOf<Member>>()});
-    });
-    return made;
-  }();
-  return rows;
-}
-
-namespace {
 
 // Times and rates are 0 until they are measured.
 template <const auto& table, std::size_t row>
@@ -186,12 +151,8 @@ Answer number_of_frame(const Context& c, View) {
 
 template <const auto& table, std::size_t... row>
 constexpr auto rows_of(std::index_sequence<row...>) {
-  return std::array{Query{table[row].query,
-                          {},
-                          table[row].unit,
-                          table[row].text,
-                          number_of_frame<table, row>,
-                          table[row].query == "frame" ? Values{} : or_none()}...};
+  return std::array{Query(table[row].query, table[row].unit, table[row].text, number_of_frame<table, row>,
+                          table[row].query == "frame" ? Values{} : or_none())...};
 }
 
 // The deviation of the processor, or the one captured from the GPU.
@@ -212,25 +173,16 @@ Answer ns_per_point(const Context& c, View) {
 
 constexpr auto kDrawRows = rows_of<view::kDrawNumbers>(std::make_index_sequence<view::kDrawNumbers.size()>());
 constexpr auto kFrameRows = rows_of<kFrameNumbers>(std::make_index_sequence<kFrameNumbers.size()>());
-constexpr std::array kMoreRows{
-    Query{"deviation", kNoArgument, "m", "Largest distance of a vertex from the exact point at the same parameter.",
-          deviation, or_none()},
-    Query{"chord_error", kNoArgument, "m", "Largest distance of a piece of the curve from its chord.", chord_error,
-          or_none()},
-    Query{"drawn_by", kNoArgument, "",
-          "Where the polylines were evaluated: processor, vertex_shader, geometry_shader or tessellation_shader.",
-          of_frame<&FrameStats::drawn_by>, or_none(kOneOf<curve::EvaluatedBy>)},
-    Query{"ns_per_point", kNoArgument, "ns", "Time of evaluators per vertex in the last frame that evaluated anything.",
-          ns_per_point, or_none()},
+constexpr Query kMoreRows[]{
+    {"deviation", "m", "Largest distance of a vertex from the exact point at the same parameter.", deviation,
+     or_none()},
+    {"chord_error", "m", "Largest distance of a piece of the curve from its chord.", chord_error, or_none()},
+    {"drawn_by", "",
+     "Where the polylines were evaluated: processor, vertex_shader, geometry_shader or tessellation_shader.",
+     of_frame<&FrameStats::drawn_by>, or_none(kOneOf<curve::EvaluatedBy>)},
+    {"ns_per_point", "ns", "Time of evaluators per vertex in the last frame that evaluated anything.", ns_per_point,
+     or_none()},
 };
-
-}  // namespace
-
-std::span<const Query> draw_rows() { return kDrawRows; }
-std::span<const Query> frame_rows() { return kFrameRows; }
-std::span<const Query> evaluation_rows() { return kMoreRows; }
-
-namespace {
 
 Answer shown(const Context& c, View word) {
   return yes_no(c.session.settings.lab->layers.has(*base::value_named<world::Layer>(word)));
@@ -281,27 +233,42 @@ Answer measured(const Context& c, View word) {
   return value_of(row->cells[static_cast<std::size_t>(index)].*member);
 }
 
-constexpr std::array kLabRows{
-    Query{"shown", kWordOf<world::Layer>, "", "on if a layer of the laboratory is drawn.", shown, kSwitch},
-    Query{"construction_point", kNoArgument, "m",
-          "Point at the selected position of the selected segment; none if none is selected.", construction_point,
-          or_none(kVector)},
-    Query{"rounding", kNoArgument, "m", "Largest rounding error of the evaluator's vertices on the selected segment.",
-          rounding<sim::largest>, or_none()},
-    Query{"seam", kNoArgument, "m", "Rounding error of the last vertex before the selected segment's exact end.",
-          rounding<sim::seam>, or_none()},
-    Query{"measuring", kNoArgument, "", "on during the measurement of evaluators.", measuring, kSwitch},
-    Query{"measure.progress", kNoArgument, "", "Progress of the measurement, 0 to 1.", measure_progress},
-    Query{"measure.rows", kNoArgument, "", "Number of evaluators measured; 0 before the first measurement.",
-          measure_rows},
-    Query{"measure.error", kMeasured, "m", "Measured largest error over all segments, for example of horner/64.",
-          measured<&sim::MeasuredCell::worst_error>, or_none()},
-    Query{"measure.time", kMeasured, "ns", "Measured time per point on the processor, for example of horner/64.",
-          measured<&sim::MeasuredCell::ns_per_point>, or_none()},
+constexpr Query kLabRows[]{
+    {"shown", kWordOf<world::Layer>, "", "on if a layer of the laboratory is drawn.", shown, kSwitch},
+    {"construction_point", "m", "Point at the selected position of the selected segment; none if none is selected.",
+     construction_point, or_none(kVector)},
+    {"rounding", "m", "Largest rounding error of the evaluator's vertices on the selected segment.",
+     rounding<sim::largest>, or_none()},
+    {"seam", "m", "Rounding error of the last vertex before the selected segment's exact end.", rounding<sim::seam>,
+     or_none()},
+    {"measuring", "", "on during the measurement of evaluators.", measuring, kSwitch},
+    {"measure.progress", "", "Progress of the measurement, 0 to 1.", measure_progress},
+    {"measure.rows", "", "Number of evaluators measured; 0 before the first measurement.", measure_rows},
+    {"measure.error", kMeasured, "m", "Measured largest error over all segments, for example of horner/64.",
+     measured<&sim::MeasuredCell::worst_error>, or_none()},
+    {"measure.time", kMeasured, "ns", "Measured time per point on the processor, for example of horner/64.",
+     measured<&sim::MeasuredCell::ns_per_point>, or_none()},
 };
 
 }  // namespace
 
+std::span<const Query> session_rows() { return kSessionRows; }
+
+std::span<const Query> setting_rows() {
+  static const std::vector<Query> rows = [] {
+    std::vector<Query> made;
+    world::for_each_setting([&]<auto Member>() {
+      static constexpr world::SettingRow kRow = world::setting_row<Member>();
+      made.push_back({kRow.query_name(), kRow.unit, kRow.help, setting<Member>, values_of<world::ValueOf<Member>>()});
+    });
+    return made;
+  }();
+  return rows;
+}
+
+std::span<const Query> draw_rows() { return kDrawRows; }
+std::span<const Query> frame_rows() { return kFrameRows; }
+std::span<const Query> evaluation_rows() { return kMoreRows; }
 std::span<const Query> lab_rows() { return kLabRows; }
 
 }  // namespace coaster::query

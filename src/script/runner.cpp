@@ -354,10 +354,8 @@ Status Runner::perform(const AimAction& aim) {
 
 // A running ride changes the queries of its trains by itself; any other changes them only by a statement or input.
 std::string Runner::stands_still(const Condition& condition) const {
-  const auto rows = query::ride_rows();
   const bool moves = condition.query.starts_with("ride.fail") ||
-                     (condition.query.starts_with("ride.") &&
-                      std::any_of(rows.begin(), rows.end(), [&](const auto& q) { return q.name == condition.query; }));
+                     (condition.query.starts_with("ride.") && query::has_row(query::ride_rows(), condition.query));
   if (!moves || frames_.has_put_off()) return {};
   const query::Context context = frames_.host().context();
   const edit::Session& session = context.session;
