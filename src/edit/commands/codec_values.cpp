@@ -36,6 +36,82 @@ std::string words_of_several(const Several& value, std::string_view kind, const 
   return words_of_name(value.names.front(), document);
 }
 
+// Knots or sections.
+template <class Several>
+std::string print_several(const Several& value) {
+  if (value.which == Knots::Which::all) return "all";
+  if (value.which == Knots::Which::selected) return "selected";
+  const std::string_view between = value.which == Knots::Which::range ? "..@" : ",@";
+  std::string text;
+  for (const world::Name& name : value.names) {
+    text += text.empty() ? "@" : between;
+    text += world::to_text(name);
+  }
+  return text.empty() ? "none" : text;
+}
+
+std::optional<world::Name> read_name(std::string_view word) {
+  return word.starts_with('@') ? world::parse_name(word.substr(1)) : std::nullopt;
+}
+
+template <class Several>
+bool read_several(base::Words& words, std::string_view expected, Several& value) {
+  const base::Token* const word = words.take(expected);
+  if (!word) return false;
+  value = {};
+  if (word->text == "none") return true;
+  if (word->text == "all") return value.which = Knots::Which::all, true;
+  if (word->text == "selected") return value.which = Knots::Which::selected, true;
+  std::string_view rest = word->text;
+  if (const std::size_t dots = rest.find(".."); dots != std::string_view::npos) {
+    const auto first = read_name(rest.substr(0, dots)), last = read_name(rest.substr(dots + 2));
+    if (!first || !last || first->kind != last->kind) return words.reject(expected);
+    value.which = Knots::Which::range, value.names = {*first, *last};
+    return true;
+  }
+  for (;;) {
+    const std::size_t comma = std::min(rest.find(','), rest.size());
+    const auto name = read_name(rest.substr(0, comma));
+    if (!name) return words.reject(expected);
+    value.names.push_back(*name);
+    if (comma == rest.size()) return true;
+    rest.remove_prefix(comma + 1);
+  }
+}
+
+template <class T>
+bool read_part(base::Words& words, std::optional<T>& part) {
+  return read_value(words, part.emplace());
+}
+bool read_part(base::Words&, bool& part) { return part = true; }
+template <class T>
+std::string print_part(const std::optional<T>& part) {
+  return ' ' + print_value(*part);
+}
+std::string print_part(bool) { return {}; }
+
+// Values whose parts follow their names, in any order.
+std::string print_parts(const auto& value) {
+  std::string text;
+  value.fields(value, [&](std::string_view name, const auto& part) {
+    if (part) text += fmt::format("{}{}{}", text.empty() ? "" : " ", name, print_part(part));
+  });
+  return text;
+}
+bool read_parts(base::Words& words, auto& value, bool needs_one) {
+  Names names;
+  value.fields(value, [&](std::string_view name, auto&) { names.emplace_back(name); });
+  for (bool more = needs_one || !words.at_end(); more; more = !words.at_end()) {
+    const auto chosen = words.one_of(base::alternatives(names), names);
+    bool read = false;
+    value.fields(value, [&](std::string_view name, auto& part) {
+      if (chosen && name == names[*chosen]) read = read_part(words, part);
+    });
+    if (!read) return false;
+  }
+  return true;
+}
+
 }  // namespace
 
 std::string joined(const Names& names) {
@@ -80,53 +156,6 @@ std::string words_of(const KnotsOrSections& value, const world::Document& docume
 std::string words_of(glm::vec3 v) { return fmt::format("({:.6g}, {:.6g}, {:.6g})", v.x, v.y, v.z); }
 std::string words_of(const world::Element& value) { return words_of(value.kind); }
 
-namespace {
-
-// Knots or sections.
-template <class Several>
-std::string print_several(const Several& value) {
-  if (value.which == Knots::Which::all) return "all";
-  if (value.which == Knots::Which::selected) return "selected";
-  const std::string_view between = value.which == Knots::Which::range ? "..@" : ",@";
-  std::string text;
-  for (const world::Name& name : value.names) {
-    text += text.empty() ? "@" : between;
-    text += world::to_text(name);
-  }
-  return text.empty() ? "none" : text;
-}
-
-std::optional<world::Name> read_name(std::string_view word) {
-  return word.starts_with('@') ? world::parse_name(word.substr(1)) : std::nullopt;
-}
-
-template <class Several>
-bool read_several(base::Words& words, std::string_view expected, Several& value) {
-  const base::Token* const word = words.take(expected);
-  if (!word) return false;
-  value = {};
-  if (word->text == "none") return true;
-  if (word->text == "all") return value.which = Knots::Which::all, true;
-  if (word->text == "selected") return value.which = Knots::Which::selected, true;
-  std::string_view rest = word->text;
-  if (const std::size_t dots = rest.find(".."); dots != std::string_view::npos) {
-    const auto first = read_name(rest.substr(0, dots)), last = read_name(rest.substr(dots + 2));
-    if (!first || !last || first->kind != last->kind) return words.reject(expected);
-    value.which = Knots::Which::range, value.names = {*first, *last};
-    return true;
-  }
-  for (;;) {
-    const std::size_t comma = std::min(rest.find(','), rest.size());
-    const auto name = read_name(rest.substr(0, comma));
-    if (!name) return words.reject(expected);
-    value.names.push_back(*name);
-    if (comma == rest.size()) return true;
-    rest.remove_prefix(comma + 1);
-  }
-}
-
-}  // namespace
-
 std::string print_value(const Knots& value) { return print_several(value); }
 std::string print_value(const Sections& value) { return print_several(value); }
 bool read_value(base::Words& words, Knots& value) {
@@ -150,43 +179,6 @@ bool read_value(base::Words& words, Phrase& value) {
   if (!value.text.empty()) return true;
   return words.take("words") != nullptr && words.reject("words");
 }
-
-namespace {
-
-template <class T>
-bool read_part(base::Words& words, std::optional<T>& part) {
-  return read_value(words, part.emplace());
-}
-bool read_part(base::Words&, bool& part) { return part = true; }
-template <class T>
-std::string print_part(const std::optional<T>& part) {
-  return ' ' + print_value(*part);
-}
-std::string print_part(bool) { return {}; }
-
-// Values whose parts follow their names, in any order.
-std::string print_parts(const auto& value) {
-  std::string text;
-  value.fields(value, [&](std::string_view name, const auto& part) {
-    if (part) text += fmt::format("{}{}{}", text.empty() ? "" : " ", name, print_part(part));
-  });
-  return text;
-}
-bool read_parts(base::Words& words, auto& value, bool needs_one) {
-  Names names;
-  value.fields(value, [&](std::string_view name, auto&) { names.emplace_back(name); });
-  for (bool more = needs_one || !words.at_end(); more; more = !words.at_end()) {
-    const auto chosen = words.one_of(base::alternatives(names), names);
-    bool read = false;
-    value.fields(value, [&](std::string_view name, auto& part) {
-      if (chosen && name == names[*chosen]) read = read_part(words, part);
-    });
-    if (!read) return false;
-  }
-  return true;
-}
-
-}  // namespace
 
 std::string print_value(const CameraChange& value) { return print_parts(value); }
 std::string print_value(const exchange::Import& value) { return print_parts(value); }

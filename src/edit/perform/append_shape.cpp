@@ -14,8 +14,7 @@ using world::Knot;
 // Smooth between two positions, either of which may be missing: the automatic shape with the mean of its two lengths.
 void shape_smooth(Knot& knot, const glm::vec3* before, const glm::vec3* after) {
   world::shape_between(knot, before, after);
-  const double mean = (double{knot.in_length} + double{knot.out_length}) / 2;
-  knot.in_length = knot.out_length = static_cast<float>(mean);
+  equalise(knot);
 }
 
 bool same_shape(const Knot& a, const Knot& b) {
@@ -23,6 +22,10 @@ bool same_shape(const Knot& a, const Knot& b) {
 }
 
 }  // namespace
+
+void equalise(Knot& knot) {
+  knot.in_length = knot.out_length = static_cast<float>((double{knot.in_length} + double{knot.out_length}) / 2);
+}
 
 Knot appended_knot(const world::Document& document, glm::vec3 position) {
   Knot knot;
@@ -66,7 +69,7 @@ void close_by_segment(world::Document& document, double longest) {
   world::set_closed(document, true);
   Knot &start = document.entities.get<Knot>(first), &end = document.entities.get<Knot>(last);
   const double gap = glm::distance(glm::dvec3(end.position), glm::dvec3(start.position));
-  const auto third = static_cast<float>(std::clamp(gap / 3, double{world::kMinHandle}, double{world::kMaxHandle}));
+  const float third = world::as_handle(gap / 3);
   for (float* const handle : {&start.in_length, &end.out_length})
     if (double{*handle} > longest * gap) *handle = third;
   for (Knot* const knot : {&start, &end})

@@ -6,6 +6,9 @@
 
 namespace coaster::edit {
 
+// Makes both handles of a knot as long as they are on average.
+void equalise(world::Knot& knot);
+
 // Returns a new last knot: along the chord from the last knot (level and along its tangent if that is too short),
 // lengths a third of the chord, smooth. The first knot of a track: along +X, 5 m.
 world::Knot appended_knot(const world::Document& document, glm::vec3 position);

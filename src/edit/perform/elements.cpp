@@ -47,17 +47,21 @@ void open_out(world::Document& document, const world::Knot& start) {
   last.out_length = start.out_length;
 }
 
+world::Entity append_section(world::Document& document, const std::vector<world::Knot>& knots, world::Section section) {
+  open_out(document, knots.front());
+  for (std::size_t k = 1; k < knots.size(); ++k) world::append_knot(document, knots[k]);
+  const std::size_t spans = knots.size() - 1;
+  return world::make_section(document, document.track.segments.size() - spans, spans, std::move(section));
+}
+
 world::Entity place(world::Document& document, const sim::ElementPlan& plan) {
-  open_out(document, plan.fit.knots.front());
-  for (std::size_t k = 1; k < plan.fit.knots.size(); ++k) world::append_knot(document, plan.fit.knots[k]);
-  const std::size_t first = document.track.segments.size() - plan.spans();
-  equip(document, plan, first);
+  world::Section section{{}, world::SectionKind::element, world::limited(plan.element)};
   if (plan.forces)
-    return world::make_section(
-        document, first, plan.spans(),
-        {std::string(base::row_of(plan.element.kind).label), world::SectionKind::force, {}, {}, *plan.forces});
-  return world::make_section(document, first, plan.spans(),
-                             {{}, world::SectionKind::element, world::limited(plan.element)});
+    section = {std::string(base::row_of(plan.element.kind).label), world::SectionKind::force, {}, {}, *plan.forces};
+  const std::size_t first = document.track.segments.size();
+  const world::Entity placed = append_section(document, plan.fit.knots, std::move(section));
+  equip(document, plan, first);
+  return placed;
 }
 
 void equip(world::Document& document, const sim::ElementPlan& plan, std::size_t first) {
@@ -77,11 +81,7 @@ Status perform(Session& session, Change& change, const PlaceElement& command) {
   const sim::ElementPlan& plan = Finder(session).element(command.what);
   if (!plan.refusal.empty()) return refused(plan.refusal);
   const std::size_t knots = std::max<std::size_t>(document.track.knots.size(), 1) + plan.spans();
-  if (knots > world::kMaxKnots) return refused(fmt::format("the track is at the limit of {} knots", world::kMaxKnots));
-  if (const Status room =
-          within_budget(knots - 1, session.settings.evaluation->steps, session.settings.evaluation->vertex_budget);
-      !room)
-    return room;
+  if (const Status room = room_for(session, knots, knots - 1); !room) return room;
   const double missing = sim::worst(Finder(session).room(command.what));
   const world::Entity section = place(document, plan);
   change.select = plan.forces ? section : document.track.knots.back();

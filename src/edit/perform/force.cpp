@@ -1,6 +1,7 @@
 // Commands of force sections.
 #include <algorithm>
 #include <cmath>
+#include <type_traits>
 
 #include <fmt/format.h>
 
@@ -30,7 +31,8 @@ base::Result<Entity> force_section(const Session& session, Target target) {
   return refused(world::words_of(world::section(session.document, *section)) + " is not a force section");
 }
 
-// Changes a section's program by `edit`, which returns an error if it cannot, and plans it again.
+// Changes a section's program by `edit`, which may return an error, and plans it again. `from_start`: from the one that
+// the section had when the open gesture began.
 template <class Edit>
 Status with_program(Session& session, Change& change, Target target, bool from_start, Edit edit) {
   const auto section = force_section(session, target);
@@ -40,11 +42,20 @@ Status with_program(Session& session, Change& change, Target target, bool from_s
   const Document& former = restarts ? start : session.document;
   Document next = former;
   ForceProgram& program = next.entities.get<world::Section>(*section).force;
-  if (const Status edited = edit(program); !edited) return edited;
+  if constexpr (std::is_void_v<decltype(edit(program))>) edit(program);
+  else if (const Status edited = edit(program); !edited) return edited;
   if (const auto wrong = world::broken(program)) return refused(*wrong);
   if (next == former) return restarts ? adopt(session, change, former, std::move(next)) : Status{};
   if (const Status planned = replan_force(session, change, next, *section); !planned) return planned;
   return adopt(session, change, former, std::move(next));
+}
+
+// The same for a command, with its member from_start if it has one.
+template <class Command, class Edit>
+Status with_program_of(Session& session, Change& change, const Command& command, Edit edit) {
+  bool from_start = false;
+  if constexpr (requires { command.from_start; }) from_start = command.from_start;
+  return with_program(session, change, command.section, from_start, edit);
 }
 
 constexpr double kSamePlace = 1e-6;  // m or s
@@ -58,15 +69,28 @@ ForceKey* key_at(ForceProgram& program, world::ForceChannel channel, double at) 
   return found == keys.end() ? nullptr : &*found;
 }
 
-Status no_key(const ForceProgram& program, world::ForceChannel channel, double at) {
-  return refused(fmt::format("{} has no key at {:.6g} {}", base::name_of(channel), at, world::unit_of(program.over)));
-}
-
 void put_key(ForceProgram& program, world::ForceChannel channel, const ForceKey& key) {
   std::vector<ForceKey>& keys = program.keys(channel);
   keys.insert(std::upper_bound(keys.begin(), keys.end(), key.at,
                                [](double at, const ForceKey& other) { return at < other.at; }),
               key);
+}
+
+// Takes the key of a command out of its channel and calls edit(program, key), which may put it back; refused without
+// one.
+template <class Command, class Edit>
+Status with_key(Session& session, Change& change, const Command& command, Edit edit) {
+  return with_program_of(session, change, command, [&](ForceProgram& program) -> Status {
+    ForceKey* const found = key_at(program, command.channel, command.at);
+    if (found == nullptr)
+      return refused(fmt::format("{} has no key at {:.6g} {}", base::name_of(command.channel), command.at,
+                                 world::unit_of(program.over)));
+    ForceKey key = *found;
+    std::vector<ForceKey>& keys = program.keys(command.channel);
+    keys.erase(keys.begin() + (found - keys.data()));
+    edit(program, key);
+    return {};
+  });
 }
 
 // Returns the plan of a section's program; refused if there is none.
@@ -76,13 +100,37 @@ base::Result<sim::ForcePlan> present_plan(Session& session, Target section, cons
   return plan.refusal.empty() ? base::Result<sim::ForcePlan>(plan) : refused(plan.refusal);
 }
 
+// Returns the run of neighbouring sections, under the name of the first; refused where others lie between them.
+base::Result<world::SectionRun> run_of_all(const Document& document, const std::vector<Entity>& in_track_order) {
+  world::SectionRun run = world::run_of(document, in_track_order.front());
+  for (std::size_t i = 1; i < in_track_order.size(); ++i) {
+    const world::SectionRun next = world::run_of(document, in_track_order[i]);
+    if (next.first != run.end())
+      return refused(fmt::format("{} does not follow {}: expected neighbouring sections",
+                                 world::words_of(world::section(document, next.section)),
+                                 world::words_of(world::section(document, in_track_order[i - 1]))));
+    run.count += next.count;
+  }
+  return run;
+}
+
+// Refused where equipment differs along a run: it would not stay in its place.
+Status same_equipment(const Document& document, const world::SectionRun& run) {
+  const auto of = [&](std::size_t i) {
+    const auto* const found = document.entities.find<world::Equipment>(document.track.segments[i]);
+    return found != nullptr ? std::optional(*found) : std::nullopt;
+  };
+  for (std::size_t i = run.first + 1; i < run.end(); ++i)
+    if (of(i) != of(run.first))
+      return refused("part of it has equipment that the rest lacks: remove it, or read the parts one by one");
+  return {};
+}
+
 }  // namespace
 
 Status change_forces(Session& session, Change& change, Entity section, const ForceProgram& to) {
-  return with_program(session, change, {world::name_of(session.document, section)}, false, [&](ForceProgram& program) {
-    program = to;
-    return Status{};
-  });
+  const Target target{world::name_of(session.document, section)};
+  return with_program(session, change, target, false, [&](ForceProgram& program) { program = to; });
 }
 
 void report_missed(const sim::ForcePlan& plan, Change& change) {
@@ -119,11 +167,7 @@ Status add_force(Session& session, Change& change, ForceProgram program) {
 }
 
 Entity place_force(Document& document, const sim::ForcePlan& plan) {
-  const std::vector<world::Knot>& knots = plan.fit.spans.knots;
-  open_out(document, knots.front());
-  for (std::size_t k = 1; k < knots.size(); ++k) world::append_knot(document, knots[k]);
-  return world::make_section(document, document.track.segments.size() - plan.spans(), plan.spans(),
-                             {{}, world::SectionKind::force, {}, {}, plan.task.program});
+  return append_section(document, plan.fit.spans.knots, {{}, world::SectionKind::force, {}, {}, plan.task.program});
 }
 
 Status perform(Session& session, Change& change, const AddForce& command) {
@@ -134,49 +178,32 @@ Status perform(Session& session, Change& change, const AddForce& command) {
 }
 
 Status perform(Session& session, Change& change, const SetForceKey& command) {
-  return with_program(session, change, command.section, command.from_start, [&](ForceProgram& program) -> Status {
+  return with_program_of(session, change, command, [&](ForceProgram& program) {
     if (ForceKey* const key = key_at(program, command.channel, command.at)) key->value = command.value;
     else put_key(program, command.channel, {command.at, command.value});
-    return {};
   });
 }
 
 Status perform(Session& session, Change& change, const InsertForceKey& command) {
-  return with_program(session, change, command.section, false, [&](ForceProgram& program) -> Status {
-    sim::insert_on_curve(program, command.channel, command.at);
-    return {};
-  });
+  return with_program_of(session, change, command,
+                         [&](ForceProgram& program) { sim::insert_on_curve(program, command.channel, command.at); });
 }
 
 Status perform(Session& session, Change& change, const MoveForceKey& command) {
-  return with_program(session, change, command.section, command.from_start, [&](ForceProgram& program) -> Status {
-    const ForceKey* const key = key_at(program, command.channel, command.at);
-    if (key == nullptr) return no_key(program, command.channel, command.at);
-    ForceKey moved = *key;
-    std::vector<ForceKey>& keys = program.keys(command.channel);
-    keys.erase(keys.begin() + (key - keys.data()));
-    moved.at = command.to, moved.value = command.value;
-    put_key(program, command.channel, moved);
-    return {};
+  return with_key(session, change, command, [&](ForceProgram& program, ForceKey key) {
+    key.at = command.to, key.value = command.value;
+    put_key(program, command.channel, key);
   });
 }
 
 Status perform(Session& session, Change& change, const RemoveForceKey& command) {
-  return with_program(session, change, command.section, command.from_start, [&](ForceProgram& program) -> Status {
-    const ForceKey* const key = key_at(program, command.channel, command.at);
-    if (key == nullptr) return no_key(program, command.channel, command.at);
-    std::vector<ForceKey>& keys = program.keys(command.channel);
-    keys.erase(keys.begin() + (key - keys.data()));
-    return {};
-  });
+  return with_key(session, change, command, [](const ForceProgram&, const ForceKey&) {});
 }
 
 Status perform(Session& session, Change& change, const ShapeForceKey& command) {
-  return with_program(session, change, command.section, command.from_start, [&](ForceProgram& program) -> Status {
-    ForceKey* const key = key_at(program, command.channel, command.at);
-    if (key == nullptr) return no_key(program, command.channel, command.at);
-    key->slope = command.slope, key->before = command.before, key->after = command.after;
-    return {};
+  return with_key(session, change, command, [&](ForceProgram& program, ForceKey key) {
+    key.slope = command.slope, key.before = command.before, key.after = command.after;
+    put_key(program, command.channel, key);
   });
 }
 
@@ -198,7 +225,7 @@ Status perform(Session& session, Change& change, const PasteForceKeys& command) 
   if (!copied)
     return refused((command.text + session.copied).empty() ? "nothing was copied: copy keys first"
                                                            : copied.status().message);
-  return with_program(session, change, command.section, false, [&](ForceProgram& program) -> Status {
+  return with_program_of(session, change, command, [&](ForceProgram& program) -> Status {
     if (program.over != copied->over)
       return refused(fmt::format("the copied keys count in {}, those of the section in {}",
                                  world::unit_of(copied->over), world::unit_of(program.over)));
@@ -217,21 +244,15 @@ Status perform(Session& session, Change& change, const PasteForceKeys& command) 
 }
 
 Status perform(Session& session, Change& change, const SetForceLength& command) {
-  return with_program(session, change, command.section, command.from_start, [&](ForceProgram& program) -> Status {
-    program.length = command.to;
-    return {};
-  });
+  return with_program_of(session, change, command, [&](ForceProgram& program) { program.length = command.to; });
 }
 
 Status perform(Session& session, Change& change, const SetForceTolerance& command) {
-  return with_program(session, change, command.section, false, [&](ForceProgram& program) -> Status {
-    program.tolerance = command.to;
-    return {};
-  });
+  return with_program_of(session, change, command, [&](ForceProgram& program) { program.tolerance = command.to; });
 }
 
 Status perform(Session& session, Change& change, const SetForceOver& command) {
-  return with_program(session, change, command.section, false, [&](ForceProgram& program) -> Status {
+  return with_program_of(session, change, command, [&](ForceProgram& program) -> Status {
     if (program.over == command.to) return {};
     const base::Result<sim::ForcePlan> plan = present_plan(session, command.section, program);
     if (!plan) return plan.status();
@@ -241,7 +262,7 @@ Status perform(Session& session, Change& change, const SetForceOver& command) {
 }
 
 Status perform(Session& session, Change& change, const SetForceOf& command) {
-  return with_program(session, change, command.section, false, [&](ForceProgram& program) -> Status {
+  return with_program_of(session, change, command, [&](ForceProgram& program) -> Status {
     if (program.of == command.to) return {};
     const base::Result<sim::ForcePlan> plan = present_plan(session, command.section, program);
     if (!plan) return plan.status();
@@ -252,10 +273,7 @@ Status perform(Session& session, Change& change, const SetForceOf& command) {
 }
 
 Status perform(Session& session, Change& change, const HoldForces& command) {
-  return with_program(session, change, command.section, false, [&](ForceProgram& program) -> Status {
-    program.hold = command.on;
-    return {};
-  });
+  return with_program_of(session, change, command, [&](ForceProgram& program) { program.hold = command.on; });
 }
 
 Status perform(Session& session, Change&, const FreeForces& command) {
@@ -265,36 +283,6 @@ Status perform(Session& session, Change&, const FreeForces& command) {
   value = {value.title};
   return {};
 }
-
-namespace {
-
-// Returns the run of neighbouring sections, under the name of the first; refused where others lie between them.
-base::Result<world::SectionRun> run_of_all(const Document& document, const std::vector<Entity>& in_track_order) {
-  world::SectionRun run = world::run_of(document, in_track_order.front());
-  for (std::size_t i = 1; i < in_track_order.size(); ++i) {
-    const world::SectionRun next = world::run_of(document, in_track_order[i]);
-    if (next.first != run.end())
-      return refused(fmt::format("{} does not follow {}: expected neighbouring sections",
-                                 world::words_of(world::section(document, next.section)),
-                                 world::words_of(world::section(document, in_track_order[i - 1]))));
-    run.count += next.count;
-  }
-  return run;
-}
-
-// Refused where equipment differs along a run: it would not stay in its place.
-Status same_equipment(const Document& document, const world::SectionRun& run) {
-  const auto of = [&](std::size_t i) {
-    const auto* const found = document.entities.find<world::Equipment>(document.track.segments[i]);
-    return found != nullptr ? std::optional(*found) : std::nullopt;
-  };
-  for (std::size_t i = run.first + 1; i < run.end(); ++i)
-    if (of(i) != of(run.first))
-      return refused("part of it has equipment that the rest lacks: remove it, or read the parts one by one");
-  return {};
-}
-
-}  // namespace
 
 Status perform(Session& session, Change& change, const ReadForces& command) {
   const auto sections = chosen_sections(session, command.sections);

@@ -12,6 +12,15 @@ base::Result<std::vector<world::Entity>> knots_of(const Session& session, const 
 // The same for sections.
 base::Result<std::vector<world::Entity>> chosen_sections(const Session& session, const Sections& sections);
 
+// Calls edit(knot) for each knot that a command names, in track order; refused if there are none.
+template <class Edit>
+base::Status each_knot(Session& session, const Knots& knots, const Edit& edit) {
+  const auto chosen = knots_of(session, knots);
+  if (!chosen) return chosen.status();
+  for (const world::Entity e : *chosen) edit(session.document.entities.get<world::Knot>(e));
+  return {};
+}
+
 // Returns the knots (in track order) and their neighbours on the track.
 std::vector<world::Entity> with_neighbours(const world::Document& document,
                                            const std::vector<world::Entity>& in_track_order);

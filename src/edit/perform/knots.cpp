@@ -9,6 +9,7 @@
 #include "curve/frames.h"
 #include "edit/commands/commands_document.h"
 #include "edit/commands/commands_shape.h"
+#include "edit/perform/append_shape.h"
 #include "edit/perform/joint_repair.h"
 #include "edit/perform/knot_runs.h"
 #include "edit/perform/perform.h"
@@ -26,115 +27,6 @@ using world::Knot;
 constexpr double kShortDirection = 1e-9;  // m, as in world::set_tangent
 
 Knot& knot_at(Session& session, world::Entity e) { return session.document.entities.get<Knot>(e); }
-
-// Makes an automatic joint aligned, because it would undo the change made by hand.
-void shaped_by_hand(Knot& knot) {
-  if (knot.joint == JointKind::automatic) knot.joint = JointKind::aligned;
-}
-
-}  // namespace
-
-Status perform(Session& session, Change& change, const MoveKnot& command) {
-  const world::Entity e = entity_of(session, command.knot);
-  knot_at(session, e).position = change.clamp_position("position", command.to);
-  return {};
-}
-
-Status perform(Session& session, Change& change, const MoveHandle& command) {
-  const auto e = require(session, {command.handle.knot}, Kind::knot);
-  if (!e) return e.status();
-  Knot& knot = knot_at(session, *e);
-  const bool in = command.handle.end == HandleEnd::in;
-  glm::dvec3 arm = glm::dvec3(command.to) - glm::dvec3(knot.position);
-  if (in) arm = -arm;
-  const double length = glm::length(arm);
-  shaped_by_hand(knot);
-  // A handle on its knot has no direction: keep the old one.
-  if (length >= double{world::kMinHandle}) world::set_tangent(knot, glm::vec3(arm));
-  const float clamped = change.clamp("handle length", static_cast<float>(std::max(length, 0.0)), world::kMinHandle,
-                                     world::kMaxHandle, "m");
-  (in ? knot.in_length : knot.out_length) = clamped;
-  if (knot.joint == JointKind::smooth) knot.in_length = knot.out_length = clamped;
-  return {};
-}
-
-Status perform(Session& session, Change&, const SetDirection& command) {
-  const auto knots = knots_of(session, command.knots);
-  if (!knots) return knots.status();
-  if (!(glm::length(glm::dvec3(command.to)) >= kShortDirection)) return refused("expected a direction longer than 0");
-  for (const world::Entity e : *knots) {
-    Knot& knot = knot_at(session, e);
-    shaped_by_hand(knot);
-    world::set_tangent(knot, command.to);
-  }
-  return {};
-}
-
-Status perform(Session& session, Change& change, const SetLengths& command) {
-  const auto knots = knots_of(session, command.knots);
-  if (!knots) return knots.status();
-  const float in = change.clamp("handle length", command.in, world::kMinHandle, world::kMaxHandle, "m");
-  const float out = change.clamp("handle length", command.out, world::kMinHandle, world::kMaxHandle, "m");
-  for (const world::Entity e : *knots) {
-    Knot& knot = knot_at(session, e);
-    shaped_by_hand(knot);
-    knot.in_length = in, knot.out_length = out;
-    if (in != out) knot.joint = JointKind::aligned;
-  }
-  return {};
-}
-
-Status perform(Session& session, Change& change, const SetRoll& command) {
-  const auto knots = knots_of(session, command.knots);
-  if (!knots) return knots.status();
-  for (const world::Entity e : *knots)
-    world::set_roll(knot_at(session, e), command.to);  // any angle is valid: it wraps
-  change.respun = with_neighbours(session.document, *knots);
-  return {};
-}
-
-Status perform(Session& session, Change& change, const SetSpin& command) {
-  const auto knots = knots_of(session, command.knots);
-  if (!knots) return knots.status();
-  const double most = base::degrees(double{world::kMaxSpin});
-  const auto spin = static_cast<float>(base::radians(change.clamp("spin", command.to, -most, most, "deg/m")));
-  for (const world::Entity e : *knots) {
-    Knot& knot = knot_at(session, e);
-    knot.spin = std::clamp(spin, -world::kMaxSpin, world::kMaxSpin), knot.spin_kind = world::SpinKind::set;
-  }
-  return {};
-}
-
-Status perform(Session& session, Change& change, const AutomaticSpin& command) {
-  const auto knots = knots_of(session, command.knots);
-  if (!knots) return knots.status();
-  for (const world::Entity e : *knots) knot_at(session, e).spin_kind = world::SpinKind::automatic;
-  change.respun = *knots;
-  return {};
-}
-
-Status perform(Session& session, Change&, const SetJoint& command) {
-  const auto knots = knots_of(session, command.knots);
-  if (!knots) return knots.status();
-  for (const world::Entity e : *knots) {
-    Knot& knot = knot_at(session, e);
-    knot.joint = command.to;
-    if (command.to == JointKind::smooth)
-      knot.in_length = knot.out_length = static_cast<float>((double{knot.in_length} + double{knot.out_length}) / 2);
-  }
-  return {};
-}
-
-Status perform(Session& session, Change& change, const SetTurns& command) {
-  const world::Entity e = entity_of(session, command.segment);
-  session.document.entities.get<world::Segment>(e).turns =
-      change.clamp("turns", command.to, -world::kMaxTurns, world::kMaxTurns);
-  const world::Segment& segment = world::segment(session.document, e);
-  change.respun = {segment.from, segment.to};
-  return {};
-}
-
-namespace {
 
 constexpr std::size_t kMostNamed = 4;  // refused joints named in a notice
 
@@ -161,37 +53,6 @@ std::string told(std::string_view what, std::optional<double> before, std::optio
   return fmt::format(" {}: {} g, before {} g.", what, base::figure_text(*now, 3, "g"),
                      base::figure_text(*before, 3, "g"));
 }
-
-}  // namespace
-
-Status perform(Session& session, Change& change, const MakeG2& command) {
-  const world::Entity e = entity_of(session, command.knot);
-  const std::size_t index = *world::index_of(session.document.track.knots, e);
-  double movement = 0;
-  const std::span<const sim::Jolt> jolts = Finder(session).jolts();  // of the ride before
-  const world::Document before = session.document;
-  const Status status = make_g2(session.document, index, &movement);
-  if (!status) return status;
-  change.note = before == session.document ? "The joint is G2 already."
-                                           : fmt::format("Made the joint G2 by moving {}.", as_movement(movement));
-  change.note += told("Step of the force at the fastest passage", sim::fastest_step(before, jolts, index),
-                      sim::fastest_step(session.document, jolts, index));
-  return {};
-}
-
-Status perform(Session& session, Change& change, const MakeAllG2&) {
-  world::Document next = session.document;
-  const RepairReport report = make_all_g2(next);
-  const std::string text = told(session.document, report);
-  if (report.changed == 0 && !report.refused.empty()) return refused(text);
-  const std::span<const sim::Jolt> jolts = Finder(session).jolts();
-  change.note = text + told("Largest step of the force at a fastest passage",
-                            sim::largest_step(session.document, jolts), sim::largest_step(next, jolts));
-  session.document = std::move(next);
-  return {};
-}
-
-namespace {
 
 using glm::dmat3;
 using glm::dvec3;
@@ -273,6 +134,118 @@ Status transform(Session& session, Change& change, const Knots& which, const Map
 
 }  // namespace
 
+Status perform(Session& session, Change& change, const MoveKnot& command) {
+  const world::Entity e = entity_of(session, command.knot);
+  knot_at(session, e).position = change.clamp_position("position", command.to);
+  return {};
+}
+
+Status perform(Session& session, Change& change, const MoveHandle& command) {
+  const auto e = require(session, {command.handle.knot}, Kind::knot);
+  if (!e) return e.status();
+  Knot& knot = knot_at(session, *e);
+  const bool in = command.handle.end == HandleEnd::in;
+  glm::dvec3 arm = glm::dvec3(command.to) - glm::dvec3(knot.position);
+  if (in) arm = -arm;
+  const double length = glm::length(arm);
+  shaped_by_hand(knot);
+  // A handle on its knot has no direction: keep the old one.
+  if (length >= double{world::kMinHandle}) world::set_tangent(knot, glm::vec3(arm));
+  const float clamped = change.clamp("handle length", static_cast<float>(std::max(length, 0.0)), world::kMinHandle,
+                                     world::kMaxHandle, "m");
+  (in ? knot.in_length : knot.out_length) = clamped;
+  if (knot.joint == JointKind::smooth) knot.in_length = knot.out_length = clamped;
+  return {};
+}
+
+Status perform(Session& session, Change&, const SetDirection& command) {
+  const auto knots = knots_of(session, command.knots);
+  if (!knots) return knots.status();
+  if (!(glm::length(glm::dvec3(command.to)) >= kShortDirection)) return refused("expected a direction longer than 0");
+  return each_knot(session, command.knots, [&](Knot& knot) {
+    shaped_by_hand(knot);
+    world::set_tangent(knot, command.to);
+  });
+}
+
+Status perform(Session& session, Change& change, const SetLengths& command) {
+  const float in = change.clamp("handle length", command.in, world::kMinHandle, world::kMaxHandle, "m");
+  const float out = change.clamp("handle length", command.out, world::kMinHandle, world::kMaxHandle, "m");
+  return each_knot(session, command.knots, [&](Knot& knot) {
+    shaped_by_hand(knot);
+    knot.in_length = in, knot.out_length = out;
+    if (in != out) knot.joint = JointKind::aligned;
+  });
+}
+
+Status perform(Session& session, Change& change, const SetRoll& command) {
+  const auto knots = knots_of(session, command.knots);
+  if (!knots) return knots.status();
+  for (const world::Entity e : *knots)
+    world::set_roll(knot_at(session, e), command.to);  // any angle is valid: it wraps
+  change.respun = with_neighbours(session.document, *knots);
+  return {};
+}
+
+Status perform(Session& session, Change& change, const SetSpin& command) {
+  const double most = base::degrees(double{world::kMaxSpin});
+  const auto spin = static_cast<float>(base::radians(change.clamp("spin", command.to, -most, most, "deg/m")));
+  return each_knot(session, command.knots, [&](Knot& knot) {
+    knot.spin = std::clamp(spin, -world::kMaxSpin, world::kMaxSpin), knot.spin_kind = world::SpinKind::set;
+  });
+}
+
+Status perform(Session& session, Change& change, const AutomaticSpin& command) {
+  const auto knots = knots_of(session, command.knots);
+  if (!knots) return knots.status();
+  for (const world::Entity e : *knots) knot_at(session, e).spin_kind = world::SpinKind::automatic;
+  change.respun = *knots;
+  return {};
+}
+
+Status perform(Session& session, Change&, const SetJoint& command) {
+  return each_knot(session, command.knots, [&](Knot& knot) {
+    knot.joint = command.to;
+    if (command.to == JointKind::smooth) equalise(knot);
+  });
+}
+
+Status perform(Session& session, Change& change, const SetTurns& command) {
+  const world::Entity e = entity_of(session, command.segment);
+  session.document.entities.get<world::Segment>(e).turns =
+      change.clamp("turns", command.to, -world::kMaxTurns, world::kMaxTurns);
+  const world::Segment& segment = world::segment(session.document, e);
+  change.respun = {segment.from, segment.to};
+  return {};
+}
+
+Status perform(Session& session, Change& change, const MakeG2& command) {
+  const world::Entity e = entity_of(session, command.knot);
+  const std::size_t index = *world::index_of(session.document.track.knots, e);
+  double movement = 0;
+  const std::span<const sim::Jolt> jolts = Finder(session).jolts();  // of the ride before
+  const world::Document before = session.document;
+  const Status status = make_g2(session.document, index, &movement);
+  if (!status) return status;
+  change.note = before == session.document ? "The joint is G2 already."
+                                           : fmt::format("Made the joint G2 by moving {}.", as_movement(movement));
+  change.note += told("Step of the force at the fastest passage", sim::fastest_step(before, jolts, index),
+                      sim::fastest_step(session.document, jolts, index));
+  return {};
+}
+
+Status perform(Session& session, Change& change, const MakeAllG2&) {
+  world::Document next = session.document;
+  const RepairReport report = make_all_g2(next);
+  const std::string text = told(session.document, report);
+  if (report.changed == 0 && !report.refused.empty()) return refused(text);
+  const std::span<const sim::Jolt> jolts = Finder(session).jolts();
+  change.note = text + told("Largest step of the force at a fastest passage",
+                            sim::largest_step(session.document, jolts), sim::largest_step(next, jolts));
+  session.document = std::move(next);
+  return {};
+}
+
 Status perform(Session& session, Change& change, const Translate& command) {
   return transform(session, change, command.knots, {.by = dvec3(command.by), .rigid_shift = true}, command.from_start);
 }
@@ -308,13 +281,10 @@ Status perform(Session& session, Change& change, const Mirror& command) {
 }
 
 Status perform(Session& session, Change& change, const Align& command) {
-  const auto knots = knots_of(session, command.knots);
-  if (!knots) return knots.status();
   const int axis = static_cast<int>(command.axis);
   const std::string what = fmt::format("position.{}", base::name_of(command.axis));
   const double to = change.clamp(what, command.to, -double{world::kMaxCoordinate}, double{world::kMaxCoordinate}, "m");
-  for (const Entity e : *knots) session.document.entities.get<Knot>(e).position[axis] = static_cast<float>(to);
-  return {};
+  return each_knot(session, command.knots, [&](Knot& knot) { knot.position[axis] = static_cast<float>(to); });
 }
 
 }  // namespace coaster::edit

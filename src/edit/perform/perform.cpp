@@ -74,6 +74,23 @@ base::Result<world::Entity> require(const Session& session, Target target, world
 
 world::Entity entity_of(const Session& session, Target target) { return world::find(session.document, target.name); }
 
+base::Status may_be_called(std::string_view name, std::string_view what) {
+  if (name.size() > world::kMaxNameBytes)
+    return refused(fmt::format("the {} is over the limit of {} bytes", what, world::kMaxNameBytes));
+  if (base::is_printable_utf8(name)) return {};
+  return refused(fmt::format("expected a {} in UTF-8 without control characters", what));
+}
+
+void shaped_by_hand(world::Knot& knot) {
+  if (knot.joint == world::JointKind::automatic) knot.joint = world::JointKind::aligned;
+}
+
+void begin_there(world::Knot& knot, float out_length) {
+  knot.out_length = out_length;
+  if (knot.in_length != out_length) knot.joint = world::JointKind::aligned;
+  shaped_by_hand(knot);
+}
+
 base::Status well_formed(const world::Element& element) {
   if (!base::has_row(element.kind)) return refused("there is no such element");
   return {};

@@ -52,6 +52,13 @@ base::Result<world::Entity> require(const Session& session, Target target, world
 // and if one of its numbers is not finite.
 world::Entity entity_of(const Session& session, Target target);
 
+// Refused if a name or title is too long or cannot be printed.
+base::Status may_be_called(std::string_view name, std::string_view what);
+// Makes an automatic joint aligned, because it would undo a change made by hand.
+void shaped_by_hand(world::Knot& knot);
+// Starts track with another first handle at a knot.
+void begin_there(world::Knot& knot, float out_length);
+
 // Refused if an element's kind is invalid.
 base::Status well_formed(const world::Element& element);
 

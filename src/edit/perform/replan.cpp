@@ -122,6 +122,146 @@ float lowest_below_ground(const Document& document) {
   return lowest;
 }
 
+using glm::dvec3;
+using world::SectionKind;
+
+// Properties of a section's end that the following track shares, besides the knot's frame.
+struct BendAndSpin {
+  dvec3 curvature;  // 1/m
+  double spin;      // rad/m
+};
+BendAndSpin bend_and_spin(const Document& document, const SectionRun& run) {
+  const Knot& knot = nth_knot(document, run.end());
+  const curve::Cubic cubic = world::cubic_of(document, document.track.segments[run.end() - 1]);
+  return {curve::across(curve::curvature_vector(cubic, 1.0), glm::normalize(dvec3(knot.tangent))), knot.spin};
+}
+
+bool alike(const BendAndSpin& a, const BendAndSpin& b, const sim::UprightMove& carry) {
+  constexpr double kBend = 5e-5, kSpin = 1e-4;  // 1/m, rad/m
+  return glm::distance(carry.direction(a.curvature), b.curvature) <= kBend && std::abs(a.spin - b.spin) <= kSpin;
+}
+
+// Returns the section that begins where a run ends; none at the end of an open track.
+Entity section_after(const Document& document, const SectionRun& run) {
+  const std::vector<Entity>& segments = document.track.segments;
+  if (!document.track.closed && run.end() == segments.size()) return world::kNone;
+  return world::segment(document, segments[run.end() % segments.size()]).section;
+}
+
+// Changes of speed up to this leave a section as it is.
+constexpr double kSameSpeed = 0.002;  // m/s
+
+// Returns the energy with which the train comes to a force section of the document, m^2/s^2: twice that of a kilogram.
+// Nothing for other sections, and where the document has none of that name.
+std::optional<double> energy_at(const Document& document, Entity section) {
+  const auto* const value = document.entities.find<world::Section>(section);
+  if (value == nullptr || value->kind != SectionKind::force) return std::nullopt;
+  const double height = nth_knot(document, world::run_of(document, section).first).position.y;
+  return value->force.speed * value->force.speed + 2 * world::kGravity * height;
+}
+
+// Gives a force section the speed at which the train comes with what it has gained.
+void put_speed(const Session& session, const Change& change, Document& document, Entity section) {
+  const std::optional<double> former = energy_at(session.document, section);
+  if (!change.gained || !former) return;
+  double& speed = document.entities.get<world::Section>(section).force.speed;
+  const double square = speed * speed + *former + *change.gained - *energy_at(document, section);
+  if (square < world::kSlowestForce * world::kSlowestForce) return;
+  if (const double now = std::sqrt(square); std::abs(now - speed) > kSameSpeed) speed = now;
+}
+
+bool has_equipment(const Document& document, const SectionRun& run) {
+  for (std::size_t i = run.first; i < run.end(); ++i)
+    if (document.entities.find<world::Equipment>(document.track.segments[i]) != nullptr) return true;
+  return false;
+}
+
+// How a section of each kind is planned again from its start when planned track before it ends in another way. Null: it
+// is moved along; the one that closes a circuit adapts at the end (keep_closed).
+using PlanAgain = Status (*)(Session& session, Change& change, Document& document, Entity section);
+PlanAgain planner_of(SectionKind kind) {
+  switch (kind) {
+    case SectionKind::element:
+      return [](Session& session, Change& change, Document& document, Entity section) {
+        const world::Element as = world::section(document, section).element;
+        return replan_element(session, change, document, section, as, Following::planned);
+      };
+    case SectionKind::force: return replan_force;
+    case SectionKind::free:
+    case SectionKind::complete: return nullptr;
+  }
+  return nullptr;
+}
+
+// Gives the section the fit's shape and its last knot the fit's spin; the following track does not move.
+void put_end(Document& document, const SectionRun& run, const sim::ElementFit& fit) {
+  reshape(document, run.section, fit, SectionEnd::moves);
+  const std::size_t end = world::run_of(document, run.section).end();
+  const auto& knots = document.track.knots;
+  document.entities.get<Knot>(knots[end % knots.size()]).spin = fit.knots.back().spin;
+}
+
+// The conditions that the track imposes on a section's ends.
+struct Ends {
+  Knot start, end;
+  glm::dvec3 before, after;  // 1/m, the curvature of the track beside them
+};
+bool alike(const Ends& a, const Ends& b) {
+  return a.start == b.start && a.end == b.end && glm::distance(a.before, b.before) <= sim::kElementJump &&
+         glm::distance(a.after, b.after) <= sim::kElementJump;
+}
+Ends ends_of(const Document& document, const SectionRun& run) {
+  const auto& segments = document.track.segments;
+  const auto cubic = [&](std::size_t i) { return world::cubic_of(document, segments[i % segments.size()]); };
+  Ends ends{nth_knot(document, run.first), nth_knot(document, run.end()),
+            curve::curvature_vector(cubic(run.first + segments.size() - 1), 1.0),
+            curve::curvature_vector(cubic(run.end()), 0.0)};
+  // These belong to the section or follow from the curvatures of the track beside it.
+  ends.start.out_length = ends.end.in_length = ends.start.in_length = ends.end.out_length = 0;
+  ends.start.joint = ends.end.joint = world::JointKind::aligned;
+  return ends;
+}
+
+// True if equipment between the first changed knot and the section gives trains a speed.
+bool driven_between(const Document& former, const SectionRun& was, const Document& next, const SectionRun& run) {
+  std::size_t same = 0;
+  while (same < std::min(was.first, run.first) && nth_knot(former, same).position == nth_knot(next, same).position)
+    ++same;
+  const auto driven = [&](const Document& document, std::size_t end) {
+    for (std::size_t i = same > 0 ? same - 1 : 0; i < end; ++i)
+      if (document.entities.find<world::Equipment>(document.track.segments[i])) return true;
+    return false;
+  };
+  return driven(former, was.first) || driven(next, run.first);
+}
+
+// Returns what the change asks of the section that completes the circuit.
+sim::ClosingChange change_of(const Session& session, const Document& former, const SectionRun& was,
+                             const Document& next, const SectionRun& run) {
+  const std::size_t count = next.track.segments.size();
+  sim::ClosingChange change{.opened = stretch_of(next, run.end() % count, count - run.count),
+                            .former = world::section(next, run.section).closing,
+                            .losses = session.document.resistance,
+                            .whole = !session.history.in_gesture};
+  for (std::size_t i = was.first; i < was.end(); ++i)
+    change.lengths.push_back(curve::arc_length(world::cubic_of(former, former.track.segments[i])));
+  if (!driven_between(former, was, next, run))
+    change.risen = double{nth_knot(next, run.first).position.y} - double{nth_knot(former, was.first).position.y};
+  if (const world::Cart* const cart = session.document.entities.find<world::Cart>(chosen_cart(session)))
+    change.losses.drag *= world::kCarMass / cart->mass;
+  return change;
+}
+
+// Returns the closing section: the one that was found for this change, else searches for it. Nothing if another thread
+// is to find it.
+std::optional<sim::ChangedClosing> closing_for(Session& session, Search* search, sim::ClosingChange change) {
+  if (search && search->found && search->asked == change)
+    return std::get<sim::ChangedClosing>(*std::exchange(search->found, std::nullopt));
+  if (!search || !search->leaves) return sim::changed_closing(change, opened_track_of(session));
+  search->wanted = std::move(change);
+  return std::nullopt;
+}
+
 }  // namespace
 
 Status adopt(Session& session, Change& change, const Document& former, Document&& next) {
@@ -223,89 +363,6 @@ Status perform(Session& session, Change& change, const ChangeSection& command) {
   return adopt(session, change, former, std::move(next));
 }
 
-namespace {
-
-using glm::dvec3;
-using world::SectionKind;
-
-// Properties of a section's end that the following track shares, besides the knot's frame.
-struct BendAndSpin {
-  dvec3 curvature;  // 1/m
-  double spin;      // rad/m
-};
-BendAndSpin bend_and_spin(const Document& document, const SectionRun& run) {
-  const Knot& knot = nth_knot(document, run.end());
-  const curve::Cubic cubic = world::cubic_of(document, document.track.segments[run.end() - 1]);
-  return {curve::across(curve::curvature_vector(cubic, 1.0), glm::normalize(dvec3(knot.tangent))), knot.spin};
-}
-
-bool alike(const BendAndSpin& a, const BendAndSpin& b, const sim::UprightMove& carry) {
-  constexpr double kBend = 5e-5, kSpin = 1e-4;  // 1/m, rad/m
-  return glm::distance(carry.direction(a.curvature), b.curvature) <= kBend && std::abs(a.spin - b.spin) <= kSpin;
-}
-
-// Returns the section that begins where a run ends; none at the end of an open track.
-Entity section_after(const Document& document, const SectionRun& run) {
-  const std::vector<Entity>& segments = document.track.segments;
-  if (!document.track.closed && run.end() == segments.size()) return world::kNone;
-  return world::segment(document, segments[run.end() % segments.size()]).section;
-}
-
-// Changes of speed up to this leave a section as it is.
-constexpr double kSameSpeed = 0.002;  // m/s
-
-// Returns the energy with which the train comes to a force section of the document, m^2/s^2: twice that of a kilogram.
-// Nothing for other sections, and where the document has none of that name.
-std::optional<double> energy_at(const Document& document, Entity section) {
-  const auto* const value = document.entities.find<world::Section>(section);
-  if (value == nullptr || value->kind != SectionKind::force) return std::nullopt;
-  const double height = nth_knot(document, world::run_of(document, section).first).position.y;
-  return value->force.speed * value->force.speed + 2 * world::kGravity * height;
-}
-
-// Gives a force section the speed at which the train comes with what it has gained.
-void put_speed(const Session& session, const Change& change, Document& document, Entity section) {
-  const std::optional<double> former = energy_at(session.document, section);
-  if (!change.gained || !former) return;
-  double& speed = document.entities.get<world::Section>(section).force.speed;
-  const double square = speed * speed + *former + *change.gained - *energy_at(document, section);
-  if (square < world::kSlowestForce * world::kSlowestForce) return;
-  if (const double now = std::sqrt(square); std::abs(now - speed) > kSameSpeed) speed = now;
-}
-
-bool has_equipment(const Document& document, const SectionRun& run) {
-  for (std::size_t i = run.first; i < run.end(); ++i)
-    if (document.entities.find<world::Equipment>(document.track.segments[i]) != nullptr) return true;
-  return false;
-}
-
-// How a section of each kind is planned again from its start when planned track before it ends in another way. Null: it
-// is moved along; the one that closes a circuit adapts at the end (keep_closed).
-using PlanAgain = Status (*)(Session& session, Change& change, Document& document, Entity section);
-PlanAgain planner_of(SectionKind kind) {
-  switch (kind) {
-    case SectionKind::element:
-      return [](Session& session, Change& change, Document& document, Entity section) {
-        const world::Element as = world::section(document, section).element;
-        return replan_element(session, change, document, section, as, Following::planned);
-      };
-    case SectionKind::force: return replan_force;
-    case SectionKind::free:
-    case SectionKind::complete: return nullptr;
-  }
-  return nullptr;
-}
-
-// Gives the section the fit's shape and its last knot the fit's spin; the following track does not move.
-void put_end(Document& document, const SectionRun& run, const sim::ElementFit& fit) {
-  reshape(document, run.section, fit, SectionEnd::moves);
-  const std::size_t end = world::run_of(document, run.section).end();
-  const auto& knots = document.track.knots;
-  document.entities.get<Knot>(knots[end % knots.size()]).spin = fit.knots.back().spin;
-}
-
-}  // namespace
-
 Status put_and_follow(Session& session, Change& change, Document& document, const SectionRun& run,
                       const sim::ElementFit& fit) {
   const Entity next = section_after(document, run);
@@ -383,71 +440,6 @@ bool follow_speeds(Session& session, Change& change) {
   }
   return changed;
 }
-
-namespace {
-
-// The conditions that the track imposes on a section's ends.
-struct Ends {
-  Knot start, end;
-  glm::dvec3 before, after;  // 1/m, the curvature of the track beside them
-};
-bool alike(const Ends& a, const Ends& b) {
-  return a.start == b.start && a.end == b.end && glm::distance(a.before, b.before) <= sim::kElementJump &&
-         glm::distance(a.after, b.after) <= sim::kElementJump;
-}
-Ends ends_of(const Document& document, const SectionRun& run) {
-  const auto& segments = document.track.segments;
-  const auto cubic = [&](std::size_t i) { return world::cubic_of(document, segments[i % segments.size()]); };
-  Ends ends{nth_knot(document, run.first), nth_knot(document, run.end()),
-            curve::curvature_vector(cubic(run.first + segments.size() - 1), 1.0),
-            curve::curvature_vector(cubic(run.end()), 0.0)};
-  // These belong to the section or follow from the curvatures of the track beside it.
-  ends.start.out_length = ends.end.in_length = ends.start.in_length = ends.end.out_length = 0;
-  ends.start.joint = ends.end.joint = world::JointKind::aligned;
-  return ends;
-}
-
-// True if equipment between the first changed knot and the section gives trains a speed.
-bool driven_between(const Document& former, const SectionRun& was, const Document& next, const SectionRun& run) {
-  std::size_t same = 0;
-  while (same < std::min(was.first, run.first) && nth_knot(former, same).position == nth_knot(next, same).position)
-    ++same;
-  const auto driven = [&](const Document& document, std::size_t end) {
-    for (std::size_t i = same > 0 ? same - 1 : 0; i < end; ++i)
-      if (document.entities.find<world::Equipment>(document.track.segments[i])) return true;
-    return false;
-  };
-  return driven(former, was.first) || driven(next, run.first);
-}
-
-// Returns what the change asks of the section that completes the circuit.
-sim::ClosingChange change_of(const Session& session, const Document& former, const SectionRun& was,
-                             const Document& next, const SectionRun& run) {
-  const std::size_t count = next.track.segments.size();
-  sim::ClosingChange change{.opened = stretch_of(next, run.end() % count, count - run.count),
-                            .former = world::section(next, run.section).closing,
-                            .losses = session.document.resistance,
-                            .whole = !session.history.in_gesture};
-  for (std::size_t i = was.first; i < was.end(); ++i)
-    change.lengths.push_back(curve::arc_length(world::cubic_of(former, former.track.segments[i])));
-  if (!driven_between(former, was, next, run))
-    change.risen = double{nth_knot(next, run.first).position.y} - double{nth_knot(former, was.first).position.y};
-  if (const world::Cart* const cart = session.document.entities.find<world::Cart>(chosen_cart(session)))
-    change.losses.drag *= world::kCarMass / cart->mass;
-  return change;
-}
-
-// Returns the closing section: the one that was found for this change, else searches for it. Nothing if another thread
-// is to find it.
-std::optional<sim::ChangedClosing> closing_for(Session& session, Search* search, sim::ClosingChange change) {
-  if (search && search->found && search->asked == change)
-    return std::get<sim::ChangedClosing>(*std::exchange(search->found, std::nullopt));
-  if (!search || !search->leaves) return sim::changed_closing(change, opened_track_of(session));
-  search->wanted = std::move(change);
-  return std::nullopt;
-}
-
-}  // namespace
 
 Status keep_closed(Session& session, Change& change, const Document& former, Document& next) {
   const std::optional<SectionRun> run = world::completing(next, 0);

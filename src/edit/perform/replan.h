@@ -79,6 +79,8 @@ base::Status keep_closed(Session& session, Change& change, const world::Document
 // Starts track with that first knot at the open end: the end keeps its position, direction and roll, and its outgoing
 // handle becomes the knot's. An empty track gets the knot.
 void open_out(world::Document& document, const world::Knot& start);
+// Adds knots at the open end, the first of which is there, as a section, and returns it.
+world::Entity append_section(world::Document& document, const std::vector<world::Knot>& knots, world::Section section);
 // Adds a plan at the open end as a section, and returns the section.
 world::Entity place(world::Document& document, const sim::ElementPlan& plan);
 // Puts the plan's equipment, if it has any, on its segments, from that index of the track.

@@ -32,87 +32,6 @@ void name_equipment(world::Section& section, const world::Equipment* equipment) 
   world::set_value(section.element, "acceleration", equipment->acceleration);
 }
 
-}  // namespace
-
-Status perform(Session& session, Change& change, const MakeSection& command) {
-  const auto knots = knots_of(session, command.knots);
-  if (!knots) return knots.status();
-  world::Document& document = session.document;
-  const std::vector<KnotRun> runs = runs_of(document, *knots);
-  const std::size_t first = runs.front().places.front(), count = knots->size() - (runs.front().whole ? 0 : 1);
-  if (runs.size() != 1 || count == 0) return refused("expected two or more neighbouring knots");
-  if (first + count > document.track.segments.size())
-    return refused("a section cannot continue beyond the first knot of a closed track");
-  change.select = world::make_section(document, first, count, {});
-  return {};
-}
-
-Status perform(Session& session, Change& change, const SplitSection& command) {
-  const world::Entity knot = entity_of(session, command.knot);
-  world::Document& document = session.document;
-  const std::size_t at = *world::index_of(document.track.knots, knot);
-  const auto section_at = [&](std::size_t i) {
-    return i < document.track.segments.size() ? world::segment(document, document.track.segments[i]).section
-                                              : world::kNone;
-  };
-  const Entity section = section_at(at);
-  if (at == 0 || !section.valid() || section_at(at - 1) != section)
-    return refused(fmt::format("@{} is not inside a section", world::label_of(document, knot)));
-  const SectionRun run = world::run_of(document, section);
-  change.select = world::make_section(document, at, run.end() - at, {});
-  return {};
-}
-
-Status perform(Session& session, Change& change, const JoinSections& command) {
-  const world::Entity section = entity_of(session, command.section);
-  world::Document& document = session.document;
-  const std::vector<SectionRun> runs = world::sections_of(document);
-  const SectionRun run = world::run_of(document, section);
-  if (run.end() == document.track.segments.size())
-    return refused("there is no section after " + world::words_of(world::section(document, section)));
-  const SectionRun next = world::run_of(document, world::segment(document, document.track.segments[run.end()]).section);
-  std::string title = world::section(document, section).title;
-  if (title.empty()) title = world::section(document, next.section).title;
-  change.select = world::make_section(document, run.first, run.count + next.count, {std::move(title), {}, {}});
-  return {};
-}
-
-Status perform(Session& session, Change&, const SetSectionTitle& command) {
-  const world::Entity section = entity_of(session, command.section);
-  if (command.to.size() > world::kMaxNameBytes)
-    return refused(fmt::format("the title is over the limit of {} bytes", world::kMaxNameBytes));
-  if (!base::is_printable_utf8(command.to)) return refused("expected a title in UTF-8 without control characters");
-  session.document.entities.get<world::Section>(section).title = command.to;
-  return {};
-}
-
-Status perform(Session& session, Change& change, const EquipSection& command) {
-  const world::Entity section = entity_of(session, command.section);
-  const world::Equipment equipment = equipment_of(command.to, change);
-  const SectionRun run = world::run_of(session.document, section);
-  auto& kept = session.document.entities.get<world::Section>(section);
-  const std::span<const Entity> segments = session.document.track.segments;
-  equip(session.document, change, segments.subspan(run.first, run.count), equipment, world::words_of(kept));
-  name_equipment(kept, &equipment);
-  return {};
-}
-
-Status perform(Session& session, Change& change, const UnequipSection& command) {
-  const world::Entity section = entity_of(session, command.section);
-  const SectionRun run = world::run_of(session.document, section);
-  auto& equipment = session.document.entities.pool<world::Equipment>();
-  const std::size_t before = equipment.size();
-  for (std::size_t i = run.first; i < run.end(); ++i) equipment.erase(session.document.track.segments[i]);
-  if (equipment.size() == before)
-    return refused("there is no equipment on " + world::words_of(world::section(session.document, section)));
-  auto& kept = session.document.entities.get<world::Section>(section);
-  name_equipment(kept, nullptr);
-  change.note = fmt::format("Removed the equipment of {}.", world::words_of(kept));
-  return {};
-}
-
-namespace {
-
 using glm::dvec3;
 using world::Document;
 using world::Knot;
@@ -120,12 +39,6 @@ using world::Knot;
 Knot& knot_to_change(Document& document, std::size_t index) {
   const auto& knots = document.track.knots;
   return document.entities.get<Knot>(knots[index % knots.size()]);
-}
-
-// Starts track with another first handle at a knot.
-void begin_there(Knot& knot, float out_length) {
-  knot.out_length = out_length;
-  if (knot.in_length != out_length || knot.joint == world::JointKind::automatic) knot.joint = world::JointKind::aligned;
 }
 
 // Returns the element with left and right swapped.
@@ -202,68 +115,6 @@ Status swap_runs(Document& document, const SectionRun& run, const SectionRun& ne
   return {};
 }
 
-}  // namespace
-
-Status perform(Session& session, Change& change, const DeleteSection& command) {
-  const world::Entity section = entity_of(session, command.section);
-  Document next = session.document;
-  const SectionRun run = world::run_of(next, section);
-  if (const Status may = may_move(next, run.end()); !may) return may;
-  const bool closes_gap = run.first > 0 && run.end() < next.track.segments.size();
-  const std::string title = world::words_of(world::section(next, section));
-  if (closes_gap) {
-    const Knot start = nth_knot(next, run.first), end = nth_knot(next, run.end());
-    const auto carry = sim::move_between(end, start);
-    if (!carry) return carry.status();
-    if (const Status carried = carry_after(next, run.end(), *carry); !carried) return carried;
-    begin_there(knot_to_change(next, run.first), end.out_length);
-  }
-  world::remove_section(next, section);
-  const auto trains = [](const Document& document) { return document.entities.pool<world::Cart>().size(); };
-  const std::size_t lost = trains(session.document) - trains(next);
-  change.note = fmt::format("Deleted {}{}.{}", title,
-                            lost == 0   ? ""
-                            : lost == 1 ? " and the train on it"
-                                        : " and the trains on it",
-                            closes_gap ? " The track behind it closes the gap." : "");
-  return adopt(session, change, session.document, std::move(next));
-}
-
-Status perform(Session& session, Change& change, const MirrorSection& command) {
-  const world::Entity section = entity_of(session, command.section);
-  Document next = session.document;
-  world::Section& value = next.entities.get<world::Section>(section);
-  const bool same = value.kind == world::SectionKind::element && mirrored(value.element) == value.element;
-  if (value.kind == world::SectionKind::force) value.force = mirrored(value.force);
-  const Status done = value.kind == world::SectionKind::element
-                          ? replan_element(session, change, next, section, mirrored(value.element))
-                      : value.kind == world::SectionKind::force ? replan_force(session, change, next, section)
-                                                                : mirror_knots(next, world::run_of(next, section));
-  if (!done) return done;
-  const std::string title = world::words_of(world::section(next, section));
-  change.note = same ? base::sentence(title + " is the same to both sides") : fmt::format("Mirrored {}.", title);
-  return adopt(session, change, session.document, std::move(next));
-}
-
-Status perform(Session& session, Change& change, const MoveSection& command) {
-  const world::Entity section = entity_of(session, command.section);
-  Document next = session.document;
-  const std::vector<SectionRun> runs = world::sections_of(next);
-  const auto at = std::find(runs.begin(), runs.end(), world::run_of(next, section));
-  const bool earlier = command.to == Neighbour::before;
-  const auto title = [&](const SectionRun& run) { return world::words_of(world::section(next, run.section)); };
-  if (earlier ? at == runs.begin() : at + 1 == runs.end())
-    return refused(fmt::format("there is no section {} {}", earlier ? "before" : "after", title(*at)));
-  const auto first = earlier ? at - 1 : at;
-  if (const Status may = may_move(next, (first + 1)->end()); !may) return may;
-  change.note =
-      fmt::format("Moved {} {} {}.", title(*at), earlier ? "before" : "after", title(earlier ? *first : *(at + 1)));
-  if (const Status swapped = swap_runs(next, *first, *(first + 1)); !swapped) return swapped;
-  return adopt(session, change, session.document, std::move(next));
-}
-
-namespace {
-
 // Returns the section as it is without the track around it: a closing section becomes free.
 world::Section alone(world::Section section) {
   if (section.kind == world::SectionKind::complete) section = {world::title_of(section)};
@@ -283,7 +134,7 @@ Document track_of(const Document& document, const SectionRun& run) {
 Status append_run(const Document& from, const SectionRun& run, Document& document) {
   const auto knot = [&](std::size_t i) {
     Knot copy = world::knot(from, from.track.knots[(run.first + i) % from.track.knots.size()]);
-    if (copy.joint == world::JointKind::automatic) copy.joint = world::JointKind::aligned;
+    shaped_by_hand(copy);
     return copy;
   };
   sim::UprightMove carry;
@@ -355,26 +206,6 @@ base::Result<Entity> paste_before(Change& change, const Document& from, const Se
   return made;
 }
 
-}  // namespace
-
-Document stretch_of(const Document& document, std::size_t first, std::size_t count) {
-  Document stretch;
-  stretch.curve = document.curve, stretch.heartline = document.heartline;
-  const auto &knots = document.track.knots, &segments = document.track.segments;
-  for (std::size_t i = 0; i <= count; ++i)
-    world::append_knot(stretch, world::knot(document, knots[(first + i) % knots.size()]));
-  for (std::size_t i = 0; i < count; ++i) {
-    const Entity from = segments[(first + i) % segments.size()], to = stretch.track.segments[i];
-    stretch.entities.get<world::Segment>(to).turns = world::segment(document, from).turns;
-    world::copy_fittings(document, from, stretch, to);
-  }
-  for (Knot& knot : stretch.entities.pool<Knot>().items())
-    if (knot.joint == world::JointKind::automatic) knot.joint = world::JointKind::aligned;
-  return stretch;
-}
-
-namespace {
-
 base::Result<Document> sections_alone(const Session& session, Change& change, const Sections& named) {
   const auto sections = chosen_sections(session, named);
   if (!sections) return sections.status();
@@ -410,6 +241,154 @@ Status add_sections(Session& session, Change& change, const Document& from, std:
 }
 
 }  // namespace
+
+Status perform(Session& session, Change& change, const MakeSection& command) {
+  const auto knots = knots_of(session, command.knots);
+  if (!knots) return knots.status();
+  world::Document& document = session.document;
+  const std::vector<KnotRun> runs = runs_of(document, *knots);
+  const std::size_t first = runs.front().places.front(), count = knots->size() - (runs.front().whole ? 0 : 1);
+  if (runs.size() != 1 || count == 0) return refused("expected two or more neighbouring knots");
+  if (first + count > document.track.segments.size())
+    return refused("a section cannot continue beyond the first knot of a closed track");
+  change.select = world::make_section(document, first, count, {});
+  return {};
+}
+
+Status perform(Session& session, Change& change, const SplitSection& command) {
+  const world::Entity knot = entity_of(session, command.knot);
+  world::Document& document = session.document;
+  const std::size_t at = *world::index_of(document.track.knots, knot);
+  const auto section_at = [&](std::size_t i) {
+    return i < document.track.segments.size() ? world::segment(document, document.track.segments[i]).section
+                                              : world::kNone;
+  };
+  const Entity section = section_at(at);
+  if (at == 0 || !section.valid() || section_at(at - 1) != section)
+    return refused(fmt::format("@{} is not inside a section", world::label_of(document, knot)));
+  const SectionRun run = world::run_of(document, section);
+  change.select = world::make_section(document, at, run.end() - at, {});
+  return {};
+}
+
+Status perform(Session& session, Change& change, const JoinSections& command) {
+  const world::Entity section = entity_of(session, command.section);
+  world::Document& document = session.document;
+  const std::vector<SectionRun> runs = world::sections_of(document);
+  const SectionRun run = world::run_of(document, section);
+  if (run.end() == document.track.segments.size())
+    return refused("there is no section after " + world::words_of(world::section(document, section)));
+  const SectionRun next = world::run_of(document, world::segment(document, document.track.segments[run.end()]).section);
+  std::string title = world::section(document, section).title;
+  if (title.empty()) title = world::section(document, next.section).title;
+  change.select = world::make_section(document, run.first, run.count + next.count, {std::move(title), {}, {}});
+  return {};
+}
+
+Status perform(Session& session, Change&, const SetSectionTitle& command) {
+  const world::Entity section = entity_of(session, command.section);
+  if (const Status may = may_be_called(command.to, "title"); !may) return may;
+  session.document.entities.get<world::Section>(section).title = command.to;
+  return {};
+}
+
+Status perform(Session& session, Change& change, const EquipSection& command) {
+  const world::Entity section = entity_of(session, command.section);
+  const world::Equipment equipment = equipment_of(command.to, change);
+  const SectionRun run = world::run_of(session.document, section);
+  auto& kept = session.document.entities.get<world::Section>(section);
+  const std::span<const Entity> segments = session.document.track.segments;
+  equip(session.document, change, segments.subspan(run.first, run.count), equipment, world::words_of(kept));
+  name_equipment(kept, &equipment);
+  return {};
+}
+
+Status perform(Session& session, Change& change, const UnequipSection& command) {
+  const world::Entity section = entity_of(session, command.section);
+  const SectionRun run = world::run_of(session.document, section);
+  auto& equipment = session.document.entities.pool<world::Equipment>();
+  const std::size_t before = equipment.size();
+  for (std::size_t i = run.first; i < run.end(); ++i) equipment.erase(session.document.track.segments[i]);
+  if (equipment.size() == before)
+    return refused("there is no equipment on " + world::words_of(world::section(session.document, section)));
+  auto& kept = session.document.entities.get<world::Section>(section);
+  name_equipment(kept, nullptr);
+  change.note = fmt::format("Removed the equipment of {}.", world::words_of(kept));
+  return {};
+}
+
+Status perform(Session& session, Change& change, const DeleteSection& command) {
+  const world::Entity section = entity_of(session, command.section);
+  Document next = session.document;
+  const SectionRun run = world::run_of(next, section);
+  if (const Status may = may_move(next, run.end()); !may) return may;
+  const bool closes_gap = run.first > 0 && run.end() < next.track.segments.size();
+  const std::string title = world::words_of(world::section(next, section));
+  if (closes_gap) {
+    const Knot start = nth_knot(next, run.first), end = nth_knot(next, run.end());
+    const auto carry = sim::move_between(end, start);
+    if (!carry) return carry.status();
+    if (const Status carried = carry_after(next, run.end(), *carry); !carried) return carried;
+    begin_there(knot_to_change(next, run.first), end.out_length);
+  }
+  world::remove_section(next, section);
+  const auto trains = [](const Document& document) { return document.entities.pool<world::Cart>().size(); };
+  const std::size_t lost = trains(session.document) - trains(next);
+  change.note = fmt::format("Deleted {}{}.{}", title,
+                            lost == 0   ? ""
+                            : lost == 1 ? " and the train on it"
+                                        : " and the trains on it",
+                            closes_gap ? " The track behind it closes the gap." : "");
+  return adopt(session, change, session.document, std::move(next));
+}
+
+Status perform(Session& session, Change& change, const MirrorSection& command) {
+  const world::Entity section = entity_of(session, command.section);
+  Document next = session.document;
+  world::Section& value = next.entities.get<world::Section>(section);
+  const bool same = value.kind == world::SectionKind::element && mirrored(value.element) == value.element;
+  if (value.kind == world::SectionKind::force) value.force = mirrored(value.force);
+  const Status done = value.kind == world::SectionKind::element
+                          ? replan_element(session, change, next, section, mirrored(value.element))
+                      : value.kind == world::SectionKind::force ? replan_force(session, change, next, section)
+                                                                : mirror_knots(next, world::run_of(next, section));
+  if (!done) return done;
+  const std::string title = world::words_of(world::section(next, section));
+  change.note = same ? base::sentence(title + " is the same to both sides") : fmt::format("Mirrored {}.", title);
+  return adopt(session, change, session.document, std::move(next));
+}
+
+Status perform(Session& session, Change& change, const MoveSection& command) {
+  const world::Entity section = entity_of(session, command.section);
+  Document next = session.document;
+  const std::vector<SectionRun> runs = world::sections_of(next);
+  const auto at = std::find(runs.begin(), runs.end(), world::run_of(next, section));
+  const bool earlier = command.to == Neighbour::before;
+  const auto title = [&](const SectionRun& run) { return world::words_of(world::section(next, run.section)); };
+  if (earlier ? at == runs.begin() : at + 1 == runs.end())
+    return refused(fmt::format("there is no section {} {}", earlier ? "before" : "after", title(*at)));
+  const auto first = earlier ? at - 1 : at;
+  if (const Status may = may_move(next, (first + 1)->end()); !may) return may;
+  change.note =
+      fmt::format("Moved {} {} {}.", title(*at), earlier ? "before" : "after", title(earlier ? *first : *(at + 1)));
+  if (const Status swapped = swap_runs(next, *first, *(first + 1)); !swapped) return swapped;
+  return adopt(session, change, session.document, std::move(next));
+}
+
+Document stretch_of(const Document& document, std::size_t first, std::size_t count) {
+  Document stretch;
+  stretch.curve = document.curve, stretch.heartline = document.heartline;
+  const auto &knots = document.track.knots, &segments = document.track.segments;
+  for (std::size_t i = 0; i <= count; ++i)
+    world::append_knot(stretch, world::knot(document, knots[(first + i) % knots.size()]));
+  for (std::size_t i = 0; i < count; ++i) {
+    const Entity from = segments[(first + i) % segments.size()], to = stretch.track.segments[i];
+    stretch.entities.get<world::Segment>(to).turns = world::segment(document, from).turns;
+    world::copy_fittings(document, from, stretch, to);
+  }
+  for (Knot& knot : stretch.entities.pool<Knot>().items()) shaped_by_hand(knot);
+  return stretch;
+}
 
 Status perform(Session& session, Change& change, const CopySection& command) {
   const auto alone = sections_alone(session, change, command.sections);

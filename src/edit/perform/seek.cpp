@@ -160,32 +160,6 @@ base::Result<std::shared_ptr<Trial>> trial_for(const Session& session, const See
   return std::make_shared<Trial>(session, command, std::move(*numbers));
 }
 
-}  // namespace
-
-std::function<base::Result<Sought>()> search_for(const Session& session, const Seek& command) {
-  return
-      [trial = trial_for(session, command)]() { return trial ? run(**trial) : base::Result<Sought>(trial.status()); };
-}
-
-Status perform(Session& session, Change& change, const Seek& command) {
-  if (session.history.in_gesture) return refused("a gesture is open");
-  const auto* const sought =
-      change.search && change.search->found ? std::get_if<Sought>(&*change.search->found) : nullptr;
-  const base::Result<std::shared_ptr<Trial>> trial = trial_for(session, command);
-  if (!trial) return trial.status();
-  base::Result<Sought> found = sought ? base::Result<Sought>(*sought) : run(**trial);
-  if (!found) return found.status();
-  if (const Status set = (*trial)->set(found->values); !set) return set;
-  world::Document document = (*trial)->document();
-  change.planned = planned_again(session.document, document);
-  change.planned.insert(change.planned.end(), (*trial)->replanned().begin(), (*trial)->replanned().end());
-  session.document = std::move(document);
-  change.note = found->note + ((*trial)->note().empty() ? "" : " ") + (*trial)->note();
-  return {};
-}
-
-namespace {
-
 using base::Unknown;
 using world::Entity;
 using Numbers = std::vector<SeekNumber>;
@@ -374,6 +348,28 @@ std::vector<std::string> section_numbers() {
 }
 
 }  // namespace
+
+std::function<base::Result<Sought>()> search_for(const Session& session, const Seek& command) {
+  return
+      [trial = trial_for(session, command)]() { return trial ? run(**trial) : base::Result<Sought>(trial.status()); };
+}
+
+Status perform(Session& session, Change& change, const Seek& command) {
+  if (session.history.in_gesture) return refused("a gesture is open");
+  const auto* const sought =
+      change.search && change.search->found ? std::get_if<Sought>(&*change.search->found) : nullptr;
+  const base::Result<std::shared_ptr<Trial>> trial = trial_for(session, command);
+  if (!trial) return trial.status();
+  base::Result<Sought> found = sought ? base::Result<Sought>(*sought) : run(**trial);
+  if (!found) return found.status();
+  if (const Status set = (*trial)->set(found->values); !set) return set;
+  world::Document document = (*trial)->document();
+  change.planned = planned_again(session.document, document);
+  change.planned.insert(change.planned.end(), (*trial)->replanned().begin(), (*trial)->replanned().end());
+  session.document = std::move(document);
+  change.note = found->note + ((*trial)->note().empty() ? "" : " ") + (*trial)->note();
+  return {};
+}
 
 std::optional<std::string> wrong_by(const Seek& command) {
   const std::vector<world::Name>& of = command.of.names;

@@ -16,6 +16,20 @@ using base::Status;
 
 constexpr float kMinDistance = 0.5f, kMaxDistance = 20'000;
 
+// Selects the items that a command names. The last named one becomes active; for all or selected, the active one stays
+// if it is among them.
+template <class Several>
+Status select_several(Session& session, base::Result<std::vector<world::Entity>> chosen, const Several& named) {
+  if (!chosen) return chosen.status();
+  world::Settings& settings = session.settings;
+  world::Entity active =
+      named.which == Knots::Which::named ? world::find(session.document, named.names.back()) : settings.selected;
+  if (std::find(chosen->begin(), chosen->end(), active) == chosen->end()) active = chosen->back();
+  std::erase(*chosen, active);
+  settings.selected = active, settings.also = std::move(*chosen);
+  return {};
+}
+
 }  // namespace
 
 std::string noun_of(std::string_view word) {
@@ -79,24 +93,6 @@ Status perform(Session& session, Change&, const Select& command) {
   settings.selected = *e, settings.also.clear();
   return {};
 }
-
-namespace {
-
-// Selects the items that a command names. The last named one becomes active; for all or selected, the active one stays
-// if it is among them.
-template <class Several>
-Status select_several(Session& session, base::Result<std::vector<world::Entity>> chosen, const Several& named) {
-  if (!chosen) return chosen.status();
-  world::Settings& settings = session.settings;
-  world::Entity active =
-      named.which == Knots::Which::named ? world::find(session.document, named.names.back()) : settings.selected;
-  if (std::find(chosen->begin(), chosen->end(), active) == chosen->end()) active = chosen->back();
-  std::erase(*chosen, active);
-  settings.selected = active, settings.also = std::move(*chosen);
-  return {};
-}
-
-}  // namespace
 
 Status perform(Session& session, Change&, const SelectKnots& command) {
   return select_several(session, knots_of(session, command.knots), command.knots);

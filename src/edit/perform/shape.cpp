@@ -8,6 +8,7 @@
 #include "curve/natural_spline.h"
 #include "edit/commands/commands_operation.h"
 #include "edit/commands/commands_shape.h"
+#include "edit/perform/append_shape.h"
 #include "edit/perform/equipping.h"
 #include "edit/perform/knot_runs.h"
 #include "sim/fit/switch_curve.h"
@@ -24,10 +25,6 @@ using world::JointKind;
 using world::Knot;
 
 constexpr double kShortChord = 1e-4;  // m; a spline's step is never shorter
-
-float handle(double length) {
-  return static_cast<float>(std::clamp(length, double{world::kMinHandle}, double{world::kMaxHandle}));
-}
 
 // Index arithmetic in track order, with neighbours across the joint of a closed track.
 struct Places {
@@ -68,7 +65,7 @@ void smooth_run(const Places& at, const KnotRun& run, world::SplineSteps by) {
     const bool first = i == 0 && !closed, last = i + 1 == places.size() && !closed;
     const double in = steps[first ? 0 : (i + steps.size() - 1) % steps.size()],
                  out = steps[last ? steps.size() - 1 : i];
-    knot.in_length = handle(speed * in / 3), knot.out_length = handle(speed * out / 3);
+    knot.in_length = world::as_handle(speed * in / 3), knot.out_length = world::as_handle(speed * out / 3);
     knot.joint = knot.in_length == knot.out_length ? JointKind::smooth : JointKind::aligned;
   }
 }
@@ -89,8 +86,8 @@ Status straighten_run(const Places& at, const KnotRun& run) {
     const bool first = i == 0, last = i + 1 == places.size();
     if (!first && !last) knot.position = glm::vec3(start + way * (share[i] / share.back()));
     world::set_tangent(knot, glm::vec3(way));
-    if (!first) knot.in_length = handle(length * (share[i] - share[i - 1]) / share.back() / 3);
-    if (!last) knot.out_length = handle(length * (share[i + 1] - share[i]) / share.back() / 3);
+    if (!first) knot.in_length = world::as_handle(length * (share[i] - share[i - 1]) / share.back() / 3);
+    if (!last) knot.out_length = world::as_handle(length * (share[i + 1] - share[i]) / share.back() / 3);
     if (knot.joint == JointKind::automatic || knot.in_length != knot.out_length) knot.joint = JointKind::aligned;
   }
   return {};
@@ -119,15 +116,11 @@ Status perform(Session& session, Change& change, const Smooth& command) {
 }
 
 Status perform(Session& session, Change&, const Equalise& command) {
-  const auto knots = knots_of(session, command.knots);
-  if (!knots) return knots.status();
-  for (const Entity e : *knots) {
-    Knot& knot = session.document.entities.get<Knot>(e);
-    if (knot.joint == JointKind::automatic && knot.in_length == knot.out_length) continue;
-    knot.in_length = knot.out_length = static_cast<float>((double{knot.in_length} + double{knot.out_length}) / 2);
+  return each_knot(session, command.knots, [](Knot& knot) {
+    if (knot.joint == JointKind::automatic && knot.in_length == knot.out_length) return;
+    equalise(knot);
     knot.joint = JointKind::smooth;
-  }
-  return {};
+  });
 }
 
 Status perform(Session& session, Change&, const Straighten& command) {
@@ -165,7 +158,7 @@ Status perform(Session& session, Change& change, const SetRadius& command) {
       const auto length = length_for(radius, dvec3(knot.position), dvec3(knot.tangent),
                                      dvec3(before ? world::out_handle(other) : world::in_handle(other)));
       if (!length) return;
-      (before ? knot.in_length : knot.out_length) = handle(*length);
+      (before ? knot.in_length : knot.out_length) = world::as_handle(*length);
       knot.joint = JointKind::aligned;
       ++bent;
     };
@@ -181,16 +174,12 @@ Status perform(Session& session, Change& change, const SetRadius& command) {
 }
 
 Status perform(Session& session, Change& change, const DropToGround& command) {
-  const auto knots = knots_of(session, command.knots);
-  if (!knots) return knots.status();
   const float to = static_cast<float>(
       change.clamp("height", command.to, -double{world::kMaxCoordinate}, double{world::kMaxCoordinate}, "m"));
-  for (const Entity e : *knots) {
-    Knot& knot = session.document.entities.get<Knot>(e);
+  return each_knot(session, command.knots, [&](Knot& knot) {
     knot.position.y = to;
     world::set_tangent(knot, {knot.tangent.x, 0, knot.tangent.z});  // a vertical tangent stays
-  }
-  return {};
+  });
 }
 
 Status perform(Session& session, Change& change, const SetEquipment& command) {

@@ -62,6 +62,35 @@ Entity longest_segment(const sim::Derived& derived) {
   return longest;
 }
 
+using glm::dmat3;
+using glm::dvec3;
+using world::Knot;
+
+// Returns the front of a train after reversing the track: its former rear, so that it stays on the same rails.
+double turned(const sim::Derived& derived, double front, double behind) {
+  const double place = sim::within_lap(derived.length - (front - behind), derived.length, derived.closed);
+  return std::clamp(place, 0.0, derived.length);
+}
+
+// tangent, up, tangent x up as columns.
+dmat3 frame_of(const Knot& knot) {
+  const dvec3 tangent = glm::normalize(dvec3(knot.tangent)), up = dvec3(knot.up);
+  const dvec3 normal = glm::normalize(up - glm::dot(up, tangent) * tangent);
+  return {tangent, normal, glm::cross(tangent, normal)};
+}
+
+// Moves a knot from the frame `from` to the frame `to`.
+Knot carried(Change& change, Knot knot, const Knot& from, const Knot& to) {
+  const dmat3 turn = frame_of(to) * glm::transpose(frame_of(from));
+  knot.position = change.clamp_position(
+      "position", glm::vec3(dvec3(to.position) + turn * (dvec3(knot.position) - dvec3(from.position))));
+  knot.tangent = glm::vec3(glm::normalize(turn * dvec3(knot.tangent)));
+  knot.up = glm::vec3(glm::normalize(turn * dvec3(knot.up)));
+  world::orthonormalise(knot);
+  shaped_by_hand(knot);  // its neighbours have changed
+  return knot;
+}
+
 }  // namespace
 
 Status perform(Session& session, Change& change, const SplitSegment& command) {
@@ -135,9 +164,7 @@ Status perform(Session& session, Change& change, const AddCart& command) {
 }
 
 Status perform(Session& session, Change&, const SetName& command) {
-  if (command.to.size() > world::kMaxNameBytes)
-    return refused(fmt::format("the name is over the limit of {} bytes", world::kMaxNameBytes));
-  if (!base::is_printable_utf8(command.to)) return refused("expected a name in UTF-8 without control characters");
+  if (const Status may = may_be_called(command.to, "name"); !may) return may;
   session.document.name = command.to;
   return {};
 }
@@ -152,39 +179,6 @@ Status perform(Session& session, Change& change, const SetDatum& command) {
       change.clamp("datum", command.to, -double{world::kMaxCoordinate}, double{world::kMaxCoordinate}, "m");
   return {};
 }
-
-namespace {
-
-using glm::dmat3;
-using glm::dvec3;
-using world::Knot;
-
-// Returns the front of a train after reversing the track: its former rear, so that it stays on the same rails.
-double turned(const sim::Derived& derived, double front, double behind) {
-  const double place = sim::within_lap(derived.length - (front - behind), derived.length, derived.closed);
-  return std::clamp(place, 0.0, derived.length);
-}
-
-// tangent, up, tangent x up as columns.
-dmat3 frame_of(const Knot& knot) {
-  const dvec3 tangent = glm::normalize(dvec3(knot.tangent)), up = dvec3(knot.up);
-  const dvec3 normal = glm::normalize(up - glm::dot(up, tangent) * tangent);
-  return {tangent, normal, glm::cross(tangent, normal)};
-}
-
-// Moves a knot from the frame `from` to the frame `to`.
-Knot carried(Change& change, Knot knot, const Knot& from, const Knot& to) {
-  const dmat3 turn = frame_of(to) * glm::transpose(frame_of(from));
-  knot.position = change.clamp_position(
-      "position", glm::vec3(dvec3(to.position) + turn * (dvec3(knot.position) - dvec3(from.position))));
-  knot.tangent = glm::vec3(glm::normalize(turn * dvec3(knot.tangent)));
-  knot.up = glm::vec3(glm::normalize(turn * dvec3(knot.up)));
-  world::orthonormalise(knot);
-  if (knot.joint == world::JointKind::automatic) knot.joint = world::JointKind::aligned;  // its neighbours have changed
-  return knot;
-}
-
-}  // namespace
 
 Status perform(Session& session, Change& change, const Reverse&) {
   world::Document& document = session.document;
@@ -229,9 +223,7 @@ Status perform(Session& session, Change& change, const Duplicate& command) {
   if (const Status room = room_for(session, count + more, count - 1 + more); !room) return room;
   const Knot from = world::knot(document, knots->front()), to = world::knot(document, document.track.knots.back());
   Knot& end = document.entities.get<Knot>(document.track.knots.back());
-  end.out_length = from.out_length;
-  if (end.in_length != end.out_length || end.joint == world::JointKind::automatic)
-    end.joint = world::JointKind::aligned;
+  begin_there(end, from.out_length);
   change.respun = {document.track.knots.back()};
   for (std::size_t i = 1; i <= more; ++i) {
     const Entity original = document.track.segments[runs[0].places[i] - 1];

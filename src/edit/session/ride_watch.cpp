@@ -110,6 +110,29 @@ bool came_round(const Session& session) {
   return cart != nullptr && cart->laps != 0;
 }
 
+using exchange::JsonValue;
+
+// Returns "most_jerk_g_s" of "most jerk" and "g/s".
+std::string key(std::string name, std::string_view unit) {
+  name += unit.empty() ? "" : "_";
+  for (const char c : unit)
+    if (c != '^') name += c;
+  std::replace_if(
+      name.begin(), name.end(), [](char c) { return c == ' ' || c == '-' || c == '/'; }, '_');
+  return name;
+}
+
+exchange::JsonMembers overload(const sim::RedSpan& span) {
+  return {{"car", std::int64_t{span.car + 1}},
+          {"axis", std::string(base::name_of(span.axis))},
+          {"worst_g", base::limited_figure(sim::signed_g(span.axis, span.worst), "g")},
+          {"limit_g", sim::signed_g(span.axis, span.allowed)},
+          {"from_s", span.from},
+          {"to_s", span.to},
+          {"from_m", span.from_distance},
+          {"to_m", span.to_distance}};
+}
+
 }  // namespace
 
 void watch_start(Session& session, bool from_start) {
@@ -146,33 +169,6 @@ void watch_built(Session& session) {
     return;
   judge(session, nullptr);
 }
-
-namespace {
-
-using exchange::JsonValue;
-
-// Returns "most_jerk_g_s" of "most jerk" and "g/s".
-std::string key(std::string name, std::string_view unit) {
-  name += unit.empty() ? "" : "_";
-  for (const char c : unit)
-    if (c != '^') name += c;
-  std::replace_if(
-      name.begin(), name.end(), [](char c) { return c == ' ' || c == '-' || c == '/'; }, '_');
-  return name;
-}
-
-exchange::JsonMembers overload(const sim::RedSpan& span) {
-  return {{"car", std::int64_t{span.car + 1}},
-          {"axis", std::string(base::name_of(span.axis))},
-          {"worst_g", base::limited_figure(sim::signed_g(span.axis, span.worst), "g")},
-          {"limit_g", sim::signed_g(span.axis, span.allowed)},
-          {"from_s", span.from},
-          {"to_s", span.to},
-          {"from_m", span.from_distance},
-          {"to_m", span.to_distance}};
-}
-
-}  // namespace
 
 std::optional<std::string> ride_report_json(const Finder& find) {
   if (find.ride() == nullptr) return std::nullopt;

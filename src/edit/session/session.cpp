@@ -105,6 +105,23 @@ std::string missed_forces(const Finder& find) {
   return fmt::format("  {:<22} {:8} (force sections over their tolerance)\n", "missed forces", missed->size()) + lines;
 }
 
+// The labels of buttons that differ from their command's name.
+constexpr std::pair<std::string_view, std::string_view> kLabels[] = {
+    {"auto_bank", "Auto-bank"},    {"complete", "Complete circuit"}, {"equalise", "Equalise handles"},
+    {"equip", "Equipment"},        {"losses.set", "Losses"},         {"seek", "Goal"},
+    {"section.equip", "Equipment"}};
+
+std::string label_of(std::string_view command) {
+  const auto* const row = std::ranges::find(kLabels, command, &std::pair<std::string_view, std::string_view>::first);
+  if (row != std::end(kLabels)) return std::string(row->second);
+  std::string words(command);
+  for (char& c : words)
+    if (c == '_' || c == '.') c = ' ';
+  words = base::sentence(std::move(words));
+  words.pop_back();
+  return words;
+}
+
 }  // namespace
 
 std::optional<std::string> ride_report(const Finder& find) {
@@ -177,27 +194,6 @@ Session make_session(sim::Clock clock) {
   sim::derive(session.document, session.settings, session.measuring.clock, session.derived);
   return session;
 }
-
-namespace {
-
-// The labels of buttons that differ from their command's name.
-constexpr std::pair<std::string_view, std::string_view> kLabels[] = {
-    {"auto_bank", "Auto-bank"},    {"complete", "Complete circuit"}, {"equalise", "Equalise handles"},
-    {"equip", "Equipment"},        {"losses.set", "Losses"},         {"seek", "Goal"},
-    {"section.equip", "Equipment"}};
-
-std::string label_of(std::string_view command) {
-  const auto* const row = std::ranges::find(kLabels, command, &std::pair<std::string_view, std::string_view>::first);
-  if (row != std::end(kLabels)) return std::string(row->second);
-  std::string words(command);
-  for (char& c : words)
-    if (c == '_' || c == '.') c = ' ';
-  words = base::sentence(std::move(words));
-  words.pop_back();
-  return words;
-}
-
-}  // namespace
 
 bool is_locked(const Session& session, std::string_view command) {
   if (!session.game.challenge) return false;
