@@ -14,9 +14,8 @@ constexpr double kLeastExtent = 1.0;  // m, smallest extent of a drawing
 constexpr double kPaperWidth = 800;   // px, width of the sheet
 
 struct Extent {
-  double left = 0, top = 0, right = 0, bottom = 0;
-  double width() const { return std::max(right - left, kLeastExtent); }
-  double height() const { return std::max(bottom - top, kLeastExtent); }
+  glm::dvec2 low{0}, high{0};  // the corners: left and top, right and bottom
+  glm::dvec2 size() const { return glm::max(high - low, kLeastExtent); }
 };
 
 using Project = glm::vec2 (*)(glm::vec3);
@@ -47,12 +46,12 @@ std::string attribute(const char* name, double value) {
 // Returns the box of the control points, which contains the curve.
 Extent extent_of(const std::vector<curve::Cubic>& cubics, Project project) {
   if (cubics.empty()) return {};
-  const glm::vec2 first = project(cubics[0].p0);
-  Extent e{first.x, first.y, first.x, first.y};
+  const glm::dvec2 first(project(cubics[0].p0));
+  Extent e{first, first};
   for (const curve::Cubic& c : cubics)
     for (const glm::vec3 p : {c.p0, c.p1, c.p2, c.p3}) {
       const glm::dvec2 at(project(p));
-      e = {std::min(e.left, at.x), std::min(e.top, at.y), std::max(e.right, at.x), std::max(e.bottom, at.y)};
+      e = {glm::min(e.low, at), glm::max(e.high, at)};
     }
   return e;
 }
@@ -89,13 +88,13 @@ struct Drawing {
 std::string print_drawing(const Drawing& drawing, const std::vector<curve::Cubic>& cubics, bool closed,
                           const Style& style, double top) {
   const Extent& e = drawing.extent;
-  const double x = style.margin, y = top + 2 * style.text, below = y + e.height() + style.text,
-               bar = bar_length(e.width());
+  const double x = style.margin, y = top + 2 * style.text, below = y + e.size().y + style.text,
+               bar = bar_length(e.size().x);
   const std::string font = attribute("font-size", style.text) + " font-family=\"sans-serif\"";
   std::string out =
       fmt::format("<text{}{}{}>{}</text>\n", attribute("x", x), attribute("y", top + style.text), font, drawing.label);
   out += fmt::format("<g id=\"{}\" transform=\"translate({} {})\" fill=\"none\" stroke=\"#1f4e79\"{}>\n", drawing.id,
-                     base::to_text(x - e.left), base::to_text(y - e.top), attribute("stroke-width", style.line));
+                     base::to_text(x - e.low.x), base::to_text(y - e.low.y), attribute("stroke-width", style.line));
   if (!cubics.empty()) out += fmt::format("<path d=\"{}\"/>\n", path(cubics, drawing.project, closed));
   out += "</g>\n";
   out += fmt::format("<path id=\"{}-bar\" d=\"M{} {} h{}\" stroke=\"black\"{}/>\n", drawing.id, base::to_text(x),
@@ -112,12 +111,12 @@ std::string print_svg(const world::Document& document) {
   for (const world::Entity segment : document.track.segments) cubics.push_back(world::cubic_of(document, segment));
   const Drawing above{"plan", "Plan (x to the right, z down)", plan, extent_of(cubics, plan)};
   const Drawing beside{"elevation", "Elevation (x to the right, y up)", elevation, extent_of(cubics, elevation)};
-  const double size = std::max({above.extent.width(), above.extent.height(), beside.extent.height()});
+  const double size = std::max({above.extent.size().x, above.extent.size().y, beside.extent.size().y});
   const Style style{size * 0.05, size * 0.025, size * 0.003};
   const double extra = 5 * style.text;  // label and bar
-  const double width = std::max(above.extent.width(), 20 * style.text) + 2 * style.margin;
-  const double second = style.margin + above.extent.height() + extra,
-               height = second + beside.extent.height() + extra + style.margin;
+  const double width = std::max(above.extent.size().x, 20 * style.text) + 2 * style.margin;
+  const double second = style.margin + above.extent.size().y + extra,
+               height = second + beside.extent.size().y + extra + style.margin;
   std::string out = fmt::format(
       "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<svg xmlns=\"http://www.w3.org/2000/svg\"{}{} viewBox=\"0 0 {} "
       "{}\">\n<title>{}</title>\n<desc>1 unit is 1 metre</desc>\n<rect width=\"100%\" height=\"100%\" "

@@ -131,37 +131,6 @@ struct Rates {
   bool folded = false;        // the turn is too tight for the heartline
 };
 
-class Walk {
- public:
-  Walk(const FvdTrack& track, FvdSection& section, const FvdStart& start);
-  FvdPath run();
-
- private:
-  Rates rates(const Train& train) const;
-  double turn_at(const Train& train) const;
-  void enter_lead_out(const Train& train);
-  void enter_piece(const Train& train);
-  Train moved(const Train& train, const Rates& rates, double by) const;
-  void record(const Train& train);
-  double rest(const Train& train, const Rates& now) const;
-
-  double energy_height(const Train& train) const { return train.position.y - kSpeedHeight * track_.heart * train.up.y; }
-
-  const FvdTrack& track_;
-  FvdSection& section_;
-  const double gravity_;  // without a heartline that of force sections, which such a track gets
-  const curve::Frame start_;
-  Train train_;
-  double length_ = 0;  // of `at`
-  FvdLevelling levelling_;
-  std::size_t piece_ = ~std::size_t{0};  // index of the roll's piece; none at first
-  std::optional<double> out_from_;       // m where a turn's lead-out begins
-  double lead_in_ = 0, lead_out_ = 0;    // m
-  double lead_out_angle_ = 0;            // degrees of the turn left where the lead-out begins
-  std::vector<double> corners_;          // of `at`
-  FvdPath path_;
-};
-
 // Returns degrees of heading to the left per metre.
 double yaw_of(dvec3 forward, dvec3 curvature) {
   const double level = forward.x * forward.x + forward.z * forward.z;
@@ -180,178 +149,199 @@ dvec3 right_at(const FvdStart& start) {
   return glm::length(right) > 1e-6 ? right : glm::cross(start.forward, start.up);
 }
 
-Walk::Walk(const FvdTrack& track, FvdSection& section, const FvdStart& start)
-    : track_(track),
-      section_(section),
-      gravity_(track.heart == 0 ? world::kGravity : kGravityThere),
-      start_{start.forward, start.up},
-      train_{start.position, start.forward, start.up, start.speed * start.speed, right_at(start)} {
-  if (!section.free_speed) train_.square = section.speed * section.speed;
-  const bool forced = section.kind == FvdKind::forced || section.kind == FvdKind::geometric;
-  const std::array<const FvdFunction*, 3> all{&section.roll, &section.vertical, &section.lateral};
-  length_ = forced ? shared_length(all) : section.roll.back().to;  // locks mean nothing in straights and curves
-  for (FvdFunction* const function : {&section.roll, &section.vertical, &section.lateral}) {
-    if (function->empty()) continue;
-    join_pieces(*function, function->front().start, length_);
-    for (const FvdPiece& piece : *function) corners_.push_back(piece.from);
-  }
-  // A turn of a small angle has room for shorter leads only: one turns by half of its length over the radius.
-  // Without a lead a train with a heartline bends at once, as there.
-  const double radius = std::max(section.radius, 1e-3), turn = base::radians(length_);
-  const double shortest = track.heart == 0 ? kShortestLead : 0;
-  lead_in_ = std::max(1.997 * radius * base::radians(section.lead_in), std::min(shortest, radius * turn));
-  lead_out_angle_ = std::max(section.lead_out, base::degrees(std::min(shortest / radius, turn) / 2));
-  lead_in_ = std::max(lead_in_, kNoLead);
-  if (section.kind == FvdKind::curved && track.heart != 0) corners_.push_back(length_ - lead_out_angle_);
-  std::ranges::sort(corners_);
-}
-
-// Returns the curvature of a turn, which rises and falls as a smooth step of the length.
-double Walk::turn_at(const Train& train) const {
-  double share = lead_in_ > kNoLead ? std::min(train.rails / lead_in_, 1.0) : 1.0;
-  if (out_from_) share = std::min(share, std::clamp(1 - (train.rails - *out_from_) / lead_out_, 0.0, 1.0));
-  return sim::smooth_step(share) / section_.radius;
-}
-
-Rates Walk::rates(const Train& train) const {
-  const double speed = std::sqrt(train.square), heart = track_.heart;
-  double most = kMostLift;
-  Rates r;  // by metre of the train's way, until the end
-  r.forward = train.forward;
-  if (section_.kind == FvdKind::curved) r.per_metre = std::max(base::degrees(turn_at(train)), 1e-9);
-  else if (section_.kind != FvdKind::straight && !section_.by_distance) r.per_metre = 1 / speed;
-  const dvec3 left = glm::cross(train.up, train.forward);
-  switch (section_.kind) {
-    case FvdKind::curved: {
-      // The plane of the turn is fixed while the train rolls.
-      const base::SinCos to = base::sin_cos(base::radians(section_.direction));
-      const dvec3 axis = to.sin * start_.up - to.cos * start_.left();
-      r.curvature = turn_at(train) * glm::cross(axis, train.forward);
-      break;
+class Walk {
+ public:
+  Walk(const FvdTrack& track, FvdSection& section, const FvdStart& start)
+      : track_(track),
+        section_(section),
+        gravity_(track.heart == 0 ? world::kGravity : kGravityThere),
+        start_{start.forward, start.up},
+        train_{start.position, start.forward, start.up, start.speed * start.speed, right_at(start)} {
+    if (!section.free_speed) train_.square = section.speed * section.speed;
+    const bool forced = section.kind == FvdKind::forced || section.kind == FvdKind::geometric;
+    const std::array<const FvdFunction*, 3> all{&section.roll, &section.vertical, &section.lateral};
+    length_ = forced ? shared_length(all) : section.roll.back().to;  // locks mean nothing in straights and curves
+    for (FvdFunction* const function : {&section.roll, &section.vertical, &section.lateral}) {
+      if (function->empty()) continue;
+      join_pieces(*function, function->front().start, length_);
+      for (const FvdPiece& piece : *function) corners_.push_back(piece.from);
     }
-    case FvdKind::forced: {
-      const dvec3 felt =
-          value_at(section_.vertical, train.at) * train.up + value_at(section_.lateral, train.at) * left - kUp;
-      r.curvature = gravity_ / train.square * (felt - glm::dot(felt, train.forward) * train.forward);
-      // Upwards it is that of the hearts, which have their own speed: k (1 - heart k) = up. That program goes on a
-      // little beyond what can be solved.
-      const double up = glm::dot(r.curvature, train.up), root = std::sqrt(std::max(1 - 4 * heart * up, 0.0));
-      if (heart != 0) r.curvature += (2 / (1 + root) - 1) * up * train.up, most = 0.6;
-      break;
-    }
-    case FvdKind::geometric: {
-      const double pitch = value_at(section_.vertical, train.at) * r.per_metre,
-                   yaw = value_at(section_.lateral, train.at) * r.per_metre;
-      r.curvature = base::radians(pitch) / glm::length(train.right) * glm::cross(train.right, train.forward);
-      r.curvature += base::radians(yaw) * glm::cross(kUp, train.forward);
-      r.yaw = base::radians(yaw);
-      break;
-    }
-    default: break;
+    // A turn of a small angle has room for shorter leads only: one turns by half of its length over the radius.
+    // Without a lead a train with a heartline bends at once, as there.
+    const double radius = std::max(section.radius, 1e-3), turn = base::radians(length_);
+    const double shortest = track.heart == 0 ? kShortestLead : 0;
+    lead_in_ = std::max(1.997 * radius * base::radians(section.lead_in), std::min(shortest, radius * turn));
+    lead_out_angle_ = std::max(section.lead_out, base::degrees(std::min(shortest / radius, turn) / 2));
+    lead_in_ = std::max(lead_in_, kNoLead);
+    if (section.kind == FvdKind::curved && track.heart != 0) corners_.push_back(length_ - lead_out_angle_);
+    std::ranges::sort(corners_);
   }
-  const FvdPiece& piece = piece_at(section_.roll, train.at);
-  double roll = value_of(piece, train.at, levelling_);  // degrees to the left
-  roll *= section_.kind == FvdKind::straight || section_.kind == FvdKind::curved ? 1 / speed : r.per_metre;
-  if (section_.upright || piece.shape == FvdShape::to_zero)
-    roll -= train.forward.y * yaw_of(train.forward, r.curvature);
-  r.twist = -base::radians(roll);
-  const double lift = heart * glm::dot(r.curvature, train.up), swing = std::sqrt(1 + heart * heart * r.twist * r.twist);
-  r.folded = lift > most, r.way = 1 / (1 - std::min(lift, kMostLift)), r.rails = swing * r.way;
-  if (section_.by_distance) r.per_metre *= swing;
-  r.curvature *= r.way, r.twist *= r.way, r.yaw *= r.way, r.per_metre *= r.way;
-  return r;
-}
 
-// Each piece that levels the roll begins from the present roll.
-void Walk::enter_piece(const Train& train) {
-  constexpr double kBefore = 1e-3;
-  std::size_t now = 0;
-  while (now + 1 < section_.roll.size() && section_.roll[now].to < train.at + 1e-9) ++now;
-  if (now == piece_) return;
-  const bool first = piece_ > now;
-  piece_ = now;
-  FvdPiece& piece = section_.roll[now];
-  if (piece.shape != FvdShape::to_zero) return;
-  const FvdPiece& before = section_.roll[first ? now : now - 1];
-  const double rate = first ? 0 : value_of(before, before.to) - value_of(before, before.to - kBefore);
-  levelling_ = {base::degrees(base::arc_tangent(glm::cross(train.forward, train.up).y, train.up.y)), rate / kBefore};
-  const Rates r = rates(train);
-  if (!section_.upright) piece.start += train.forward.y * yaw_of(train.forward, r.curvature) / r.per_metre;
-}
-
-void Walk::enter_lead_out(const Train& train) {
-  if (section_.kind == FvdKind::curved && !out_from_ && train.at >= length_ - lead_out_angle_ - 1e-9) {
-    out_from_ = train.rails;
-    lead_out_ = std::max(1.997 * section_.radius * base::radians(length_ - train.at), kNoLead);
-  }
-}
-
-// Returns the train after a step with the rates of its middle: a turn about a fixed axis.
-Train Walk::moved(const Train& train, const Rates& rates, double by) const {
-  Train next = train;
-  const dvec3 turn = glm::cross(rates.forward, rates.curvature) + rates.twist * rates.forward;
-  if (const double size = glm::length(turn); size > 0) {
-    next.forward = glm::normalize(curve::rotate(train.forward, turn / size, size * by));
-    next.up = curve::perpendicular(next.forward, curve::rotate(train.up, turn / size, size * by));
-    next.right = level_right(next.forward, curve::rotate(train.right, kUp, rates.yaw * by));
-  }
-  const double arc = by * by * glm::dot(rates.curvature, rates.curvature);
-  next.position += by * (1 - arc / 24) * rates.forward;  // the chord
-  if (section_.free_speed)
-    next.square -= 2 * (gravity_ * (energy_height(next) - energy_height(train) + track_.friction * rates.rails * by) +
-                        track_.resistance * train.square * rates.way * by);
-  next.s += by, next.at += rates.per_metre * by, next.rails += rates.rails * by;
-  return next;
-}
-
-void Walk::record(const Train& train) {
-  const Rates r = rates(train);
-  path_.curve.points.push_back({train.s, train.position, train.forward, r.curvature, train.up, r.twist});
-  path_.at.push_back(train.at);
-  path_.twist.push_back(base::degrees(r.twist) / r.per_metre);
-}
-
-// Returns the metres to the section's end.
-double Walk::rest(const Train& train, const Rates& now) const {
-  if (section_.kind == FvdKind::curved && lead_out_angle_ > 0)
-    return out_from_ ? (*out_from_ + lead_out_ - train.rails) / now.rails : std::numeric_limits<double>::infinity();
-  return (length_ - train.at) / now.per_metre;
-}
-
-FvdPath Walk::run() {
-  enter_piece(train_);
-  enter_lead_out(train_);
-  record(train_);
-  path_.curve.breaks = {0};
-  double recorded = 0;
-  std::size_t corner = 0;
-  while (path_.stopped.empty()) {
-    const Rates now = rates(train_);
-    const double left = rest(train_, now);
-    if (left < 1e-6) break;
-    double by = std::min({kStep, 0.005 * std::sqrt(train_.square), left});
-    while (corner < corners_.size() && corners_[corner] <= train_.at + 1e-9) ++corner;
-    const bool at_corner = corner < corners_.size() && (corners_[corner] - train_.at) / now.per_metre <= by;
-    if (at_corner) by = std::max((corners_[corner] - train_.at) / now.per_metre, 1e-9);
-    train_ = moved(train_, rates(moved(train_, now, by / 2)), by);
-    if (train_.square < kSlowest * kSlowest) path_.stopped = fmt::format("the train falls below {} m/s", kSlowest);
-    else if (rates(train_).folded) path_.stopped = "the turn is too tight for the heartline";
-    else if (!(train_.s < kLongestFvd)) path_.stopped = fmt::format("it is longer than {} m", kLongestFvd);
-    else if (!(glm::length(train_.position) < world::kMaxCoordinate)) path_.stopped = "it leaves the world";
-    if (!path_.stopped.empty()) break;
-    enter_lead_out(train_);
+  FvdPath run() {
     enter_piece(train_);
-    if (at_corner || train_.s - recorded >= kPointStep - 1e-9 || rest(train_, rates(train_)) < 1e-6) {
-      record(train_), recorded = train_.s;
-      if (at_corner) path_.curve.breaks.push_back(path_.curve.points.size() - 1);
+    enter_lead_out(train_);
+    record(train_);
+    path_.curve.breaks = {0};
+    double recorded = 0;
+    std::size_t corner = 0;
+    while (path_.stopped.empty()) {
+      const Rates now = rates(train_);
+      const double left = rest(train_, now);
+      if (left < 1e-6) break;
+      double by = std::min({kStep, 0.005 * std::sqrt(train_.square), left});
+      while (corner < corners_.size() && corners_[corner] <= train_.at + 1e-9) ++corner;
+      const bool at_corner = corner < corners_.size() && (corners_[corner] - train_.at) / now.per_metre <= by;
+      if (at_corner) by = std::max((corners_[corner] - train_.at) / now.per_metre, 1e-9);
+      train_ = moved(train_, rates(moved(train_, now, by / 2)), by);
+      if (train_.square < kSlowest * kSlowest) path_.stopped = fmt::format("the train falls below {} m/s", kSlowest);
+      else if (rates(train_).folded) path_.stopped = "the turn is too tight for the heartline";
+      else if (!(train_.s < kLongestFvd)) path_.stopped = fmt::format("it is longer than {} m", kLongestFvd);
+      else if (!(glm::length(train_.position) < world::kMaxCoordinate)) path_.stopped = "it leaves the world";
+      if (!path_.stopped.empty()) break;
+      enter_lead_out(train_);
+      enter_piece(train_);
+      if (at_corner || train_.s - recorded >= kPointStep - 1e-9 || rest(train_, rates(train_)) < 1e-6) {
+        record(train_), recorded = train_.s;
+        if (at_corner) path_.curve.breaks.push_back(path_.curve.points.size() - 1);
+      }
+    }
+    if (train_.s > recorded + 1e-6 && path_.stopped.empty()) record(train_);
+    if (path_.curve.breaks.back() + 1 != path_.curve.points.size())
+      path_.curve.breaks.push_back(path_.curve.points.size() - 1);
+    path_.speed = std::sqrt(train_.square);
+    return std::move(path_);
+  }
+
+ private:
+  // Returns the curvature of a turn, which rises and falls as a smooth step of the length.
+  double turn_at(const Train& train) const {
+    double share = lead_in_ > kNoLead ? std::min(train.rails / lead_in_, 1.0) : 1.0;
+    if (out_from_) share = std::min(share, std::clamp(1 - (train.rails - *out_from_) / lead_out_, 0.0, 1.0));
+    return sim::smooth_step(share) / section_.radius;
+  }
+
+  Rates rates(const Train& train) const {
+    const double speed = std::sqrt(train.square), heart = track_.heart;
+    double most = kMostLift;
+    Rates r;  // by metre of the train's way, until the end
+    r.forward = train.forward;
+    if (section_.kind == FvdKind::curved) r.per_metre = std::max(base::degrees(turn_at(train)), 1e-9);
+    else if (section_.kind != FvdKind::straight && !section_.by_distance) r.per_metre = 1 / speed;
+    const dvec3 left = glm::cross(train.up, train.forward);
+    switch (section_.kind) {
+      case FvdKind::curved: {
+        // The plane of the turn is fixed while the train rolls.
+        const base::SinCos to = base::sin_cos(base::radians(section_.direction));
+        const dvec3 axis = to.sin * start_.up - to.cos * start_.left();
+        r.curvature = turn_at(train) * glm::cross(axis, train.forward);
+        break;
+      }
+      case FvdKind::forced: {
+        const dvec3 felt =
+            value_at(section_.vertical, train.at) * train.up + value_at(section_.lateral, train.at) * left - kUp;
+        r.curvature = gravity_ / train.square * (felt - glm::dot(felt, train.forward) * train.forward);
+        // Upwards it is that of the hearts, which have their own speed: k (1 - heart k) = up. That program goes on a
+        // little beyond what can be solved.
+        const double up = glm::dot(r.curvature, train.up), root = std::sqrt(std::max(1 - 4 * heart * up, 0.0));
+        if (heart != 0) r.curvature += (2 / (1 + root) - 1) * up * train.up, most = 0.6;
+        break;
+      }
+      case FvdKind::geometric: {
+        const double pitch = value_at(section_.vertical, train.at) * r.per_metre,
+                     yaw = value_at(section_.lateral, train.at) * r.per_metre;
+        r.curvature = base::radians(pitch) / glm::length(train.right) * glm::cross(train.right, train.forward);
+        r.curvature += base::radians(yaw) * glm::cross(kUp, train.forward);
+        r.yaw = base::radians(yaw);
+        break;
+      }
+      default: break;
+    }
+    const FvdPiece& piece = piece_at(section_.roll, train.at);
+    double roll = value_of(piece, train.at, levelling_);  // degrees to the left
+    roll *= section_.kind == FvdKind::straight || section_.kind == FvdKind::curved ? 1 / speed : r.per_metre;
+    if (section_.upright || piece.shape == FvdShape::to_zero)
+      roll -= train.forward.y * yaw_of(train.forward, r.curvature);
+    r.twist = -base::radians(roll);
+    const double lift = heart * glm::dot(r.curvature, train.up),
+                 swing = std::sqrt(1 + heart * heart * r.twist * r.twist);
+    r.folded = lift > most, r.way = 1 / (1 - std::min(lift, kMostLift)), r.rails = swing * r.way;
+    if (section_.by_distance) r.per_metre *= swing;
+    r.curvature *= r.way, r.twist *= r.way, r.yaw *= r.way, r.per_metre *= r.way;
+    return r;
+  }
+
+  // Each piece that levels the roll begins from the present roll.
+  void enter_piece(const Train& train) {
+    constexpr double kBefore = 1e-3;
+    std::size_t now = 0;
+    while (now + 1 < section_.roll.size() && section_.roll[now].to < train.at + 1e-9) ++now;
+    if (now == piece_) return;
+    const bool first = piece_ > now;
+    piece_ = now;
+    FvdPiece& piece = section_.roll[now];
+    if (piece.shape != FvdShape::to_zero) return;
+    const FvdPiece& before = section_.roll[first ? now : now - 1];
+    const double rate = first ? 0 : value_of(before, before.to) - value_of(before, before.to - kBefore);
+    levelling_ = {base::degrees(base::arc_tangent(glm::cross(train.forward, train.up).y, train.up.y)), rate / kBefore};
+    const Rates r = rates(train);
+    if (!section_.upright) piece.start += train.forward.y * yaw_of(train.forward, r.curvature) / r.per_metre;
+  }
+
+  void enter_lead_out(const Train& train) {
+    if (section_.kind == FvdKind::curved && !out_from_ && train.at >= length_ - lead_out_angle_ - 1e-9) {
+      out_from_ = train.rails;
+      lead_out_ = std::max(1.997 * section_.radius * base::radians(length_ - train.at), kNoLead);
     }
   }
-  if (train_.s > recorded + 1e-6 && path_.stopped.empty()) record(train_);
-  if (path_.curve.breaks.back() + 1 != path_.curve.points.size())
-    path_.curve.breaks.push_back(path_.curve.points.size() - 1);
-  path_.speed = std::sqrt(train_.square);
-  return std::move(path_);
-}
+
+  // Returns the train after a step with the rates of its middle: a turn about a fixed axis.
+  Train moved(const Train& train, const Rates& rates, double by) const {
+    Train next = train;
+    const dvec3 turn = glm::cross(rates.forward, rates.curvature) + rates.twist * rates.forward;
+    if (const double size = glm::length(turn); size > 0) {
+      next.forward = glm::normalize(curve::rotate(train.forward, turn / size, size * by));
+      next.up = curve::perpendicular(next.forward, curve::rotate(train.up, turn / size, size * by));
+      next.right = level_right(next.forward, curve::rotate(train.right, kUp, rates.yaw * by));
+    }
+    const double arc = by * by * glm::dot(rates.curvature, rates.curvature);
+    next.position += by * (1 - arc / 24) * rates.forward;  // the chord
+    if (section_.free_speed)
+      next.square -= 2 * (gravity_ * (energy_height(next) - energy_height(train) + track_.friction * rates.rails * by) +
+                          track_.resistance * train.square * rates.way * by);
+    next.s += by, next.at += rates.per_metre * by, next.rails += rates.rails * by;
+    return next;
+  }
+
+  void record(const Train& train) {
+    const Rates r = rates(train);
+    path_.curve.points.push_back({train.s, train.position, train.forward, r.curvature, train.up, r.twist});
+    path_.at.push_back(train.at);
+    path_.twist.push_back(base::degrees(r.twist) / r.per_metre);
+  }
+
+  // Returns the metres to the section's end.
+  double rest(const Train& train, const Rates& now) const {
+    if (section_.kind == FvdKind::curved && lead_out_angle_ > 0)
+      return out_from_ ? (*out_from_ + lead_out_ - train.rails) / now.rails : std::numeric_limits<double>::infinity();
+    return (length_ - train.at) / now.per_metre;
+  }
+
+  double energy_height(const Train& train) const { return train.position.y - kSpeedHeight * track_.heart * train.up.y; }
+
+  const FvdTrack& track_;
+  FvdSection& section_;
+  const double gravity_;  // without a heartline that of force sections, which such a track gets
+  const curve::Frame start_;
+  Train train_;
+  double length_ = 0;  // of `at`
+  FvdLevelling levelling_;
+  std::size_t piece_ = ~std::size_t{0};  // index of the roll's piece; none at first
+  std::optional<double> out_from_;       // m where a turn's lead-out begins
+  double lead_in_ = 0, lead_out_ = 0;    // m
+  double lead_out_angle_ = 0;            // degrees of the turn left where the lead-out begins
+  std::vector<double> corners_;          // of `at`
+  FvdPath path_;
+};
 
 }  // namespace
 

@@ -49,12 +49,15 @@ struct DecimalMark {
 // The fewest decimals with which all numbers can be written, at most kMost.
 struct Decimals {
   static constexpr int kMost = 6;
+  static constexpr double kTens[]{1, 10, 100, 1e3, 1e4, 1e5, 1e6};
   int count = 0;
-  void add(double number);
-  double step() const;
+  void add(double number) {
+    constexpr double kNoise = 1e-8;  // of numbers that a program has calculated with
+    while (count < kMost && std::abs(number * kTens[count] - std::round(number * kTens[count])) > kNoise * kTens[count])
+      ++count;
+  }
+  double step() const { return 1 / kTens[count]; }
 };
-
-constexpr double kTens[]{1, 10, 100, 1e3, 1e4, 1e5, 1e6};
 
 // Returns whether an axis has float numbers only, as far as they can be read from so many decimals.
 bool floats(std::span<const sim::FitRow> rows, int axis, double decimal_step) {
@@ -63,14 +66,6 @@ bool floats(std::span<const sim::FitRow> rows, int axis, double decimal_step) {
     return std::abs(at - static_cast<double>(static_cast<float>(at))) <= 0.51 * decimal_step;
   });
 }
-
-void Decimals::add(double number) {
-  constexpr double kNoise = 1e-8;  // of numbers that a program has calculated with
-  while (count < kMost && std::abs(number * kTens[count] - std::round(number * kTens[count])) > kNoise * kTens[count])
-    ++count;
-}
-
-double Decimals::step() const { return 1 / kTens[count]; }
 
 // Returns the steps that the rows are rounded to, 0 for finer ones than 4 decimals: that of the decimals, or, of
 // positions, that of float numbers as large as the largest, if all of an axis are such numbers.
