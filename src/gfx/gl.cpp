@@ -32,8 +32,8 @@ base::Result<Gl> load_gl(const std::function<void*(const char*)>& proc) {
   Gl gl;
   const char* missing = nullptr;
   // Drivers return stubs for unknown names, so a non-null pointer proves little; a null pointer is certainly an error.
-#define X(type, name)                                              \
-  gl.name = reinterpret_cast<PFNGL##type##PROC>(proc("gl" #name)); \
+#define X(name)                                                    \
+  gl.name = reinterpret_cast<decltype(gl.name)>(proc("gl" #name)); \
   if (gl.name == nullptr && missing == nullptr) missing = "gl" #name;
   COASTER_GL_FUNCTIONS(X)
 #undef X
@@ -51,8 +51,8 @@ base::Result<Gl> load_gl(const std::function<void*(const char*)>& proc) {
                         fmt::format("GLSL 3.30 is needed, the driver has {} (OpenGL {})", shaders, gl.version)};
   if (missing != nullptr)
     return base::Status{base::Code::graphics, fmt::format("OpenGL: the driver lacks {} ({})", missing, gl.version)};
-#define X(type, name) \
-  if (!gl.es) gl.name = reinterpret_cast<PFNGL##type##PROC>(proc("gl" #name));
+#define X(name) \
+  if (!gl.es) gl.name = reinterpret_cast<decltype(gl.name)>(proc("gl" #name));
   COASTER_GL_OPTIONAL_FUNCTIONS(X)
 #undef X
   gl.GetIntegerv(GL_MAX_SAMPLES, &gl.max_samples);

@@ -1,7 +1,8 @@
-// The OpenGL functions that the program uses, in a table, over the typedefs of the Khronos header. All but a few belong
+// The OpenGL functions that the program uses, in a table, with the types of the Khronos header. All but a few belong
 // to OpenGL ES 3.0, which is what WebGL 2 offers.
 #pragma once
 
+#define GL_GLEXT_PROTOTYPES  // for the types of the functions; none is linked
 #include <GL/glcorearb.h>
 
 #include <functional>
@@ -9,54 +10,34 @@
 
 #include "base/status.h"
 
-// X(TYPE, Name): glName with type PFNGLTYPEPROC. Functions of OpenGL ES 3.0 and of OpenGL 3.3.
+// X(Name): glName. Functions of OpenGL ES 3.0 and of OpenGL 3.3.
 // clang-format off
 #define COASTER_GL_FUNCTIONS(X) \
-  X(ACTIVETEXTURE, ActiveTexture) X(ATTACHSHADER, AttachShader) X(BEGINQUERY, BeginQuery) \
-  X(BEGINTRANSFORMFEEDBACK, BeginTransformFeedback) X(BINDBUFFER, BindBuffer) \
-  X(BINDBUFFERBASE, BindBufferBase) X(BINDFRAMEBUFFER, BindFramebuffer) \
-  X(BINDRENDERBUFFER, BindRenderbuffer) X(BINDTEXTURE, BindTexture) X(BINDVERTEXARRAY, BindVertexArray) \
-  X(BLENDEQUATION, BlendEquation) X(BLENDFUNCSEPARATE, BlendFuncSeparate) \
-  X(BLITFRAMEBUFFER, BlitFramebuffer) X(BUFFERDATA, BufferData) X(BUFFERSUBDATA, BufferSubData) \
-  X(CHECKFRAMEBUFFERSTATUS, CheckFramebufferStatus) X(CLEAR, Clear) X(CLEARCOLOR, ClearColor) \
-  X(COLORMASK, ColorMask) X(COMPILESHADER, CompileShader) X(COPYBUFFERSUBDATA, CopyBufferSubData) \
-  X(CREATEPROGRAM, CreateProgram) X(CREATESHADER, CreateShader) X(CULLFACE, CullFace) \
-  X(DELETEBUFFERS, DeleteBuffers) X(DELETEFRAMEBUFFERS, DeleteFramebuffers) X(DELETEPROGRAM, DeleteProgram) \
-  X(DELETEQUERIES, DeleteQueries) X(DELETERENDERBUFFERS, DeleteRenderbuffers) X(DELETESHADER, DeleteShader) \
-  X(DELETETEXTURES, DeleteTextures) X(DELETEVERTEXARRAYS, DeleteVertexArrays) X(DEPTHFUNC, DepthFunc) \
-  X(DEPTHMASK, DepthMask) X(DISABLE, Disable) X(DISABLEVERTEXATTRIBARRAY, DisableVertexAttribArray) \
-  X(DRAWARRAYS, DrawArrays) X(DRAWARRAYSINSTANCED, DrawArraysInstanced) X(DRAWELEMENTS, DrawElements) \
-  X(DRAWELEMENTSINSTANCED, DrawElementsInstanced) X(ENABLE, Enable) \
-  X(ENABLEVERTEXATTRIBARRAY, EnableVertexAttribArray) X(ENDQUERY, EndQuery) \
-  X(ENDTRANSFORMFEEDBACK, EndTransformFeedback) X(FINISH, Finish) \
-  X(FRAMEBUFFERRENDERBUFFER, FramebufferRenderbuffer) X(FRAMEBUFFERTEXTURE2D, FramebufferTexture2D) \
-  X(GENBUFFERS, GenBuffers) X(GENERATEMIPMAP, GenerateMipmap) X(GENFRAMEBUFFERS, GenFramebuffers) \
-  X(GENQUERIES, GenQueries) X(GENRENDERBUFFERS, GenRenderbuffers) X(GENTEXTURES, GenTextures) \
-  X(GENVERTEXARRAYS, GenVertexArrays) X(GETERROR, GetError) X(GETINTEGERV, GetIntegerv) \
-  X(GETPROGRAMINFOLOG, GetProgramInfoLog) X(GETPROGRAMIV, GetProgramiv) \
-  X(GETQUERYOBJECTUIV, GetQueryObjectuiv) X(GETSHADERINFOLOG, GetShaderInfoLog) X(GETSHADERIV, GetShaderiv) \
-  X(GETSTRING, GetString) X(GETUNIFORMLOCATION, GetUniformLocation) X(LINKPROGRAM, LinkProgram) \
-  X(MAPBUFFERRANGE, MapBufferRange) X(PIXELSTOREI, PixelStorei) \
-  X(READPIXELS, ReadPixels) \
-  X(RENDERBUFFERSTORAGEMULTISAMPLE, RenderbufferStorageMultisample) X(SCISSOR, Scissor) \
-  X(SHADERSOURCE, ShaderSource) X(TEXIMAGE2D, TexImage2D) \
-  X(TEXPARAMETERI, TexParameteri) X(TEXSUBIMAGE2D, TexSubImage2D) \
-  X(TRANSFORMFEEDBACKVARYINGS, TransformFeedbackVaryings) X(UNIFORM1F, Uniform1f) X(UNIFORM1I, Uniform1i) \
-  X(UNIFORM2F, Uniform2f) X(UNIFORM3FV, Uniform3fv) X(UNIFORM4FV, Uniform4fv) \
-  X(UNIFORMMATRIX4FV, UniformMatrix4fv) X(UNMAPBUFFER, UnmapBuffer) \
-  X(USEPROGRAM, UseProgram) X(VERTEXATTRIB4F, VertexAttrib4f) X(VERTEXATTRIBDIVISOR, VertexAttribDivisor) \
-  X(VERTEXATTRIBPOINTER, VertexAttribPointer) X(VIEWPORT, Viewport)
+  X(ActiveTexture) X(AttachShader) X(BeginQuery) X(BeginTransformFeedback) X(BindBuffer) \
+  X(BindBufferBase) X(BindFramebuffer) X(BindRenderbuffer) X(BindTexture) X(BindVertexArray) X(BlendEquation) \
+  X(BlendFuncSeparate) X(BlitFramebuffer) X(BufferData) X(BufferSubData) X(CheckFramebufferStatus) X(Clear) \
+  X(ClearColor) X(ColorMask) X(CompileShader) X(CopyBufferSubData) X(CreateProgram) X(CreateShader) X(CullFace) \
+  X(DeleteBuffers) X(DeleteFramebuffers) X(DeleteProgram) X(DeleteQueries) X(DeleteRenderbuffers) X(DeleteShader) \
+  X(DeleteTextures) X(DeleteVertexArrays) X(DepthFunc) X(DepthMask) X(Disable) X(DisableVertexAttribArray) \
+  X(DrawArrays) X(DrawArraysInstanced) X(DrawElements) X(DrawElementsInstanced) X(Enable) \
+  X(EnableVertexAttribArray) X(EndQuery) X(EndTransformFeedback) X(Finish) X(FramebufferRenderbuffer) \
+  X(FramebufferTexture2D) X(GenBuffers) X(GenerateMipmap) X(GenFramebuffers) X(GenQueries) X(GenRenderbuffers) \
+  X(GenTextures) X(GenVertexArrays) X(GetError) X(GetIntegerv) X(GetProgramInfoLog) X(GetProgramiv) \
+  X(GetQueryObjectuiv) X(GetShaderInfoLog) X(GetShaderiv) X(GetString) X(GetUniformLocation) X(LinkProgram) \
+  X(MapBufferRange) X(PixelStorei) X(ReadPixels) X(RenderbufferStorageMultisample) X(Scissor) X(ShaderSource) \
+  X(TexImage2D) X(TexParameteri) X(TexSubImage2D) X(TransformFeedbackVaryings) X(Uniform1f) X(Uniform1i) \
+  X(Uniform2f) X(Uniform3fv) X(Uniform4fv) X(UniformMatrix4fv) X(UnmapBuffer) X(UseProgram) X(VertexAttrib4f) \
+  X(VertexAttribDivisor) X(VertexAttribPointer) X(Viewport)
 
 // Functions outside OpenGL ES 3.0. Null on OpenGL ES, or if the driver lacks them: ask Gl::has_tessellation() and
 // Gl::has_timers() before a call.
-#define COASTER_GL_OPTIONAL_FUNCTIONS(X) \
-  X(GETQUERYOBJECTUI64V, GetQueryObjectui64v) X(PATCHPARAMETERI, PatchParameteri)
+#define COASTER_GL_OPTIONAL_FUNCTIONS(X) X(GetQueryObjectui64v) X(PatchParameteri)
 // clang-format on
 
 namespace coaster::gfx {
 
 struct Gl {
-#define X(type, name) PFNGL##type##PROC name = nullptr;
+#define X(name) decltype(&gl##name) name = nullptr;
   COASTER_GL_FUNCTIONS(X)
   COASTER_GL_OPTIONAL_FUNCTIONS(X)
 #undef X

@@ -77,7 +77,7 @@ TEST(gl, opengl_es_3_0_is_enough_and_has_nothing_optional) {
   EXPECT_FALSE(web->has_geometry_shaders() || web->has_tessellation() || web->has_timers());
   const auto later = load_from("OpenGL ES 3.2 Mesa 22.3.6", "OpenGL ES GLSL ES 3.20", 3, 2);
   ASSERT_TRUE(later.ok()) << later.status().message;
-#define X(type, name) EXPECT_EQ(later->name, nullptr) << #name;
+#define X(name) EXPECT_EQ(later->name, nullptr) << #name;
   COASTER_GL_OPTIONAL_FUNCTIONS(X)
 #undef X
   const auto old = load_from("OpenGL ES 2.0 Mesa 22.3.6", "OpenGL ES GLSL ES 1.00", 2, 0);
@@ -97,10 +97,10 @@ TEST(gl, opengl_has_each_optional_part_from_its_version_on) {
 // A browser has the others alone. <GLES3/gl3.h> lists them.
 TEST(gl, these_functions_are_outside_opengl_es_3_0) {
   std::vector<std::string> optional, needed;
-#define X(type, name) optional.push_back("gl" #name);
+#define X(name) optional.push_back("gl" #name);
   COASTER_GL_OPTIONAL_FUNCTIONS(X)
 #undef X
-#define X(type, name) needed.push_back("gl" #name);
+#define X(name) needed.push_back("gl" #name);
   COASTER_GL_FUNCTIONS(X)
 #undef X
   EXPECT_EQ(optional, (std::vector<std::string>{"glGetQueryObjectui64v", "glPatchParameteri"}));
