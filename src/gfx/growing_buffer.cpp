@@ -25,7 +25,7 @@ Range Ranges::take(std::uint32_t size) {
 void Ranges::give_back(Range range) {
   if (range.size == 0) return;
   auto next = gaps_.lower_bound(range.first);
-  if (next != gaps_.end() && range.first + range.size == next->first) {
+  if (next != gaps_.end() && range.end() == next->first) {
     range.size += next->second;
     next = gaps_.erase(next);
   }
@@ -36,7 +36,7 @@ void Ranges::give_back(Range range) {
       gaps_.erase(before);
     }
   }
-  if (range.first + range.size == used_) used_ = range.first;
+  if (range.end() == used_) used_ = range.first;
   else gaps_.emplace(range.first, range.size);
 }
 

@@ -6,6 +6,7 @@
 #include <map>
 #include <span>
 #include <type_traits>
+#include <vector>
 
 #include "gfx/objects.h"
 
@@ -13,7 +14,16 @@ namespace coaster::gfx {
 
 struct Range {
   std::uint32_t first = 0, size = 0;
+  std::uint32_t end() const { return first + size; }
 };
+
+// Adds the next range of a buffer to the runs of those that are `shown`; `open`: the range before it is. What lies
+// between two shown neighbours becomes part of their run.
+inline void add_to_runs(std::vector<Range>& runs, Range range, bool shown, bool& open) {
+  if (shown && !open) runs.push_back(range);
+  if (shown) runs.back().size = range.end() - runs.back().first;
+  open = shown;
+}
 
 // Ranges allocated first-fit from freed ranges, else at the end. Independent of GL.
 class Ranges {

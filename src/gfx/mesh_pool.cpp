@@ -112,18 +112,11 @@ void MeshPool::write_indices(Level& level, Range range, const std::vector<std::u
   written_ += std::int64_t(range.size * sizeof(std::uint32_t));
 }
 
-// Returns the runs of shown solids that are adjacent in a buffer; the gaps between them hold degenerate triangles.
-std::vector<MeshPool::Run> MeshPool::runs_of(const Level& level, const auto& shown) const {
-  std::vector<Run> runs;
+// Returns the runs of shown solids; the gaps between them hold degenerate triangles.
+std::vector<Range> MeshPool::runs_of(const Level& level, const auto& shown) const {
+  std::vector<Range> runs;
   bool open = false;
-  for (const Id id : level.order) {
-    const Solid& solid = solids_[id];
-    const Range place = solid.*level.range;
-    const bool show = shown(solid);
-    if (show && !open) runs.push_back({place.first, 0});
-    if (show) runs.back().count = place.first + place.size - runs.back().first;
-    open = show;
-  }
+  for (const Id id : level.order) add_to_runs(runs, solids_[id].*level.range, shown(solids_[id]), open);
   return runs;
 }
 
@@ -160,11 +153,11 @@ void MeshPool::bind(const Level& level) const {
   gl_->VertexAttrib4f(kEndAttribute, 0, 0, 0, 1);
 }
 
-void MeshPool::draw(const Level& level, const std::vector<Run>& runs) const {
+void MeshPool::draw(const Level& level, const std::vector<Range>& runs) const {
   if (runs.empty()) return;
   bind(level);
-  for (const Run& run : runs)
-    gl_->DrawElements(GL_TRIANGLES, GLsizei(run.count), GL_UNSIGNED_INT,
+  for (const Range& run : runs)
+    gl_->DrawElements(GL_TRIANGLES, GLsizei(run.size), GL_UNSIGNED_INT,
                       reinterpret_cast<const void*>(std::size_t(run.first) * sizeof(std::uint32_t)));
 }
 
@@ -174,19 +167,19 @@ int MeshPool::draw() const {
 }
 
 Cast MeshPool::cast(const glm::mat4& light, bool unseen) const {
-  std::vector<Run> runs =
+  std::vector<Range> runs =
       runs_of(levels_[0], [&](const Solid& solid) { return reaches(light, solid.middle, solid.radius); });
   if (runs.size() > kMostRuns) runs = {{0, index_count()}};
   if (!unseen) draw(levels_[0], runs);
   Cast cast{static_cast<int>(runs.size())};
-  for (const Run& run : runs) cast.triangles += run.count / 3;
+  for (const Range& run : runs) cast.triangles += run.size / 3;
   return cast;
 }
 
 std::int64_t MeshPool::triangles() const {
   std::int64_t indices = 0;
   for (const Level& level : levels_)
-    for (const Run& run : level.runs) indices += run.count;
+    for (const Range& run : level.runs) indices += run.size;
   return indices / 3;
 }
 

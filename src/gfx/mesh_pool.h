@@ -77,9 +77,6 @@ class MeshPool {
     float radius = 0;
     bool used = false, far = false;
   };
-  struct Run {
-    std::uint32_t first = 0, count = 0;  // indices
-  };
   // The indices of all solids, in full or for distant views.
   struct Level {
     Level(const Gl& gl, Range Solid::*in_solid, std::vector<std::uint32_t> sim::Mesh::*in_mesh, bool distant)
@@ -90,8 +87,8 @@ class MeshPool {
     std::vector<std::uint32_t> sim::Mesh::*indices;
     bool far;
     Ranges ranges;
-    std::vector<Id> order;  // by position in the buffer
-    std::vector<Run> runs;
+    std::vector<Id> order;    // by position in the buffer
+    std::vector<Range> runs;  // of indices
   };
   void fit(const sim::Mesh& mesh, Id& id);
   void settle(sim::Mesh& mesh, Id id);
@@ -100,8 +97,8 @@ class MeshPool {
   void link();
   void bind(const Level& level) const;
   void gather(Level& level) const;
-  std::vector<Run> runs_of(const Level& level, const auto& shown) const;
-  void draw(const Level& level, const std::vector<Run>& runs) const;
+  std::vector<Range> runs_of(const Level& level, const auto& shown) const;
+  void draw(const Level& level, const std::vector<Range>& runs) const;
 
   const Gl* gl_;
   GrowingBuffer<sim::MeshVertex> vertices_;

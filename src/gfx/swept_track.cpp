@@ -89,14 +89,14 @@ void SweptTrack::group() {
         continue;
       }
       const glm::vec3 low = segment.middle - segment.radius, high = segment.middle + segment.radius;
-      const bool joins = !parts.empty() && parts.back().near == kNone &&
-                         place.first + place.size - parts.back().place.first <= kMostPieces;
+      const bool joins =
+          !parts.empty() && parts.back().near == kNone && place.end() - parts.back().place.first <= kMostPieces;
       if (!joins) {
         parts.push_back({place, kNone, low, high});
         continue;
       }
       Part& part = parts.back();
-      part.place.size = place.first + place.size - part.place.first;
+      part.place.size = place.end() - part.place.first;
       part.low = glm::min(part.low, low), part.high = glm::max(part.high, high);
     }
   }
@@ -119,16 +119,14 @@ std::size_t SweptTrack::part_count() const {
   return count;
 }
 
-// Collects runs of shown parts that are adjacent in a buffer; the gaps between them hold empty pieces.
+// Collects runs of shown parts; the gaps between them hold empty pieces.
 void SweptTrack::gather(Runs& runs, const auto& shows_far) const {
   for (std::size_t kind = 0; kind < kKinds; ++kind) {
     runs[kind].clear();
     bool open = false;
     for (const Part& part : parts_[kind]) {
-      const bool show = part.near == kNone ? shows_far(part) : (shown_[part.near] >> kind & 1) != 0;
-      if (show && !open) runs[kind].push_back(part.place);
-      if (show) runs[kind].back().size = part.place.first + part.place.size - runs[kind].back().first;
-      open = show;
+      const bool shown = part.near == kNone ? shows_far(part) : (shown_[part.near] >> kind & 1) != 0;
+      add_to_runs(runs[kind], part.place, shown, open);
     }
   }
 }
@@ -169,8 +167,7 @@ Cast SweptTrack::cast(const glm::mat4& light, float texel_metres, bool unseen) {
     return reaches(light, 0.5f * (part.low + part.high), 0.5f * glm::distance(part.low, part.high));
   });
   for (std::vector<Range>& runs : cast_)
-    if (runs.size() > kMostRunsOfKind)
-      runs = {Range{runs.front().first, runs.back().first + runs.back().size - runs.front().first}};
+    if (runs.size() > kMostRunsOfKind) runs = {Range{runs.front().first, runs.back().end() - runs.front().first}};
   if (!unseen) draw(cast_);
   return {draw_calls(cast_), triangles(cast_)};
 }
