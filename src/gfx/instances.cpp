@@ -70,10 +70,10 @@ Instances::Instances(const Gl& gl)
       mark_buffer_(gl),
       line_array_(make_vertex_array(gl)),
       mark_array_(make_vertex_array(gl)),
-      leading_(gl, sim::car_mesh(true)),
-      following_(gl, sim::car_mesh(false)),
-      coupling_(gl, sim::coupling_mesh()),
-      distant_(gl, sim::distant_car_mesh()) {}
+      models_{{{gl, sim::car_mesh(true)},
+               {gl, sim::car_mesh(false)},
+               {gl, sim::coupling_mesh()},
+               {gl, sim::distant_car_mesh()}}} {}
 
 void Instances::upload(const view::Overlay& overlay, std::span<const sim::Pose> carts, glm::vec3 eye) {
   const auto send = [&](GrowingBuffer<float>& buffer, const Object& array, std::initializer_list<int> sizes) {
@@ -100,14 +100,11 @@ void Instances::upload(const view::Overlay& overlay, std::span<const sim::Pose> 
   send(mark_buffer_, mark_array_, {3, 1, 1, 4});
   lines_ = GLsizei(overlay.lines.size()), marks_ = GLsizei(overlay.marks.size());
   choose_cars(carts, eye);
-  stage_cars(carts, Shown::leading);
-  send_poses(leading_);
-  stage_cars(carts, Shown::following);
-  send_poses(following_);
-  stage_cars(carts, Shown::distant);
-  send_poses(distant_);
-  stage_couplings(carts);
-  send_poses(coupling_);
+  for (const Kind kind : {leading, following, coupling, distant}) {
+    if (kind == coupling) stage_couplings(carts);
+    else stage_cars(carts, kind);
+    send_poses(models_[kind]);
+  }
 }
 
 void Instances::choose_cars(std::span<const sim::Pose> cars, glm::dvec3 eye) {
@@ -124,13 +121,12 @@ void Instances::choose_cars(std::span<const sim::Pose> cars, glm::dvec3 eye) {
     far = *first_far;
   }
   shown_.clear();
-  for (const sim::Pose& car : cars)
-    shown_.push_back(distance(car) >= far ? Shown::distant : car.leads ? Shown::leading : Shown::following);
+  for (const sim::Pose& car : cars) shown_.push_back(distance(car) >= far ? distant : car.leads ? leading : following);
 }
 
-void Instances::stage_cars(std::span<const sim::Pose> cars, Shown shown) {
+void Instances::stage_cars(std::span<const sim::Pose> cars, Kind kind) {
   for (std::size_t i = 0; i < cars.size(); ++i) {
-    if (shown_[i] != shown) continue;
+    if (shown_[i] != kind) continue;
     const sim::Pose& car = cars[i];
     const glm::vec3 forward = car.frame.forward, up = car.frame.up;
     push_matrix(staged_, static_cast<float>(stretch(car)) * forward, up, glm::cross(forward, up),
@@ -142,7 +138,7 @@ void Instances::stage_cars(std::span<const sim::Pose> cars, Shown shown) {
 void Instances::stage_couplings(std::span<const sim::Pose> cars) {
   constexpr double kShortest = 0.02, kLongest = 25;  // m
   for (std::size_t i = 1; i < cars.size(); ++i) {
-    if (shown_[i] != Shown::following) continue;
+    if (shown_[i] != following) continue;
     const glm::dvec3 from = hitch(cars[i], 1), way = hitch(cars[i - 1], -1) - from;
     const double length = glm::length(way);
     if (!(length > kShortest && length < kLongest)) continue;
@@ -158,25 +154,22 @@ void Instances::send_poses(Model& model) {
 }
 
 int Instances::draw_cars() const {
-  for (const Model* model : {&leading_, &following_, &coupling_, &distant_}) {
-    if (model->count == 0) continue;
-    gl_->BindVertexArray(model->array.id());
+  for (const Model& model : models_) {
+    if (model.count == 0) continue;
+    gl_->BindVertexArray(model.array.id());
     for (const GLuint location : {GLuint{7}, kEndAttribute}) gl_->VertexAttrib4f(location, 0, 0, 0, 1);
-    gl_->DrawElementsInstanced(GL_TRIANGLES, model->index_count, GL_UNSIGNED_INT, nullptr, model->count);
+    gl_->DrawElementsInstanced(GL_TRIANGLES, model.index_count, GL_UNSIGNED_INT, nullptr, model.count);
   }
   return car_draw_calls();
 }
 
 int Instances::car_draw_calls() const {
-  int calls = 0;
-  for (const Model* model : {&leading_, &following_, &coupling_, &distant_}) calls += model->count > 0 ? 1 : 0;
-  return calls;
+  return int(std::ranges::count_if(models_, [](const Model& model) { return model.count > 0; }));
 }
 
 std::int64_t Instances::car_triangles() const {
   std::int64_t indices = 0;
-  for (const Model* model : {&leading_, &following_, &coupling_, &distant_})
-    indices += std::int64_t(model->index_count) * model->count;
+  for (const Model& model : models_) indices += std::int64_t(model.index_count) * model.count;
   return indices / 3;
 }
 

@@ -2,6 +2,7 @@
 // that are rewritten as a whole.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -26,7 +27,7 @@ class Instances {
   // Returns the cars of all trains. draw_cars() draws them and their couplings with the program in use (locations 0
   // position, 1 normal, 2 part, 3 to 6 the columns of the model matrix, 7 zero) and returns the number of draw calls:
   // at most 4 for any number of cars.
-  int cars() const { return int(leading_.count + following_.count + distant_.count); }
+  int cars() const { return int(models_[leading].count + models_[following].count + models_[distant].count); }
   int draw_cars() const;
   int car_draw_calls() const;
   std::int64_t car_triangles() const;  // per draw
@@ -47,9 +48,9 @@ class Instances {
     Object array;
     GLsizei index_count = 0, count = 0;
   };
-  enum class Shown : std::uint8_t { leading, following, distant };
+  enum Kind : std::uint8_t { leading, following, coupling, distant };
   void choose_cars(std::span<const sim::Pose> cars, glm::dvec3 eye);
-  void stage_cars(std::span<const sim::Pose> cars, Shown shown);
+  void stage_cars(std::span<const sim::Pose> cars, Kind kind);
   void stage_couplings(std::span<const sim::Pose> cars);
   void send_poses(Model& model);
 
@@ -57,8 +58,8 @@ class Instances {
   GrowingBuffer<float> line_buffer_, mark_buffer_;
   Object line_array_, mark_array_;
   GLsizei lines_ = 0, marks_ = 0;
-  Model leading_, following_, coupling_, distant_;
-  std::vector<Shown> shown_;       // by car
+  std::array<Model, 4> models_;    // by kind, in drawing order
+  std::vector<Kind> shown_;        // by car
   std::vector<double> distances_;  // m^2, kept for its capacity
   std::vector<float> staged_;      // kept for its capacity
 };
