@@ -80,21 +80,12 @@ constexpr std::array<const Scenery*, base::count_of<world::Style>()> kStyles{&kD
 float linear(float c) { return c <= 0.04045f ? c / 12.92f : std::pow((c + 0.055f) / 1.055f, 2.4f); }
 glm::vec3 linear(glm::vec3 c) { return {linear(c.x), linear(c.y), linear(c.z)}; }
 
-}  // namespace
-
-const Scenery& scenery_of(world::Style style) {
-  COASTER_CHECK(static_cast<std::size_t>(style) < kStyles.size(), "styles are rows of the table");
-  return *kStyles[static_cast<std::size_t>(style)];
-}
-
-glm::vec3 around_of(world::Theme theme) {
-  switch (theme) {
-    case world::Theme::dark: return rgb(0x1b1f27);
-    case world::Theme::light: return rgb(0xf3f4f6);
-    case world::Theme::high_contrast: return rgb(0x000000);
-  }
-  return rgb(0x1b1f27);
-}
+// Layout of the shaders' uniform block `Air` (shaders/common.glsl): linear light, 16 bytes per member. Blocks read
+// binding 0 by default.
+constexpr GLuint kAirBinding = 0;
+struct Air {
+  glm::vec4 sun, sun_light, sky_light, ground_light, horizon, haze, middle, zenith, glow, hills, ground, grid, ink;
+};
 
 Air air_of(const Scenery& s) {
   const glm::vec3 sun = glm::normalize(s.sun);
@@ -115,6 +106,22 @@ Air air_of(const Scenery& s) {
   air.grid = {linear(s.grid) / lit, s.grid_strength};
   air.ink = {linear(s.ink), s.shade};
   return air;
+}
+
+}  // namespace
+
+const Scenery& scenery_of(world::Style style) {
+  COASTER_CHECK(static_cast<std::size_t>(style) < kStyles.size(), "styles are rows of the table");
+  return *kStyles[static_cast<std::size_t>(style)];
+}
+
+glm::vec3 around_of(world::Theme theme) {
+  switch (theme) {
+    case world::Theme::dark: return rgb(0x1b1f27);
+    case world::Theme::light: return rgb(0xf3f4f6);
+    case world::Theme::high_contrast: return rgb(0x000000);
+  }
+  return rgb(0x1b1f27);
 }
 
 void AirBuffer::bind(const Scenery& scenery) {

@@ -40,15 +40,7 @@ const Scenery& scenery_of(world::Style style);
 // Returns the colour around the viewport: the panels' background, sRGB.
 glm::vec3 around_of(world::Theme theme);
 
-// Layout of the shaders' uniform block `Air` (shaders/common.glsl): linear light, 16 bytes per member. Blocks read
-// binding 0 by default.
-inline constexpr GLuint kAirBinding = 0;
-struct Air {
-  glm::vec4 sun, sun_light, sky_light, ground_light, horizon, haze, middle, zenith, glow, hills, ground, grid, ink;
-};
-Air air_of(const Scenery& scenery);
-
-// The block on the GPU, written if the style changes.
+// The shaders' uniform block `Air` on the GPU, written if the style changes.
 class AirBuffer {
  public:
   explicit AirBuffer(const Gl& gl) : gl_(&gl), buffer_(make_buffer(gl)) {}
