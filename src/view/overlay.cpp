@@ -21,11 +21,12 @@ namespace coaster::view {
 
 bool selects_sections(const world::Settings& settings) { return settings.panels->workspace == world::Workspace::build; }
 
+namespace {
+
+// True if knots show that are neither selected nor under the cursor: not in Ride, and not with their layer off.
 bool shows_knots(const world::Settings& settings) {
   return settings.panels->workspace != world::Workspace::ride && settings.lab->layers.has(world::Layer::knots);
 }
-
-namespace {
 
 using glm::dvec3;
 using sim::ElementPoint;
@@ -137,15 +138,10 @@ constexpr LineLook kSelectedLine{5, 0xff8a1fcc}, kHoveredLine{2, 0xffffffb0};
 void add_run(const sim::Derived& derived, const world::SectionRun& run, std::size_t most, const LineLook& look,
              float scale, Overlay& overlay) {
   constexpr std::size_t kMostSteps = 16;  // per segment
-  const std::size_t steps = std::clamp<std::size_t>(most / run.count, 1, kMostSteps);
+  const auto steps = static_cast<int>(std::clamp<std::size_t>(most / run.count, 1, kMostSteps));
   for (std::size_t i = run.first; i < run.end(); ++i) {
-    const sim::SegmentShape& shape = derived.shape_at(i);
-    glm::vec3 last(sim::rails_point(shape, 0));
-    for (std::size_t k = 1; k <= steps; ++k) {
-      const glm::vec3 next(sim::rails_point(shape, static_cast<double>(k) / static_cast<double>(steps)));
-      overlay.lines.push_back({last, next, look.width * scale, look.colour});
-      last = next;
-    }
+    const auto at = [&](double t) { return sim::rails_point(derived.shape_at(i), t); };
+    add_curve(at, 0, 1, steps, look.width * scale, look.colour, overlay);
   }
 }
 

@@ -36,12 +36,22 @@ inline void add_disc(glm::dvec3 at, float radius_px, std::uint32_t rgba, Overlay
   overlay.marks.push_back({glm::vec3(at), radius_px, rgba, MarkShape::disc});
 }
 
+// Adds a curve in `pieces` straight lines; at(x) is its point at x, from one x to another.
+template <class At>
+void add_curve(const At& at, double from, double to, int pieces, float width_px, std::uint32_t rgba, Overlay& overlay) {
+  glm::dvec3 before = at(from);
+  for (int i = 1; i <= pieces; ++i) {
+    const glm::dvec3 next = at(from + (to - from) * i / pieces);
+    add_line(before, next, width_px, rgba, overlay);
+    before = next;
+  }
+}
+
 // Adds an arc of a ring from one angle to another, in steps of at most `step`; at(angle) is a point of the ring.
 template <class At>
 void add_arc(const At& at, double from, double to, double step, float width_px, std::uint32_t rgba, Overlay& overlay) {
-  const int steps = std::max(1, static_cast<int>(std::ceil(std::abs(to - from) / step)));
-  for (int i = 0; i < steps; ++i)
-    add_line(at(from + (to - from) * i / steps), at(from + (to - from) * (i + 1) / steps), width_px, rgba, overlay);
+  const int pieces = std::max(1, static_cast<int>(std::ceil(std::abs(to - from) / step)));
+  add_curve(at, from, to, pieces, width_px, rgba, overlay);
 }
 
 // Returns the angle (rad) about the unit axis, from `zero` m, at which a ray meets the plane of a ring; nothing if the
@@ -63,18 +73,6 @@ void add_arrow(glm::dvec3 from, glm::dvec3 direction, double length, const View&
 // right and up.
 void add_sign(glm::dvec3 at, std::uint32_t rgba, std::span<const glm::dvec2> glyph, const View& view, float scale,
               Overlay& overlay);
-
-// Adds a broad line over the rails between two distances along the track, m, in `pieces`.
-void add_band(const sim::Derived& derived, double from, double to, int pieces, float width_px, std::uint32_t rgba,
-              Overlay& overlay);
-
-// A segment that may be visible; segments outside the picture are not listed.
-struct SeenSegment {
-  std::size_t index = 0;    // into derived.order
-  double px_per_metre = 0;  // at its nearest point
-  double length_px = 0;
-};
-std::vector<SeenSegment> seen_segments(const sim::Derived& derived, const View& view);
 
 // 0xRRGGBBAA.
 inline constexpr std::uint32_t kConstructionColour = 0x7fd1b9ff, kCombColour = 0xb39ddbff, kCircleColour = 0xf4e9a6ff;
@@ -123,18 +121,6 @@ void add_breaks(const sim::Derived& derived, std::span<const sim::FrenetBreak> b
 
 // Adds overloads: a broad line over the rails, each span at the car that feels it.
 void add_spans(const sim::Derived& derived, std::span<const sim::RedSpan> spans, float scale, Overlay& overlay);
-
-// Adds folds of the rails, or tight bends: a broad line and a sign over each.
-void add_folds(const sim::Derived& derived, std::span<const sim::Fold> folds, const View& view, float scale,
-               Overlay& overlay);
-
-// Adds a sign with a peak above each joint whose jolt exceeds sim::kJoltLimit.
-void add_jolts(const sim::Derived& derived, std::span<const sim::Jolt> jolts, const View& view, float scale,
-               Overlay& overlay);
-
-// Adds conflicts: a broad line over both stretches, and a sign between their narrowest points.
-void add_conflicts(const sim::Derived& derived, std::span<const sim::Conflict> conflicts, const View& view, float scale,
-                   Overlay& overlay);
 
 // Adds the visible layers, the most extensive ones first, over dark rims. Each layer reads `findings` only while it is
 // visible.

@@ -60,14 +60,14 @@ void add_arrow(glm::dvec3 from, glm::dvec3 direction, double length, const View&
   constexpr double kBarb = 0.3, kHalfWidth = 0.14,
                    kAlong = 0.05;  // of the length; sine of the smallest angle to the line of sight
   const glm::dvec3 tip = from + length * direction;
-  overlay.lines.push_back({glm::vec3(from), glm::vec3(tip), width_px, rgba});
+  add_line(from, tip, width_px, rgba, overlay);
   const glm::dvec3 to_eye = view.parallel > 0 ? -glm::dvec3(line_of_sight(view)) : glm::dvec3(view.eye) - from;
   const glm::dvec3 side = glm::cross(direction, to_eye);
   const double across = glm::length(side);
   if (!(across > kAlong * glm::length(to_eye))) return;
   const glm::dvec3 back = tip - kBarb * length * direction, out = side * (kHalfWidth * length / across);
-  overlay.lines.push_back({glm::vec3(tip), glm::vec3(back + out), width_px, rgba});
-  overlay.lines.push_back({glm::vec3(tip), glm::vec3(back - out), width_px, rgba});
+  add_line(tip, back + out, width_px, rgba, overlay);
+  add_line(tip, back - out, width_px, rgba, overlay);
 }
 
 void add_sign(glm::dvec3 at, std::uint32_t rgba, std::span<const glm::dvec2> glyph, const View& view, float scale,
@@ -82,18 +82,14 @@ void add_sign(glm::dvec3 at, std::uint32_t rgba, std::span<const glm::dvec2> gly
   for (const glm::dvec2 dot : glyph) add_disc(at + metres * (dot.x * right + dot.y * up), 1.5f * scale, kInk, overlay);
 }
 
-void add_band(const sim::Derived& derived, double from, double to, int pieces, float width_px, std::uint32_t rgba,
-              Overlay& overlay) {
-  constexpr double kOver = 0.35;  // m above the rails
-  const auto at = [&](double distance) { return over_rails(derived, distance, kOver); };
-  glm::dvec3 before = at(from);
-  for (int i = 1; i <= pieces; ++i) {
-    const glm::dvec3 next = at(from + (to - from) * i / pieces);
-    add_line(before, next, width_px, rgba, overlay);
-    before = next;
-  }
-}
+namespace {
 
+// A segment that may be visible; segments outside the picture are not listed.
+struct SeenSegment {
+  std::size_t index = 0;    // into derived.order
+  double px_per_metre = 0;  // at its nearest point
+  double length_px = 0;
+};
 std::vector<SeenSegment> seen_segments(const sim::Derived& derived, const View& view) {
   constexpr float kNearest = 1;  // m: closer track gets no more detail
   const glm::vec3 right = right_of(view), up = top_of(view), forward = line_of_sight(view);
@@ -124,7 +120,13 @@ std::vector<SeenSegment> seen_segments(const sim::Derived& derived, const View& 
   return seen;
 }
 
-namespace {
+// Adds a broad line over the rails between two distances along the track, m, in `pieces`.
+void add_band(const sim::Derived& derived, double from, double to, int pieces, std::uint32_t rgba, float scale,
+              Overlay& overlay) {
+  constexpr double kOverRails = 0.35;  // m
+  const auto at = [&](double distance) { return over_rails(derived, distance, kOverRails); };
+  add_curve(at, from, to, pieces, 5.0f * scale, rgba, overlay);
+}
 
 // Returns the number of multiples of `step` in [from, to).
 int multiples(double from, double to, double step) {
@@ -150,7 +152,16 @@ constexpr int kFewestTeeth = 8, kMostTeeth = 64;
 // Sizes of conflicts and folds.
 constexpr int kPieces = 24;    // per stretch
 constexpr double kOver = 1.6;  // m, height of a sign
-constexpr std::array<glm::dvec2, 6> kExclamation{{{0, 4.8}, {0, 3.5}, {0, 2.2}, {0, 0.9}, {0, -0.4}, {0, -4.2}}};  // px
+
+void add_exclamation(glm::dvec3 place, const View& view, float scale, Overlay& overlay) {
+  constexpr std::array<glm::dvec2, 6> kGlyph{{{0, 4.8}, {0, 3.5}, {0, 2.2}, {0, 0.9}, {0, -0.4}, {0, -4.2}}};  // px
+  add_sign(place + glm::dvec3(0, kOver, 0), kConflictColour, kGlyph, view, scale, overlay);
+}
+
+template <class Found>
+std::span<const Found> first_of(std::span<const Found> found) {
+  return found.first(std::min(found.size(), static_cast<std::size_t>(kMaxConflicts)));
+}
 
 // Returns the number of teeth of a segment, both ends included. Segments smaller than `px` on screen share teeth: one
 // at the start of each segment that contains a multiple of the step.
@@ -217,6 +228,40 @@ void append_rimmed(const Overlay& layer, float scale, Overlay& overlay) {
         overlay.lines.push_back({one.from, one.to, one.width_px + kDiscRim * scale, kDiscRimColour});
   overlay.lines.insert(overlay.lines.end(), layer.lines.begin(), layer.lines.end());
   overlay.marks.insert(overlay.marks.end(), layer.marks.begin(), layer.marks.end());
+}
+
+// Adds a sign with a peak above each joint whose jolt exceeds sim::kJoltLimit.
+void add_jolts(const sim::Derived& derived, std::span<const sim::Jolt> jolts, const View& view, float scale,
+               Overlay& overlay) {
+  constexpr std::array<glm::dvec2, 9> kPeak{
+      {{-6, -3}, {-4, -3}, {-2.6, -1.2}, {-1.3, 1.4}, {0, 4}, {1.3, 1.4}, {2.6, -1.2}, {4, -3}, {6, -3}}};  // px
+  int left = kMaxJolts;
+  for (std::size_t i = 0; i < jolts.size() && left > 0; ++i) {
+    if (!(jolts[i].total > sim::kJoltLimit)) continue;
+    --left;
+    add_sign(over_rails(derived, derived.starts.at(i), kOver), kLimitColour, kPeak, view, scale, overlay);
+  }
+}
+
+// Adds folds of the rails, or tight bends: a broad line and a sign over each.
+void add_folds(const sim::Derived& derived, std::span<const sim::Fold> folds, const View& view, float scale,
+               Overlay& overlay) {
+  const auto shown = first_of(folds);
+  for (const sim::Fold& fold : shown) add_band(derived, fold.from, fold.to, kPieces, kConflictColour, scale, overlay);
+  for (const sim::Fold& fold : shown) add_exclamation(glm::dvec3(fold.place), view, scale, overlay);
+}
+
+// Adds conflicts: a broad line over both stretches, and a sign between their narrowest points.
+void add_conflicts(const sim::Derived& derived, std::span<const sim::Conflict> conflicts, const View& view, float scale,
+                   Overlay& overlay) {
+  const auto shown = first_of(conflicts);
+  for (const sim::Conflict& conflict : shown) {
+    add_band(derived, conflict.from, conflict.to, kPieces, kConflictColour, scale, overlay);
+    add_band(derived, conflict.other_from, conflict.other_to, kPieces, kConflictColour, scale, overlay);
+    add_line(conflict.at_place, conflict.other_place, 3.0f * scale, kConflictColour, overlay);
+  }
+  for (const sim::Conflict& conflict : shown)
+    add_exclamation(0.5 * (glm::dvec3(conflict.at_place) + glm::dvec3(conflict.other_place)), view, scale, overlay);
 }
 
 }  // namespace
@@ -289,20 +334,8 @@ void add_spans(const sim::Derived& derived, std::span<const sim::RedSpan> spans,
     if (length < 0 && derived.closed) length += derived.length;  // across the closing joint
     const int pieces = std::min(left, std::max(1, static_cast<int>(std::ceil(std::abs(length) / kPiece))));
     left -= pieces;
-    add_band(derived, span.from_distance, span.from_distance + length, pieces, 5.0f * scale, kLimitColour, overlay);
+    add_band(derived, span.from_distance, span.from_distance + length, pieces, kLimitColour, scale, overlay);
     if (left <= 0) return;
-  }
-}
-
-void add_jolts(const sim::Derived& derived, std::span<const sim::Jolt> jolts, const View& view, float scale,
-               Overlay& overlay) {
-  constexpr std::array<glm::dvec2, 9> kPeak{
-      {{-6, -3}, {-4, -3}, {-2.6, -1.2}, {-1.3, 1.4}, {0, 4}, {1.3, 1.4}, {2.6, -1.2}, {4, -3}, {6, -3}}};  // px
-  int left = kMaxJolts;
-  for (std::size_t i = 0; i < jolts.size() && left > 0; ++i) {
-    if (!(jolts[i].total > sim::kJoltLimit)) continue;
-    --left;
-    add_sign(over_rails(derived, derived.starts.at(i), kOver), kLimitColour, kPeak, view, scale, overlay);
   }
 }
 
@@ -322,10 +355,8 @@ void add_breaks(const sim::Derived& derived, std::span<const sim::FrenetBreak> b
     if (at.kind == sim::FrenetBreak::Kind::flip && !(px_per_metre > 0)) continue;
     if (++drawn > kMaxBreaks) return;
     if (at.kind == sim::FrenetBreak::Kind::undefined) {
-      for (int i = 0; i < kLines; ++i) {
-        const double from = at.t + (at.t_end - at.t) * i / kLines, to = at.t + (at.t_end - at.t) * (i + 1) / kLines;
-        add_line(curve::point(cubic, from), curve::point(cubic, to), 5.0f * scale, faded(kBreakColour, 0xc0), overlay);
-      }
+      const auto point = [&](double t) { return curve::point(cubic, t); };
+      add_curve(point, at.t, at.t_end, kLines, 5.0f * scale, faded(kBreakColour, 0xc0), overlay);
       continue;
     }
     const double size = kCrossPx * static_cast<double>(scale) / px_per_metre,
@@ -338,28 +369,6 @@ void add_breaks(const sim::Derived& derived, std::span<const sim::FrenetBreak> b
     add_line(place - size * (right + up), place + size * (right + up), 3.0f * scale, kBreakColour, overlay);
     add_line(place - size * (right - up), place + size * (right - up), 3.0f * scale, kBreakColour, overlay);
   }
-}
-
-void add_folds(const sim::Derived& derived, std::span<const sim::Fold> folds, const View& view, float scale,
-               Overlay& overlay) {
-  const auto shown = folds.first(std::min(folds.size(), static_cast<std::size_t>(kMaxConflicts)));
-  for (const sim::Fold& fold : shown)
-    add_band(derived, fold.from, fold.to, kPieces, 5.0f * scale, kConflictColour, overlay);
-  for (const sim::Fold& fold : shown)
-    add_sign(glm::dvec3(fold.place) + glm::dvec3(0, kOver, 0), kConflictColour, kExclamation, view, scale, overlay);
-}
-
-void add_conflicts(const sim::Derived& derived, std::span<const sim::Conflict> conflicts, const View& view, float scale,
-                   Overlay& overlay) {
-  const auto shown = conflicts.first(std::min(conflicts.size(), static_cast<std::size_t>(kMaxConflicts)));
-  for (const sim::Conflict& conflict : shown) {
-    add_band(derived, conflict.from, conflict.to, kPieces, 5.0f * scale, kConflictColour, overlay);
-    add_band(derived, conflict.other_from, conflict.other_to, kPieces, 5.0f * scale, kConflictColour, overlay);
-    add_line(conflict.at_place, conflict.other_place, 3.0f * scale, kConflictColour, overlay);
-  }
-  for (const sim::Conflict& conflict : shown)
-    add_sign(0.5 * (glm::dvec3(conflict.at_place) + glm::dvec3(conflict.other_place)) + glm::dvec3(0, kOver, 0),
-             kConflictColour, kExclamation, view, scale, overlay);
 }
 
 void add_construction(const sim::SegmentShape& shape, double t, const View& view, float scale, Overlay& overlay) {
