@@ -119,6 +119,36 @@ void roll_after(CameraRig& rig, const curve::Frame& frame, double lag, double dt
   rig.roll_lag = -roll.value, rig.roll_rate = roll.rate;
 }
 
+void settle_ride(CameraRig& rig, const Watched& w, const Ridden& ridden) {
+  rig.forward = ridden.front.frame.forward, rig.up = ridden.front.frame.up;
+  rig.roll_lag = rig.roll_rate = 0;
+  rig.widening.settle(w.settings.feel->widening_deg * std::min(1.5, std::abs(ridden.motion.speed) / kWideSpeed));
+  rig.bob.settle(w.settings.feel->head_bob ? bob_of(w, ridden) : dvec3(0));
+}
+
+Eye ride(CameraRig& rig, const Watched& w, const Ridden& ridden, double dt) {
+  const world::CameraFeel& feel = *w.settings.feel;
+  const curve::Frame& frame = ridden.front.frame;
+  roll_after(rig, frame, feel.roll_damping, dt);
+  rig.heading.follow(frame, kRiderHeadingLag, dt);
+  rig.widening.approach(
+      feel.reduced_motion ? 0.0 : feel.widening_deg * std::min(1.5, std::abs(ridden.motion.speed) / kWideSpeed),
+      kWideningLag, dt);
+  rig.bob.approach(feel.head_bob && !feel.reduced_motion ? bob_of(w, ridden) : dvec3(0), kBobLag, dt);
+  Eye eye;
+  eye.position = ridden.front.position + (kRiderEye + rig.bob.value.y) * frame.up + rig.bob.value.z * frame.left();
+  eye.position.y = std::max(eye.position.y, static_cast<double>(kLowestEye));
+  eye.field_of_view_deg =
+      std::min<double>(world::kMaxFieldOfView, feel.ride_view_deg + (feel.reduced_motion ? 0.0 : rig.widening.value));
+  eye.forward = frame.forward, eye.up = rig.up;
+  if (feel.reduced_motion) {
+    const double pitch = std::clamp(std::asin(std::clamp(frame.forward.y, -1.0, 1.0)), -kSteepest, kSteepest);
+    eye.forward = std::cos(pitch) * rig.heading.direction() + dvec3(0, std::sin(pitch), 0);
+    eye.up = {0, 1, 0};
+  }
+  return eye;
+}
+
 using glm::dquat;
 using world::CameraMode;
 
@@ -281,36 +311,6 @@ void Heading::follow(const curve::Frame& frame, double lag, double dt) {
     yaw += step * rate, yaw_error -= step * rate;
   }
   yaw = wrapped(yaw);
-}
-
-void settle_ride(CameraRig& rig, const Watched& w, const Ridden& ridden) {
-  rig.forward = ridden.front.frame.forward, rig.up = ridden.front.frame.up;
-  rig.roll_lag = rig.roll_rate = 0;
-  rig.widening.settle(w.settings.feel->widening_deg * std::min(1.5, std::abs(ridden.motion.speed) / kWideSpeed));
-  rig.bob.settle(w.settings.feel->head_bob ? bob_of(w, ridden) : dvec3(0));
-}
-
-Eye ride(CameraRig& rig, const Watched& w, const Ridden& ridden, double dt) {
-  const world::CameraFeel& feel = *w.settings.feel;
-  const curve::Frame& frame = ridden.front.frame;
-  roll_after(rig, frame, feel.roll_damping, dt);
-  rig.heading.follow(frame, kRiderHeadingLag, dt);
-  rig.widening.approach(
-      feel.reduced_motion ? 0.0 : feel.widening_deg * std::min(1.5, std::abs(ridden.motion.speed) / kWideSpeed),
-      kWideningLag, dt);
-  rig.bob.approach(feel.head_bob && !feel.reduced_motion ? bob_of(w, ridden) : dvec3(0), kBobLag, dt);
-  Eye eye;
-  eye.position = ridden.front.position + (kRiderEye + rig.bob.value.y) * frame.up + rig.bob.value.z * frame.left();
-  eye.position.y = std::max(eye.position.y, static_cast<double>(kLowestEye));
-  eye.field_of_view_deg =
-      std::min<double>(world::kMaxFieldOfView, feel.ride_view_deg + (feel.reduced_motion ? 0.0 : rig.widening.value));
-  eye.forward = frame.forward, eye.up = rig.up;
-  if (feel.reduced_motion) {
-    const double pitch = std::clamp(std::asin(std::clamp(frame.forward.y, -1.0, 1.0)), -kSteepest, kSteepest);
-    eye.forward = std::cos(pitch) * rig.heading.direction() + dvec3(0, std::sin(pitch), 0);
-    eye.up = {0, 1, 0};
-  }
-  return eye;
 }
 
 CameraMode shown_mode(const Watched& w) {

@@ -83,15 +83,13 @@ inline constexpr int kTransitionTicks = 48;  // 0.4 s
 void follow(CameraRig& rig, const Watched& watched, int ticks);
 bool steps(const CameraRig& rig);
 
-// State for the two cameras that follow a train; private to them and to follow().
+// State for the two cameras that follow a train; private to them and to follow(), as is the chase camera.
 struct Ridden {
   world::Entity cart;
   const world::CartMotion& motion;
   sim::Pose front, middle;  // of the first car and of the train's middle
   double length = 0;        // m from the first car to the last
 };
-void settle_ride(CameraRig& rig, const Watched& watched, const Ridden& ridden);
-Eye ride(CameraRig& rig, const Watched& watched, const Ridden& ridden, double dt);
 void settle_chase(CameraRig& rig, const Watched& watched, const Ridden& ridden);
 Eye chase(CameraRig& rig, const Watched& watched, const Ridden& ridden, double dt);
 
