@@ -113,8 +113,7 @@ constexpr Action kRideActions[] = {
     {"Reset", "Ride", shift(Key::r), kInDrag, "Return the trains to their start.", emit<edit::RideStop>, kRideable},
     {"Show where it failed", "Ride", key(Key::j), kInDrag,
      "Go to where the last ride or its challenge failed and select the segment.", show_failed_place, kFailed},
-    {"Score cards", "Ride", kNoKey, kInDrag, "Show a card with results at the end of a ride.",
-     toggle<&world::Aids::show_card>, kAlways, on<&world::Aids::show_card>},
+    toggling<&world::Aids::show_card>("Score cards", "Ride", "Show a card with results at the end of a ride."),
 };
 
 using world::Entity;

@@ -30,7 +30,7 @@ bool selected_is(const Act& act, world::Kind kind);
 inline constexpr Condition kRideable{[](const Act& act) { return rideable(act.ui.session()); },
                                      "A ride needs a track and a train."};
 
-// Actions that turn a setting on or off, and actions that select one of its values.
+// Functions of actions that turn a setting on or off, or select one of its values, and the rows of such actions.
 template <auto Member>
 bool on(const Act& act) {
   return world::value_in<Member>(act.ui.session().settings);
@@ -46,6 +46,15 @@ bool is(const Act& act) {
 template <auto Member, world::ValueOf<Member> value>
 void set(Act& act) {
   act.ui.emit(edit::Set<Member>{value});
+}
+template <auto Member>
+constexpr Action toggling(std::string_view name, std::string_view menu, std::string_view help,
+                          platform::Chord chord = kNoKey) {
+  return {name, menu, chord, kInDrag, help, toggle<Member>, kAlways, on<Member>};
+}
+template <auto Member, world::ValueOf<Member> value>
+constexpr Action choosing(std::string_view name, std::string_view menu, std::string_view help) {
+  return {name, menu, kNoKey, kInDrag, help, set<Member, value>, kAlways, is<Member, value>};
 }
 
 }  // namespace coaster::ui

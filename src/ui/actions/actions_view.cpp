@@ -34,6 +34,10 @@ template <Layer layer>
 void show_or_hide(Act& act) {
   act.ui.emit(edit::ShowLayer{layer, !layer_shown<layer>(act)});
 }
+template <Layer layer>
+constexpr Action showing(std::string_view name, std::string_view help) {
+  return {name, "View/Show", kNoKey, kInDrag, help, show_or_hide<layer>, kAlways, layer_shown<layer>};
+}
 
 constexpr Condition kInConflict{[](const Act& act) { return !act.ui.find.conflicts_so_far().empty(); },
                                 "The track has no conflicts."};
@@ -91,26 +95,30 @@ void next_colouring(Act& act) {
 }
 
 template <CameraMode mode>
-void look(Act& act) {
-  choose_camera(act.ui, mode);
+constexpr Action camera(std::string_view name, platform::Key k, std::string_view help, Condition enabled = kAlways) {
+  const auto choose = [](Act& act) { choose_camera(act.ui, mode); };
+  return {name, "View/Camera", key(k), kInDrag, help, choose, enabled, is<kCamera, mode>};
 }
 // Sets a projection of the orbit camera.
 template <world::Projection projection>
-void project(Act& act) {
-  act.ui.emit(edit::Set<&world::Camera::projection>{projection});
-  if (!is<kCamera, CameraMode::orbit>(act)) set<kCamera, CameraMode::orbit>(act);
-}
-template <world::Projection projection>
-bool projected(const Act& act) {
-  return is<&world::Camera::projection, projection>(act) && is<kCamera, CameraMode::orbit>(act);
+constexpr Action project(std::string_view name, platform::Key k, platform::Key with_ctrl, std::string_view help) {
+  const auto choose = [](Act& act) {
+    act.ui.emit(edit::Set<&world::Camera::projection>{projection});
+    if (!is<kCamera, CameraMode::orbit>(act)) set<kCamera, CameraMode::orbit>(act);
+  };
+  const auto chosen = [](const Act& act) {
+    return is<&world::Camera::projection, projection>(act) && is<kCamera, CameraMode::orbit>(act);
+  };
+  return {name, "View/Camera", key(k), kInDrag, help, choose, kAlways, chosen, ctrl(with_ctrl)};
 }
 void next_camera(Act& act) { choose_camera(act.ui, base::next_of(act.ui.session().settings.camera_mode)); }
 
-template <Workspace workspace>
-void go_to(Act& act) {
-  choose_workspace(act.ui, workspace);
-}
 constexpr auto kWorkspace = &Panels::workspace;
+template <Workspace workspace>
+constexpr Action go_to(std::string_view name, platform::Chord chord, std::string_view help) {
+  const auto choose = [](Act& act) { choose_workspace(act.ui, workspace); };
+  return {name, "Window", chord, kInDrag, help, choose, kAlways, is<kWorkspace, workspace>};
+}
 
 constexpr Condition kBuilding{[](const Act& act) { return is<kWorkspace, Workspace::build>(act); },
                               "Go to the workspace Build first."};
@@ -154,75 +162,53 @@ void laboratory(Act& act) {
 }
 
 constexpr Action kViewActions[] = {
-    {"Build workspace", "Window", key(Key::f8), kInDrag,
-     "Show the building tools: palette, parameters and force graph.", go_to<Workspace::build>, kAlways,
-     is<kWorkspace, Workspace::build>},
-    {"Ride workspace", "Window", key(Key::f9), kInDrag, "Show the view and a slim bar to ride with.",
-     go_to<Workspace::ride>, kAlways, is<kWorkspace, Workspace::ride>},
-    {"Laboratory workspace", "Window", key(Key::f10), kInDrag,
-     "Show evaluators, resolution and the pages about curves.", go_to<Workspace::laboratory>, kAlways,
-     is<kWorkspace, Workspace::laboratory>},
+    go_to<Workspace::build>("Build workspace", key(Key::f8),
+                            "Show the building tools: palette, parameters and force graph."),
+    go_to<Workspace::ride>("Ride workspace", key(Key::f9), "Show the view and a slim bar to ride with."),
+    go_to<Workspace::laboratory>("Laboratory workspace", key(Key::f10),
+                                 "Show evaluators, resolution and the pages about curves."),
     {"Parameters", "Window", key(Key::f5), kInDrag, "Open or fold the parameters of Build.", fold_parameters, kBuilding,
      parameters_show},
     {"Force graph", "Window", key(Key::f6), kInDrag, "Open or fold the force graph of Build.", press_graph<false>,
      kBuilding, graph_shows<false>},
     {"Table of sections", "Window", key(Key::t), kInDrag, "Open or fold the table of sections of Build.",
      press_graph<true>, kBuilding, graph_shows<true>},
-    {"All panels", "Window", kNoKey, kInDrag, "Show the panels of every workspace.", go_to<Workspace::all>, kAlways,
-     is<kWorkspace, Workspace::all>},
+    go_to<Workspace::all>("All panels", kNoKey, "Show the panels of every workspace."),
     {"Full screen", "Window", key(Key::f11), kInDrag | kOnStart, "Fill the screen, or return to the window.",
      fill_screen},
     {"Frame all", "View", key(Key::f), kInDrag, "Show the whole track.", frame_all},
     {"Frame selection", "View", shift(Key::f), kInDrag, "Show the selection.", frame_selection, kAnySelected},
     {"Next camera", "View/Camera", key(Key::v), kInDrag, "Next camera: orbit, ride, chase, fly.", next_camera},
-    {"Orbit camera", "View/Camera", key(Key::d1), kInDrag, "Orbit a point with the mouse.", look<CameraMode::orbit>,
-     kAlways, is<kCamera, CameraMode::orbit>},
-    {"Ride camera", "View/Camera", key(Key::d2), kInDrag, "View from a seat of the first train.",
-     look<CameraMode::ride>, kRideable, is<kCamera, CameraMode::ride>},
-    {"Chase camera", "View/Camera", key(Key::d3), kInDrag,
-     "Follow the first train from behind. The wheel sets the distance.", look<CameraMode::chase>, kRideable,
-     is<kCamera, CameraMode::chase>},
-    {"Fly camera", "View/Camera", key(Key::d4), kInDrag,
-     "Fly with W A S D, Q down, E up, Shift faster. Drag to look around.", look<CameraMode::fly>, kAlways,
-     is<kCamera, CameraMode::fly>},
-    {"Front view", "View/Camera", key(Key::keypad_1), kInDrag,
-     "Look along -Z without perspective. Orbiting leaves the view.", project<Projection::front>, kAlways,
-     projected<Projection::front>, ctrl(Key::d1)},
-    {"Side view", "View/Camera", key(Key::keypad_3), kInDrag,
-     "Look along -X without perspective. Orbiting leaves the view.", project<Projection::side>, kAlways,
-     projected<Projection::side>, ctrl(Key::d3)},
-    {"Top view", "View/Camera", key(Key::keypad_7), kInDrag, "Look down without perspective. Orbiting leaves the view.",
-     project<Projection::top>, kAlways, projected<Projection::top>, ctrl(Key::d7)},
-    {"Perspective", "View/Camera", key(Key::keypad_5), kInDrag, "Draw distant objects smaller.",
-     project<Projection::perspective>, kAlways, projected<Projection::perspective>, ctrl(Key::d5)},
-    {"Head-bob", "View/Camera", kNoKey, kInDrag, "Move the rider's head with g.", toggle<&CameraFeel::head_bob>,
-     kAlways, on<&CameraFeel::head_bob>},
-    {"Reduced motion", "View/Camera", kNoKey, kInDrag, "Level horizon, cuts between cameras, no head-bob, no widening.",
-     toggle<&CameraFeel::reduced_motion>, kAlways, on<&CameraFeel::reduced_motion>},
-    {"Knots", "View/Show", kNoKey, kInDrag, "Show or hide knots that are not selected.", show_or_hide<Layer::knots>,
-     kAlways, layer_shown<Layer::knots>},
-    {"Gizmo", "View/Show", kNoKey, kInDrag, "Show or hide the arrows that move the selected knots.",
-     toggle<&Aids::show_gizmo>, kAlways, on<&Aids::show_gizmo>},
-    {"Supports", "View/Show", kNoKey, kInDrag, "Show or hide the supports.", show_or_hide<Layer::supports>, kAlways,
-     layer_shown<Layer::supports>},
-    {"Conflicts", "View/Show", kNoKey, kInDrag, "Show or hide places without clearance.",
-     show_or_hide<Layer::conflicts>, kAlways, layer_shown<Layer::conflicts>},
-    {"Legend", "View/Show", kNoKey, kInDrag, "Show or hide the numbers of the track's colours.",
-     show_or_hide<Layer::legend>, kAlways, layer_shown<Layer::legend>},
-    {"First steps", "View/Show", key(Key::f1), kInDrag, "Show or hide the first steps.", toggle<&Aids::show_hints>,
-     kAlways, on<&Aids::show_hints>},
-    {"Dark theme", "View/Appearance", kNoKey, kInDrag, "Light on dark.", set<&Look::theme, Theme::dark>, kAlways,
-     is<&Look::theme, Theme::dark>},
-    {"Light theme", "View/Appearance", kNoKey, kInDrag, "Dark on light.", set<&Look::theme, Theme::light>, kAlways,
-     is<&Look::theme, Theme::light>},
-    {"High-contrast theme", "View/Appearance", kNoKey, kInDrag, "White and bright colours on black, with outlines.",
-     set<&Look::theme, Theme::high_contrast>, kAlways, is<&Look::theme, Theme::high_contrast>},
-    {"Day", "View/Appearance", kNoKey, kInDrag, "High sun, clear sky.", set<&Look::style, Style::day>, kAlways,
-     is<&Look::style, Style::day>},
-    {"Dusk", "View/Appearance", kNoKey, kInDrag, "Low sun, long shadows.", set<&Look::style, Style::dusk>, kAlways,
-     is<&Look::style, Style::dusk>},
-    {"Blueprint", "View/Appearance", kNoKey, kInDrag, "Lines on blue, for the laboratory and for print.",
-     set<&Look::style, Style::blueprint>, kAlways, is<&Look::style, Style::blueprint>},
+    camera<CameraMode::orbit>("Orbit camera", Key::d1, "Orbit a point with the mouse."),
+    camera<CameraMode::ride>("Ride camera", Key::d2, "View from a seat of the first train.", kRideable),
+    camera<CameraMode::chase>("Chase camera", Key::d3,
+                              "Follow the first train from behind. The wheel sets the distance.", kRideable),
+    camera<CameraMode::fly>("Fly camera", Key::d4,
+                            "Fly with W A S D, Q down, E up, Shift faster. Drag to look around."),
+    project<Projection::front>("Front view", Key::keypad_1, Key::d1,
+                               "Look along -Z without perspective. Orbiting leaves the view."),
+    project<Projection::side>("Side view", Key::keypad_3, Key::d3,
+                              "Look along -X without perspective. Orbiting leaves the view."),
+    project<Projection::top>("Top view", Key::keypad_7, Key::d7,
+                             "Look down without perspective. Orbiting leaves the view."),
+    project<Projection::perspective>("Perspective", Key::keypad_5, Key::d5, "Draw distant objects smaller."),
+    toggling<&CameraFeel::head_bob>("Head-bob", "View/Camera", "Move the rider's head with g."),
+    toggling<&CameraFeel::reduced_motion>("Reduced motion", "View/Camera",
+                                          "Level horizon, cuts between cameras, no head-bob, no widening."),
+    showing<Layer::knots>("Knots", "Show or hide knots that are not selected."),
+    toggling<&Aids::show_gizmo>("Gizmo", "View/Show", "Show or hide the arrows that move the selected knots."),
+    showing<Layer::supports>("Supports", "Show or hide the supports."),
+    showing<Layer::conflicts>("Conflicts", "Show or hide places without clearance."),
+    showing<Layer::legend>("Legend", "Show or hide the numbers of the track's colours."),
+    toggling<&Aids::show_hints>("First steps", "View/Show", "Show or hide the first steps.", key(Key::f1)),
+    choosing<&Look::theme, Theme::dark>("Dark theme", "View/Appearance", "Light on dark."),
+    choosing<&Look::theme, Theme::light>("Light theme", "View/Appearance", "Dark on light."),
+    choosing<&Look::theme, Theme::high_contrast>("High-contrast theme", "View/Appearance",
+                                                 "White and bright colours on black, with outlines."),
+    choosing<&Look::style, Style::day>("Day", "View/Appearance", "High sun, clear sky."),
+    choosing<&Look::style, Style::dusk>("Dusk", "View/Appearance", "Low sun, long shadows."),
+    choosing<&Look::style, Style::blueprint>("Blueprint", "View/Appearance",
+                                             "Lines on blue, for the laboratory and for print."),
     {"Next track colours", "View", key(Key::k), 0,
      "Colour the track by speed, height, g, jerk, roll, curvature, error, or not at all.", next_colouring, kAlways,
      coloured},
