@@ -30,6 +30,11 @@ struct PlotArea {
 
   // Returns the pixel of a point; NaN for values that cannot be drawn.
   ImVec2 at(double x_value, double y_value) const;
+  // Returns the upper pixel of a label beside a value of the y axis.
+  float label_top(double y_value, float label_height) const;
+  AxisRange shown_x() const { return {x.low * x_unit.factor, x.high * x_unit.factor, x.scale}; }
+  AxisRange shown_y() const { return {y.low * y_unit.factor, y.high * y_unit.factor, y.scale}; }
+  std::string y_text(double tick, bool superscripts) const { return tick_text(shown_y(), y_ticks, tick, superscripts); }
 };
 
 // What the mouse does with the area.
@@ -52,10 +57,21 @@ std::string axis_title(const PlotAxis& axis, const base::ShownUnit& unit) {
   return axis.unit.empty() ? axis.title : fmt::format("{} ({})", axis.title, unit.name);
 }
 
-AxisRange scaled(const AxisRange& axis, double factor) { return {axis.low * factor, axis.high * factor, axis.scale}; }
+float PlotArea::label_top(double y_value, float label_height) const {
+  return std::clamp(at(x.low, y_value).y - label_height * 0.5f, low.y - label_height * 0.15f,
+                    high.y - label_height * 0.6f);
+}
 
 void draw_ink(ImDrawList& list, ImVec2 at, std::uint32_t rgb, std::string_view text) {
   draw_small(list, at, ink(rgb), text);
+}
+
+// Draws a vertical line over the area. Returns its pixel; nothing outside of the area.
+std::optional<float> draw_vertical(ImDrawList& list, const PlotArea& area, double x, ImU32 tint, float width = 1) {
+  const float at = std::floor(area.at(x, area.y.high).x) + 0.5f;
+  if (!(at >= area.low.x - 1 && at <= area.high.x + 1)) return std::nullopt;
+  list.AddLine({at, area.low.y}, {at, area.high.y}, tint, width);
+  return at;
 }
 
 bool drawable(ImVec2 p) { return std::isfinite(p.x) && std::isfinite(p.y); }
@@ -157,36 +173,28 @@ void draw_grid(ImDrawList& list, const PlotArea& area, const Plot& plot, ImVec2 
     const float y = std::floor(area.at(area.x.low, value).y) + 0.5f;
     if (y >= area.low.y - 1 && y <= area.high.y + 1) list.AddLine({area.low.x, y}, {area.high.x, y}, tint);
   };
-  const auto column = [&](double value, ImU32 tint) {
-    const float x = std::floor(area.at(value, area.y.high).x) + 0.5f;
-    if (x >= area.low.x - 1 && x <= area.high.x + 1) list.AddLine({x, area.low.y}, {x, area.high.y}, tint);
-  };
   for (const double v : area.y_ticks.minor) row(v / area.y_unit.factor, minor);
-  for (const double v : area.x_ticks.minor) column(v / area.x_unit.factor, minor);
-  const AxisRange shown_x = scaled(area.x, area.x_unit.factor), shown_y = scaled(area.y, area.y_unit.factor);
+  for (const double v : area.x_ticks.minor) (void)draw_vertical(list, area, v / area.x_unit.factor, minor);
   for (const double tick : area.y_ticks.major) {
     const double v = tick / area.y_unit.factor;
     row(v, v == 0 ? packed(palette().dim, 0.7f) : major);
-    const std::string text = tick_text(shown_y, area.y_ticks, tick, area.pretty);
+    const std::string text = area.y_text(tick, area.pretty);
     const ImVec2 size = small_size(text);
-    const float y =
-        std::clamp(area.at(area.x.low, v).y - size.y * 0.5f, area.low.y - size.y * 0.15f, area.high.y - size.y * 0.6f);
-    draw_ink(list, {area.low.x - size.x - gap, y}, palette().dim, text);
+    draw_ink(list, {area.low.x - size.x - gap, area.label_top(v, size.y)}, palette().dim, text);
   }
   for (const double tick : area.x_ticks.major) {
     const double v = tick / area.x_unit.factor;
-    column(v, v == 0 && plot.square ? packed(palette().dim, 0.7f) : major);
-    const std::string text = tick_text(shown_x, area.x_ticks, tick, area.pretty);
+    (void)draw_vertical(list, area, v, v == 0 && plot.square ? packed(palette().dim, 0.7f) : major);
+    const std::string text = tick_text(area.shown_x(), area.x_ticks, tick, area.pretty);
     const ImVec2 size = small_size(text);
     draw_ink(list, {std::max(outer_low.x, area.at(v, area.y.low).x - size.x * 0.5f), area.high.y + gap * 0.5f},
              palette().dim, text);
   }
+  PlotArea right = area;
+  right.y = area.right;
   for (const double v : area.right_ticks.major) {
     const std::string text = tick_text(area.right, area.right_ticks, v, area.pretty);
-    const float part = static_cast<float>(part_of(area.right, v)), height = small_size(text).y;
-    const float y = std::clamp(area.high.y - part * (area.high.y - area.low.y) - height * 0.5f,
-                               area.low.y - height * 0.15f, area.high.y - height * 0.6f);
-    draw_ink(list, {area.high.x + gap, y}, palette().dim, text);
+    draw_ink(list, {area.high.x + gap, right.label_top(v, small_size(text).y)}, palette().dim, text);
   }
   if (!area.right_ticks.major.empty())
     draw_ink(list, {area.high.x + gap, outer_low.y}, palette().text, plot.right.title);
@@ -445,18 +453,16 @@ PlotArea lay_out(const WidgetFrame& ui, const Plot& p, const Data& data, ImVec2 
   area.high = {std::max(std::floor(high.x - right), area.low.x + 1),
                std::max(std::floor(high.y - below), area.low.y + 1)};
   if (p.square) make_square(area);
-  area.y_ticks = ticks(scaled(area.y, area.y_unit.factor), most_beside(area.high.y - area.low.y, line));
+  area.y_ticks = ticks(area.shown_y(), most_beside(area.high.y - area.low.y, line));
   float widest = p.labels;
-  for (const double tick : area.y_ticks.major)
-    widest =
-        std::max(widest, small_size(tick_text(scaled(area.y, area.y_unit.factor), area.y_ticks, tick, area.pretty)).x);
+  for (const double tick : area.y_ticks.major) widest = std::max(widest, small_size(area.y_text(tick, area.pretty)).x);
   area.low.x = std::min(std::floor(low.x + widest + 2 * gap), area.high.x - 1);
   if (p.square) {
     make_square(area);
-    area.y_ticks = ticks(scaled(area.y, area.y_unit.factor), most_beside(area.high.y - area.low.y, line));
+    area.y_ticks = ticks(area.shown_y(), most_beside(area.high.y - area.low.y, line));
   }
   lay_out_right(p, data, gap, area);
-  area.x_ticks = ticks(scaled(area.x, area.x_unit.factor), most_ticks(area.high.x - area.low.x, 4.0f * line, 2));
+  area.x_ticks = ticks(area.shown_x(), most_ticks(area.high.x - area.low.x, 4.0f * line, 2));
   return area;
 }
 
@@ -464,7 +470,7 @@ PlotArea lay_out(const WidgetFrame& ui, const Plot& p, const Data& data, ImVec2 
 double snapped(const PlotArea& area, float mouse_x) {
   const double part = (mouse_x - area.low.x) / std::max(1.0f, area.high.x - area.low.x);
   if (area.x.scale == AxisScale::logarithmic) return value_at(area.x, part);
-  const AxisRange axis = scaled(area.x, area.x_unit.factor);
+  const AxisRange axis = area.shown_x();
   const double value = value_at(axis, part);
   const double pixel = (axis.high - axis.low) / std::max(1.0f, area.high.x - area.low.x);
   const double power = std::pow(10.0, std::floor(std::log10(pixel)));
@@ -476,19 +482,12 @@ double snapped(const PlotArea& area, float mouse_x) {
 }
 
 void draw_cursor(ImDrawList& list, const PlotArea& area, double x, bool hot) {
-  const float at = std::floor(area.at(x, area.y.high).x) + 0.5f;
-  if (!(at >= area.low.x - 1 && at <= area.high.x + 1)) return;
-  list.AddLine({at, area.low.y}, {at, area.high.y}, packed(palette().accent, hot ? 1.0f : 0.85f),
-               std::max(1.0f, std::floor(1.5f * area.scale)));
+  const ImU32 tint = packed(palette().accent, hot ? 1.0f : 0.85f);
+  const auto at = draw_vertical(list, area, x, tint, std::max(1.0f, std::floor(1.5f * area.scale)));
+  if (!at) return;
   const float grip = std::floor(4.5f * area.scale);  // half width of the handle
-  list.AddTriangleFilled({at - grip, area.low.y - 1}, {at + grip, area.low.y - 1}, {at, area.low.y + grip * 1.4f},
+  list.AddTriangleFilled({*at - grip, area.low.y - 1}, {*at + grip, area.low.y - 1}, {*at, area.low.y + grip * 1.4f},
                          packed(palette().accent));
-}
-
-void draw_mark(ImDrawList& list, const PlotArea& area, double x) {
-  const float at = std::floor(area.at(x, area.y.high).x) + 0.5f;
-  if (at >= area.low.x - 1 && at <= area.high.x + 1)
-    list.AddLine({at, area.low.y}, {at, area.high.y}, packed(palette().text, 0.6f), 1.0f);
 }
 
 void draw_all(ImDrawList& list, const PlotArea& area, const Plot& p, ImVec2 outer_low, bool any) {
@@ -534,7 +533,7 @@ std::optional<PlotDrag> plot(WidgetFrame& ui, std::string_view label, const Plot
   draw_all(list, area, p, low, any);
   const ImVec2 mouse = ImGui::GetIO().MousePos;
   if (any && p.cursor && std::isfinite(*p.cursor)) draw_cursor(list, area, *p.cursor, held || hovered);
-  if (any && p.mark) draw_mark(list, area, *p.mark);
+  if (any && p.mark) (void)draw_vertical(list, area, *p.mark, packed(palette().text, 0.6f));
   if (any && hovered && p.pointed != nullptr) *p.pointed = snapped(area, mouse.x);
   if (any && (hovered || held) && p.pointed == nullptr) draw_readout(list, area, p, mouse);
   const bool moves_cursor = p.touch == nullptr || touch_knobs(area, p, state);
@@ -547,8 +546,7 @@ std::optional<PlotDrag> plot(WidgetFrame& ui, std::string_view label, const Plot
                                              : std::string(p.empty);
   note(ui, label, "plot", any ? "" : tooltip, true, value, area.low, area.high);
   std::string axes = axis_title(p.y, area.y_unit);
-  for (const double tick : area.y_ticks.major)
-    axes += " " + tick_text(scaled(area.y, area.y_unit.factor), area.y_ticks, tick, false);
+  for (const double tick : area.y_ticks.major) axes += " " + area.y_text(tick, false);
   note(ui, fmt::format("{}/axes", label), "label", tooltip, true, axes, low, {high.x, area.low.y});
   if (!held || !any || !moves_cursor) return std::nullopt;
   PlotDrag wanted = place_under(area, mouse);
