@@ -209,16 +209,13 @@ float tight_bends(Ui& ui, float height) {
   const float own = std::min(0.5f * height, ImGui::GetFrameHeight() * (1.5f + std::min(bends.size(), kMostRows)));
   if (bends.empty()) return height;
   if (begin_table(ui, "Tight bends table", kTightColumns, own)) {
-    ImGuiListClipper clipper;
-    clipper.Begin(static_cast<int>(bends.size()));
-    while (clipper.Step())
-      for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i) {
-        const sim::TightBend& bend = bends[static_cast<std::size_t>(i)];
-        const std::string radius = digits(ui, bend.radius, 4, "m"), kind = bend.radius > 0 ? "bend" : "reversal";
-        const Cell cells[] = {{digits(ui, bend.at, 1, "m")}, {radius, kBadColour}, {kind, kPlainColour, true}};
-        if (table_row(ui, fmt::format("Tight bend {}", i + 1), cells, false, kind + " " + radius, "Click to go there."))
-          show_place(ui, bend.at);
-      }
+    each_row_in_sight(bends.size(), [&](std::size_t i) {
+      const sim::TightBend& bend = bends[i];
+      const std::string radius = digits(ui, bend.radius, 4, "m"), kind = bend.radius > 0 ? "bend" : "reversal";
+      const Cell cells[] = {{digits(ui, bend.at, 1, "m")}, {radius, kBadColour}, {kind, kPlainColour, true}};
+      if (table_row(ui, fmt::format("Tight bend {}", i + 1), cells, false, kind + " " + radius, "Click to go there."))
+        show_place(ui, bend.at);
+    });
     end_table();
   }
   return height - own - ImGui::GetStyle().ItemSpacing.y;
@@ -245,13 +242,8 @@ void joints_page(Ui& ui) {
   const float height = tight_bends(ui, page.pictures());
   if (list.rows.empty()) return small_note("No joints yet. A joint connects two segments.");
   if (!begin_table(ui, "Joints table", kJointColumns, height)) return;
-  ImGuiListClipper clipper;
-  clipper.Begin(static_cast<int>(list.rows.size()));
-  while (clipper.Step())
-    for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i) {
-      const std::size_t at = static_cast<std::size_t>(i);
-      row_of(ui, list.rows[ui.lab.joints_by_jolt ? list.by_jolt[at] : at]);
-    }
+  each_row_in_sight(list.rows.size(),
+                    [&](std::size_t i) { row_of(ui, list.rows[ui.lab.joints_by_jolt ? list.by_jolt[i] : i]); });
   end_table();
 }
 

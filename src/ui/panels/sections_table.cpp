@@ -275,31 +275,28 @@ void table_of_sections(Ui& ui, float height) {
   begin_cell(ui, columns);
   bool sought = ui.inputs.cell.has_value();  // the edited cell is in none of the rows so far
   const std::vector<std::size_t>& order = sorted_rows(ui, table);
-  ImGuiListClipper clipper;
-  clipper.Begin(static_cast<int>(order.size()));
-  while (clipper.Step())
-    for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i) {
-      const std::size_t at = static_cast<std::size_t>(i), row = order[at];
-      const SectionFigures& of = table.rows[row];
-      const world::Name section = world::name_of(document, of.run.section);
-      std::vector<Cell> cells;
-      for (const SectionColumn column : columns) {
-        cells.push_back(section_cell(ui, table_value(document, of, row, column), column));
-        if (!refusal_of(ui, section, world::parameter_of(column)).empty()) cells.back().colour = palette().warning;
-        if (cell_is_open(ui, section, column)) cells.back().text.clear();
-      }
-      const bool selected = world::is_selected(ui.session().settings, of.run.section);
-      // A mark next to the colour of the row.
-      if (selected) cells[0].swatch = palette().text;
-      const std::string name = world::label_of(document, of.run.section);
-      const bool typing = cell_is_open(ui, section);
-      if (table_row(ui, name, cells, selected, selected ? "on" : "off", "", !typing))
-        select_section_row(ui, table, order, at);
-      if (ImGui::IsItemHovered()) point_at_section(ui, of.run);
-      row_cells(ui, of.run, columns);
-      sought = sought && !typing;
+  const float row_height = each_row_in_sight(order.size(), [&](std::size_t at) {
+    const std::size_t row = order[at];
+    const SectionFigures& of = table.rows[row];
+    const world::Name section = world::name_of(document, of.run.section);
+    std::vector<Cell> cells;
+    for (const SectionColumn column : columns) {
+      cells.push_back(section_cell(ui, table_value(document, of, row, column), column));
+      if (!refusal_of(ui, section, world::parameter_of(column)).empty()) cells.back().colour = palette().warning;
+      if (cell_is_open(ui, section, column)) cells.back().text.clear();
     }
-  if (sought) scroll_to_cell(ui, table, order, clipper.ItemsHeight);
+    const bool selected = world::is_selected(ui.session().settings, of.run.section);
+    // A mark next to the colour of the row.
+    if (selected) cells[0].swatch = palette().text;
+    const std::string name = world::label_of(document, of.run.section);
+    const bool typing = cell_is_open(ui, section);
+    if (table_row(ui, name, cells, selected, selected ? "on" : "off", "", !typing))
+      select_section_row(ui, table, order, at);
+    if (ImGui::IsItemHovered()) point_at_section(ui, of.run);
+    row_cells(ui, of.run, columns);
+    sought = sought && !typing;
+  });
+  if (sought) scroll_to_cell(ui, table, order, row_height);
   end_table();
   if (!sorting.clicked) return;
   const SectionColumn by = columns[static_cast<std::size_t>(*sorting.clicked)];

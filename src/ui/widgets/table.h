@@ -53,4 +53,14 @@ bool table_row(WidgetFrame& ui, std::string_view label, std::span<const Cell> ce
                std::string_view tooltip, bool clickable = true);
 void end_table();
 
+// Calls row(i) for the rows that are in sight, of `count` equally high ones. Returns the height of a row, px.
+template <class Row>
+float each_row_in_sight(std::size_t count, Row row) {
+  ImGuiListClipper clipper;
+  clipper.Begin(static_cast<int>(count));
+  while (clipper.Step())
+    for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i) row(static_cast<std::size_t>(i));
+  return clipper.ItemsHeight;
+}
+
 }  // namespace coaster::ui
