@@ -84,20 +84,12 @@ void conflicts(Ui& ui) {
     show_next_conflict(ui);
 }
 
-void folds(Ui& ui) {
-  if (ui.find.folds().empty()) return;
-  read_query(ui, "Folds", "folds", "Places where the rails fold. Such a track cannot be exported.",
-             {.decimals = 0, .warns = true});
-  if (wide_button(ui, "Next fold", "Go to the next place where the rails fold.")) show_next_fold(ui);
-}
-
-void tight_bends(Ui& ui) {
-  if (ui.find.tight_bends().empty()) return;
-  read_query(ui, "Tight bends", "tight_bends",
-             "Places where the curve bends with a radius below 0.5 m or reverses its direction.",
-             {.decimals = 0, .warns = true});
-  if (wide_button(ui, "Next tight bend", "Go to the next bend that is too tight for a train."))
-    show_next_tight_bend(ui);
+// Shows the number of folds or tight bends, if there are any, and a button that goes from one to the next.
+void bad_places(Ui& ui, std::span<const sim::Fold> found, std::string_view label, std::string_view query,
+                std::string_view help, std::string_view next, std::string_view next_help) {
+  if (found.empty()) return;
+  read_query(ui, label, query, help, {.decimals = 0, .warns = true});
+  if (wide_button(ui, next, next_help)) show_next(ui, found);
 }
 
 // Returns the command that closes the track: ends that coincide, or nearly do, become one knot.
@@ -210,8 +202,11 @@ void track_panel(Ui& ui) {
   size(ui);
   deviation(ui);
   conflicts(ui);
-  folds(ui);
-  tight_bends(ui);
+  bad_places(ui, ui.find.folds(), "Folds", "folds", "Places where the rails fold. Such a track cannot be exported.",
+             "Next fold", "Go to the next place where the rails fold.");
+  bad_places(ui, ui.find.tight_bends(), "Tight bends", "tight_bends",
+             "Places where the curve bends with a radius below 0.5 m or reverses its direction.", "Next tight bend",
+             "Go to the next bend that is too tight for a train.");
   building(ui);
   start(ui);
   file(ui);

@@ -5,7 +5,6 @@
 #include "edit/commands/commands_challenge.h"
 #include "edit/commands/commands_settings.h"
 #include "edit/commands/set_setting.h"
-#include "sim/shape/folds.h"
 #include "sim/solids/conflict.h"
 #include "sim/study/jolt.h"
 #include "world/aids.h"
@@ -92,12 +91,8 @@ void show_next_conflict(Ui& ui) {
     look_at(ui, next->at, 0.5f * (next->at_place + next->other_place), 0, 24);
 }
 
-void show_next_fold(Ui& ui) {
-  if (const auto* const next = next_of(ui, ui.find.folds())) look_at(ui, next->at, next->place, 0, 24);
-}
-
-void show_next_tight_bend(Ui& ui) {
-  if (const auto* const next = next_of(ui, ui.find.tight_bends())) look_at(ui, next->at, next->place, 0, 24);
+void show_next(Ui& ui, std::span<const sim::Fold> found) {
+  if (const auto* const next = next_of(ui, found)) look_at(ui, next->at, next->place, 0, 24);
 }
 
 void show_knot(Ui& ui, world::Entity knot) {

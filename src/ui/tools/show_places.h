@@ -3,7 +3,9 @@
 #pragma once
 
 #include <optional>
+#include <span>
 
+#include "sim/shape/folds.h"
 #include "ui/context/ui.h"
 
 namespace coaster::ui {
@@ -23,10 +25,8 @@ std::optional<world::Entity> climb_without_lift(const edit::Session& session);
 void show_place(Ui& ui, double distance);
 // Selects the next conflict after the selected place and points the orbit camera there; no-op without conflicts.
 void show_next_conflict(Ui& ui);
-// Selects the next fold of the rails in the same way.
-void show_next_fold(Ui& ui);
-// Selects the next tight bend in the same way.
-void show_next_tight_bend(Ui& ui);
+// Selects the next of the folds or tight bends of the track in the same way.
+void show_next(Ui& ui, std::span<const sim::Fold> found);
 // Selects the knot and points the orbit camera there.
 void show_knot(Ui& ui, world::Entity knot);
 // Selects the knot with the largest jolt and points the orbit camera there; no-op without a jolt.
