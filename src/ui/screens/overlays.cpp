@@ -33,45 +33,42 @@ namespace {
 
 using Steps = std::vector<std::pair<std::string, std::string>>;
 
-// Return the user's keys and what they do in a workspace.
-Steps building_steps(const KeyMap& keys) {
-  const auto k = [&](std::string_view action) { return keys.shown(action); };
-  return {
-      {"Palette", fmt::format("click an element; {} places it", k("Place element"))},
-      {"Click", "select a section or a knot, then drag its handles"},
-      {fmt::format("{} {} {}", k("Move"), k("Rotate"), k("Scale")), "move, rotate, scale; then X, Y, Z or a number"},
-      {k("Play or pause"), fmt::format("ride; {} rider's view, {} orbit view", k("Ride camera"), k("Orbit camera"))},
-      {k("Laboratory"), "the laboratory: curves, errors, forces"},
-      {k("Undo"), "undo, any number of steps"}};
-}
-Steps riding_steps(const KeyMap& keys) {
-  const auto k = [&](std::string_view action) { return keys.shown(action); };
-  return {{k("Play or pause"), fmt::format("play and pause; {} returns to the start", k("Reset"))},
-          {fmt::format("{} {} {}", k("Orbit camera"), k("Ride camera"), k("Chase camera")),
-           "orbit, rider's view, behind the train"},
-          {k("Next track colours"), "colour the track by speed, g and more"},
-          {k("Panels"), "hide the bars"},
-          {k("Build workspace"), "the workspace Build"}};
-}
-Steps laboratory_steps(const KeyMap& keys) {
-  const auto k = [&](std::string_view action) { return keys.shown(action); };
-  return {
-      {k("Next evaluator"), fmt::format("next evaluator; {} more steps, {} fewer", k("More steps"), k("Fewer steps"))},
-      {"Click", "select a segment: the pages show it"},
-      {k("Probe on"), fmt::format("move the probe along the curve; {} back", k("Probe back"))},
-      {k("Next track colours"), "colour the track by curvature, error and more"},
-      {k("Build workspace"), "the workspace Build"}};
-}
-
+// Returns the user's keys and what they do in the workspace.
 Steps first_steps(const Ui& ui) {
-  const world::Workspace workspace = ui.session().settings.panels->workspace;
-  Steps steps = workspace == world::Workspace::ride         ? riding_steps(ui.keys)
-                : workspace == world::Workspace::laboratory ? laboratory_steps(ui.keys)
-                                                            : building_steps(ui.keys);
+  const auto k = [&](std::string_view action) { return ui.keys.shown(action); };
+  Steps steps;
+  switch (ui.session().settings.panels->workspace) {
+    case world::Workspace::ride:
+      steps = {{k("Play or pause"), fmt::format("play and pause; {} returns to the start", k("Reset"))},
+               {fmt::format("{} {} {}", k("Orbit camera"), k("Ride camera"), k("Chase camera")),
+                "orbit, rider's view, behind the train"},
+               {k("Next track colours"), "colour the track by speed, g and more"},
+               {k("Panels"), "hide the bars"},
+               {k("Build workspace"), "the workspace Build"}};
+      break;
+    case world::Workspace::laboratory:
+      steps = {{k("Next evaluator"),
+                fmt::format("next evaluator; {} more steps, {} fewer", k("More steps"), k("Fewer steps"))},
+               {"Click", "select a segment: the pages show it"},
+               {k("Probe on"), fmt::format("move the probe along the curve; {} back", k("Probe back"))},
+               {k("Next track colours"), "colour the track by curvature, error and more"},
+               {k("Build workspace"), "the workspace Build"}};
+      break;
+    case world::Workspace::all:
+    case world::Workspace::build:
+      steps = {{"Palette", fmt::format("click an element; {} places it", k("Place element"))},
+               {"Click", "select a section or a knot, then drag its handles"},
+               {fmt::format("{} {} {}", k("Move"), k("Rotate"), k("Scale")),
+                "move, rotate, scale; then X, Y, Z or a number"},
+               {k("Play or pause"),
+                fmt::format("ride; {} rider's view, {} orbit view", k("Ride camera"), k("Orbit camera"))},
+               {k("Laboratory"), "the laboratory: curves, errors, forces"},
+               {k("Undo"), "undo, any number of steps"}};
+      break;
+  }
   // In every workspace.
-  steps.insert(steps.begin() + 1,
-               {"Drag", fmt::format("orbit; wheel zooms, {} frames all", ui.keys.shown("Frame all"))});
-  steps.emplace_back(ui.keys.shown("Command palette"), "find any action or command");
+  steps.insert(steps.begin() + 1, {"Drag", fmt::format("orbit; wheel zooms, {} frames all", k("Frame all"))});
+  steps.emplace_back(k("Command palette"), "find any action or command");
   return steps;
 }
 
