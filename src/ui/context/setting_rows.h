@@ -23,7 +23,7 @@ template <auto Member>
 void setting_slider(Ui& ui, std::string_view label, int decimals, std::string_view tooltip) {
   constexpr world::SettingRow kRow = world::setting_row<Member>();
   const double now = world::value_in<Member>(ui.session().settings);
-  if (const auto to = real_slider(ui, label, now, kRow.low, kRow.high, decimals, tooltip, false, kRow.unit.data()))
+  if (const auto to = real_slider(ui, label, now, kRow.low, kRow.high, decimals, tooltip, kRow.unit.data()))
     ui.emit(edit::Set<Member>{static_cast<world::ValueOf<Member>>(*to)});
 }
 

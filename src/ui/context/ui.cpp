@@ -16,7 +16,12 @@ void build_area(Ui& ui, const view::Viewport& area, const AreaLook& look, const 
   if (look.padding) ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, *look.padding);
   if (look.raised) ImGui::PushStyleColor(ImGuiCol_WindowBg, colour(palette().raised));
   ui.panel = look.panel;
-  if (begin_area(look.id, {area.x, area.y}, {area.width, area.height}, look.more)) content();
+  ImGui::SetNextWindowPos({area.x, area.y});
+  ImGui::SetNextWindowSize(sized({area.width, area.height}));
+  constexpr ImGuiWindowFlags kFixed =
+      ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoMove |
+      ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoBringToFrontOnFocus | ImGuiWindowFlags_NoNav;
+  if (ImGui::Begin(look.id, nullptr, look.more | kFixed)) content();
   ui.panel.clear();
   ImGui::End();
   if (look.raised) ImGui::PopStyleColor();

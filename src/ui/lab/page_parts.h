@@ -182,10 +182,10 @@ struct ForceKeys {
   std::optional<double> inserted;  // position of a new key, selected once it exists
   int side = 0;                    // held part: 0 the key, below 0 its handle before it, above 0 its handle after it
   bool gesture = false;
-  bool undone = false;                              // the drag was undone, and the mouse button is still down
-  world::ForceKey from;                             // the key at the start of the drag
-  ForceEnds axes;                                   // during a drag
-  std::vector<double> place, asked, actual, knobs;  // data of the plot
+  bool undone = false;                       // the drag was undone, and the mouse button is still down
+  world::ForceKey from;                      // the key at the start of the drag
+  ForceEnds axes;                            // during a drag
+  std::vector<double> place, asked, actual;  // data of the plot
 };
 
 struct LabCache {

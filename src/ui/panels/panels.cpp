@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <string>
 #include <utility>
 
@@ -81,6 +82,16 @@ void scroll_to_what_is_new(const Ui& ui) {
                   (preview ? 1 + static_cast<int>(settings.element.kind) : 0);
   int& before = *ImGui::GetStateStorage()->GetIntRef(ImGui::GetID("##shown"), now);
   if (std::exchange(before, now) != now) ImGui::SetScrollY(0);
+}
+
+// Returns true while the panel is open.
+bool header(WidgetFrame& ui, std::string_view name, std::string_view tooltip, bool at_first, bool open_now) {
+  if (ImGui::GetCursorPosY() > 2 * ImGui::GetStyle().WindowPadding.y)
+    ImGui::Dummy(sized({0, std::floor(3 * ui.scale)}));  // not before the first one
+  if (open_now) ImGui::SetNextItemOpen(true);
+  const bool open = ImGui::CollapsingHeader(std::string(name).c_str(), at_first ? ImGuiTreeNodeFlags_DefaultOpen : 0);
+  note_item(ui, "", "header", tooltip, true, open ? "open" : "closed");
+  return open;
 }
 
 // Scrolls down to what was built last, from `top` (px), as far as that stays in sight.

@@ -79,6 +79,11 @@ world::SnapTo snap_now(const world::Settings& settings) {
   return settings.snapping.to == world::SnapTo::off ? world::SnapTo::grid : world::SnapTo::off;
 }
 
+// Returns the axis of a rotation: that of the constraint, or the line of sight.
+glm::vec3 rotation_axis(const view::View& view, const Constraint& constraint) {
+  return constraint.kind == Constraint::Kind::free ? view::line_of_sight(view) : glm::vec3(unit(constraint.axis));
+}
+
 double rounded_to(double value, double step) { return std::round(value / step) * step; }
 
 }  // namespace
@@ -90,10 +95,6 @@ std::optional<dvec3> meet(const view::View& view, glm::vec2 pixel, glm::vec3 piv
                                                                     : dvec3(view::line_of_sight(view)));
   const auto hit = view::meet_plane(ray, pivot, normal);
   return hit ? std::optional(dvec3(*hit)) : std::nullopt;
-}
-
-glm::vec3 rotation_axis(const view::View& view, const Constraint& constraint) {
-  return constraint.kind == Constraint::Kind::free ? view::line_of_sight(view) : glm::vec3(unit(constraint.axis));
 }
 
 double turned_angle(const view::View& view, glm::vec2 from, glm::vec2 to, glm::vec3 pivot, glm::vec3 axis) {

@@ -30,9 +30,6 @@ std::optional<glm::dvec3> meet(const view::View& view, glm::vec2 pixel, glm::vec
 // Returns the angle (radians, -pi..pi) from `from` to `to` about the pivot on the screen, right-handed about `axis`.
 double turned_angle(const view::View& view, glm::vec2 from, glm::vec2 to, glm::vec3 pivot, glm::vec3 axis);
 
-// Returns the axis of a rotation: that of the constraint, or the line of sight.
-glm::vec3 rotation_axis(const view::View& view, const Constraint& constraint);
-
 // Returns the snapped `position` (m). Components that the constraint excludes keep the value of `start`. `knots` snaps
 // to the nearest unselected knot within 12 points of the cursor, `ground` to where the ray meets it.
 struct SnapScene {

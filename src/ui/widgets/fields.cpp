@@ -258,9 +258,9 @@ std::optional<Changed> numbers(WidgetFrame& ui, std::string_view group, std::spa
 }
 
 std::optional<double> real_slider(WidgetFrame& ui, std::string_view label, double value, double low, double high,
-                                  int decimals, std::string_view tooltip, bool logarithmic, const char* unit) {
+                                  int decimals, std::string_view tooltip, const char* unit) {
   const Number n{.value = value, .unit = unit, .decimals = decimals, .low = low, .high = high, .largest = kLargestSlid};
-  return slide(ui, label, n, tooltip, logarithmic);
+  return slide(ui, label, n, tooltip, false);
 }
 
 std::optional<int> slider(WidgetFrame& ui, std::string_view label, int value, int low, int high, bool logarithmic,

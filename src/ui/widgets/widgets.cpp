@@ -137,15 +137,6 @@ void draw_fold_mark(ImDrawList& list, ImVec2 middle, float scale, bool down) {
   list.AddTriangleFilled(left, down ? right : tip, down ? tip : right, packed(palette().text));
 }
 
-bool begin_area(const char* id, ImVec2 at, ImVec2 size, ImGuiWindowFlags more) {
-  ImGui::SetNextWindowPos(at);
-  ImGui::SetNextWindowSize(sized(size));
-  return ImGui::Begin(id, nullptr,
-                      more | ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoCollapse |
-                          ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
-                          ImGuiWindowFlags_NoBringToFrontOnFocus | ImGuiWindowFlags_NoNav);
-}
-
 float build_card(WidgetFrame& ui, const Card& card, const std::function<void()>& content) {
   ImGui::SetNextWindowPos(card.at, ImGuiCond_Always, card.pivot);
   ImGui::SetNextWindowSize({sized(card.width), 0});
@@ -180,15 +171,6 @@ void begin_in_bar(std::string_view label) {
   tinted_line(shown(label), palette().dim);
   ImGui::SameLine();
   ImGui::SetNextItemWidth(sized(ImGui::GetContentRegionAvail().x));
-}
-
-bool header(WidgetFrame& ui, std::string_view name, std::string_view tooltip, bool at_first, bool open_now) {
-  if (ImGui::GetCursorPosY() > 2 * ImGui::GetStyle().WindowPadding.y)
-    ImGui::Dummy(sized({0, std::floor(3 * ui.scale)}));  // not before the first one
-  if (open_now) ImGui::SetNextItemOpen(true);
-  const bool open = ImGui::CollapsingHeader(std::string(name).c_str(), at_first ? ImGuiTreeNodeFlags_DefaultOpen : 0);
-  note_item(ui, "", "header", tooltip, true, open ? "open" : "closed");
-  return open;
 }
 
 bool fold(WidgetFrame& ui, std::string_view name, bool open, std::string_view tooltip, ImVec2 size, bool lit) {

@@ -1,6 +1,6 @@
 // Thin wrappers over Dear ImGui's widgets. Each lays out a row (label left, control right; label above if both do not
-// fit), shows a tooltip, and registers itself under "Panel/Label" for scripts. They return the user's input and change
-// no state.
+// fit), shows a tooltip, and registers itself under "Panel/Label" for scripts; labels may be "Shown###Id"
+// (widget_list.h). They return the user's input and change no state.
 #pragma once
 
 #include <imgui.h>
@@ -104,9 +104,6 @@ void begin_row(std::string_view label, float needed = 0);
 // The same in a bar: right after the label, with the rest of the room.
 void begin_in_bar(std::string_view label);
 
-// Begins a window that cannot be moved and stays behind other windows; ImGui::End() ends it.
-bool begin_area(const char* id, ImVec2 at, ImVec2 size, ImGuiWindowFlags more = ImGuiWindowFlags_NoScrollbar);
-
 // A window over the scene that cannot be moved, as high as its content; `panel` names its widgets.
 struct Card {
   const char* id;
@@ -120,8 +117,6 @@ struct Card {
 // Returns its height, px.
 float build_card(WidgetFrame& ui, const Card& card, const std::function<void()>& content);
 
-// Labels may be "Shown###Id" (widget_list.h). Returns true while open. `open`: initial state.
-bool header(WidgetFrame& ui, std::string_view name, std::string_view tooltip, bool open = true, bool open_now = false);
 // Shows a button that folds what it is the header of: ui.panel, or a part of it. The mark has the name behind it, if
 // any. `lit`: it is highlighted while that is open, like a tab. Returns true if pressed.
 bool fold(WidgetFrame& ui, std::string_view name, bool open, std::string_view tooltip, ImVec2 size, bool lit = false);
@@ -211,8 +206,7 @@ std::optional<int> slider(WidgetFrame& ui, std::string_view label, int value, in
                           std::string_view tooltip);
 // Shows a slider for a real number, displayed with and rounded to `decimals`.
 std::optional<double> real_slider(WidgetFrame& ui, std::string_view label, double value, double low, double high,
-                                  int decimals, std::string_view tooltip, bool logarithmic = false,
-                                  const char* unit = "");
+                                  int decimals, std::string_view tooltip, const char* unit = "");
 // What a text field shows of a text that is too long while it is not edited: of a path its end. The tooltip has it all.
 enum class TextShows { start, end };
 // Shows a text field. Returns the text on Enter, or when it loses focus with the text changed.
