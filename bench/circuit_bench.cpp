@@ -32,7 +32,7 @@ world::Document open_track(bool blocked) {
 
 void complete(benchmark::State& state, bool blocked) {
   const world::Document document = open_track(blocked);
-  const sim::Derived derived = sim::shapes_of(document);
+  const sim::DerivedTrack derived = sim::shapes_of(document);
   sim::Conflicts conflicts;
   conflicts.update(derived);
   sim::CircuitTask task = *sim::circuit_task(document, derived, nullptr);
@@ -79,7 +79,7 @@ void complete_random(benchmark::State& state) {
   Builder builder;
   build_random(static_cast<std::uint32_t>(state.range(0)), builder);
   edit::Session& session = builder.session;
-  const edit::Finder find(session);
+  const edit::SessionFindings find(session);
   (void)find.conflicts();
   const sim::CircuitTask task = *sim::circuit_task(session.document, session.derived, find.ride());
   std::size_t proposals = 0;
@@ -110,7 +110,7 @@ void change_40_elements(benchmark::State& state) {
   for (auto _ : state) {
     taken += builder.apply(
         fmt::format("section.change @q2 from_start on to climb height {} equipment lift", 45 + 0.05 * (++step % 40)));
-    (void)edit::Finder(session).overloads(), (void)edit::Finder(session).conflicts();
+    (void)edit::SessionFindings(session).overloads(), (void)edit::SessionFindings(session).conflicts();
   }
   state.counters["closed"] = closed;
   state.counters["sections"] = static_cast<double>(session.document.entities.pool<world::Section>().size());

@@ -102,9 +102,9 @@ void accuracy(benchmark::State& state, const curve::Evaluator& row) {
   state.counters["checksum"] = checksum(points.items().data(), points.items().size());
 }
 
-void track_points(benchmark::State& state, curve::Processor on, std::size_t segments, bool past_caches) {
+void track_points(benchmark::State& state, curve::InstructionSet on, std::size_t segments, bool past_caches) {
   const auto all = track_cubics(segments);
-  const Buffer<glm::vec3> out(curve::track_vertices(segments, kSteps, curve::TrackLayout::chain));
+  const Buffer<glm::vec3> out(curve::track_vertices(segments, kSteps, curve::VertexLayout::chain));
   const auto to = out.items();
   const Work store = [&] {
     past_caches ? non_temporal_store(to.data(), to.size_bytes()) : plain_store(to.data(), to.size_bytes());
@@ -116,7 +116,7 @@ void track_points(benchmark::State& state, curve::Processor on, std::size_t segm
                           [&] { polylines(forward_differences(), all, kSteps, scalar.items(), {}); }, false});
   paired(
       state, "point", static_cast<double>(to.size()),
-      [&] { curve::track_points(all, kSteps, curve::TrackLayout::chain, to, on); }, references);
+      [&] { curve::track_points(all, kSteps, curve::VertexLayout::chain, to, on); }, references);
   state.counters["checksum"] = checksum(to.data(), to.size());
 }
 
@@ -143,8 +143,8 @@ benchmark::internal::Benchmark* add(const std::string& name, Run run, Rest... re
     add("evaluate/points_and_tangents/" + name, evaluate, row, true);
     add("accuracy/" + name, accuracy, row)->Arg(16)->Arg(64)->Arg(256)->Arg(1024)->Arg(4096);
   }
-  for (const curve::Processor on : curve::available_processors()) {
-    const std::string path = on == curve::Processor::avx2 ? "avx2" : "baseline";
+  for (const curve::InstructionSet on : curve::available_processors()) {
+    const std::string path = on == curve::InstructionSet::avx2 ? "avx2" : "baseline";
     add("track/points/" + path, track_points, on, kSegments, false);
     add("track/points_past_caches/" + path, track_points, on, kManySegments, true);
   }

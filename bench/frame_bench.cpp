@@ -128,7 +128,7 @@ Riding ride_of_many() {
   constexpr int kFrames = 60, kTicks = 2;
   world::Document document = ring(kSegments);
   document.start_speed = 60;  // the lap must fit into a timetable
-  while (document.entities.pool<world::Cart>().size() < kTrains)
+  while (document.entities.pool<world::Train>().size() < kTrains)
     world::add_cart(document, document.track.segments.front(), 0);
   auto program = open_track(std::move(document), {1280, 720});
   if (!program) return {};

@@ -33,7 +33,7 @@ constexpr int kOurRuns = 32;  // one takes microseconds, and the first runs with
 template <class Evaluate>
 void beside_ours(benchmark::State& state, const Evaluate& evaluate) {
   const auto all = track_cubics(kSegments);
-  std::vector<glm::vec3> ours(curve::track_vertices(kSegments, kSteps, curve::TrackLayout::chain)),
+  std::vector<glm::vec3> ours(curve::track_vertices(kSegments, kSteps, curve::VertexLayout::chain)),
       theirs(kSegments * kSteps);
   const Work peer = [&] {
     for (std::size_t s = 0; s < kSegments; ++s)
@@ -42,7 +42,7 @@ void beside_ours(benchmark::State& state, const Evaluate& evaluate) {
   };
   paired(state, "point", static_cast<double>(theirs.size()), peer,
          {{"ratio_to_peer", [&] {
-             for (int i = 0; i < kOurRuns; ++i) curve::track_points(all, kSteps, curve::TrackLayout::chain, ours);
+             for (int i = 0; i < kOurRuns; ++i) curve::track_points(all, kSteps, curve::VertexLayout::chain, ours);
            }}});
   state.counters["ratio_to_peer"].value *= kOurRuns;
   double worst = 0;  // both results agree
@@ -75,11 +75,11 @@ BENCHMARK(eigen_splines)->Name("peers/eigen_splines")->UseManualTime();
 #ifdef COASTER_PEER_2GEOM
 void lib2geom(benchmark::State& state) {
   std::vector<Geom::CubicBezier> curves;
-  const auto at = [](glm::vec3 p) { return Geom::Point(p.x, p.y); };
+  const auto at = [](glm::vec3 p) { return Geom::G2Unknowns(p.x, p.y); };
   for (const auto& c : track_cubics(kSegments))
     curves.emplace_back(at(c.cubic.p0), at(c.cubic.p1), at(c.cubic.p2), at(c.cubic.p3));
   beside_ours(state, [&](std::size_t s, double t, float* out) {
-    const Geom::Point p = curves[s].pointAt(t);
+    const Geom::G2Unknowns p = curves[s].pointAt(t);
     out[0] = static_cast<float>(p[Geom::X]);
     out[1] = static_cast<float>(p[Geom::Y]);
   });

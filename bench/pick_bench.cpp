@@ -25,7 +25,7 @@ constexpr std::size_t kPicks = 512;
 
 // Returns a Lissajous figure of segments of about ten metres over a square, strands about ten metres apart, hills of 60
 // m.
-sim::Derived tangle(int segments) {
+sim::DerivedTrack tangle(int segments) {
   const double half = 5 * std::sqrt(static_cast<double>(segments)),
                turns = std::floor(segments * 10 / (5.6 * half * 1.4));
   const auto at = [&](double a) {
@@ -45,7 +45,7 @@ sim::Derived tangle(int segments) {
   world::set_closed(document, true);
   world::Settings settings;
   settings.evaluation->steps = 1;
-  sim::Derived derived;
+  sim::DerivedTrack derived;
   sim::derive(document, settings, {}, derived);
   return derived;
 }
@@ -55,7 +55,7 @@ struct Aim {
   glm::vec2 pixel;
 };
 
-std::vector<Aim> aims(const sim::Derived& derived) {
+std::vector<Aim> aims(const sim::DerivedTrack& derived) {
   std::mt19937 bits(11);
   const auto uniform = [&](double low, double high) { return low + (high - low) * (bits() / 4294967296.0); };
   std::vector<Aim> all;
@@ -76,7 +76,7 @@ std::vector<Aim> aims(const sim::Derived& derived) {
 // Picks are timed one after the other, as in frames; testing all segments evicts the caches, so an untimed round comes
 // first.
 void pick(benchmark::State& state) {
-  const sim::Derived derived = tangle(static_cast<int>(state.range(0)));
+  const sim::DerivedTrack derived = tangle(static_cast<int>(state.range(0)));
   const std::vector<Aim> all = aims(derived);
   constexpr std::size_t kOfAll = 4;  // picks among all segments per iteration
   double sum = 0;
@@ -106,7 +106,7 @@ BENCHMARK(pick)->Name("pick/hierarchy")->Arg(1000)->Arg(10000)->Arg(100000)->Use
 
 // Drags one knot: refits its two segments' boxes and those above them; the reference rebuilds the tree.
 void refit(benchmark::State& state) {
-  sim::Derived derived = tangle(static_cast<int>(state.range(0)));
+  sim::DerivedTrack derived = tangle(static_cast<int>(state.range(0)));
   sim::SegmentTree again;
   const std::size_t middle = derived.tree.cubics.size() / 2;
   constexpr int kMoves = 64;
@@ -166,7 +166,7 @@ RTCRayHit ray_of(const view::Ray& ray) {
 // Alternates the program's picks with Embree's first hit of the same rays: program's time / Embree's. Embree's curves
 // have a constant thickness.
 void pick_beside_embree(benchmark::State& state) {
-  const sim::Derived derived = tangle(static_cast<int>(state.range(0)));
+  const sim::DerivedTrack derived = tangle(static_cast<int>(state.range(0)));
   const std::vector<Aim> all = aims(derived);
   EmbreeScene embree(derived.tree.cubics, kThick);
   std::size_t hits = 0, found = 0;

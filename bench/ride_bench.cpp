@@ -26,7 +26,7 @@ world::Document hilly_ring(int segments, double length, int cars) {
   }
   world::set_closed(document, true);
   const world::Entity cart = world::add_cart(document, document.track.segments[3], 0.3);
-  document.entities.get<world::Cart>(cart).cars = cars;
+  document.entities.get<world::Train>(cart).cars = cars;
   document.start_speed = 9;
   return document;
 }
@@ -34,7 +34,7 @@ world::Document hilly_ring(int segments, double length, int cars) {
 struct Riding {
   world::Document document;
   world::Settings settings;
-  sim::Derived derived;
+  sim::DerivedTrack derived;
   sim::RideCache cache;
   explicit Riding(int cars) : document(hilly_ring(100, 2000, cars)) { sim::derive(document, settings, {}, derived); }
   const sim::SimulatedRide& simulated() { return *cache.ride(document, derived, world::first_cart(document)); }
@@ -43,7 +43,7 @@ struct Riding {
 double checksum(const sim::SimulatedRide& simulated) {
   double sum = simulated.lap_time;
   for (const sim::RideSample& sample : simulated.samples) sum += sample.speed;
-  for (const sim::Felt& force : simulated.forces) sum += force.up;
+  for (const sim::FeltAcceleration& force : simulated.forces) sum += force.up;
   return sum;
 }
 
@@ -103,7 +103,7 @@ double drift_mm(Riding& riding, const sim::LapTable& table) {
   world::Motion motion;
   sim::reset(riding.document, riding.derived, motion);
   motion.state = world::RideState::running;
-  sim::LapCart cart = sim::lap_cart(table, 0);
+  sim::LapTrain cart = sim::lap_cart(table, 0);
   double worst = 0;
   for (int tick = 0; tick < 60 * world::kTicksPerSecond; ++tick) {
     sim::advance(table, cart);
@@ -116,21 +116,21 @@ double drift_mm(Riding& riding, const sim::LapTable& table) {
 void carts(benchmark::State& state) {
   constexpr std::size_t kCarts = 10'000;
   Riding riding(1);
-  const world::Cart& design = riding.document.entities.get<world::Cart>(world::first_cart(riding.document));
+  const world::Train& design = riding.document.entities.get<world::Train>(world::first_cart(riding.document));
   const sim::LapTable& table =
       riding.cache.lap(riding.document, riding.derived, sim::start_of(riding.document, riding.derived, design));
   if (!table.valid()) return state.SkipWithError("the cart does not come round");
   std::mt19937 random(11);
   std::uniform_real_distribution<double> phase(0, table.period());
-  sim::LapCarts all;
+  sim::LapTrains all;
   for (std::size_t i = 0; i < kCarts; ++i) all.add(sim::lap_cart(table, phase(random)));
-  const sim::LapCarts start = all;
+  const sim::LapTrains start = all;
   constexpr int kTicks = 20;  // per timed run, because reading the clock costs time
   const Work work = [&] {
     for (int tick = 0; tick < kTicks; ++tick) sim::advance(table, all);
   };
   // Reads and writes the same memory as advance(), and adds.
-  sim::LapCarts walked = all;
+  sim::LapTrains walked = all;
   const Work walk = [&] {
     for (int tick = 0; tick < kTicks; ++tick)
       for (std::vector<double>* column : {&walked.phase, &walked.along, &walked.speed, &walked.laps})
@@ -153,7 +153,7 @@ struct Crowd {
     world::Document& document = riding.document;
     document.start_speed = 30;
     const world::Entity segment = document.track.segments[3];
-    while (document.entities.pool<world::Cart>().size() < trains) world::add_cart(document, segment, 0.3);
+    while (document.entities.pool<world::Train>().size() < trains) world::add_cart(document, segment, 0.3);
     sim::reset(document, riding.derived, motion);
     for (std::size_t i = 0; i < trains; ++i)
       sim::seek(document, riding.derived, motion.carts.entities()[i],

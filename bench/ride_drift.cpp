@@ -28,7 +28,7 @@ struct Drift {
 };
 
 Drift ride(const world::Document& document, world::IntegratorId integrator, int hours) {
-  sim::Derived derived;
+  sim::DerivedTrack derived;
   sim::derive(document, {}, {}, derived);
   sim::RideCache cache;
   world::Motion motion;
@@ -42,7 +42,7 @@ Drift ride(const world::Document& document, world::IntegratorId integrator, int 
     double worst = 0;
     for (int tick = 0; tick < kHour; tick += kEvery) {
       sim::step(document, derived, integrator, kEvery, cache, motion);
-      const world::CartMotion& at = motion.carts.get(cart);
+      const world::TrainMotion& at = motion.carts.get(cart);
       const double now = sim::energy_drift(document, derived, cart, at);
       drift.not_finite += !std::isfinite(now) || !std::isfinite(at.s) || !std::isfinite(at.speed);
       worst = std::max(worst, now);

@@ -27,7 +27,8 @@ bool is_busy(Program& program) {
   edit::Session& session = program.session;
   return session.motion.state == world::RideState::running || session.measuring.measurement.running ||
          program.picture.rig.ticks_left > 0 || program.stats.deviation_pending > 0 || program.pictures.busy() ||
-         (session.settings.lab->layers.has(world::Layer::conflicts) && !edit::Finder(session).all_conflicts()) ||
+         (session.settings.lab->layers.has(world::Layer::conflicts) &&
+          !edit::SessionFindings(session).all_conflicts()) ||
          program.job || program.filming || program.tutorial.wanted || program.tutorial.card ||
          program.ui->input_waits() || (program.keeper && program.keeper->dialog.running());
 }
@@ -66,8 +67,8 @@ void read_input(Program& program, const platform::Events& events, platform::Size
 // Builds panels and viewport tool from the state before this frame's commands. Changes nothing but the requested
 // findings.
 ui::Output build_panels(Program& program, const platform::Events& events, platform::Size size) {
-  ui::State state{program.session,          program.stats,        program.time.seconds,
-                  program.stats.hide_times, &program.picture.rig, program.keeper ? &program.keeper->state : nullptr};
+  ui::UiState state{program.session,          program.stats,        program.time.seconds,
+                    program.stats.hide_times, &program.picture.rig, program.keeper ? &program.keeper->state : nullptr};
   state.waiting = program.job != nullptr;
   if (const LongJob* const job = shown_job(program)) state.job = {&job->work->progress, job->panel, job->title};
   state.lesson = program.tutorial.card ? &*program.tutorial.card : nullptr;
@@ -88,7 +89,7 @@ void ask_for_tutorial(Program& program) {
 
 // Pastes the clipboard. A link or a list of points is opened. The clipboard of another window has priority over what
 // was copied here.
-void paste(Program& program, bool link_alone, const std::optional<ui::KeysPlace>& keys_to) {
+void paste(Program& program, bool link_alone, const std::optional<ui::ForceKeyPlace>& keys_to) {
   std::string text = program.surface->clipboard();
   if (exchange::is_link(text) || exchange::is_pasted(text)) return program.ui->open(std::move(text));
   if (link_alone) return;
@@ -126,7 +127,7 @@ struct FrameTimes {
 // Statistics of this frame, for the panels of the next one and for scripts.
 void fill_stats(Program& program, const gfx::DrawStats& drawn, platform::Size size, const FrameTimes& times) {
   query::FrameStats& stats = program.stats;
-  const sim::Derived& derived = program.session.derived;
+  const sim::DerivedTrack& derived = program.session.derived;
   static_cast<view::DrawStats&>(stats) = drawn;
   ++stats.frame;
   if (drawn.drawn_by != derived.evaluated_by)
@@ -159,8 +160,8 @@ void set_title(Program& program) {
 }
 
 // Draws and shows the present state, and stores the figures of the picture.
-void draw(Program& program, const ui::Output& output, const Look& look, const Seen& seen, platform::Size size,
-          FrameTimes times) {
+void draw(Program& program, const ui::Output& output, const PictureSettings& look, const PictureContents& seen,
+          platform::Size size, FrameTimes times) {
   const gfx::DrawStats drawn = draw_scene(program, look, seen, size);
   if (!look.unseen) program.ui->draw(size.width, size.height);
   times.drew = program.surface->clock();
@@ -170,7 +171,7 @@ void draw(Program& program, const ui::Output& output, const Look& look, const Se
   set_title(program);
   program.picture.unseen = look.unseen;
   program.picture.tick = program.session.tick, program.picture.commands = program.commands;
-  if (output.photo != ui::PhotoWish::none) take_photo(program, output.photo == ui::PhotoWish::window);
+  if (output.photo != ui::PictureRequest::none) take_photo(program, output.photo == ui::PictureRequest::window);
 }
 
 // Runs a frame of an idle window: everything that needs no picture.
@@ -216,9 +217,9 @@ void run_frame(Program& program, const platform::Events& events, int ticks) {
     program.picture.view = view::view_of(program.picture.rig.eye, output->view.viewport, output->view.density);
     program.picture.free = output->free;
     const bool opening = program.stats.frame == 0;  // a window's first frame is before its track is open
-    const bool unseen = (opening || !program.surface->is_window()) && output->photo == ui::PhotoWish::none;
-    const Look look{program.session.settings, program.picture.view, output->hovered, false, unseen};
-    const Seen seen = find_seen(program, look);
+    const bool unseen = (opening || !program.surface->is_window()) && output->photo == ui::PictureRequest::none;
+    const PictureSettings look{program.session.settings, program.picture.view, output->hovered, false, unseen};
+    const PictureContents seen = find_seen(program, look);
     times.found = program.surface->clock();
     reach(base::CrashPlace::drawing);
     draw(program, *output, look, seen, size, times);

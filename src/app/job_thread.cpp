@@ -11,9 +11,9 @@ namespace coaster::app {
 BackgroundWork::BackgroundWork(Work work, const std::string&)
     : result_(std::async(
           std::launch::async | std::launch::deferred,
-          [work](base::Progress* watched) {
+          [work](base::JobProgress* watched) {
             const base::HandlerStack stack;
-            const base::WorkFor cancellable(watched);
+            const base::JobScope cancellable(watched);
             return work();
           },
           &progress)) {}
@@ -23,11 +23,11 @@ bool BackgroundWork::is_quick() { return true; }
 bool BackgroundWork::done() { return result_.wait_for(std::chrono::seconds(0)) != std::future_status::timeout; }
 base::Result<JobResult> BackgroundWork::take() { return result_.get(); }
 
-void watch_work(const std::function<void()>& work, base::Progress& progress, double patience,
+void watch_work(const std::function<void()>& work, base::JobProgress& progress, double patience,
                 const std::function<void()>& meanwhile) {
   std::future<void> done = std::async(std::launch::async | std::launch::deferred, [&] {
     const base::HandlerStack stack;
-    const base::WorkFor cancellable(&progress);
+    const base::JobScope cancellable(&progress);
     work();
   });
   std::chrono::duration<double> pause(patience);

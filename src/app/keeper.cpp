@@ -36,11 +36,15 @@ bool holds_everything(const std::filesystem::path& path) {
 std::filesystem::path below(const std::filesystem::path& folder, const char* name) {
   return folder.empty() ? folder : folder / name;
 }
-std::filesystem::path settings_file(const Keeper& keeper) { return below(keeper.folders.config, "settings.json"); }
-std::filesystem::path progress_file(const Keeper& keeper) { return below(keeper.folders.state, "progress.json"); }
+std::filesystem::path settings_file(const UserDataKeeper& keeper) {
+  return below(keeper.folders.config, "settings.json");
+}
+std::filesystem::path progress_file(const UserDataKeeper& keeper) {
+  return below(keeper.folders.state, "progress.json");
+}
 
 // Of autosaves; empty: there is none.
-std::filesystem::path recovery_folder(const Keeper& keeper) { return below(keeper.folders.state, "recovery"); }
+std::filesystem::path recovery_folder(const UserDataKeeper& keeper) { return below(keeper.folders.state, "recovery"); }
 
 // The document's own file, absolute; empty: none.
 std::string original_of(const edit::Session& session) {
@@ -50,7 +54,7 @@ std::string original_of(const edit::Session& session) {
 // Once per frame with unsaved changes. A frame without a change costs a comparison. Scripts print at once.
 void follow_crash_copy(Program& program) {
   constexpr double kGap = 0.5;  // s
-  Keeper& keeper = *program.keeper;
+  UserDataKeeper& keeper = *program.keeper;
   CrashCopy& copy = keeper.crash_copy;
   const edit::Session& session = program.session;
   if (!base::has_threads() || copy.edits == session.edits) return;
@@ -82,16 +86,16 @@ void forget_crash_copy(CrashCopy& copy) {
 }
 
 // Removes autosave and copy: there is nothing unsaved any more.
-void forget_unsaved(Keeper& keeper) {
+void forget_unsaved(UserDataKeeper& keeper) {
   forget_crash_copy(keeper.crash_copy);
   keeper.autosave.remove();
   keeper.unsaved_since = -1;
 }
 
 // Called when the session has another file, or none.
-void follow_file(Program& program, Keeper& keeper) {
+void follow_file(Program& program, UserDataKeeper& keeper) {
   const std::filesystem::path& path = program.session.file.path;
-  const base::Root& root = program.files.root();
+  const base::FileRoot& root = program.files.root();
   const bool locked = !path.empty() && root.contains(path);  // a script leaves no files outside its folder
   keeper.state.holder.clear();
   if (!locked) keeper.lock.release();
@@ -127,8 +131,9 @@ std::string free_bad_name(const std::filesystem::path& file) {
 // one to free_bad_name(). Adds errors to `problems`. `what`: what is not saved if the file could be neither read nor
 // renamed.
 template <class Parse>
-auto read_kept(Keeper& keeper, const std::filesystem::path& file, Parse parse, const char* what, bool& may_write,
-               std::vector<std::string>& problems) -> std::optional<std::remove_cvref_t<decltype(*parse("", ""))>> {
+auto read_kept(UserDataKeeper& keeper, const std::filesystem::path& file, Parse parse, const char* what,
+               bool& may_write, std::vector<std::string>& problems)
+    -> std::optional<std::remove_cvref_t<decltype(*parse("", ""))>> {
   std::error_code ignored;
   if (!file.empty()) (void)keeper.files.remove_leftovers(file);
   if (file.empty() || !std::filesystem::exists(file, ignored)) return std::nullopt;
@@ -159,7 +164,7 @@ bool write_kept(Program& program, const std::filesystem::path& file, const std::
   return status.ok();
 }
 
-exchange::UserSettings load_settings(Keeper& keeper, std::vector<std::string>& problems) {
+exchange::UserSettings load_settings(UserDataKeeper& keeper, std::vector<std::string>& problems) {
   auto loaded = read_kept(keeper, settings_file(keeper), exchange::parse_settings, "this run's settings",
                           keeper.may_write, problems);
   if (!loaded) return {};
@@ -167,7 +172,7 @@ exchange::UserSettings load_settings(Keeper& keeper, std::vector<std::string>& p
   return std::move(loaded->settings);
 }
 
-void load_progress(Program& program, Keeper& keeper, std::vector<std::string>& problems) {
+void load_progress(Program& program, UserDataKeeper& keeper, std::vector<std::string>& problems) {
   if (!keeper.folders.config.empty()) keeper.state.challenges = keeper.folders.config / "challenges";
   program.session.game.earned = {};
   if (auto loaded = read_kept(keeper, progress_file(keeper), exchange::parse_progress, "medals of this run",
@@ -176,7 +181,7 @@ void load_progress(Program& program, Keeper& keeper, std::vector<std::string>& p
 }
 
 // Writes new progress. After an error the next success tries again.
-void watch_progress(Program& program, Keeper& keeper) {
+void watch_progress(Program& program, UserDataKeeper& keeper) {
   for (const exchange::ChallengeProgress& success : program.session.game.earned.challenges)
     (void)exchange::merge(keeper.state.progress, success);
   if (!keeper.may_write_progress || keeper.folders.state.empty() || keeper.state.progress == keeper.progress_written)
@@ -212,7 +217,7 @@ void follow_session(const Program& program, exchange::UserSettings& settings) {
   else if (at) settings.window = exchange::WindowPlace{at->x, at->y, at->width, at->height, at->maximised};
 }
 
-void write_settings(Program& program, Keeper& keeper) {
+void write_settings(Program& program, UserDataKeeper& keeper) {
   if (!keeper.may_write || keeper.folders.config.empty() || keeper.state.settings == keeper.written) return;
   if (write_kept(program, settings_file(keeper), exchange::print_settings(keeper.state.settings), "Settings",
                  keeper.settings_failed))
@@ -220,7 +225,7 @@ void write_settings(Program& program, Keeper& keeper) {
 }
 
 // Writes a second after the last change, so that dragging a slider writes once.
-void watch_settings(Program& program, Keeper& keeper) {
+void watch_settings(Program& program, UserDataKeeper& keeper) {
   constexpr double kQuiet = 1, kAgain = 30;  // s
   follow_session(program, keeper.state.settings);
   if (!(keeper.state.settings == keeper.seen)) {
@@ -233,12 +238,12 @@ void watch_settings(Program& program, Keeper& keeper) {
 }
 
 // True if there are changes that neither the file nor the autosave has.
-bool needs_autosave(Program& program, const Keeper& keeper) {
+bool needs_autosave(Program& program, const UserDataKeeper& keeper) {
   if (!edit::dirty(program.session)) return false;
-  return !keeper.autosave.exists() || keeper.autosaved != edit::Finder(program.session).document_hash();
+  return !keeper.autosave.exists() || keeper.autosaved != edit::SessionFindings(program.session).document_hash();
 }
 
-void watch_document(Program& program, Keeper& keeper) {
+void watch_document(Program& program, UserDataKeeper& keeper) {
   if (!edit::dirty(program.session)) return forget_unsaved(keeper);
   follow_crash_copy(program);
   if (keeper.unsaved_since < 0) {
@@ -252,13 +257,13 @@ void watch_document(Program& program, Keeper& keeper) {
   keeper.unsaved_since = -1;
 }
 
-void offer(Keeper& keeper) {
+void offer(UserDataKeeper& keeper) {
   keeper.state.recoveries.clear();
   for (const exchange::FoundAutosave& f : keeper.found)
     keeper.state.recoveries.push_back({f.info.original, f.info.name, f.file_time, f.info.time});
 }
 
-void answer(Program& program, Keeper& keeper, ui::Recovery what) {
+void answer(Program& program, UserDataKeeper& keeper, ui::Recovery what) {
   if (keeper.found.empty()) return;
   if (what == ui::Recovery::later) {
     keeper.found.clear();  // the files stay
@@ -281,7 +286,7 @@ void set_keys(Program& program, const std::vector<exchange::KeyChoice>& keys) {
     edit::notify(program.session, NoticeKind::warning, fmt::format("{}", fmt::join(problems, " ")));
 }
 
-void take_output(Program& program, Keeper& keeper, const ui::Output& output) {
+void take_output(Program& program, UserDataKeeper& keeper, const ui::Output& output) {
   if (output.settings) {
     const bool keys = keeper.state.settings.keys != output.settings->keys;
     keeper.state.settings = *output.settings;
@@ -310,7 +315,7 @@ base::Status before_command(Program& program, const edit::Command& command) {
 
 void after_command(Program& program, const edit::Command& command, const base::Status& applied) {
   if (!program.keeper) return;
-  Keeper& keeper = *program.keeper;
+  UserDataKeeper& keeper = *program.keeper;
   base::FileLock next = std::move(keeper.next_lock);
   if (!applied) return;
   if (!edit::dirty(program.session))
@@ -328,15 +333,16 @@ void after_command(Program& program, const edit::Command& command, const base::S
   }
 }
 
-void start_keeping(Program& program, const base::UserFolders& folders, const base::Root& root, bool default_layout) {
-  auto made = std::make_unique<Keeper>();
-  Keeper& keeper = *made;
+void start_keeping(Program& program, const base::UserFolders& folders, const base::FileRoot& root,
+                   bool default_layout) {
+  auto made = std::make_unique<UserDataKeeper>();
+  UserDataKeeper& keeper = *made;
   keeper.files = program.files.with(root), keeper.folders = folders;
   std::vector<std::string> problems;
   exchange::UserSettings settings = load_settings(keeper, problems);
   keeper.written = settings;
   if (default_layout) {
-    settings.session.look->ui_scale = world::Look().ui_scale;
+    settings.session.look->ui_scale = world::Appearance().ui_scale;
     const world::Panels at_first;
     settings.session.panels->show_panels = at_first.show_panels;
     settings.session.panels->laboratory_height = at_first.laboratory_height;
@@ -363,7 +369,7 @@ void start_keeping(Program& program, const base::UserFolders& folders, const bas
 
 void stop_keeping(Program& program, bool clean) {
   if (!program.keeper) return;
-  Keeper& keeper = *program.keeper;
+  UserDataKeeper& keeper = *program.keeper;
   follow_session(program, keeper.state.settings);
   write_settings(program, keeper);
   watch_progress(program, keeper);
@@ -374,12 +380,12 @@ void stop_keeping(Program& program, bool clean) {
 
 base::Status autosave_now(Program& program) {
   if (!program.keeper || !needs_autosave(program, *program.keeper)) return {};
-  Keeper& keeper = *program.keeper;
+  UserDataKeeper& keeper = *program.keeper;
   const base::Status wrote =
       keeper.autosave.write(keeper.files, recovery_folder(keeper), program.session.document,
                             original_of(program.session), static_cast<std::int64_t>(std::time(nullptr)));
   if (wrote) {
-    keeper.autosaved = edit::Finder(program.session).document_hash();
+    keeper.autosaved = edit::SessionFindings(program.session).document_hash();
     keeper.autosave_failed = false;
     ++program.stats.keeping.autosaves;
   } else if (!std::exchange(keeper.autosave_failed, true)) {
@@ -399,7 +405,7 @@ void answer_keeping(Program& program, const ui::Output& output) {
 void keep(Program& program) {
   program.stats.keeping.quits = program.quit;
   if (!program.keeper) return;
-  Keeper& keeper = *program.keeper;
+  UserDataKeeper& keeper = *program.keeper;
   watch_document(program, keeper);
   watch_settings(program, keeper);
   watch_progress(program, keeper);

@@ -27,7 +27,7 @@ struct CrashCopy {
   double since = 0;                    // of it, s by the surface's clock
 };
 
-struct Keeper {
+struct UserDataKeeper {
   base::Files files;               // for the kept data, not for the document
   base::UserFolders folders;       // settings.json is in config, autosaves in state/recovery
   ui::UserState state;             // shown by panels; its settings are the current ones
@@ -44,7 +44,7 @@ struct Keeper {
   double unsaved_since = -1;                              // s; -1: no changes since the file or the autosave
   bool autosave_failed = false, settings_failed = false;  // already reported
   std::vector<exchange::FoundAutosave> found;             // in the order of state.recoveries
-  exchange::Progress progress_written;                    // progress in the file
+  exchange::PlayerProgress progress_written;              // progress in the file
   bool may_write_progress = true, progress_failed = false;
   SystemDialogProcess dialog;
 };
@@ -53,7 +53,7 @@ struct Keeper {
 // the settings in one notice; a file that is not a settings file is renamed to settings.json.bad. Writes below `root`,
 // with the program's injected faults. `default_layout`: discards the state of panels, the scale and the position of the
 // window.
-void start_keeping(Program& program, const base::UserFolders& folders, const base::Root& root, bool default_layout);
+void start_keeping(Program& program, const base::UserFolders& folders, const base::FileRoot& root, bool default_layout);
 
 // Writes what has changed. `clean`: the user quit, so the autosave is removed; otherwise it is kept for the next start.
 void stop_keeping(Program& program, bool clean);

@@ -103,7 +103,7 @@ void visit_result(Archive& archive, T& found) {
       archive(rms_error), archive(rms_frame_error);
     }
     archive(found.content), archive(found.version);
-  } else if constexpr (std::is_same_v<std::remove_const_t<T>, edit::Sought>) {
+  } else if constexpr (std::is_same_v<std::remove_const_t<T>, edit::SeekResult>) {
     archive(found.note);
     archive.size_of(found.values);
     for (auto& value : found.values) archive(value);
@@ -128,12 +128,12 @@ BackgroundWork::Work reading(const edit::Load& command, const std::optional<base
 
 BackgroundWork::Work searching(const edit::Session& session, const edit::Seek& command) {
   return [search = edit::search_for(session, command)]() -> base::Result<JobResult> {
-    base::Result<edit::Sought> sought = search();
+    base::Result<edit::SeekResult> sought = search();
     return sought ? base::Result<JobResult>(std::move(*sought)) : sought.status();
   };
 }
 
-BackgroundWork::Work planning(const sim::ClosingChange& change, sim::OpenedTrack& opened) {
+BackgroundWork::Work planning(const sim::ClosingReplanTask& change, sim::OpenedTrack& opened) {
   return [change, &opened]() -> base::Result<JobResult> { return JobResult(sim::changed_closing(change, opened)); };
 }
 
@@ -148,7 +148,7 @@ void start(Program& program, std::unique_ptr<LongJob> job, const edit::Command& 
   program.job = std::move(job);
 }
 
-void begin_way(Program& program, const edit::Command& command, sim::ClosingChange change,
+void begin_way(Program& program, const edit::Command& command, sim::ClosingReplanTask change,
                std::span<const edit::Command> rest) {
   auto job = std::make_unique<LongJob>();
   job->panel = "Search", job->title = "Planning the closing section again";
@@ -189,8 +189,8 @@ void end_job(Program& program, LongJob& job) {
   if (job.opened && !job.work->progress.cancelled) edit::opened_track_of(session) = std::move(*job.opened);
   if (job.work->progress.cancelled) return edit::notify(session, edit::NoticeKind::info, job.cancelled);
   if (!found) return edit::notify(session, found.status());
-  edit::Search search{.found = std::move(*found), .asked = job.closing};
-  if (session.edits != job.edits && std::holds_alternative<edit::Sought>(*search.found)) search.found.reset();
+  edit::ClosingSearch search{.found = std::move(*found), .asked = job.closing};
+  if (session.edits != job.edits && std::holds_alternative<edit::SeekResult>(*search.found)) search.found.reset();
   (void)apply(program, job.command, &search);
 }
 
@@ -206,7 +206,7 @@ bool begins_something(const platform::Event& event) {
 
 // Shows the last picture with a card while a command works. Input that begins something is left out; the rest waits for
 // the panels.
-void wait_a_moment(Program& program, ui::WaitCard& card, const std::string& title, base::Progress& progress) {
+void wait_a_moment(Program& program, ui::WaitCard& card, const std::string& title, base::JobProgress& progress) {
   platform::Events events;
   program.surface->poll(events, 0);
   for (const platform::Event& event : events) {
@@ -250,8 +250,8 @@ base::Result<JobResult> parse_job_result(std::string_view text) {
   };
   std::string kind, part;
   from(kind);
-  if (kind == "sought") return read(edit::Sought{});
-  if (kind == "way") return read(sim::ChangedClosing{});
+  if (kind == "sought") return read(edit::SeekResult{});
+  if (kind == "way") return read(sim::ClosingReplanResult{});
   if (kind == "track") {
     from(part);
     auto track = exchange::parse_track(part, "a page's worker");
@@ -262,19 +262,19 @@ base::Result<JobResult> parse_job_result(std::string_view text) {
   return kind == "failed" && code != 0 && from.done() ? base::Status{base::Code{code}, std::move(part)} : broken;
 }
 
-base::Status apply_watched(Program& program, const edit::Command& command, edit::Search* search) {
+base::Status apply_watched(Program& program, const edit::Command& command, edit::ClosingSearch* search) {
   constexpr std::size_t kFew = 2000;  // segments: a move of a drag takes less than a frame, as a rule
   edit::Session& session = program.session;
   const bool dragged = session.history.in_gesture;
   if (!works_beside(program) || (dragged && session.document.track.segments.size() < kFew))
     return edit::apply(session, program.files, command, search);
   base::Status applied;
-  base::Progress progress;
+  base::JobProgress progress;
   const std::string title = title_of(command);
   std::unique_ptr<ui::WaitCard> card;
   const auto work = [&] {
     applied = edit::apply(session, program.files, command, search);
-    const base::WorkFor whole(nullptr);
+    const base::JobScope whole(nullptr);
     if (!applied && progress.cancelled) edit::settle(session);
   };
   watch_work(work, progress, dragged ? 1 : kBarAfter, [&] {
@@ -290,7 +290,7 @@ void apply_by_hand(Program& program, const std::vector<edit::Command>& commands)
   for (auto command = commands.begin(); command != commands.end(); ++command) {
     if (program.job && edit::info(*command).effect != edit::Effect::settings) continue;
     if (begin_job(program, *command)) continue;
-    edit::Search search;
+    edit::ClosingSearch search;
     search.leaves = works_beside(program) && (BackgroundWork::is_quick() || !program.session.history.in_gesture);
     (void)apply(program, *command, &search);  // a rejected command shows a notice
     if (!search.wanted) continue;

@@ -18,7 +18,7 @@
 #include "platform/events.h"
 
 namespace coaster::edit {
-struct Search;
+struct ClosingSearch;
 }
 
 namespace coaster::app {
@@ -50,7 +50,7 @@ class BackgroundWork {
   bool done();                     // without waiting: take() returns at once, or does the work
   base::Result<JobResult> take();  // once; waits for a thread
 
-  base::Progress progress;
+  base::JobProgress progress;
 
  private:
   std::unique_ptr<Work> work_;  // of a page
@@ -60,7 +60,7 @@ class BackgroundWork {
 
 // Does the work, which `progress` can cancel, and returns. It works in a thread, and after `patience` seconds calls
 // `meanwhile` some times a second until it is done. A page has no threads: there it only does the work.
-void watch_work(const std::function<void()>& work, base::Progress& progress, double patience,
+void watch_work(const std::function<void()>& work, base::JobProgress& progress, double patience,
                 const std::function<void()>& meanwhile);
 
 struct Program;
@@ -75,10 +75,10 @@ struct LongJob {
   bool slow = false;
 
   // Only of a change of a circuit.
-  std::optional<sim::ClosingChange> closing;  // what is searched for
-  std::unique_ptr<sim::OpenedTrack> opened;   // taken from the session's findings meanwhile
-  bool in_gesture = false;                    // a drag: has no bar, and takes some ms a move
-  std::vector<edit::Command> rest;            // later commands of the same frame
+  std::optional<sim::ClosingReplanTask> closing;  // what is searched for
+  std::unique_ptr<sim::OpenedTrack> opened;       // taken from the session's findings meanwhile
+  bool in_gesture = false;                        // a drag: has no bar, and takes some ms a move
+  std::vector<edit::Command> rest;                // later commands of the same frame
 
   std::unique_ptr<BackgroundWork> work;  // declared last: it ends before what it reads
 };
@@ -89,7 +89,7 @@ void apply_by_hand(Program& program, const std::vector<edit::Command>& commands)
 // Applies a command to the session. One of the user in a window may be cancelled: when it takes longer than a moment, a
 // card shows over the last picture, and nothing else happens until it ends, neither ticks nor other input. A cancelled
 // one changes nothing.
-base::Status apply_watched(Program& program, const edit::Command& command, edit::Search* search);
+base::Status apply_watched(Program& program, const edit::Command& command, edit::ClosingSearch* search);
 
 // Starts an import or a search of the user in a thread; returns false for every other command.
 bool begin_job(Program& program, const edit::Command& command);

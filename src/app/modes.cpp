@@ -74,7 +74,7 @@ void print_notices(const edit::Session& session) {
 // Loads the force limits named by the options.
 base::Status open_envelope(edit::Session& session, base::Files& files, const Options& options) {
   if (options.envelope.empty()) return {};
-  return edit::apply(session, files, edit::LoadEnvelope{options.envelope});
+  return edit::apply(session, files, edit::LoadForceLimits{options.envelope});
 }
 
 // Returns the track named by the options, else the default one.
@@ -90,7 +90,7 @@ base::Status validate_challenge(const std::string& path) {
   if (const base::Status begun = edit::apply(session, files, edit::StartChallenge{path}); !begun) return begun;
   print_notices(session);
   edit::Verdict verdict = session.game.referee.judge(session, nullptr);
-  if (session.game.challenge->file.judged != exchange::Judged::build &&
+  if (session.game.challenge->file.judged != exchange::JudgedWhen::build &&
       edit::apply(session, files, edit::RideStart{})) {
     const int most = static_cast<int>(exchange::kMaxChallengeSeconds) * world::kTicksPerSecond;
     edit::advance(session, most);
@@ -117,7 +117,7 @@ base::Status validate_file(const std::string& path) {
     return status;
   }
   for (const std::string& warning : track->warnings) base::print_error(warning);
-  const sim::Derived shapes = sim::shapes_of(track->document);
+  const sim::DerivedTrack shapes = sim::shapes_of(track->document);
   for (const std::string& text :
        {sim::tight_text(sim::tight_bends_of(shapes)), sim::deadlock_text(track->document, shapes)})
     if (!text.empty()) base::print_error(fmt::format("{}: warning: {}", path, text));
@@ -169,9 +169,9 @@ base::Status start_recording(Program& program) {
 
 // Returns the folder of --out, whose path may contain links: the user named it. Without --out it is out/NAME in the
 // current folder, where a stranger may have prepared links.
-base::Result<base::Root> open_out(const Options& options, const std::filesystem::path& name) {
-  if (!options.out.empty()) return base::Root().open(options.out);
-  const auto here = base::Root().open(".");
+base::Result<base::FileRoot> open_out(const Options& options, const std::filesystem::path& name) {
+  if (!options.out.empty()) return base::FileRoot().open(options.out);
+  const auto here = base::FileRoot().open(".");
   const auto out = here ? here->open("out") : here;
   return out && !name.empty() ? out->open("out" / name) : out;
 }
@@ -287,7 +287,7 @@ base::Status film_lap(Program& program, RideSummary& summary) {
 }
 
 int run_headless(const Options& options) {
-  const auto root = options.movie.empty() ? open_out(options, "") : base::Result<base::Root>(base::Root());
+  const auto root = options.movie.empty() ? open_out(options, "") : base::Result<base::FileRoot>(base::FileRoot());
   if (!root) return finish(root.status());
   auto program = make_program(options, size_of(options), kWindowSamples);
   if (!program) return finish(program.status());

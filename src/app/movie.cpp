@@ -65,7 +65,7 @@ std::vector<std::string> arguments(const std::string& program, const MovieOrder&
 }
 
 gfx::Image picture(Program& program) {
-  Filming& filming = *program.filming;
+  MovieInProgress& filming = *program.filming;
   if (!filming.scene_alone) {
     if (!is_drawn(program)) run_frame(program, {platform::Tick{0}}, 0);
     draw_pixels(program);
@@ -83,7 +83,7 @@ gfx::Image picture(Program& program) {
 void take_picture(Program& program) {
   gfx::Image image = picture(program);
   if (!recording(program)) return;  // its frame has ended the movie
-  Filming& filming = *program.filming;
+  MovieInProgress& filming = *program.filming;
   filming.failed = filming.movie->add(std::move(image));
   filming.shown.frames = filming.movie->frames();
   program.stats.movie_frames = filming.shown.frames;
@@ -101,7 +101,7 @@ std::int64_t ticks_of_lap(edit::Session& session) {
 
 base::Status begin_filming(Program& program, base::Result<std::unique_ptr<Movie>> movie, bool scene_alone) {
   if (!movie) return movie.status();
-  program.filming = std::make_unique<Filming>();
+  program.filming = std::make_unique<MovieInProgress>();
   program.filming->movie = std::move(*movie);
   program.filming->scene_alone = scene_alone;
   program.stats.movie_frames = 0;
@@ -308,7 +308,7 @@ void film(Program& program, int ticks, const std::function<void(int)>& step) {
     stepped = true;
     ticks -= some;
     if (!recording(program)) break;  // the frame has ended it
-    Filming& filming = *program.filming;
+    MovieInProgress& filming = *program.filming;
     filming.movie->pass(some);
     filming.shown.ticks += some;
     filming.shown.done =
@@ -326,7 +326,7 @@ int ticks_to_film(const Program& program) {
 
 base::Status stop_movie(Program& program) {
   if (!recording(program)) return {};
-  Filming& filming = *program.filming;
+  MovieInProgress& filming = *program.filming;
   const base::Status written = filming.movie->finish();
   if (filming.failed) filming.failed = written;
   filming.encoder =
@@ -340,7 +340,7 @@ base::Status stop_movie(Program& program) {
 base::Status finish_movie(Program& program) {
   if (!program.filming) return {};
   (void)stop_movie(program);
-  Filming& filming = *program.filming;
+  MovieInProgress& filming = *program.filming;
   for (;;) {
     if (const auto line = filming.encoder->poll()) {
       base::print_error(*line);
@@ -365,7 +365,7 @@ void follow_movie(Program& program, ui::MovieWish wish) {
   }
   if (recording(program) && lap_is_done(program.session)) (void)stop_movie(program);
   if (!program.filming || !program.filming->encoder) return;
-  Filming& filming = *program.filming;
+  MovieInProgress& filming = *program.filming;
   filming.shown.done = filming.encoder->done();
   const auto line = filming.encoder->poll();
   if (!line) return;
@@ -378,7 +378,7 @@ base::Status film_ride(Program& program, const MovieOrder& order, std::optional<
                        RideSummary& summary) {
   if (const base::Status begun = begin_lap(program); !begun) return begun;
   if (const base::Status started = start_movie(program, order, true); !started) return started;
-  Filming& filming = *program.filming;
+  MovieInProgress& filming = *program.filming;
   filming.lap_ticks =
       pictures ? *pictures * filming.movie->ticks_a_frame() : std::min(kMostRideTicks, ticks_of_lap(program.session));
   const auto over = [&] {

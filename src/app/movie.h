@@ -29,7 +29,7 @@ struct MovieOrder {
   std::filesystem::path folder;
   int fps = script::kUsualMovieRate;  // one of script::kMovieRates
   bool gif = false;                   // also movie.gif
-  base::Root root;                    // contains the folder
+  base::FileRoot root;                // contains the folder
 };
 
 // Takes pictures, in order, and writes them to FOLDER/frame-00000.png and so on.
@@ -102,7 +102,7 @@ class MovieEncoder {
 
 struct Program;
 
-struct Filming {
+struct MovieInProgress {
   std::unique_ptr<Movie> movie;           // null once all pictures are taken
   std::unique_ptr<MovieEncoder> encoder;  // null until all pictures are taken
   // Without panels and selection, in the size of the first picture even if the window changes.

@@ -27,49 +27,50 @@ constexpr ModeRow kModes[] = {{'v', "--validate"}, {'p', "--report"},           
 constexpr std::string_view kAnywhere = "vpfsmrw";
 
 constexpr OptionRow kRows[] = {
-    {"FILE", "", Word::track,
+    {"FILE", "", ArgumentKind::track,
      "Track to open; the file extension selects the format (docs/track-format.md). Or a shared link", &Options::file,
      kAnywhere},
-    {"--headless", "", Word::nothing,
+    {"--headless", "", ArgumentKind::nothing,
      "Run FILE or a script without a display; without a script: ride FILE, write OUT/ride.png, print a summary",
      &Options::headless, "vpfsmr"},
-    {"--script", "F", Word::script, "Run a script (.coaster)", &Options::script, "vfs"},
-    {"--record", "F", Word::script, "Record the session as a script", &Options::record, "fsmrw"},
-    {"--frames", "N", Word::other, "End after N frames, or N pictures of a movie", &Options::frames, "mrw"},
-    {"--size", "WxH", Word::other, "Size of window or pictures, WIDTHxHEIGHT", &Options::size, "fsmrw"},
-    {"--seed", "N", Word::other, "Seed for scripts that do not set one", &Options::seed, "fs"},
-    {"--out", "DIR", Word::folder, "Output folder of scripts and pictures", &Options::out, "fsr"},
-    {"--camera", "NAME", Word::camera, "Camera: orbit, ride, chase or fly; default chase for a movie of a ride",
+    {"--script", "F", ArgumentKind::script, "Run a script (.coaster)", &Options::script, "vfs"},
+    {"--record", "F", ArgumentKind::script, "Record the session as a script", &Options::record, "fsmrw"},
+    {"--frames", "N", ArgumentKind::other, "End after N frames, or N pictures of a movie", &Options::frames, "mrw"},
+    {"--size", "WxH", ArgumentKind::other, "Size of window or pictures, WIDTHxHEIGHT", &Options::size, "fsmrw"},
+    {"--seed", "N", ArgumentKind::other, "Seed for scripts that do not set one", &Options::seed, "fs"},
+    {"--out", "DIR", ArgumentKind::folder, "Output folder of scripts and pictures", &Options::out, "fsr"},
+    {"--camera", "NAME", ArgumentKind::camera, "Camera: orbit, ride, chase or fly; default chase for a movie of a ride",
      &Options::camera, "mrw"},
-    {"--movie", "DIR", Word::folder,
+    {"--movie", "DIR", ArgumentKind::folder,
      "Record the script, or one lap of FILE, as numbered pictures in this folder, and movie.mp4 if ffmpeg is "
      "installed; needs --headless",
      &Options::movie, "fm"},
-    {"--fps", "N", Word::rate, "Pictures per second of the movie: 10, 12, 15, 20, 24, 30, 40, 60 or 120; default 30",
-     &Options::fps, "fm"},
-    {"--gif", "", Word::nothing, "Also write movie.gif, at most 640 pixels wide", &Options::gif, "fm"},
-    {"--update-goldens", "", Word::nothing, "Save the pictures of snap that fail or are new as golden pictures",
+    {"--fps", "N", ArgumentKind::rate,
+     "Pictures per second of the movie: 10, 12, 15, 20, 24, 30, 40, 60 or 120; default 30", &Options::fps, "fm"},
+    {"--gif", "", ArgumentKind::nothing, "Also write movie.gif, at most 640 pixels wide", &Options::gif, "fm"},
+    {"--update-goldens", "", ArgumentKind::nothing, "Save the pictures of snap that fail or are new as golden pictures",
      &Options::update_goldens, "fs"},
-    {"--validate", "", Word::nothing, "Check FILE (a track, a challenge or a script) or the script without running it",
-     &Options::validate, "v"},
-    {"--json", "", Word::nothing, "Print the summary of a ride, the report, or the errors of a script as JSON",
+    {"--validate", "", ArgumentKind::nothing,
+     "Check FILE (a track, a challenge or a script) or the script without running it", &Options::validate, "v"},
+    {"--json", "", ArgumentKind::nothing, "Print the summary of a ride, the report, or the errors of a script as JSON",
      &Options::json, "vpfsmr"},
-    {"--report", "", Word::nothing,
+    {"--report", "", ArgumentKind::nothing,
      "Print the report of the whole ride of FILE: times, forces, ratings; no graphics needed", &Options::report, "p"},
-    {"--envelope", "F", Word::json, "Force limits by duration (.json); not a compliance check", &Options::envelope,
-     "pfsmrw"},
-    {"--address", "URL", Word::other,
+    {"--envelope", "F", ArgumentKind::json, "Force limits by duration (.json); not a compliance check",
+     &Options::envelope, "pfsmrw"},
+    {"--address", "URL", ArgumentKind::other,
      "Address of the page that opens the links you share; default coaster:", &Options::address, "fsw"},
-    {"--hash-log", "", Word::nothing, "Print the hashes of document and motion after each tick", &Options::hash_log,
-     "fsmrw"},
-    {"--config", "DIR", Word::folder,
+    {"--hash-log", "", ArgumentKind::nothing, "Print the hashes of document and motion after each tick",
+     &Options::hash_log, "fsmrw"},
+    {"--config", "DIR", ArgumentKind::folder,
      "Folder for settings and autosaves instead of the user's; without it scripts keep none (docs/files.md)",
      &Options::config, "fsw"},
-    {"--reset-layout", "", Word::nothing, "Reset window, scale and panels to the defaults", &Options::reset_layout,
-     "fsw"},
-    {"--help-script", "", Word::nothing, "Print the script language and exit", &Options::help_script, kAnywhere},
-    {"--help-man", "", Word::nothing, "Print the manual page (roff) and exit", &Options::help_man, kAnywhere},
-    {"--help-completion", "", Word::nothing, "Print the bash completion and exit", &Options::help_completion,
+    {"--reset-layout", "", ArgumentKind::nothing, "Reset window, scale and panels to the defaults",
+     &Options::reset_layout, "fsw"},
+    {"--help-script", "", ArgumentKind::nothing, "Print the script language and exit", &Options::help_script,
+     kAnywhere},
+    {"--help-man", "", ArgumentKind::nothing, "Print the manual page (roff) and exit", &Options::help_man, kAnywhere},
+    {"--help-completion", "", ArgumentKind::nothing, "Print the bash completion and exit", &Options::help_completion,
      kAnywhere},
 };
 
@@ -95,14 +96,14 @@ std::string bash_completion() {
     if (row.value.empty() || !row.name.starts_with('-')) continue;
     std::string what = "return";
     switch (row.word) {
-      case Word::track: what = files(tracks); break;
-      case Word::script: what = files("coaster"); break;
-      case Word::json: what = files("json"); break;
-      case Word::folder: what = "_filedir -d"; break;
-      case Word::camera: what = one_of(cameras); break;
-      case Word::rate: what = one_of(script::kMovieRates); break;
-      case Word::nothing:
-      case Word::other: break;
+      case ArgumentKind::track: what = files(tracks); break;
+      case ArgumentKind::script: what = files("coaster"); break;
+      case ArgumentKind::json: what = files("json"); break;
+      case ArgumentKind::folder: what = "_filedir -d"; break;
+      case ArgumentKind::camera: what = one_of(cameras); break;
+      case ArgumentKind::rate: what = one_of(script::kMovieRates); break;
+      case ArgumentKind::nothing:
+      case ArgumentKind::other: break;
     }
     out += fmt::format("    {}) {}{} ;;\n", row.name, what, what == "return" ? "" : "; return");
   }

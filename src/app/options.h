@@ -32,12 +32,12 @@ struct Options {
 };
 
 // The kind of a word on the command line, for completion.
-enum class Word : std::uint8_t { nothing, track, script, json, folder, camera, rate, other };
+enum class ArgumentKind : std::uint8_t { nothing, track, script, json, folder, camera, rate, other };
 
 struct OptionRow {
   std::string_view name;   // "--script"; "FILE": the positional argument
   std::string_view value;  // its value as shown in help; "" for a switch
-  Word word;               // kind of the value; nothing for a switch
+  ArgumentKind word;       // kind of the value; nothing for a switch
   std::string_view help;   // one sentence, without a full stop
   std::variant<bool Options::*, std::string Options::*, int Options::*, std::int64_t Options::*,
                std::optional<std::int64_t> Options::*>

@@ -15,7 +15,7 @@ namespace coaster::app {
 namespace {
 
 // Pictures bypass the program's file handling: injected faults are meant for documents.
-base::Status write(const base::Root& root, const std::filesystem::path& path, const gfx::Image& image,
+base::Status write(const base::FileRoot& root, const std::filesystem::path& path, const gfx::Image& image,
                    base::Replaces replaces = base::Replaces::made) {
   const std::filesystem::path folder = path.parent_path();
   if (const base::Status made = folder.empty() ? base::Status{} : root.make_folders(folder); !made) return made;
@@ -27,7 +27,7 @@ base::Status write(const base::Root& root, const std::filesystem::path& path, co
 base::Status write_golden(const std::string& name, const std::filesystem::path& golden, const gfx::Image& image) {
   std::filesystem::path folder = golden.parent_path();
   for ([[maybe_unused]] const std::filesystem::path& part : std::filesystem::path(name)) folder = folder.parent_path();
-  const auto root = base::Root().open(folder.empty() ? "." : folder);
+  const auto root = base::FileRoot().open(folder.empty() ? "." : folder);
   return root ? write(*root, golden, image, base::Replaces::any) : root.status();
 }
 
@@ -91,7 +91,7 @@ base::Status write_picture(Program& program, const std::filesystem::path& path) 
 }
 
 std::filesystem::path movie_folder(const Program& program) {
-  const base::Root& root = program.files.root();
+  const base::FileRoot& root = program.files.root();
   std::filesystem::path folder = root.limited() ? root.folder() : user_folder("XDG_VIDEOS_DIR", "Videos");
   if (folder.empty()) folder = picture_folder(program);
   return free_path(program, folder, "-movie", "");
@@ -114,7 +114,7 @@ void take_photo(Program& program, bool panels) {
                wrote ? fmt::format("Saved {}", whole.string()) : wrote.message);
 }
 
-base::Status write_sheet(const base::Root& root, const std::filesystem::path& path, int columns, bool half,
+base::Status write_sheet(const base::FileRoot& root, const std::filesystem::path& path, int columns, bool half,
                          std::span<const std::filesystem::path> pictures) {
   constexpr int kGap = 12;  // px
   base::Files files;
@@ -153,7 +153,7 @@ base::Status compare_picture(Program& program, const std::string& name, const st
   if (program.stats.frame == 0) return {base::Code::refused, "no frame has been drawn"};
   draw_pixels(program);
   const gfx::Image picture = program.renderer->read_pixels();
-  const base::Root& root = program.files.root();
+  const base::FileRoot& root = program.files.root();
   base::Files files(root);
   const auto at = [&](const char* kind) { return folder / fmt::format("{}.{}", name, kind); };
   const auto bytes = files.read(golden);

@@ -17,7 +17,7 @@ base::Status write_picture(Program& program, const std::filesystem::path& path);
 void take_photo(Program& program, bool panels);
 
 // Combines PNG files into one, optionally each at half its size. Code::bad_file if one is not a picture.
-base::Status write_sheet(const base::Root& root, const std::filesystem::path& path, int columns, bool half,
+base::Status write_sheet(const base::FileRoot& root, const std::filesystem::path& path, int columns, bool half,
                          std::span<const std::filesystem::path> pictures);
 
 // Returns a new folder for a movie, "red-comet-movie-1": in the user's video folder ($XDG_VIDEOS_DIR, else ~/Videos,

@@ -64,7 +64,7 @@ void keep_recording(Program& program, const base::Status& wrote) {
 }
 
 // Applies and records one command.
-base::Status apply_one(Program& program, const edit::Command& command, edit::Search* search) {
+base::Status apply_one(Program& program, const edit::Command& command, edit::ClosingSearch* search) {
   if (const std::string* const path = edit::output_path(command); path && !program.files.root().contains(*path)) {
     const base::Status refused{base::Code::refused,
                                fmt::format("{}: {}", edit::info(command).name, script::not_below_out(*path))};
@@ -169,7 +169,7 @@ base::Result<std::unique_ptr<Program>> make_program(const Options& options, plat
   return program;
 }
 
-base::Status apply(Program& program, const edit::Command& command, edit::Search* search) {
+base::Status apply(Program& program, const edit::Command& command, edit::ClosingSearch* search) {
   const std::uint64_t notices = program.session.notices.serial;
   const base::Status applied = apply_one(program, command, search);
   if (program.session.notices.serial != notices)
@@ -211,11 +211,11 @@ void advance(Program& program, int ticks) {
   if (program.options.hash_log) (void)base::finish_printing();  // so that a reader of the log sees every frame at once
 }
 
-query::Context context_of(Program& program) {
+query::QueryContext context_of(Program& program) {
   return {program.session, program.stats, program.picture.toast, program.picture.title};
 }
 
-std::string title_of(const edit::Finder& find) {
+std::string title_of(const edit::SessionFindings& find) {
   return fmt::format("{}{} - coaster", find.session().document.name, edit::dirty(find) ? "*" : "");
 }
 

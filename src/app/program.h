@@ -23,7 +23,7 @@
 #include "view/camera_rig.h"
 
 namespace coaster::edit {
-struct Search;
+struct ClosingSearch;
 }
 
 namespace coaster::app {
@@ -88,8 +88,8 @@ struct Program {
 
   std::unique_ptr<script::Recorder> recorder;       // null: not recording
   base::Status recorded;                            // why a recording ended early
-  std::unique_ptr<Keeper> keeper;                   // null: keeps no user data
-  std::unique_ptr<Filming> filming;                 // a movie in progress; null: none
+  std::unique_ptr<UserDataKeeper> keeper;           // null: keeps no user data
+  std::unique_ptr<MovieInProgress> filming;         // a movie in progress; null: none
   Sounds sounds;                                    // only in a window
   TrackPictures pictures;                           // for the start screen
   std::unique_ptr<LongJob> job;                     // an import, a search or a closing section in progress; null: none
@@ -114,7 +114,7 @@ base::Result<std::unique_ptr<Program>> make_program(const Options& options, plat
 
 // Applies a command and records it. Errors also show as a notice. After opening or creating a track, the camera frames
 // all of it, with the viewport of the last frame, so a frame must have been drawn.
-base::Status apply(Program& program, const edit::Command& command, edit::Search* search = nullptr);
+base::Status apply(Program& program, const edit::Command& command, edit::ClosingSearch* search = nullptr);
 
 // Ends the recording, if there is one. Returns the error because of which it is not complete.
 base::Status finish_recording(Program& program);
@@ -125,10 +125,10 @@ void advance(Program& program, int ticks);
 // Returns the state that the camera shows.
 view::Watched watched(const Program& program);
 
-query::Context context_of(Program& program);
+query::QueryContext context_of(Program& program);
 
 // Returns "Red Comet* - coaster": the track's name, with a star if it is unsaved.
-std::string title_of(const edit::Finder& find);
+std::string title_of(const edit::SessionFindings& find);
 
 // Returns the default track: tracks/loop.json of base::data_folder(); empty if it does not exist.
 std::filesystem::path default_track();

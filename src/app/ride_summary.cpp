@@ -12,13 +12,13 @@
 namespace coaster::app {
 namespace {
 
-double height_of(const edit::Session& session, const world::CartMotion& cart) {
+double height_of(const edit::Session& session, const world::TrainMotion& cart) {
   return sim::rail_point(session.derived.shape(cart.segment), cart.s).height;
 }
 
 std::string end_of_ride(const edit::Session& session, const RideSummary& summary) {
   if (const std::string failure = edit::failure_text(session); !failure.empty()) return failure;
-  const world::CartMotion& cart = session.motion.carts.items()[0];
+  const world::TrainMotion& cart = session.motion.carts.items()[0];
   if (cart.laps != 0) return "The train completed the lap.";
   if (session.motion.state == world::RideState::ended) return "The train reached the end of the track.";
   return fmt::format("Stopped after {:.0f} s at {:.1f} m ({:.1f} m/s), before the end of the ride.",
@@ -43,7 +43,7 @@ RideSummary begin_summary(const edit::Session& session) {
 void measure(const edit::Session& session, RideSummary& summary) {
   ++summary.ticks;
   if (session.motion.carts.size() == 0) return;
-  const world::CartMotion& cart = session.motion.carts.items()[0];
+  const world::TrainMotion& cart = session.motion.carts.items()[0];
   const double height = height_of(session, cart);
   const world::Entity train = session.motion.carts.entities()[0];
   summary.laps = cart.laps;
@@ -57,7 +57,7 @@ void measure(const edit::Session& session, RideSummary& summary) {
 
 void finish_summary(edit::Session& session, RideSummary& summary) {
   summary.end = end_of_ride(session, summary);
-  const edit::Finder find(session);
+  const edit::SessionFindings find(session);
   const sim::SimulatedRide* const ride = find.ride();
   if (ride == nullptr) return;
   const sim::Ratings felt = sim::rate(*ride, find.tables(), summary.cutoff);

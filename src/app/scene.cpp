@@ -15,19 +15,20 @@
 namespace coaster::app {
 namespace {
 
-bool is_riding(const Program& program, const Look& look) {
+bool is_riding(const Program& program, const PictureSettings& look) {
   const world::CameraMode mode = program.picture.rig.mode;
   const bool with_train = mode == world::CameraMode::ride || mode == world::CameraMode::chase;
   return look.alone || (with_train && program.session.motion.state == world::RideState::running);
 }
 
 // True if closing sections show. They are not searched for while a drag changes the track.
-bool shows_circuit(const Program& program, const Look& look) {
+bool shows_circuit(const Program& program, const PictureSettings& look) {
   return look.settings.aids->circuit > 0 && !program.session.history.in_gesture;
 }
 
 // Returns the plan of the closing section that shows; null for none.
-const sim::ElementPlan* shown_closing(const edit::Finder& find, const Program& program, const Look& look) {
+const sim::ElementPlan* shown_closing(const edit::SessionFindings& find, const Program& program,
+                                      const PictureSettings& look) {
   if (!shows_circuit(program, look)) return nullptr;
   const std::vector<sim::CircuitProposal>& ways = find.circuit().list;
   const auto wanted = static_cast<std::size_t>(look.settings.aids->circuit) - 1;
@@ -41,11 +42,12 @@ std::vector<sim::Pose> cart_poses(const edit::Session& session, glm::vec3 eye) {
                          gfx::Instances::kFullCars);
 }
 
-Seen find_seen(Program& program, const Look& look) {
-  const edit::Finder find(program.session);
+PictureContents find_seen(Program& program, const PictureSettings& look) {
+  const edit::SessionFindings find(program.session);
   const world::Layers& layers = look.settings.lab->layers;
   find.look_from(gfx::surroundings_of(look.view));
-  Seen seen{{.failure = program.session.motion.failure, .riding = is_riding(program, look)}, find.values(), nullptr};
+  PictureContents seen{
+      {.failure = program.session.motion.failure, .riding = is_riding(program, look)}, find.values(), nullptr};
   view::Findings& marked = seen.marked;
   if (layers.has(world::Layer::flips)) marked.breaks = find.breaks();
   if (layers.has(world::Layer::conflicts) && !marked.riding) {
@@ -60,7 +62,8 @@ Seen find_seen(Program& program, const Look& look) {
   return seen;
 }
 
-gfx::DrawStats draw_scene(Program& program, const Look& look, const Seen& seen, platform::Size size) {
+gfx::DrawStats draw_scene(Program& program, const PictureSettings& look, const PictureContents& seen,
+                          platform::Size size) {
   const edit::Session& session = program.session;
   const world::Layers& layers = look.settings.lab->layers;
   const view::Overlay overlay =
@@ -94,7 +97,7 @@ gfx::DrawStats draw_scene(Program& program, const Look& look, const Seen& seen, 
 void draw_pixels(Program& program) {
   const platform::Size size{program.stats.width, program.stats.height};
   if (!std::exchange(program.picture.unseen, false) || size.width < 1 || size.height < 1) return;
-  const Look look{program.session.settings, program.picture.view, program.picture.hovered};
+  const PictureSettings look{program.session.settings, program.picture.view, program.picture.hovered};
   (void)draw_scene(program, look, find_seen(program, look), size);
   program.ui->draw(size.width, size.height);
 }
@@ -106,7 +109,7 @@ void draw_scene_alone(Program& program, const view::View& view, platform::Size s
   settings.aids->show_gizmo = settings.aids->show_element = false;
   settings.aids->circuit = 0;
   settings.lab->layers.set(world::Layer::polyline, false);
-  const Look look{settings, view, {}, true};
+  const PictureSettings look{settings, view, {}, true};
   (void)draw_scene(program, look, find_seen(program, look), size);
 }
 

@@ -8,7 +8,7 @@
 namespace coaster::app {
 
 // The view of a picture and the settings it is drawn with.
-struct Look {
+struct PictureSettings {
   const world::Settings& settings;  // those of the session, or a copy without the selection
   const view::View& view;
   view::Pick hovered;
@@ -17,16 +17,17 @@ struct Look {
 };
 
 // What a picture shows besides the track and its trains.
-struct Seen {
+struct PictureContents {
   view::Findings marked;
   const sim::TrackValues& values;
   const sim::Supports* supports;  // null: not shown
 };
 // Finds what a picture needs, seen from its eye.
-Seen find_seen(Program& program, const Look& look);
+PictureContents find_seen(Program& program, const PictureSettings& look);
 
 // Draws the scene; the numbers of supports and colours go to program.stats.
-gfx::DrawStats draw_scene(Program& program, const Look& look, const Seen& seen, platform::Size size);
+gfx::DrawStats draw_scene(Program& program, const PictureSettings& look, const PictureContents& seen,
+                          platform::Size size);
 
 // Draws the pixels of the last frame. Without a window most frames are never looked at, so pixels are drawn on demand;
 // the rest of a frame is always done.

@@ -55,7 +55,7 @@ base::Status set_environment(Program& program, const script::Environment& enviro
   program.surface->set_content_scale(environment.density);
   program.renderer->set_samples(environment.samples);
   if (program.session.settings.look->ui_scale != environment.scale)
-    if (const base::Status scaled = apply(program, edit::Set<&world::Look::ui_scale>{environment.scale}); !scaled)
+    if (const base::Status scaled = apply(program, edit::Set<&world::Appearance::ui_scale>{environment.scale}); !scaled)
       return scaled;
   run_frame(program, {platform::Resize{environment.width, environment.height}, platform::Tick{0}}, 0);
   return {};
@@ -202,7 +202,7 @@ base::Status start(Program& program) {
   auto parsed = script::parse_script_file(path, files);
   if (!parsed) return parsed.status();
   if (!parsed->errors.empty()) return {base::Code::usage, parsed->errors.front()};
-  const auto out = base::Root().open(
+  const auto out = base::FileRoot().open(
       (program.keeper ? program.keeper->folders.state : std::filesystem::temp_directory_path()) / "tutorial");
   if (!out) return out.status();
   script::RunOptions options;
@@ -245,7 +245,7 @@ script::Host make_script_host(Program& program) {
     if (!p->filming) return base::Status{base::Code::refused, "no movie is being recorded"};
     return finish_movie(*p);
   };
-  host.context = [p]() -> query::Context { return context_of(*p); };
+  host.context = [p]() -> query::QueryContext { return context_of(*p); };
   host.widgets = [p] { return p->ui->widgets(); };
   host.pixel_of = [p](const AimPoint& aim) { return pixel_of(*p, aim); };
   host.position_of = [p](const AimPoint& aim) { return position_of(*p, aim); };

@@ -37,8 +37,8 @@ ui::TrackPicture TrackPictures::draw(const gfx::Gl& gl, const gfx::Renderer& sce
   gfx::Scene scene{session.derived, view, nothing_over_it, cars};
   scene.show_polyline = false;
   scene.style = source.style;
-  edit::Finder(session).look_from(gfx::surroundings_of(view));
-  scene.supports = &edit::Finder(session).supports();
+  edit::SessionFindings(session).look_from(gfx::surroundings_of(view));
+  scene.supports = &edit::SessionFindings(session).supports();
   (void)renderer->draw(scene, width, height);
   gfx::Object texture = gfx::make_texture(gl, renderer->read_pixels());
   picture.texture = texture.id();

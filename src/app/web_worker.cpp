@@ -32,9 +32,9 @@ EM_JS(void, tell_part, (double part), { postMessage({ part: part }); });
 
 // Called in the worker: returns what the work finds, as text.
 extern "C" EMSCRIPTEN_KEEPALIVE const char* coaster_work(BackgroundWork::Work* work) {
-  base::Progress progress;
+  base::JobProgress progress;
   progress.told = tell_part;
-  const base::WorkFor watched(&progress);
+  const base::JobScope watched(&progress);
   return ::strdup(print_job_result((*work)()).c_str());
 }
 
@@ -56,7 +56,7 @@ bool BackgroundWork::done() {
 base::Result<JobResult> BackgroundWork::take() {
   if (progress.cancelled) return base::Status{base::Code::refused, "cancelled"};
   if (!in_worker_) {
-    const base::WorkFor watched(&progress);
+    const base::JobScope watched(&progress);
     return (*work_)();
   }
   char* const text = found_text();
@@ -65,6 +65,6 @@ base::Result<JobResult> BackgroundWork::take() {
   return found;
 }
 
-void watch_work(const std::function<void()>& work, base::Progress&, double, const std::function<void()>&) { work(); }
+void watch_work(const std::function<void()>& work, base::JobProgress&, double, const std::function<void()>&) { work(); }
 
 }  // namespace coaster::app

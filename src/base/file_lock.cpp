@@ -37,7 +37,7 @@ std::string describe(const Owner& owner) {
 }
 
 // True if the locked file still has that name: its last owner may have removed it meanwhile.
-bool is_still(int fd, const Place& place) {
+bool is_still(int fd, const FileLocation& place) {
   struct stat mine {
   }, named{};
   return ::fstat(fd, &mine) == 0 &&
@@ -49,7 +49,7 @@ bool is_still(int fd, const Place& place) {
 bool is_lock_file(const struct stat& info) { return S_ISREG(info.st_mode) && info.st_nlink <= 1; }
 
 // Opens the lock file; on failure returns an invalid descriptor and sets `reason`.
-Descriptor open_lock(const Place& place, std::string& reason) {
+Descriptor open_lock(const FileLocation& place, std::string& reason) {
   constexpr const char* kForeign = "something else has the lock's name";
   struct stat info {};
   const bool exists = ::fstatat(place.folder.get(), place.name.c_str(), &info, AT_SYMLINK_NOFOLLOW) == 0;
@@ -94,11 +94,11 @@ void FileLock::release() {
   place_ = {};
 }
 
-LockAttempt try_lock(const std::filesystem::path& path, const Root& root) {
+LockAttempt try_lock(const std::filesystem::path& path, const FileRoot& root) {
   LockAttempt attempt;
   FileLock lock;
   lock.target_ = canonical_path(path);
-  Result<Place> place = root.locate(lock.target_);
+  Result<FileLocation> place = root.locate(lock.target_);
   if (!place) {
     attempt.reason = place.status().message;
     return attempt;
@@ -131,8 +131,8 @@ LockAttempt try_lock(const std::filesystem::path& path, const Root& root) {
   return attempt;
 }
 
-Result<Descriptor> claim_folder(const Root& root) {
-  Result<Place> place = root.locate(root.folder() / "*");  // opens the folder
+Result<Descriptor> claim_folder(const FileRoot& root) {
+  Result<FileLocation> place = root.locate(root.folder() / "*");  // opens the folder
   if (!place) return place.status();
   if (::flock(place->folder.get(), LOCK_EX | LOCK_NB) == 0) return std::move(place->folder);
   if (errno != EWOULDBLOCK) return Descriptor();

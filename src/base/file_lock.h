@@ -24,10 +24,10 @@ class FileLock {
   void release();
 
  private:
-  friend struct LockAttempt try_lock(const std::filesystem::path& path, const Root& root);
+  friend struct LockAttempt try_lock(const std::filesystem::path& path, const FileRoot& root);
   Descriptor fd_;
   std::filesystem::path target_;
-  Place place_;  // of the lock file
+  FileLocation place_;  // of the lock file
 };
 
 struct LockAttempt {
@@ -40,12 +40,12 @@ struct LockAttempt {
 // Tries once, without waiting. A lock of this process counts as held by it. The lock of another machine that shares the
 // folder counts as held as long as its file exists, because its processes cannot be checked from here. Impossible if
 // `root` does not allow the lock file, or something else has its name.
-LockAttempt try_lock(const std::filesystem::path& path, const Root& root = {});
+LockAttempt try_lock(const std::filesystem::path& path, const FileRoot& root = {});
 
 // Takes the folder of a limited root while the descriptor is open, by flock(2) on the folder itself: no file is left,
 // and the system releases it however the process ends. Code::refused while another run holds it. An invalid descriptor
 // where the system has no such lock.
-Result<Descriptor> claim_folder(const Root& root);
+Result<Descriptor> claim_folder(const FileRoot& root);
 
 // Returns the canonical path of a file, absolute and with links followed, whether or not it exists.
 std::filesystem::path canonical_path(const std::filesystem::path& path);

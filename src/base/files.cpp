@@ -51,13 +51,13 @@ bool is_link(int folder, const char* name) {
   return ::fstatat(folder, name, &info, AT_SYMLINK_NOFOLLOW) == 0 && S_ISLNK(info.st_mode);
 }
 
-Result<Place> locate_anywhere(std::filesystem::path target) {
+Result<FileLocation> locate_anywhere(std::filesystem::path target) {
   const std::filesystem::path asked = target;
   if (const Status followed = follow_links(target); !followed) return followed;
   const std::filesystem::path folder = target.has_parent_path() ? target.parent_path() : ".";
   Descriptor opened(::open(folder.c_str(), kOpenFolder));
   if (!opened.valid()) return failure(asked, "open of the folder", errno);
-  return Place{std::move(opened), target.has_filename() ? target.filename().string() : "."};
+  return FileLocation{std::move(opened), target.has_filename() ? target.filename().string() : "."};
 }
 
 // Opens the list of the files that runs made in a folder; invalid if something else has its name.
@@ -123,7 +123,7 @@ std::string temporary_stem(const std::string& name) {
 
 // Creates a new file in the folder of `place` with the process's default mode; sets `name`. On failure returns an
 // invalid descriptor, with errno.
-Descriptor open_temporary(const Place& place, std::string& name) {
+Descriptor open_temporary(const FileLocation& place, std::string& name) {
   const std::string stem = fmt::format("{}{}.", temporary_stem(place.name), ::getpid());
   for (int i = 0; i < 1000; ++i) {
     name = fmt::format("{}{}", stem, i);
@@ -189,9 +189,9 @@ bool visit_files(int folder, bool deep, const Visit& visit) {
 }
 
 // Returns the place of a path without following its last name.
-Result<Place> place_itself(const Root& root, const std::filesystem::path& path) {
+Result<FileLocation> place_itself(const FileRoot& root, const std::filesystem::path& path) {
   if (root.limited()) return root.locate(path);
-  Result<Place> place = root.locate(path.parent_path() / ".");
+  Result<FileLocation> place = root.locate(path.parent_path() / ".");
   if (place) place->name = path.filename().string();
   return place;
 }
@@ -207,13 +207,13 @@ Descriptor& Descriptor::operator=(Descriptor&& other) noexcept {
 
 int Descriptor::close() { return fd_ < 0 ? 0 : ::close(std::exchange(fd_, -1)); }
 
-struct Root::Held {
+struct FileRoot::LimitedFolder {
   Descriptor opened;
   std::filesystem::path given;
   std::array<std::filesystem::path, 2> names;  // absolute: as given, and with links followed
 };
 
-Result<Root> Root::open(const std::filesystem::path& folder) const {
+Result<FileRoot> FileRoot::open(const std::filesystem::path& folder) const {
   if (const Status made = make_folders(folder); !made) return made;
   Result<Descriptor> opened = limited() ? walk(*below(folder), std::nullopt)
                                         : Result<Descriptor>(Descriptor(::open(folder.c_str(), kOpenFolder)));
@@ -222,21 +222,21 @@ Result<Root> Root::open(const std::filesystem::path& folder) const {
   if (::faccessat(opened->get(), ".", W_OK | X_OK, AT_EACCESS) != 0)
     return failure(folder, "cannot be written to", errno);
   std::error_code ignored;
-  Root root;
-  root.held_ = std::make_shared<const Held>(
-      Held{std::move(*opened), folder, {plain(folder), plain(std::filesystem::canonical(folder, ignored))}});
+  FileRoot root;
+  root.held_ = std::make_shared<const LimitedFolder>(
+      LimitedFolder{std::move(*opened), folder, {plain(folder), plain(std::filesystem::canonical(folder, ignored))}});
   return root;
 }
 
-const std::filesystem::path& Root::folder() const {
+const std::filesystem::path& FileRoot::folder() const {
   static const std::filesystem::path none;
   return limited() ? held_->given : none;
 }
 
-bool Root::contains(const std::filesystem::path& path) const { return !limited() || below(path); }
+bool FileRoot::contains(const std::filesystem::path& path) const { return !limited() || below(path); }
 
 // Returns the path relative to the folder; nothing for the folder itself.
-std::optional<std::filesystem::path> Root::below(const std::filesystem::path& path) const {
+std::optional<std::filesystem::path> FileRoot::below(const std::filesystem::path& path) const {
   const std::filesystem::path inner = plain(path);
   for (const std::filesystem::path& outer : held_->names) {
     auto [at, rest] = std::mismatch(outer.begin(), outer.end(), inner.begin(), inner.end());
@@ -248,18 +248,18 @@ std::optional<std::filesystem::path> Root::below(const std::filesystem::path& pa
   return std::nullopt;
 }
 
-Status Root::link_refused(const std::filesystem::path& path) const {
+Status FileRoot::link_refused(const std::filesystem::path& path) const {
   return {Code::refused,
           fmt::format("{}: is a symbolic link; this run writes only below {}", path.string(), folder().string())};
 }
 
-Status Root::outside(const std::filesystem::path& path) const {
+Status FileRoot::outside(const std::filesystem::path& path) const {
   return {Code::refused, fmt::format("{}: this run writes only below {}", path.string(), folder().string())};
 }
 
 // Opens each folder relative to the previous one, and never through a link. `make`: creates missing ones with that
 // mode.
-Result<Descriptor> Root::walk(const std::filesystem::path& relative, std::optional<unsigned> make) const {
+Result<Descriptor> FileRoot::walk(const std::filesystem::path& relative, std::optional<unsigned> make) const {
   std::filesystem::path now = held_->given;
   Descriptor folder(::openat(held_->opened.get(), ".", kOpenFolder));
   for (const std::filesystem::path& part : relative) {
@@ -274,16 +274,16 @@ Result<Descriptor> Root::walk(const std::filesystem::path& relative, std::option
   return folder;
 }
 
-Result<Place> Root::locate(const std::filesystem::path& path) const {
+Result<FileLocation> FileRoot::locate(const std::filesystem::path& path) const {
   if (!limited()) return locate_anywhere(path);
   const auto relative = below(path);
   if (!relative) return outside(path);
   Result<Descriptor> opened = walk(relative->parent_path(), std::nullopt);
   if (!opened) return opened.status();
-  return Place{std::move(*opened), relative->empty() ? "." : relative->filename().string()};
+  return FileLocation{std::move(*opened), relative->empty() ? "." : relative->filename().string()};
 }
 
-Status Root::make_folders(const std::filesystem::path& folder, unsigned mode) const {
+Status FileRoot::make_folders(const std::filesystem::path& folder, unsigned mode) const {
   if (!limited()) return base::make_folders(folder, mode);
   const auto relative = below(folder);
   if (!relative) return outside(folder);
@@ -315,7 +315,7 @@ bool NewFile::put_in_place() {
   return placed_;
 }
 
-Files Files::with(Root root) const {
+Files Files::with(FileRoot root) const {
   Files files(std::move(root));
   files.faults_ = faults_;
   return files;
@@ -358,7 +358,7 @@ Result<std::string> Files::read(const std::filesystem::path& path, std::size_t l
 
 Result<NewFile> Files::create(const std::filesystem::path& path, Replaces replaces) {
   // The folder is opened before any change, so that after the rename only its fsync can fail.
-  Result<Place> place = root_.locate(path);
+  Result<FileLocation> place = root_.locate(path);
   if (!place) return place.status();
   const int folder = place->folder.get();
   const char* const name = place->name.c_str();
@@ -397,14 +397,14 @@ Status Files::write_atomic(const std::filesystem::path& path, std::string_view b
 }
 
 bool Files::remove(const std::filesystem::path& path) {
-  const Result<Place> place = place_itself(root_, path);
+  const Result<FileLocation> place = place_itself(root_, path);
   if (place && root_.limited() && !is_made(made_in(place->folder.get()), place->name)) return errno = EPERM, false;
   return place && ::unlinkat(place->folder.get(), place->name.c_str(), 0) == 0;
 }
 
 Status Files::remove_made(const std::filesystem::path& folder, const std::function<bool(const std::string&)>& only) {
   COASTER_CHECK(root_.limited(), "files that runs made are known only below a limited root");
-  const Result<Place> place = root_.locate(folder / "*");  // opens the folder
+  const Result<FileLocation> place = root_.locate(folder / "*");  // opens the folder
   std::error_code ignored;
   if (!place)
     return place.status().code == Code::refused || std::filesystem::exists(folder, ignored) ? place.status() : Status{};
@@ -422,19 +422,19 @@ Status Files::remove_made(const std::filesystem::path& folder, const std::functi
 }
 
 bool Files::rename(const std::filesystem::path& path, const std::string& name) {
-  const Result<Place> place = place_itself(root_, path);
+  const Result<FileLocation> place = place_itself(root_, path);
   if (!place || is_there(place->folder.get(), name)) return false;
   if (root_.limited() && is_made(made_in(place->folder.get()), place->name)) note_made(place->folder.get(), name);
   return ::renameat(place->folder.get(), place->name.c_str(), place->folder.get(), name.c_str()) == 0;
 }
 
 int Files::remove_leftovers(const std::filesystem::path& target) {
-  const Result<Place> place = place_itself(root_, target);
+  const Result<FileLocation> place = place_itself(root_, target);
   return place ? sweep(place->folder.get(), temporary_stem(place->name)) : 0;
 }
 
 int Files::remove_leftovers_in(const std::filesystem::path& folder) {
-  const Result<Place> place = root_.locate(folder / ".coaster");
+  const Result<FileLocation> place = root_.locate(folder / ".coaster");
   return place ? sweep(place->folder.get(), {}) : 0;
 }
 

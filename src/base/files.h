@@ -37,21 +37,21 @@ class Descriptor {
 
 // A file as its open folder and its name there, which need not exist. `name` contains no slash; it is "." for a folder
 // itself.
-struct Place {
+struct FileLocation {
   Descriptor folder;
   std::string name;
 };
 
 // Copies share the folder's descriptor.
-class Root {
+class FileRoot {
  public:
   // No limit: paths have their usual meaning, and links are followed.
-  Root() = default;
+  FileRoot() = default;
 
   // Returns a root limited to `folder`, which is created if missing. If there is no limit yet, its path may contain
   // links; otherwise it must lie below the present limit and contain none. Code::io if it cannot be created, opened or
   // written.
-  Result<Root> open(const std::filesystem::path& folder) const;
+  Result<FileRoot> open(const std::filesystem::path& folder) const;
 
   bool limited() const { return held_ != nullptr; }
   const std::filesystem::path& folder() const;  // as given to open(); empty without a limit
@@ -60,19 +60,19 @@ class Root {
 
   // Opens the folder of a path. Code::refused outside the limit or if a folder on the path is a symbolic link; Code::io
   // otherwise.
-  Result<Place> locate(const std::filesystem::path& path) const;
+  Result<FileLocation> locate(const std::filesystem::path& path) const;
   // Creates a folder and its parents, with `mode` less the process's mask. Errors as locate().
   Status make_folders(const std::filesystem::path& folder, unsigned mode = 0777) const;
   // Returns "PATH: is a symbolic link; this run writes only below FOLDER".
   Status link_refused(const std::filesystem::path& path) const;
 
  private:
-  struct Held;
+  struct LimitedFolder;
   Status outside(const std::filesystem::path& path) const;
   std::optional<std::filesystem::path> below(const std::filesystem::path& path) const;
   Result<Descriptor> walk(const std::filesystem::path& relative, std::optional<unsigned> make) const;
 
-  std::shared_ptr<const Held> held_;
+  std::shared_ptr<const LimitedFolder> held_;
 };
 
 // The operations that can be made to fail; scripts use the enumerators' names ("io.fsync").
@@ -83,7 +83,7 @@ inline constexpr std::size_t kMaxFileBytes = 64u << 20;  // larger files are rej
 // A new file under a temporary name in its target folder. Removed with this object unless it was put in place.
 class NewFile {
  public:
-  NewFile(Place place, std::string temporary, Descriptor file)
+  NewFile(FileLocation place, std::string temporary, Descriptor file)
       : place_(std::move(place)), temporary_(std::move(temporary)), file_(std::move(file)) {}
   ~NewFile();
   NewFile(NewFile&&) = default;
@@ -97,7 +97,7 @@ class NewFile {
   bool put_in_place();
 
  private:
-  Place place_;
+  FileLocation place_;
   std::string temporary_;
   Descriptor file_;
   bool placed_ = false;
@@ -114,10 +114,10 @@ inline constexpr std::string_view kMadeList = ".coaster-made";
 class Files {
  public:
   // Creates an object without injected faults.
-  explicit Files(Root root = {}) : root_(std::move(root)) {}
+  explicit Files(FileRoot root = {}) : root_(std::move(root)) {}
   // Returns a copy with another root and the same injected faults.
-  Files with(Root root) const;
-  const Root& root() const { return root_; }
+  Files with(FileRoot root) const;
+  const FileRoot& root() const { return root_; }
 
   // Makes the `nth` call of `operation` from now on fail with EIO (nth = 1 is the next). 0 clears the fault.
   void inject(IoOperation operation, int nth);
@@ -155,7 +155,7 @@ class Files {
   using Faults = std::array<int, kIoOperationNames.size()>;  // calls until the injected failure
   bool fails(IoOperation operation);
 
-  Root root_;
+  FileRoot root_;
   std::shared_ptr<Faults> faults_ = std::make_shared<Faults>();
 };
 

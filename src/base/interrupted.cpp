@@ -7,7 +7,7 @@ namespace coaster::base {
 namespace {
 
 std::atomic<bool (*)()> asked_to_end{nullptr};
-thread_local Progress* job_of_thread = nullptr;
+thread_local JobProgress* job_of_thread = nullptr;
 
 }  // namespace
 
@@ -22,8 +22,8 @@ void report_progress(double done) {
   if (job_of_thread) job_of_thread->report(std::max(job_of_thread->done.load(), done));
 }
 
-WorkFor::WorkFor(Progress* job) : before_(std::exchange(job_of_thread, job)) {}
-WorkFor::~WorkFor() { job_of_thread = before_; }
-Progress* WorkFor::now() { return job_of_thread; }
+JobScope::JobScope(JobProgress* job) : before_(std::exchange(job_of_thread, job)) {}
+JobScope::~JobScope() { job_of_thread = before_; }
+JobProgress* JobScope::now() { return job_of_thread; }
 
 }  // namespace coaster::base

@@ -5,7 +5,7 @@
 
 namespace coaster::base {
 
-struct Progress {
+struct JobProgress {
   std::atomic<double> done{0};          // 0..1, never decreases; written by the worker
   std::atomic<bool> cancelled{false};   // set by the waiting thread; the worker ends soon after, without a result
   void (*told)(double done) = nullptr;  // also called by report(), where the two have no memory in common
@@ -27,16 +27,16 @@ void watch_interruption(bool (*asked)());
 void report_progress(double done);
 
 // The calling thread works for this job as long as the object exists; in_parts() passes it to its other threads.
-class WorkFor {
+class JobScope {
  public:
-  explicit WorkFor(Progress* job);
-  ~WorkFor();
-  WorkFor(const WorkFor&) = delete;
-  WorkFor& operator=(const WorkFor&) = delete;
-  static Progress* now();  // the thread's job; null for none
+  explicit JobScope(JobProgress* job);
+  ~JobScope();
+  JobScope(const JobScope&) = delete;
+  JobScope& operator=(const JobScope&) = delete;
+  static JobProgress* now();  // the thread's job; null for none
 
  private:
-  Progress* before_;
+  JobProgress* before_;
 };
 
 }  // namespace coaster::base

@@ -6,7 +6,7 @@
 namespace coaster::base {
 
 template <class Key, class Value>
-struct Kept {
+struct CachedValue {
   std::optional<Key> key;
   Value value{};
   // Returns the cached value for `wanted`; if the key differs, calls `make()` and caches its result.

@@ -21,8 +21,8 @@ unsigned cores() {
 void in_parts(std::size_t count, std::size_t grain, unsigned workers,
               const std::function<void(std::size_t begin, std::size_t end)>& work) {
   std::atomic<std::size_t> next{0};
-  const auto take_parts = [&, job = WorkFor::now()] {
-    const WorkFor same_job(job);
+  const auto take_parts = [&, job = JobScope::now()] {
+    const JobScope same_job(job);
     for (std::size_t begin = 0; (begin = next.fetch_add(grain)) < count;) work(begin, std::min(begin + grain, count));
   };
   const std::size_t parts = (count + grain - 1) / grain;

@@ -45,14 +45,14 @@ std::optional<T> parse_number(std::string_view text) {
 }
 
 // A number other than zero, without its sign, as d.ddd * 10^power.
-struct Decimal {
+struct ScientificDigits {
   std::string digits;  // without leading and trailing zeros
   int power = 0;
 };
 
 // `text` is in fixed or scientific form.
-Decimal decimal(std::string_view text) {
-  Decimal result;
+ScientificDigits decimal(std::string_view text) {
+  ScientificDigits result;
   const std::size_t mark = std::min(text.find('e'), text.size());
   const std::size_t point = std::min(text.find('.'), mark);
   const std::size_t first = text.find_first_of("123456789");

@@ -319,7 +319,7 @@ class Reader {
 
 }  // namespace
 
-ShownUnit shown_in(Units units, std::string_view metric) {
+ShownUnit shown_in(UnitSystem units, std::string_view metric) {
   for (const auto& [ascii, sign] : kSigns)
     if (metric == ascii) metric = sign;
   for (const UnitRow& row : kRows)
@@ -334,7 +334,7 @@ double figure_limit(std::string_view metric) {
   return std::numeric_limits<double>::infinity();
 }
 
-std::string figure_text(double value, int decimals, std::string_view metric, Units units) {
+std::string figure_text(double value, int decimals, std::string_view metric, UnitSystem units) {
   if (std::isnan(value)) return "--";
   if (const double limit = figure_limit(metric); std::abs(value) >= limit) {
     std::string text = fmt::format("{:.0f}", std::isinf(limit) ? 1e15 : limit);
@@ -356,8 +356,8 @@ double metric_value(double shown, const ShownUnit& unit) {
   return parse_double(fmt::format("{:.15g}", shown / unit.factor)).value_or(shown / unit.factor);
 }
 
-std::string in_units(std::string_view text, Units units) {
-  if (units == Units::m_s) return std::string(text);
+std::string in_units(std::string_view text, UnitSystem units) {
+  if (units == UnitSystem::m_s) return std::string(text);
   const auto row = static_cast<std::size_t>(units);
   std::string result;
   for (std::size_t at = 0; at < text.size();) {

@@ -12,11 +12,11 @@
 
 namespace coaster::base {
 
-enum class Units : std::uint8_t { m_s, kmh, feet };
+enum class UnitSystem : std::uint8_t { m_s, kmh, feet };
 inline constexpr NameRow kUnitSystems[] = {{"m_s", "Metres, m/s", "Lengths in metres, speeds in metres per second."},
                                            {"kmh", "Metres, km/h", "Lengths in metres, speeds in km/h."},
                                            {"feet", "Feet, mph", "Lengths in feet, speeds in miles per hour."}};
-constexpr std::span<const NameRow> rows_of(Units) { return kUnitSystems; }
+constexpr std::span<const NameRow> rows_of(UnitSystem) { return kUnitSystems; }
 
 // Converts values of a metric unit to the shown one.
 struct ShownUnit {
@@ -26,13 +26,13 @@ struct ShownUnit {
 };
 // Returns the unit that shows values of a metric one: "m", "mm", "m/s", "1/m" and similar. Units that scripts write in
 // ASCII, such as "deg/s^2", get their signs. Other units are unchanged.
-ShownUnit shown_in(Units units, std::string_view metric);
+ShownUnit shown_in(UnitSystem units, std::string_view metric);
 
 // Returns the limit of a ride's figures in a metric unit: 1,000 g, 100,000 g/s, 10,000 kN; infinity for other units.
 // Where a track bends at once, the arithmetic goes beyond it, to infinity; no train passes there.
 double figure_limit(std::string_view metric);
 // Returns a figure with these decimals, in `units`; "over 1,000", or "under -1,000", at its limit and beyond.
-std::string figure_text(double value, int decimals, std::string_view metric, Units units = Units::m_s);
+std::string figure_text(double value, int decimals, std::string_view metric, UnitSystem units = UnitSystem::m_s);
 // Returns the figure, but at most its limit.
 double limited_figure(double value, std::string_view metric);
 
@@ -42,7 +42,7 @@ double metric_value(double shown, const ShownUnit& unit);
 // Returns a sentence with converted lengths and speeds: "Rolled back 2 m." becomes "Rolled back 6.56 ft.", "0 to 20
 // m/s" becomes "0 to 44.7 mph", "Position (m)" becomes "Position (ft)". Keeps the decimals, and at least three digits
 // that are not zeros at the end. Text in double quotes is unchanged.
-std::string in_units(std::string_view text, Units units);
+std::string in_units(std::string_view text, UnitSystem units);
 enum class Dimension : std::uint8_t { length, speed, acceleration, time, angle, spin, mass };
 
 struct Unit {

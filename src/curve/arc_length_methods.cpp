@@ -131,22 +131,22 @@ Vector leg(glm::vec3 from, glm::vec3 to) {
 }
 
 // As detail::Hodograph, in long double.
-struct Piece {
+struct LongDoubleHodograph {
   Vector v0, v1, v2;
 };
 
-Piece part_of(const Piece& h, long double a, long double b) {
+LongDoubleHodograph part_of(const LongDoubleHodograph& h, long double a, long double b) {
   const auto blossom = [&](long double s, long double t) {
     return (1 - s) * ((1 - t) * h.v0 + t * h.v1) + s * ((1 - t) * h.v1 + t * h.v2);
   };
   return {(b - a) * blossom(a, a), (b - a) * blossom(a, b), (b - a) * blossom(b, b)};
 }
 
-long double polygon(const Piece& h) {
+long double polygon(const LongDoubleHodograph& h) {
   return (sqrtl(dot(h.v0, h.v0)) + sqrtl(dot(h.v1, h.v1)) + sqrtl(dot(h.v2, h.v2))) / 3;
 }
 
-bool is_steady(const Piece& h) {
+bool is_steady(const LongDoubleHodograph& h) {
   const Vector m = h.v0 + h.v1 + h.v2;
   const long double least = std::min({dot(h.v0, m), dot(h.v1, m), dot(h.v2, m)});
   const long double most = std::max({dot(h.v0, h.v0), dot(h.v1, h.v1), dot(h.v2, h.v2)});
@@ -154,7 +154,7 @@ bool is_steady(const Piece& h) {
 }
 
 // Steady pieces (speed above 0.4 of the maximum) need no estimate: the error of 40 nodes is below 1e-18 there.
-long double measure(const Piece& h, long double floor, int depth) {
+long double measure(const LongDoubleHodograph& h, long double floor, int depth) {
   if (!is_steady(h) && depth < 40) {
     const long double all = polygon(h);
     if (!(all > floor)) return all;
@@ -206,8 +206,8 @@ std::vector<ConvergencePoint> study(const ArcLengthMethod& row, const Cubic& cub
 }  // namespace
 
 long double reference_length(const Cubic& c, double t0, double t1) {
-  const Piece whole{leg(c.p0, c.p1), leg(c.p1, c.p2), leg(c.p2, c.p3)};
-  const Piece part = part_of(whole, t0, t1);
+  const LongDoubleHodograph whole{leg(c.p0, c.p1), leg(c.p1, c.p2), leg(c.p2, c.p3)};
+  const LongDoubleHodograph part = part_of(whole, t0, t1);
   return measure(part, 1e-18L * polygon(part), 0);
 }
 

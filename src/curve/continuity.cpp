@@ -71,8 +71,8 @@ double largest_jump(dvec3 before, dvec3 after, double rounding) {
   return std::max(1e-3 * std::max(glm::length(before), glm::length(after)), rounding);
 }
 
-Joint joint(const Cubic& before, const Cubic& after) {
-  Joint j{};
+JointContinuity joint(const Cubic& before, const Cubic& after) {
+  JointContinuity j{};
   j.gap = glm::length(dvec3(before.p3) - dvec3(after.p0));
   j.angle = angle_between(unit_tangent(before, 1.0), unit_tangent(after, 0.0));
   const dvec3 d0 = derivative(before, 1.0), d1 = derivative(after, 0.0);
@@ -84,19 +84,20 @@ Joint joint(const Cubic& before, const Cubic& after) {
   const dvec3 dd0 = second_derivative(before, 1.0), dd1 = second_derivative(after, 0.0);
   j.second_jump = glm::length(dd1 - dd0);
 
-  j.geometric = Geometric::broken;
-  j.parametric = Parametric::broken;
+  j.geometric = GeometricContinuity::broken;
+  j.parametric = ParametricContinuity::broken;
   if (j.gap > 0.0) return j;
-  j.geometric = Geometric::g0;
-  j.parametric = Parametric::c0;
+  j.geometric = GeometricContinuity::g0;
+  j.parametric = ParametricContinuity::c0;
   const double e0 = rounding_error(before), e1 = rounding_error(after);
   if (!(j.angle < 1e-3) && !(j.angle <= turn_by(6.0 * e0, v0) + turn_by(6.0 * e1, v1))) return j;
   const double rounding = rounding_curvature(before, 1.0) + rounding_curvature(after, 0.0);
   const bool g2 = j.curvature_jump <= largest_jump(j.curvature_before, j.curvature_after, rounding);
-  j.geometric = g2 ? Geometric::g2 : Geometric::g1;
+  j.geometric = g2 ? GeometricContinuity::g2 : GeometricContinuity::g1;
   if (std::abs(j.speed_ratio - 1.0) < 1e-4 || std::abs(v1 - v0) <= 6.0 * (e0 + e1)) {
     const double size = std::max({glm::length(dd0), glm::length(dd1), v0});
-    j.parametric = j.second_jump < std::max(1e-3 * size, 24.0 * (e0 + e1)) ? Parametric::c2 : Parametric::c1;
+    j.parametric =
+        j.second_jump < std::max(1e-3 * size, 24.0 * (e0 + e1)) ? ParametricContinuity::c2 : ParametricContinuity::c1;
   }
   return j;
 }

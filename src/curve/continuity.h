@@ -13,20 +13,20 @@ namespace coaster::curve {
 struct LevelRow {
   std::string_view name;
 };
-enum class Geometric : std::uint8_t { broken, g0, g1, g2 };
+enum class GeometricContinuity : std::uint8_t { broken, g0, g1, g2 };
 inline constexpr LevelRow kGeometric[] = {{"none"}, {"G0"}, {"G1"}, {"G2"}};
-constexpr std::span<const LevelRow> rows_of(Geometric) { return kGeometric; }
-enum class Parametric : std::uint8_t { broken, c0, c1, c2 };
+constexpr std::span<const LevelRow> rows_of(GeometricContinuity) { return kGeometric; }
+enum class ParametricContinuity : std::uint8_t { broken, c0, c1, c2 };
 inline constexpr LevelRow kParametric[] = {{"none"}, {"C0"}, {"C1"}, {"C2"}};
-constexpr std::span<const LevelRow> rows_of(Parametric) { return kParametric; }
+constexpr std::span<const LevelRow> rows_of(ParametricContinuity) { return kParametric; }
 
-struct Joint {
+struct JointContinuity {
   double gap;             // m, |b3 - c0|
   double angle;           // radians between the tangents
   double speed_ratio;     // |C'(0)| / |B'(1)|
   double curvature_jump;  // 1/m, length of the difference of the curvature vectors
-  Geometric geometric;
-  Parametric parametric;
+  GeometricContinuity geometric;
+  ParametricContinuity parametric;
   glm::dvec3 curvature_before, curvature_after;  // 1/m, towards the centre; the length is the curvature
   double second_jump;                            // m, length of C''(0) - B''(1): 0 for C2
 };
@@ -59,6 +59,6 @@ double largest_jump(glm::dvec3 before, glm::dvec3 after, double rounding);
 // tangents by, but no more where a handle has no length. G2: largest_jump() with rounding_curvature()
 // of both. C1: ratio of speeds 1e-4, or 6 e of both. C2: jump of the second derivative 1e-3 of its
 // size, or 24 e of both. Paper erratum: a common tangent line is G1; equal first derivatives (C1) are more.
-Joint joint(const Cubic& before, const Cubic& after);
+JointContinuity joint(const Cubic& before, const Cubic& after);
 
 }  // namespace coaster::curve

@@ -25,8 +25,8 @@ int steps_of(Points points, Points tangents) {
 }
 
 // Writes point(t) and tangent(t) at t = i/n.
-template <class Point, class Tangent>
-void write(const Cubic& cubic, Points points, Points tangents, Point point, Tangent tangent) {
+template <class G2Unknowns, class Tangent>
+void write(const Cubic& cubic, Points points, Points tangents, G2Unknowns point, Tangent tangent) {
   const int n = steps_of(points, tangents);
   for (int i = 0; i <= n; ++i) points[i] = point(static_cast<float>(i) / static_cast<float>(n));
   if (!tangents.empty())

@@ -25,7 +25,7 @@ Axes axes_across(dvec3 direction) {
   return {first, glm::normalize(glm::cross(direction, first))};
 }
 
-void Repair::slopes(const Point& x, Vector& gradient, Matrix& hessian) const {
+void Repair::slopes(const G2Unknowns& x, Vector& gradient, Matrix& hessian) const {
   const dvec3 p = x.p(), line = x.r - x.q;
   const double u = 1.0 - x.l;
   gradient = {};
@@ -47,7 +47,7 @@ void Repair::slopes(const Point& x, Vector& gradient, Matrix& hessian) const {
   hessian[kA][kA] = hessian[kB][kB] = 1.0;
 }
 
-void Repair::add_equal_curvature(const Point& x, const Axes& axes, Conditions& to) const {
+void Repair::add_equal_curvature(const G2Unknowns& x, const Axes& axes, Conditions& to) const {
   const dvec3 line = x.r - x.q, p = x.p();
   const dvec3 a = problem_.before.anchor + x.a * problem_.before.direction - p,
               b = problem_.after.anchor + x.b * problem_.after.direction - p;
@@ -68,15 +68,15 @@ void Repair::add_equal_curvature(const Point& x, const Axes& axes, Conditions& t
   }
 }
 
-void Repair::add_kept(const G2Side& side, const Point& x, int handle, int length, Conditions& to) const {
+void Repair::add_kept(const G2Side& side, const G2Unknowns& x, int handle, int length, Conditions& to) const {
   const dvec3 at = handle == kQ ? x.q : x.r, was = handle == kQ ? problem_.in_handle : problem_.out_handle;
   const double size = handle == kQ ? x.a : x.b;
   switch (side.keep) {
-    case G2Side::Keep::nothing: return;
-    case G2Side::Keep::handle:
+    case G2Side::FarEndConstraint::nothing: return;
+    case G2Side::FarEndConstraint::handle:
       for (int i = 0; i < 3; ++i) to.add(at[i] - was[i])[handle + i] = 1.0;
       return;
-    case G2Side::Keep::curvature: {
+    case G2Side::FarEndConstraint::curvature: {
       // k = (2/3) (part of (handle - anchor) across the direction) / length^2
       const Axes axes = axes_across(side.direction);
       for (const dvec3 e : {axes.first, axes.second}) {
@@ -88,7 +88,7 @@ void Repair::add_kept(const G2Side& side, const Point& x, int handle, int length
   }
 }
 
-Conditions Repair::conditions(const Point& x, const Axes& across) const {
+Conditions Repair::conditions(const G2Unknowns& x, const Axes& across) const {
   Conditions all;
   add_equal_curvature(x, across, all);
   add_kept(problem_.before, x, kQ, kA, all);
@@ -107,7 +107,7 @@ Conditions Repair::conditions(const Point& x, const Axes& across) const {
 
 namespace {
 
-Point moved(Point x, const Vector& d, double step) {
+G2Unknowns moved(G2Unknowns x, const Vector& d, double step) {
   for (int i = 0; i < 3; ++i) x.q[i] += step * d[kQ + i], x.r[i] += step * d[kR + i];
   x.l += step * d[kL];
   x.a += step * d[kA];
@@ -155,7 +155,7 @@ Repair::Step Repair::step(const Conditions& now, const Vector& gradient, const M
 
 // Adds the terms that Gauss-Newton leaves out: the second derivatives of the movements and, times the multipliers, of
 // the conditions. All are polynomials, so central differences of the exact slopes are good to 1e-8.
-void Repair::bend(const Point& x, const Axes& across, const std::array<double, kMostConditions>& multipliers,
+void Repair::bend(const G2Unknowns& x, const Axes& across, const std::array<double, kMostConditions>& multipliers,
                   Matrix& hessian) const {
   for (int j = 0; j < kUnknowns; ++j) {
     if (frozen(j)) continue;
@@ -177,7 +177,7 @@ void Repair::bend(const Point& x, const Axes& across, const std::array<double, k
 
 // Returns the longest part of a step that keeps handles from reversing: lengths fall to a quarter at most, and so does
 // the fraction of each side.
-double Repair::longest(const Point& x, const Vector& d) const {
+double Repair::longest(const G2Unknowns& x, const Vector& d) const {
   double part = 1.0;
   const auto keep = [&](double value, double change) {
     if (change < 0.0 && value + part * change < 0.25 * value) part = -0.75 * value / change;
@@ -194,7 +194,7 @@ G2Solution Repair::solve() const {
   constexpr double kLeast = 1.0 / 16;  // of the original length: shorter handles are no repair, and curvature, divided
                                        // by their square, loses its digits
   G2Solution out;
-  Point x = start_;
+  G2Unknowns x = start_;
   Vector gradient{};
   Matrix hessian{};
   double penalty = 1.0;
@@ -225,7 +225,7 @@ G2Solution Repair::solve() const {
     const double merit = cost(x) + penalty * before;
     double part = longest(x, s.d);
     for (int halving = 0; halving < kMostHalvings; ++halving, part *= 0.5) {
-      const Point next = moved(x, s.d, part);
+      const G2Unknowns next = moved(x, s.d, part);
       if (cost(next) + penalty * size_of(conditions(next, across)) <=
           merit + 1e-4 * part * (descent - penalty * before) + 1e-13 * merit)
         break;

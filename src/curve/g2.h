@@ -17,7 +17,7 @@ struct G2Side {
   bool length_fixed = true;       // false: the handle may change its length along `direction`
   // The constraint at the far end. curvature: the curvature vector stays `curvature` (the far joint is G2 and stays
   // G2). handle: the joint's handle on this side does not move (the far joint is C2 and stays C2).
-  enum class Keep : std::uint8_t { nothing, curvature, handle } keep = Keep::nothing;
+  enum class FarEndConstraint : std::uint8_t { nothing, curvature, handle } keep = FarEndConstraint::nothing;
   glm::dvec3 curvature{0};  // 1/m, perpendicular to `direction`
 };
 

@@ -18,7 +18,7 @@ enum : int { kQ = 0, kR = 3, kL = 6, kA = 7, kB = 8 };
 using Vector = std::array<double, kUnknowns>;
 using Matrix = std::array<Vector, kUnknowns>;
 
-struct Point {
+struct G2Unknowns {
   dvec3 q, r;
   double l, a, b;
   dvec3 p() const { return q + l * (r - q); }
@@ -60,15 +60,15 @@ class Repair {
   }
 
   G2Solution solve() const;
-  double cost(const Point& x) const {
+  double cost(const G2Unknowns& x) const {
     const dvec3 q = x.q - problem_.in_handle, r = x.r - problem_.out_handle, p = x.p();
     const double a = x.a - problem_.before.length, b = x.b - problem_.after.length;
     return 0.5 * (glm::dot(q, q) + glm::dot(r, r) + glm::dot(p, p) + a * a + b * b);
   }
-  void slopes(const Point& x, Vector& gradient, Matrix& hessian) const;
-  Conditions conditions(const Point& x, const Axes& across) const;
-  void add_equal_curvature(const Point& x, const Axes& axes, Conditions& to) const;
-  void add_kept(const G2Side& side, const Point& x, int handle, int length, Conditions& to) const;
+  void slopes(const G2Unknowns& x, Vector& gradient, Matrix& hessian) const;
+  Conditions conditions(const G2Unknowns& x, const Axes& across) const;
+  void add_equal_curvature(const G2Unknowns& x, const Axes& axes, Conditions& to) const;
+  void add_kept(const G2Side& side, const G2Unknowns& x, int handle, int length, Conditions& to) const;
   bool frozen(int unknown) const {
     return (unknown == kL && problem_.equal_lengths) || (unknown == kA && problem_.before.length_fixed) ||
            (unknown == kB && problem_.after.length_fixed);
@@ -84,13 +84,13 @@ class Repair {
     bool finite = false;
   };
   Step step(const Conditions& now, const Vector& gradient, const Matrix& hessian) const;
-  void bend(const Point& x, const Axes& across, const std::array<double, kMostConditions>& multipliers,
+  void bend(const G2Unknowns& x, const Axes& across, const std::array<double, kMostConditions>& multipliers,
             Matrix& hessian) const;
-  double longest(const Point& x, const Vector& d) const;
+  double longest(const G2Unknowns& x, const Vector& d) const;
 
  private:
   G2Problem problem_;
-  Point start_{};
+  G2Unknowns start_{};
   double scale_ = 0;  // m, distance of the handles: scales the curvature condition to metres
 };
 

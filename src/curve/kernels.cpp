@@ -12,18 +12,18 @@ namespace {
 
 static_assert(sizeof(PreparedCubic) == 24 * sizeof(float), "the kernels read a prepared cubic as 24 floats");
 
-constexpr std::array<Processor, 2> kProcessors{Processor::baseline, Processor::avx2};
+constexpr std::array<InstructionSet, 2> kProcessors{InstructionSet::baseline, InstructionSet::avx2};
 
-Processor find_best() {
+InstructionSet find_best() {
 #ifdef COASTER_AVX2_KERNELS
-  if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma")) return Processor::avx2;
+  if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma")) return InstructionSet::avx2;
 #endif
-  return Processor::baseline;
+  return InstructionSet::baseline;
 }
 
-const detail::Kernels& kernels([[maybe_unused]] Processor on) {
+const detail::Kernels& kernels([[maybe_unused]] InstructionSet on) {
 #ifdef COASTER_AVX2_KERNELS
-  if (on == Processor::avx2) return detail::avx2_kernels();
+  if (on == InstructionSet::avx2) return detail::avx2_kernels();
 #endif
   return detail::baseline_kernels();
 }
@@ -40,13 +40,13 @@ bool may_stream(std::span<const glm::vec3> out, int points) {
 
 }  // namespace
 
-Processor best_processor() {
-  static const Processor best = find_best();
+InstructionSet best_processor() {
+  static const InstructionSet best = find_best();
   return best;
 }
 
-std::span<const Processor> available_processors() {
-  return std::span(kProcessors).first(best_processor() == Processor::avx2 ? 2 : 1);
+std::span<const InstructionSet> available_processors() {
+  return std::span(kProcessors).first(best_processor() == InstructionSet::avx2 ? 2 : 1);
 }
 
 // As Horner's bound in evaluators.cpp (M + 120 S for coefficients and five operations below 13 S), plus the scaling by
@@ -63,7 +63,7 @@ double vector_differences_error_bound(double extent, double size) { return (2.0 
 // The same with the first point inside the value: each of seven additions also rounds at M.
 double track_error_bound(double extent, double size) { return (9.0 * extent + 430.0 * size) / (1 << 24); }
 
-void vector_polyline(VectorMethod method, const PreparedCubic& curve, std::span<glm::vec3> points, Processor on) {
+void vector_polyline(VectorMethod method, const PreparedCubic& curve, std::span<glm::vec3> points, InstructionSet on) {
   COASTER_CHECK(points.size() >= 2, "a polyline has at least one step");
   const int n = static_cast<int>(points.size()) - 1;
   const detail::Job job{floats({&curve, 1}), 1, n, n + 1, &points[0].x};
@@ -71,22 +71,22 @@ void vector_polyline(VectorMethod method, const PreparedCubic& curve, std::span<
   (method == VectorMethod::horner ? k.positions_by_horner : k.positions_by_differences)(job);
 }
 
-std::size_t track_vertices(std::size_t curves, int steps, TrackLayout layout) {
+std::size_t track_vertices(std::size_t curves, int steps, VertexLayout layout) {
   if (curves == 0) return 0;
   const auto n = static_cast<std::size_t>(steps);
-  return layout == TrackLayout::polylines ? curves * (n + 1) : curves * n + 1;
+  return layout == VertexLayout::polylines ? curves * (n + 1) : curves * n + 1;
 }
 
-void track_points(std::span<const PreparedCubic> curves, int steps, TrackLayout layout, std::span<glm::vec3> out,
-                  Processor on) {
+void track_points(std::span<const PreparedCubic> curves, int steps, VertexLayout layout, std::span<glm::vec3> out,
+                  InstructionSet on) {
   COASTER_CHECK(steps >= 1 && out.size() == track_vertices(curves.size(), steps, layout),
                 "`out` has the size of the layout");
   if (curves.empty()) return;
-  const int points = layout == TrackLayout::polylines ? steps + 1 : steps;
+  const int points = layout == VertexLayout::polylines ? steps + 1 : steps;
   const detail::Job job{floats(curves), curves.size(), steps, points, &out[0].x};
   const detail::Kernels& k = kernels(on);
   (may_stream(out, points) ? k.track_positions_streamed : k.track_positions)(job);
-  if (layout == TrackLayout::chain) out.back() = curves.back().cubic.p3;
+  if (layout == VertexLayout::chain) out.back() = curves.back().cubic.p3;
 }
 
 }  // namespace coaster::curve

@@ -16,12 +16,12 @@ constexpr double kHalfSpan = 1.0 / 64;  // of t: the normal's turn is that withi
 
 // The control points projected along the mean normal of the closed polygon p0 p1 p2 p3 (Newell's); empty if they are
 // collinear.
-struct View {
+struct ControlPolygonPlane {
   bool flat = false;
   dvec3 origin{0}, right{1, 0, 0}, up{0, 1, 0};
   dvec2 operator()(dvec3 p) const { return {glm::dot(p - origin, right), glm::dot(p - origin, up)}; }
 };
-View view_of(const Cubic& c) {
+ControlPolygonPlane view_of(const Cubic& c) {
   const dvec3 p[] = {dvec3(c.p0), dvec3(c.p1), dvec3(c.p2), dvec3(c.p3)};
   dvec3 normal(0);
   double size = 0;
@@ -31,7 +31,7 @@ View view_of(const Cubic& c) {
   for (int i = 1; i < 4 && !(glm::length(normal) > 1e-9 * size * size); ++i)
     for (int k = i + 1; k < 4 && !(glm::length(normal) > 1e-9 * size * size); ++k)
       normal = glm::cross(p[i] - p[0], p[k] - p[0]);
-  View view;
+  ControlPolygonPlane view;
   view.origin = p[0];
   if (!(glm::length(normal) > 1e-9 * size * size) || !(size > 0)) return view;
   normal = glm::normalize(normal);
@@ -105,7 +105,7 @@ FlipClaim flip_claim(const Cubic& cubic) {
 
 double pen_claim(const Cubic& cubic) {
   constexpr int kPlaces = 128;
-  const View view = view_of(cubic);
+  const ControlPolygonPlane view = view_of(cubic);
   if (!view.flat) return 0;
   const std::array pen{view(dvec3(cubic.p0)), view(dvec3(cubic.p1)), view(dvec3(cubic.p2)), view(dvec3(cubic.p3))};
   double worst = 0;

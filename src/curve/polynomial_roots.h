@@ -22,8 +22,8 @@ constexpr std::array<double, N> binomials() {
 
 // Returns the coefficients of the product of two polynomials in Bernstein form, of degrees A - 1 and B - 1, or of the
 // scalar product of two curves.
-template <std::size_t A, std::size_t B, class Point>
-std::array<double, A + B - 1> product(const std::array<Point, A>& a, const std::array<Point, B>& b) {
+template <std::size_t A, std::size_t B, class G2Unknowns>
+std::array<double, A + B - 1> product(const std::array<G2Unknowns, A>& a, const std::array<G2Unknowns, B>& b) {
   static constexpr auto x = binomials<A>();
   static constexpr auto y = binomials<B>();
   static constexpr auto whole = binomials<A + B - 1>();

@@ -29,7 +29,7 @@ struct JumpTerms {
   double out_square, in_square;
   dvec3 jump;  // 1/m
 };
-JumpTerms jump_at(const SpanNodes& n, std::size_t k) {
+JumpTerms jump_at(const SpanKnots& n, std::size_t k) {
   JumpTerms j{n.place[k + 1] - n.in[k + 1] * n.tangent[k + 1] - n.place[k],
               n.place[k - 1] + n.out[k - 1] * n.tangent[k - 1] - n.place[k], n.out[k] * n.out[k], n.in[k] * n.in[k],
               dvec3(0)};
@@ -80,9 +80,9 @@ HandleLengths handle_lengths(const PathPoint& from, const PathPoint& to) {
   return {a, b};
 }
 
-SpanNodes span_nodes(std::span<const PathPoint> points) {
+SpanKnots span_nodes(std::span<const PathPoint> points) {
   COASTER_CHECK(points.size() >= 2, "a span has two ends");
-  SpanNodes n;
+  SpanKnots n;
   n.out.assign(points.size(), 0), n.in.assign(points.size(), 0);
   for (std::size_t k = 0; k < points.size(); ++k) {
     n.place.push_back(points[k].position);
@@ -94,7 +94,7 @@ SpanNodes span_nodes(std::span<const PathPoint> points) {
   return n;
 }
 
-double turn_tangents(SpanNodes& n) {
+double turn_tangents(SpanKnots& n) {
   constexpr double kMostTurn = 0.1;  // rad per step
   const std::size_t count = n.place.size();
   std::vector<Basis> basis(count);
@@ -127,7 +127,7 @@ double turn_tangents(SpanNodes& n) {
   return largest;
 }
 
-Cubic span_cubic(const SpanNodes& n, std::size_t k) {
+Cubic span_cubic(const SpanKnots& n, std::size_t k) {
   return {glm::vec3(n.place[k]), glm::vec3(n.place[k] + n.out[k] * n.tangent[k]),
           glm::vec3(n.place[k + 1] - n.in[k + 1] * n.tangent[k + 1]), glm::vec3(n.place[k + 1])};
 }

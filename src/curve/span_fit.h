@@ -31,22 +31,22 @@ struct HandleLengths {
 HandleLengths handle_lengths(const PathPoint& from, const PathPoint& to);
 
 // The knots of spans in double precision.
-struct SpanNodes {
+struct SpanKnots {
   std::vector<glm::dvec3> place, tangent;  // m, unit
   std::vector<double> out, in;             // m, by knot: the handle after it and the one before it; 0 at the ends
 };
 
 // Returns a knot per point, at least 2, with the points' tangents and handle_lengths(). Joints are G1; for a plane path
 // also G2.
-SpanNodes span_nodes(std::span<const PathPoint> points);
+SpanKnots span_nodes(std::span<const PathPoint> points);
 
 // Turns the inner tangents by one Newton step towards joints with one curvature, which torsion prevents without.
 // Returns the largest jump of the curvature vector before the step, 1/m. Converges quadratically: a few steps from
 // span_nodes() reach 1e-11, and further steps do no harm. Linear time: the system is block-tridiagonal. Turning a
 // tangent changes the jump at its own knot four times as much as at its neighbours', so elimination needs no pivots.
-double turn_tangents(SpanNodes& nodes);
+double turn_tangents(SpanKnots& nodes);
 
 // Returns span k, between knots k and k + 1; control points are rounded to float.
-Cubic span_cubic(const SpanNodes& nodes, std::size_t k);
+Cubic span_cubic(const SpanKnots& nodes, std::size_t k);
 
 }  // namespace coaster::curve

@@ -22,7 +22,7 @@ bool read_challenge_head(Fields& fields, ChallengeFile& to) {
   constexpr double kShortest = 1;  // s
   return fields.head(kChallengeFormat, kChallengeVersion) && read_text(fields, "name", to.name) &&
          read_text(fields, "teaches", to.teaches) && fields.named("judged", to.judged) &&
-         (to.judged != Judged::time || fields.number("seconds", to.seconds, kShortest, kMaxChallengeSeconds));
+         (to.judged != JudgedWhen::time || fields.number("seconds", to.seconds, kShortest, kMaxChallengeSeconds));
 }
 
 bool read_rules(Fields& fields, RuleList which, LoadedChallenge& to) {
@@ -65,7 +65,7 @@ bool read_track(Fields& fields, LoadedChallenge& to, const std::filesystem::path
     const Format* const format = format_of(path);
     if (format == nullptr || !format->parse)
       return fields.reject("track",
-                           "the start track: an object, or a file that ends in " + known_endings(Direction::read));
+                           "the start track: an object, or a file that ends in " + known_endings(FormatUse::read));
     track = load_track(files, path);
   }
   if (!track) return fields.fail("track", track.status().message);

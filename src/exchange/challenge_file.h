@@ -23,9 +23,9 @@ inline constexpr double kMaxChallengeSeconds = 900;     // time limit of the sim
 
 // lap: when the train completes the lap or reaches the end of an open track. time: after some seconds of riding. build:
 // as soon as the track meets the goals; values of the ride are the simulated ride's.
-enum class Judged : std::uint8_t { lap, time, build };
+enum class JudgedWhen : std::uint8_t { lap, time, build };
 inline constexpr base::NameRow kJudged[] = {{"lap"}, {"time"}, {"build"}};
-constexpr std::span<const base::NameRow> rows_of(Judged) { return kJudged; }
+constexpr std::span<const base::NameRow> rows_of(JudgedWhen) { return kJudged; }
 
 // One rule.
 struct ChallengeRule {
@@ -40,8 +40,8 @@ constexpr std::span<const base::NameRow> rows_of(RuleList) { return kRuleLists; 
 
 struct ChallengeFile {
   std::string name, teaches;
-  Judged judged = Judged::lap;
-  double seconds = 0;                               // for Judged::time
+  JudgedWhen judged = JudgedWhen::lap;
+  double seconds = 0;                               // for JudgedWhen::time
   std::array<std::vector<ChallengeRule>, 5> rules;  // by RuleList; goals is not empty
   std::vector<std::string> hints;
   std::vector<std::string> locks;  // words of commands that are refused: "auto_bank"

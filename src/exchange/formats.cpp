@@ -75,8 +75,8 @@ constexpr double kMostLength = 20'000, kMostHeight = 600;
 
 // Returns "a.txt: error: expected a file ending in .json"; says if it is a folder, and names a format that works only
 // in the other direction.
-std::string unfit_ending(const std::filesystem::path& path, const Format* format, Direction direction) {
-  const std::string_view other = direction == Direction::read ? "written" : "read";
+std::string unfit_ending(const std::filesystem::path& path, const Format* format, FormatUse direction) {
+  const std::string_view other = direction == FormatUse::read ? "written" : "read";
   std::error_code ignored;
   return fmt::format("{}: error: {}{}expected a file ending in {}", path.string(),
                      std::filesystem::is_directory(path, ignored) ? "this is a folder; " : "",
@@ -106,7 +106,7 @@ void equip(LoadedTrack& loaded) {
 
 // Banks the knots for the speeds of the ride.
 void bank(LoadedTrack& loaded) {
-  const sim::Derived derived = sim::shapes_of(loaded.document);
+  const sim::DerivedTrack derived = sim::shapes_of(loaded.document);
   sim::RideCache cache;
   const sim::SimulatedRide* const simulated = cache.ride(loaded.document, derived, world::first_cart(loaded.document));
   if (!simulated) return;
@@ -151,7 +151,7 @@ void warn_of_odd(LoadedTrack& loaded, const std::string& name) {
 // Returns the track with the rails for a format that does not hold everything, or the reason why they cannot be
 // printed.
 base::Result<world::Document> rails_of(const world::Document& document, const Format& format) {
-  const sim::Derived derived = sim::shapes_of(document);
+  const sim::DerivedTrack derived = sim::shapes_of(document);
   const double height = world::rails_height(document);
   if (const std::vector<sim::Fold> folds = sim::folds_of(derived, height); !folds.empty())
     return base::Status{base::Code::refused, "error: the rails fold " + sim::fold_text(folds.front(), height)};
@@ -213,10 +213,10 @@ const Format* format_of(const std::filesystem::path& path) {
   return found == kFormats.end() ? nullptr : &*found;
 }
 
-std::string known_endings(Direction direction) {
+std::string known_endings(FormatUse direction) {
   std::vector<std::string> endings;
   for (const Format& f : kFormats)
-    if (direction == Direction::read ? f.parse != nullptr : f.print != nullptr) endings.emplace_back(f.ending);
+    if (direction == FormatUse::read ? f.parse != nullptr : f.print != nullptr) endings.emplace_back(f.ending);
   return base::alternatives(endings);
 }
 
@@ -228,7 +228,7 @@ base::Result<LoadedTrack> load_track(base::Files& files, const std::filesystem::
   if (!(import == Import{}) && (link || (format && !format->parse_watched)))
     return unfit_import(name, "origin is only for rows and points, the other words are");
   if (link) return parse_link(name);
-  if (!format || !format->parse) return base::Status{base::Code::bad_file, unfit_ending(path, format, Direction::read)};
+  if (!format || !format->parse) return base::Status{base::Code::bad_file, unfit_ending(path, format, FormatUse::read)};
   const base::Result<std::string> bytes = bytes_of(files, path, *format);
   if (!bytes) return bytes.status();
   base::Result<LoadedTrack> loaded =
@@ -262,7 +262,7 @@ std::optional<ImportQuestion> question_of(base::Files& files, const std::filesys
 base::Status save_track(base::Files& files, const std::filesystem::path& path, const world::Document& document,
                         std::uint64_t* content, base::Replaces replaces) {
   const Format* const format = format_of(path);
-  if (!format || !format->print) return {base::Code::refused, unfit_ending(path, format, Direction::write)};
+  if (!format || !format->print) return {base::Code::refused, unfit_ending(path, format, FormatUse::write)};
   if (!format->whole && document.curve == world::TrackCurve::heartline) {
     const base::Result<world::Document> rails = rails_of(document, *format);
     if (!rails) return {rails.status().code, fmt::format("{}: {}", path.string(), rails.status().message)};

@@ -62,7 +62,7 @@ base::Status save_track(base::Files& files, const std::filesystem::path& path, c
                         std::uint64_t* content = nullptr, base::Replaces replaces = base::Replaces::made);
 
 // Returns the extensions that can be read or written, for messages: ".json, .obj or .svg".
-enum class Direction { read, write };
-std::string known_endings(Direction direction);
+enum class FormatUse { read, write };
+std::string known_endings(FormatUse direction);
 
 }  // namespace coaster::exchange

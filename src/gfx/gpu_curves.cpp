@@ -132,7 +132,7 @@ bool GpuCurves::capture(EvaluatedBy stage, const CurveSlots& slots) {
 }
 
 CurveDeviation::Result CurveDeviation::update(GpuCurves& curves, curve::EvaluatedBy stage, const TrackCache& track,
-                                              const sim::Derived& derived) {
+                                              const sim::DerivedTrack& derived) {
   if (stage != stage_ || derived.steps != steps_) known_.clear(), able_ = true;
   stage_ = stage, steps_ = derived.steps;
   const std::span<const TrackCache::Placed> placed = track.placed();
@@ -174,7 +174,7 @@ bool CurveDeviation::read(GpuCurves& curves, const CurveSlots& slots) {
   return done;
 }
 
-bool CurveDeviation::measure(GpuCurves& curves, const CurveSlots& slots, const sim::Derived& derived,
+bool CurveDeviation::measure(GpuCurves& curves, const CurveSlots& slots, const sim::DerivedTrack& derived,
                              std::span<const TrackCache::Placed> placed) {
   if (!read(curves, slots)) return false;
   std::vector<double> worst(std::size_t(slots.count), 0.0);  // squared

@@ -91,7 +91,7 @@ class CurveDeviation {
   };
   // Measures segments that have not been measured with this stage, shape and resolution, up to kBudget vertices per
   // call (at least one segment), and waits for the GPU. If nothing changed, a call costs one comparison per segment.
-  Result update(GpuCurves& curves, curve::EvaluatedBy stage, const TrackCache& track, const sim::Derived& derived);
+  Result update(GpuCurves& curves, curve::EvaluatedBy stage, const TrackCache& track, const sim::DerivedTrack& derived);
   static constexpr int kBudget = 32'768;
 
  private:
@@ -100,7 +100,7 @@ class CurveDeviation {
     double metres = 0;
   };
   bool read(GpuCurves& curves, const CurveSlots& slots);
-  bool measure(GpuCurves& curves, const CurveSlots& slots, const sim::Derived& derived,
+  bool measure(GpuCurves& curves, const CurveSlots& slots, const sim::DerivedTrack& derived,
                std::span<const TrackCache::Placed> placed);
 
   const Gl* gl_;

@@ -166,12 +166,12 @@ int MeshPool::draw() const {
   return draw_calls();
 }
 
-Cast MeshPool::cast(const glm::mat4& light, bool unseen) const {
+ShadowDrawStats MeshPool::cast(const glm::mat4& light, bool unseen) const {
   std::vector<Range> runs =
       runs_of(levels_[0], [&](const Solid& solid) { return reaches(light, solid.middle, solid.radius); });
   if (runs.size() > kMostRuns) runs = {{0, index_count()}};
   if (!unseen) draw(levels_[0], runs);
-  Cast cast{static_cast<int>(runs.size())};
+  ShadowDrawStats cast{static_cast<int>(runs.size())};
   for (const Range& run : runs) cast.triangles += run.size / 3;
   return cast;
 }

@@ -29,7 +29,7 @@ void mesh_attributes(const Gl& gl);
 inline constexpr GLuint kEndAttribute = 12;
 
 // The statistics of drawing into a shadow map.
-struct Cast {
+struct ShadowDrawStats {
   int draw_calls = 0;
   std::int64_t triangles = 0;
 };
@@ -62,7 +62,7 @@ class MeshPool {
   std::int64_t triangles() const;  // per draw, gaps included
   // Draws the solids that reach into the clip space of `light` in full, independent of the eye; `unseen`: only counts.
   // Call after look_from().
-  Cast cast(const glm::mat4& light, bool unseen) const;
+  ShadowDrawStats cast(const glm::mat4& light, bool unseen) const;
 
   // Changes whenever anything is written or removed.
   std::uint64_t version() const { return version_; }

@@ -44,16 +44,16 @@ base::Result<Program> make_scene_program(const Gl& gl, std::size_t index) {
 }
 
 // A convex part of the viewport, -1 to 1, with the number of corners that the shader expects.
-struct Part {
+struct ViewportPolygon {
   std::array<glm::vec2, 6> corners{};
   int count = 0;
 };
 
 // Returns the part where a + b x + c y is not negative.
-Part part_of_viewport(float a, float b, float c) {
+ViewportPolygon part_of_viewport(float a, float b, float c) {
   constexpr glm::vec2 kCorners[] = {{-1, -1}, {1, -1}, {1, 1}, {-1, 1}};
   const auto height = [&](glm::vec2 at) { return a + b * at.x + c * at.y; };
-  Part part;
+  ViewportPolygon part;
   for (int i = 0; i < 4; ++i) {
     const glm::vec2 from = kCorners[i], to = kCorners[(i + 1) % 4];
     const float before = height(from), after = height(to);
@@ -69,7 +69,7 @@ struct Rays {
   glm::vec3 eye, eye_right{0}, eye_up{0};  // m; origin of the rays, and its change towards the edges
 };
 
-void draw_part(const Pass& pass, const Program& program, const Rays& rays, const Part& part) {
+void draw_part(const Pass& pass, const Program& program, const Rays& rays, const ViewportPolygon& part) {
   program.set("forward", rays.forward);
   program.set("right", rays.right);
   program.set("up", rays.up);
@@ -84,7 +84,7 @@ void draw_part(const Pass& pass, const Program& program, const Rays& rays, const
 
 // Draws twice: the sunlit ground, which writes depth 0.5 where a shadow may be; then the shadows, only there. Pixels
 // without shadow therefore cost little.
-void draw_ground(const Pass& pass, const SunShadows& shadows, const Rays& rays, const Part& part) {
+void draw_ground(const Pass& pass, const SunShadows& shadows, const Rays& rays, const ViewportPolygon& part) {
   const Gl& gl = pass.gl;
   const Program& ground = pass.use(SceneProgram::ground);
   shadows.bind(ground);
@@ -107,7 +107,7 @@ void draw_ground(const Pass& pass, const SunShadows& shadows, const Rays& rays, 
   gl.Clear(GL_DEPTH_BUFFER_BIT);
 }
 
-void draw_sky(const Pass& pass, const Rays& rays, const Part& part) {
+void draw_sky(const Pass& pass, const Rays& rays, const ViewportPolygon& part) {
   if (part.count < 3) return;
   const view::View& view = pass.scene.view;
   const float by_distance = view.parallel > 0 ? view.parallel : 1;
@@ -248,8 +248,10 @@ void draw_backdrop(const Pass& pass, const SunShadows& shadows) {
   const glm::mat3 axes = glm::transpose(glm::mat3(view.view));
   const Rays rays{-axes[2], axes[0] / view.projection[0][0], axes[1] / view.projection[1][1], view.eye};
   const bool buried = view.eye.y <= 0;  // below the ground: earth all around
-  const Part above = buried ? part_of_viewport(1, 0, 0) : part_of_viewport(rays.forward.y, rays.right.y, rays.up.y);
-  const Part below = buried ? Part{} : part_of_viewport(-rays.forward.y, -rays.right.y, -rays.up.y);
+  const ViewportPolygon above =
+      buried ? part_of_viewport(1, 0, 0) : part_of_viewport(rays.forward.y, rays.right.y, rays.up.y);
+  const ViewportPolygon below =
+      buried ? ViewportPolygon{} : part_of_viewport(-rays.forward.y, -rays.right.y, -rays.up.y);
   draw_sky(pass, rays, above);
   if (below.count > 2) draw_ground(pass, shadows, rays, below);
 }
@@ -273,8 +275,8 @@ void cast_track(const Pass& pass, TrackCache& track, const glm::mat4& light, flo
   pass.use(SceneProgram::shadow).set("view_projection", light);
   // Independent of the eye, because a map is kept while it moves.
   const bool unseen = pass.scene.unseen;
-  for (const Cast& cast : {track.swept().cast(light, texel_metres, unseen), track.mesh().cast(light, unseen),
-                           track.supports().mesh().cast(light, unseen)}) {
+  for (const ShadowDrawStats& cast : {track.swept().cast(light, texel_metres, unseen), track.mesh().cast(light, unseen),
+                                      track.supports().mesh().cast(light, unseen)}) {
     pass.stats.draw_calls += cast.draw_calls;
     pass.stats.triangles += cast.triangles;
   }

@@ -41,7 +41,7 @@ struct Pass {
   const Gl& gl;
   ScenePrograms& programs;
   const Scene& scene;
-  const Scenery& scenery;
+  const SceneStyle& scenery;
   glm::mat4 view_projection;
   GLuint no_attributes;  // a vertex array without attributes
   DrawStats& stats;

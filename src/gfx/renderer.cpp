@@ -20,7 +20,7 @@ struct Renderer::Parts {
   const Gl& gl;
   std::shared_ptr<ScenePrograms> programs;
   GpuCurves gpu_curves;
-  AirBuffer air{gl};
+  SceneStyleBuffer air{gl};
   TrackCache track{gl};
   Instances instances{gl};
   ValueTexture values{gl};  // colours of the track
@@ -77,7 +77,7 @@ DrawStats Renderer::draw(const Scene& scene, int width, int height) {
   COASTER_CHECK(width >= 1 && height >= 1, "a picture has at least one pixel");
   Parts& parts = *parts_;
   DrawStats stats;
-  const Scenery& scenery = scenery_of(scene.style);
+  const SceneStyle& scenery = scenery_of(scene.style);
   parts.air.bind(scenery);
   parts.upload(scene, stats);
   choose_detail(scene, parts.track);

@@ -25,7 +25,7 @@ namespace coaster::gfx {
 
 // The scene to draw: const views of state that must outlive the call.
 struct Scene {
-  const sim::Derived& derived;
+  const sim::DerivedTrack& derived;
   const view::View& view;
   const view::Overlay& overlay;
   std::span<const sim::Pose> carts;

@@ -14,68 +14,68 @@ constexpr glm::vec3 rgb(unsigned hex) {
   return {float(hex >> 16 & 255u) / 255.0f, float(hex >> 8 & 255u) / 255.0f, float(hex & 255u) / 255.0f};
 }
 
-constexpr Scenery kDay{.sun = {0.4216f, 0.7792f, 0.4638f},
-                       .sun_light = {1.10f, 0.99f, 0.82f},
-                       .sky_light = {0.36f, 0.44f, 0.56f},
-                       .ground_light = {0.21f, 0.23f, 0.16f},
-                       .penumbra = 0.008f,
-                       .horizon = rgb(0xd3e2ee),
-                       .haze = rgb(0xe6e9e4),
-                       .haze_width = 3,
-                       .middle = rgb(0x9cc3e6),
-                       .zenith = rgb(0x4d84bd),
-                       .clouds = 0.55f,
-                       .glow = {0.55f, 0.46f, 0.30f},
-                       .disc = 1,
-                       .fog_metres = 820,
-                       .hills = rgb(0x6b8f86),
-                       .hills_height = 0.055f,
-                       .ground = rgb(0x80a56b),
-                       .uneven = 0.10f,
-                       .grid = rgb(0xa6c28f),
-                       .grid_strength = 0.75f,
-                       .shade = 0.86f};
+constexpr SceneStyle kDay{.sun = {0.4216f, 0.7792f, 0.4638f},
+                          .sun_light = {1.10f, 0.99f, 0.82f},
+                          .sky_light = {0.36f, 0.44f, 0.56f},
+                          .ground_light = {0.21f, 0.23f, 0.16f},
+                          .penumbra = 0.008f,
+                          .horizon = rgb(0xd3e2ee),
+                          .haze = rgb(0xe6e9e4),
+                          .haze_width = 3,
+                          .middle = rgb(0x9cc3e6),
+                          .zenith = rgb(0x4d84bd),
+                          .clouds = 0.55f,
+                          .glow = {0.55f, 0.46f, 0.30f},
+                          .disc = 1,
+                          .fog_metres = 820,
+                          .hills = rgb(0x6b8f86),
+                          .hills_height = 0.055f,
+                          .ground = rgb(0x80a56b),
+                          .uneven = 0.10f,
+                          .grid = rgb(0xa6c28f),
+                          .grid_strength = 0.75f,
+                          .shade = 0.86f};
 
-constexpr Scenery kDusk{.sun = {-0.800f, 0.215f, -0.560f},
-                        .sun_light = {1.95f, 0.98f, 0.46f},
-                        .sky_light = {0.36f, 0.35f, 0.52f},
-                        .ground_light = {0.24f, 0.18f, 0.19f},
-                        .penumbra = 0.006f,
-                        .reflections = 1.1f,
-                        .lamps = 0.55f,
-                        .horizon = rgb(0x8a7396),
-                        .haze = rgb(0xf6a76c),
-                        .haze_width = 4,
-                        .middle = rgb(0x7a6a9c),
-                        .zenith = rgb(0x2a2f5e),
-                        .clouds = 0.5f,
-                        .glow = {1.0f, 0.50f, 0.20f},
-                        .disc = 2,
-                        .fog_metres = 700,
-                        .hills = rgb(0x3b3556),
-                        .hills_height = 0.060f,
-                        .ground = rgb(0x6d7350),
-                        .uneven = 0.10f,
-                        .grid = rgb(0x918d66),
-                        .grid_strength = 0.7f,
-                        .shade = 0.92f};
+constexpr SceneStyle kDusk{.sun = {-0.800f, 0.215f, -0.560f},
+                           .sun_light = {1.95f, 0.98f, 0.46f},
+                           .sky_light = {0.36f, 0.35f, 0.52f},
+                           .ground_light = {0.24f, 0.18f, 0.19f},
+                           .penumbra = 0.006f,
+                           .reflections = 1.1f,
+                           .lamps = 0.55f,
+                           .horizon = rgb(0x8a7396),
+                           .haze = rgb(0xf6a76c),
+                           .haze_width = 4,
+                           .middle = rgb(0x7a6a9c),
+                           .zenith = rgb(0x2a2f5e),
+                           .clouds = 0.5f,
+                           .glow = {1.0f, 0.50f, 0.20f},
+                           .disc = 2,
+                           .fog_metres = 700,
+                           .hills = rgb(0x3b3556),
+                           .hills_height = 0.060f,
+                           .ground = rgb(0x6d7350),
+                           .uneven = 0.10f,
+                           .grid = rgb(0x918d66),
+                           .grid_strength = 0.7f,
+                           .shade = 0.92f};
 
-constexpr Scenery kBlueprint{.drawing = true,
-                             .sun = {0.4216f, 0.7792f, 0.4638f},
-                             .penumbra = 0.004f,
-                             .reflections = 0,
-                             .horizon = rgb(0x0f2a47),
-                             .haze = rgb(0x0f2a47),
-                             .middle = rgb(0x0f2a47),
-                             .zenith = rgb(0x0f2a47),
-                             .fog_metres = 900,
-                             .ground = rgb(0x0f2a47),
-                             .grid = rgb(0x9fc6ea),
-                             .grid_strength = 0.34f,
-                             .shade = 0.55f,
-                             .ink = rgb(0x9fc6ea)};
+constexpr SceneStyle kBlueprint{.drawing = true,
+                                .sun = {0.4216f, 0.7792f, 0.4638f},
+                                .penumbra = 0.004f,
+                                .reflections = 0,
+                                .horizon = rgb(0x0f2a47),
+                                .haze = rgb(0x0f2a47),
+                                .middle = rgb(0x0f2a47),
+                                .zenith = rgb(0x0f2a47),
+                                .fog_metres = 900,
+                                .ground = rgb(0x0f2a47),
+                                .grid = rgb(0x9fc6ea),
+                                .grid_strength = 0.34f,
+                                .shade = 0.55f,
+                                .ink = rgb(0x9fc6ea)};
 
-constexpr std::array<const Scenery*, base::count_of<world::Style>()> kStyles{&kDay, &kDusk, &kBlueprint};
+constexpr std::array<const SceneStyle*, base::count_of<world::Style>()> kStyles{&kDay, &kDusk, &kBlueprint};
 
 float linear(float c) { return c <= 0.04045f ? c / 12.92f : std::pow((c + 0.055f) / 1.055f, 2.4f); }
 glm::vec3 linear(glm::vec3 c) { return {linear(c.x), linear(c.y), linear(c.z)}; }
@@ -87,7 +87,7 @@ struct Air {
   glm::vec4 sun, sun_light, sky_light, ground_light, horizon, haze, middle, zenith, glow, hills, ground, grid, ink;
 };
 
-Air air_of(const Scenery& s) {
+Air air_of(const SceneStyle& s) {
   const glm::vec3 sun = glm::normalize(s.sun);
   // The paint that gives the ground the table's colour in sunlight.
   const glm::vec3 lit = s.drawing ? glm::vec3(1) : s.sun_light * sun.y + s.sky_light;
@@ -110,7 +110,7 @@ Air air_of(const Scenery& s) {
 
 }  // namespace
 
-const Scenery& scenery_of(world::Style style) {
+const SceneStyle& scenery_of(world::Style style) {
   COASTER_CHECK(static_cast<std::size_t>(style) < kStyles.size(), "styles are rows of the table");
   return *kStyles[static_cast<std::size_t>(style)];
 }
@@ -124,7 +124,7 @@ glm::vec3 around_of(world::Theme theme) {
   return rgb(0x1b1f27);
 }
 
-void AirBuffer::bind(const Scenery& scenery) {
+void SceneStyleBuffer::bind(const SceneStyle& scenery) {
   gl_->BindBuffer(GL_UNIFORM_BUFFER, buffer_.id());
   if (written_ != &scenery) {
     const Air air = air_of(scenery);

@@ -9,7 +9,7 @@
 namespace coaster::gfx {
 
 // Colours as shown on screen (sRGB, 0..1); lights are linear, 1: a surface shows its own colour.
-struct Scenery {
+struct SceneStyle {
   bool drawing = false;    // flat faces and outlines instead of light
   glm::vec3 sun{0, 1, 0};  // towards it; not necessarily unit
   glm::vec3 sun_light{1}, sky_light{0.4f}, ground_light{0.2f};
@@ -35,21 +35,21 @@ struct Scenery {
 
 // Returns the row of a style: a summer day; a low warm sun under a violet sky; a blueprint for the laboratory and for
 // print.
-const Scenery& scenery_of(world::Style style);
+const SceneStyle& scenery_of(world::Style style);
 
 // Returns the colour around the viewport: the panels' background, sRGB.
 glm::vec3 around_of(world::Theme theme);
 
 // The shaders' uniform block `Air` on the GPU, written if the style changes.
-class AirBuffer {
+class SceneStyleBuffer {
  public:
-  explicit AirBuffer(const Gl& gl) : gl_(&gl), buffer_(make_buffer(gl)) {}
-  void bind(const Scenery& scenery);
+  explicit SceneStyleBuffer(const Gl& gl) : gl_(&gl), buffer_(make_buffer(gl)) {}
+  void bind(const SceneStyle& scenery);
 
  private:
   const Gl* gl_;
   Object buffer_;
-  const Scenery* written_ = nullptr;  // rows of scenery_of() have static lifetime
+  const SceneStyle* written_ = nullptr;  // rows of scenery_of() have static lifetime
 };
 
 }  // namespace coaster::gfx

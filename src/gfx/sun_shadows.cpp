@@ -70,7 +70,7 @@ void LightBox::add(glm::vec3 light, float margin) {
   high = glm::max(high, light + margin);
 }
 
-const LightBox& TrackBox::update(const SunAxes& axes, const sim::Derived& derived) {
+const LightBox& TrackBox::update(const SunAxes& axes, const sim::DerivedTrack& derived) {
   looked_at_ = 0;
   std::vector<std::size_t> stale;
   const auto changes = sun_ == axes.sun ? derived.changes_since(last_build_) : std::nullopt;

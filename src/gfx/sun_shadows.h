@@ -34,8 +34,8 @@ struct LightBox {
 class TrackBox {
  public:
   // Updates the box from the same Derived as before and returns it. Reads only the segments that
-  // Derived::changes_since() lists, and the rest in runs of neighbours.
-  const LightBox& update(const SunAxes& axes, const sim::Derived& derived);
+  // DerivedTrack::changes_since() lists, and the rest in runs of neighbours.
+  const LightBox& update(const SunAxes& axes, const sim::DerivedTrack& derived);
   std::size_t looked_at() const { return looked_at_; }  // segments read in the last update
 
  private:

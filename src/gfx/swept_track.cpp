@@ -156,7 +156,7 @@ void SweptTrack::look_from(glm::vec3 eye, Reach reach) {
   }
 }
 
-Cast SweptTrack::cast(const glm::mat4& light, float texel_metres, bool unseen) {
+ShadowDrawStats SweptTrack::cast(const glm::mat4& light, float texel_metres, bool unseen) {
   sort();
   const bool full = texel_metres < 8 * static_cast<float>(sim::kRailRadius);
   const auto kinds = static_cast<std::uint8_t>(full ? 1 << kTubes | 1 << kCaps | 1 << kTies : 1 << kFarTubes);

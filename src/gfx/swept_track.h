@@ -57,7 +57,7 @@ class SweptTrack {
 
   // The same for the segments that reach into the clip space of `light`: in full unless the texels of the shadow map,
   // `texel_metres` wide, are larger than rail and gap.
-  Cast cast(const glm::mat4& light, float texel_metres, bool unseen);
+  ShadowDrawStats cast(const glm::mat4& light, float texel_metres, bool unseen);
 
   // Changes whenever anything is written or removed.
   std::uint64_t version() const { return version_; }

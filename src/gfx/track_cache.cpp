@@ -54,7 +54,7 @@ static_assert(kControlBytes == 48, "so are control points");
 TrackCache::TrackCache(const Gl& gl)
     : gl_(&gl), lines_(gl), controls_(gl), swept_(gl), mesh_(gl), supports_(gl), line_array_(make_vertex_array(gl)) {}
 
-TrackCache::Synced TrackCache::sync(const sim::Derived& derived, const sim::Clock& clock) {
+TrackCache::Synced TrackCache::sync(const sim::DerivedTrack& derived, const sim::Clock& clock) {
   const bool on_processor = derived.evaluated_by == curve::EvaluatedBy::processor;
   synced_ = {};
   Stopwatch watch{clock};
@@ -95,7 +95,7 @@ TrackCache::Synced TrackCache::sync(const sim::Derived& derived, const sim::Cloc
 }
 
 // Gives every segment a slot, and frees those of vanished ones.
-void TrackCache::take_order(const sim::Derived& derived) {
+void TrackCache::take_order(const sim::DerivedTrack& derived) {
   ++stamp_;
   for (const world::Entity segment : derived.order) slot_of(segment).seen = stamp_;
   if (live_ > derived.order.size())
@@ -117,7 +117,7 @@ bool TrackCache::write_segment(const sim::SegmentShape& shape, bool on_processor
 }
 
 // Notes which segments are near, and those that were.
-void TrackCache::take_near(const sim::Derived& derived) {
+void TrackCache::take_near(const sim::DerivedTrack& derived) {
   near_track_.look_from({sight_.eye, ties_});
   near_track_.update(derived);
   if (near_track_.everywhere() != parts_everywhere_) levels_compared_ = {};  // a look at all of them
@@ -134,7 +134,7 @@ void TrackCache::take_near(const sim::Derived& derived) {
 }
 
 // Writes the segments again that should be held more finely or more coarsely.
-void TrackCache::change_levels(const sim::Derived& derived, bool on_processor, Stopwatch& watch) {
+void TrackCache::change_levels(const sim::DerivedTrack& derived, bool on_processor, Stopwatch& watch) {
   if (levels_ == levels_compared_) {
     for (const std::uint32_t index : were_near_) change_level(index, derived, on_processor, watch);
     return;
@@ -143,7 +143,8 @@ void TrackCache::change_levels(const sim::Derived& derived, bool on_processor, S
   for (std::size_t i = 0; i < slots_.size(); ++i) change_level(i, derived, on_processor, watch);
 }
 
-void TrackCache::change_level(std::size_t index, const sim::Derived& derived, bool on_processor, Stopwatch& watch) {
+void TrackCache::change_level(std::size_t index, const sim::DerivedTrack& derived, bool on_processor,
+                              Stopwatch& watch) {
   Slot& slot = slots_[index];
   if (!slot.segment.valid()) return;
   Level wanted = level_of(index);

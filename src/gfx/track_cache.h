@@ -70,10 +70,10 @@ class TrackCache {
     int looked_at = 0;                // segments compared with their slots
     double cpu_seconds = 0;           // time to prepare it, outside GL; 0 without a clock
   };
-  // Updates the slots from the same Derived as before. Reads only the segments that Derived::changes_since() lists and
-  // those whose level changes; all of them after a change of the track's order, of equipment or of the evaluation of
-  // polylines.
-  Synced sync(const sim::Derived& derived, const sim::Clock& clock);
+  // Updates the slots from the same Derived as before. Reads only the segments that DerivedTrack::changes_since() lists
+  // and those whose level changes; all of them after a change of the track's order, of equipment or of the evaluation
+  // of polylines.
+  Synced sync(const sim::DerivedTrack& derived, const sim::Clock& clock);
   // From now on very long tracks are held in full only where this shows a difference, and have ties, equipment and
   // supports only within `ties` m of the eye, the reach of ties.
   void look_from(const Sight& sight, float ties) { sight_ = sight, ties_ = ties; }
@@ -119,7 +119,7 @@ class TrackCache {
     SweptTrack::Id swept = SweptTrack::kNone;
     MeshPool::Id mesh = MeshPool::kNone;  // of its equipment
   };
-  void take_order(const sim::Derived& derived);
+  void take_order(const sim::DerivedTrack& derived);
   // How finely a segment is held; 0: not at all.
   enum class Solid : std::uint8_t { none, straight, swept, with_parts };
   struct Level {
@@ -138,9 +138,9 @@ class TrackCache {
     return std::int64_t(slot.line.size * sizeof(PolylineVertex) + slot.control.size * kControlBytes);
   }
   void release(Slot& slot);
-  void take_near(const sim::Derived& derived);
-  void change_levels(const sim::Derived& derived, bool on_processor, Stopwatch& watch);
-  void change_level(std::size_t index, const sim::Derived& derived, bool on_processor, Stopwatch& watch);
+  void take_near(const sim::DerivedTrack& derived);
+  void change_levels(const sim::DerivedTrack& derived, bool on_processor, Stopwatch& watch);
+  void change_level(std::size_t index, const sim::DerivedTrack& derived, bool on_processor, Stopwatch& watch);
   bool write_segment(const sim::SegmentShape& shape, bool on_processor, Slot& slot, Stopwatch& watch);
   void write_polyline(const sim::SegmentShape& shape, Slot& slot, Stopwatch& watch);
   void write_control(const sim::SegmentShape& shape, Slot& slot);
@@ -181,7 +181,7 @@ class TrackCache {
   std::vector<PolylineVertex> staged_line_;
   sim::Mesh staged_mesh_;
   sim::Detail detail_, near_detail_;  // of the meshes
-  sim::NearTrack near_track_;
+  sim::NearSegments near_track_;
   float ties_ = 0;
   bool parts_everywhere_ = true;
   std::vector<std::uint8_t> near_;        // by the entity's index: 1 where a very long track has parts

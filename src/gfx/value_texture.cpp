@@ -16,7 +16,7 @@ void ValueTexture::fit(int rows) {
   gl_->TexImage2D(GL_TEXTURE_2D, 0, GL_R32F, kWidth, rows_, 0, GL_RED, GL_FLOAT, held_.data());
 }
 
-ValueTexture::Synced ValueTexture::sync(const sim::Derived& derived, const sim::TrackValues& values) {
+ValueTexture::Synced ValueTexture::sync(const sim::DerivedTrack& derived, const sim::TrackValues& values) {
   Synced synced;
   if (values.values.empty()) return synced;
   std::uint32_t last = 0;

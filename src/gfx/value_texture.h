@@ -20,7 +20,7 @@ class ValueTexture {
     std::int64_t bytes = 0;  // written
   };
   // Writes the rows that changed. Equal values cost a comparison of 128 bytes per segment; plain values cost nothing.
-  Synced sync(const sim::Derived& derived, const sim::TrackValues& values);
+  Synced sync(const sim::DerivedTrack& derived, const sim::TrackValues& values);
   // Binds to texture unit 0; binds a texture of one row if nothing was ever written.
   void bind();
 

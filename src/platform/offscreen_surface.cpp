@@ -104,14 +104,14 @@ EGLDisplay open_display(const Egl& egl) {
 }
 
 // A context with a separate buffer, as small as possible: without one, transform feedback is an error in Mesa.
-struct Made {
+struct EglResources {
   EGLDisplay display = EGL_NO_DISPLAY;
   EGLContext context = EGL_NO_CONTEXT;
   EGLSurface buffer = EGL_NO_SURFACE;
 };
 
 // Returns no context if the driver lacks the version: OpenGL core, or with `es` OpenGL ES.
-Made create(const Egl& egl, EGLDisplay display, bool es, int major, int minor) {
+EglResources create(const Egl& egl, EGLDisplay display, bool es, int major, int minor) {
   const EGLint wanted[] = {EGL_SURFACE_TYPE, EGL_PBUFFER_BIT, EGL_RENDERABLE_TYPE,
                            es ? EGL_OPENGL_ES3_BIT : EGL_OPENGL_BIT, EGL_NONE};
   const EGLint version[] = {EGL_CONTEXT_MAJOR_VERSION,
@@ -124,7 +124,7 @@ Made create(const Egl& egl, EGLDisplay display, bool es, int major, int minor) {
   const EGLint size[] = {EGL_WIDTH, 16, EGL_HEIGHT, 16, EGL_NONE};
   EGLConfig config = nullptr;
   EGLint count = 0;
-  Made made{.display = display};
+  EglResources made{.display = display};
   if (!egl.bind(es ? EGL_OPENGL_ES_API : EGL_OPENGL_API) || !egl.choose(display, wanted, &config, 1, &count) ||
       count < 1)
     return made;
@@ -134,19 +134,19 @@ Made create(const Egl& egl, EGLDisplay display, bool es, int major, int minor) {
 }
 
 // Returns the first of kGlVersions that the driver provides, or with `es` OpenGL ES 3.0.
-Made create_best(const Egl& egl, EGLDisplay display, bool es) {
-  Made made{.display = display};
+EglResources create_best(const Egl& egl, EGLDisplay display, bool es) {
+  EglResources made{.display = display};
   if (es) return create(egl, display, true, 3, 0);
   for (const GlVersion version : kGlVersions)
     if (made.context == EGL_NO_CONTEXT) made = create(egl, display, false, version.major, version.minor);
   return made;
 }
 
-bool bind(const Egl& egl, const Made& made) {
+bool bind(const Egl& egl, const EglResources& made) {
   return egl.make_current(made.display, made.buffer, made.buffer, made.context) == EGL_TRUE;
 }
 
-void destroy(const Egl& egl, const Made& made) {
+void destroy(const Egl& egl, const EglResources& made) {
   egl.make_current(made.display, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
   egl.destroy(made.display, made.context);
   if (made.buffer != EGL_NO_SURFACE) egl.destroy_buffer(made.display, made.buffer);
@@ -155,7 +155,7 @@ void destroy(const Egl& egl, const Made& made) {
 // Returns the version of a driver that rejected 3.3, for the error message.
 std::string version_at_hand(const Egl& egl, EGLDisplay display) {
   for (const int minor : {2, 1, 0}) {
-    const Made made = create(egl, display, false, 3, minor);
+    const EglResources made = create(egl, display, false, 3, minor);
     if (made.context == EGL_NO_CONTEXT) continue;
     const std::string version = version_by(bind(egl, made) ? egl.proc("glGetString") : nullptr);
     destroy(egl, made);
@@ -173,7 +173,7 @@ base::Result<OffscreenContext> make_egl_context(bool es) {
   const EGLDisplay display = open_display(egl);
   if (display == EGL_NO_DISPLAY)
     return base::Status{base::Code::graphics, "EGL has no display of Mesa's surfaceless platform"};
-  const Made made = create_best(egl, display, es);
+  const EglResources made = create_best(egl, display, es);
   if (made.context == EGL_NO_CONTEXT && es)
     return base::Status{base::Code::graphics, fmt::format("EGL has no OpenGL ES 3.0 (error {:#x})", egl.error())};
   if (made.context == EGL_NO_CONTEXT)

@@ -6,18 +6,18 @@
 
 namespace coaster::platform {
 
-void Touch::press(Button button, Events& events) {
+void TouchTranslator::press(Button button, Events& events) {
   button_ = button, down_ = true;
   events.push_back(MouseButton{button, true, {}});
 }
 
-void Touch::release(Events& events) {
+void TouchTranslator::release(Events& events) {
   if (!down_) return;
   events.push_back(MouseButton{button_, false, {}});
   down_ = false, away_ = true;
 }
 
-bool Touch::follow(std::span<const Finger> fingers, double now, float scale, Events& events) {
+bool TouchTranslator::follow(std::span<const Finger> fingers, double now, float scale, Events& events) {
   if (tapped_) {  // the frame after a tap or a long press
     tapped_ = false;
     release(events);
@@ -28,7 +28,7 @@ bool Touch::follow(std::span<const Finger> fingers, double now, float scale, Eve
   return follow_two(fingers[0], fingers[1], events);
 }
 
-bool Touch::follow_none(Events& events) {
+bool TouchTranslator::follow_none(Events& events) {
   const State before = std::exchange(state_, State::none);
   if (before == State::none && std::exchange(away_, false)) events.push_back(MouseMove{-1, -1, true});
   if (before == State::pending) {
@@ -41,7 +41,7 @@ bool Touch::follow_none(Events& events) {
   return true;
 }
 
-bool Touch::follow_one(const Finger& finger, double now, float scale, Events& events) {
+bool TouchTranslator::follow_one(const Finger& finger, double now, float scale, Events& events) {
   switch (state_) {
     case State::none: state_ = State::pending, start_ = finger, since_ = now; break;
     case State::pending:
@@ -67,7 +67,7 @@ bool Touch::follow_one(const Finger& finger, double now, float scale, Events& ev
   return true;
 }
 
-bool Touch::follow_two(const Finger& first, const Finger& second, Events& events) {
+bool TouchTranslator::follow_two(const Finger& first, const Finger& second, Events& events) {
   if (state_ == State::spent) return true;
   const MouseMove middle{0.5f * (first.x + second.x), 0.5f * (first.y + second.y), true};
   const float apart = std::max(1.0f, std::hypot(first.x - second.x, first.y - second.y));

@@ -14,7 +14,7 @@ struct Finger {
   float x = 0, y = 0;  // window pixels
 };
 
-class Touch {
+class TouchTranslator {
  public:
   static constexpr double kLongPress = 0.5;  // s without moving, until it is the right button
   static constexpr float kSlop = 8;          // pixels of an ordinary screen, times `scale`: less is no movement

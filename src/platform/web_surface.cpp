@@ -346,7 +346,7 @@ class WebSurface final : public Surface {
     bool followed = false;
   };
   std::deque<Fingers> fingers_;  // after each event of the screen; the last one is kept
-  Touch touch_;
+  TouchTranslator touch_;
   double last_;
   std::string clipboard_;
 };

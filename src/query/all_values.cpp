@@ -16,7 +16,7 @@ exchange::JsonValue to_json(const Value& value) {
     exchange::JsonValue operator()(const std::string& v) const { return v; }
     exchange::JsonValue operator()(const Ranked& v) const { return v.text; }
     exchange::JsonValue operator()(glm::dvec3 v) const { return std::array{v.x, v.y, v.z}; }
-    exchange::JsonValue operator()(const None&) const { return nullptr; }
+    exchange::JsonValue operator()(const NoValue&) const { return nullptr; }
   };
   return std::visit(Visitor{}, value);
 }
@@ -34,13 +34,13 @@ std::vector<std::string> arguments_of(Argument argument, const world::Document& 
   };
   add(world::Kind::knot, document.track.knots);
   add(world::Kind::segment, document.track.segments);
-  add(world::Kind::cart, document.entities.pool<world::Cart>().entities());
+  add(world::Kind::cart, document.entities.pool<world::Train>().entities());
   return names;
 }
 
 }  // namespace
 
-exchange::JsonMembers all_values(const Context& context) {
+exchange::JsonMembers all_values(const QueryContext& context) {
   constexpr std::size_t kMostKnots = 1000;
   exchange::JsonMembers all;
   for (const Query& query : queries()) {

@@ -26,7 +26,7 @@ std::optional<double> place_of_knot(const edit::Session& session, std::string_vi
 }
 
 // Returns the distance along the track where the value of a query is taken.
-std::optional<double> place_of(const edit::Finder& find, std::string_view query) {
+std::optional<double> place_of(const edit::SessionFindings& find, std::string_view query) {
   struct Row {
     std::string_view query;
     sim::Extreme sim::Ratings::*extreme;
@@ -46,14 +46,14 @@ std::optional<double> place_of(const edit::Finder& find, std::string_view query)
   for (const Row& row : kRows)
     if (row.query == query) return (find.ratings().*row.extreme).distance;
   if (query == "ride.envelope") {
-    const std::span<const sim::RedSpan> spans = find.overloads();
+    const std::span<const sim::Overload> spans = find.overloads();
     return spans.empty() ? std::nullopt : std::optional(spans.front().from_distance);
   }
   return std::nullopt;
 }
 
 // Returns the knot that a rule is about: that of the weakest joint, or the one it names; empty without one.
-std::string knot_of(const edit::Finder& find, const Rule& rule) {
+std::string knot_of(const edit::SessionFindings& find, const Rule& rule) {
   const Query& query = *rule.query;
   if (const bool parametric = query.name == "parametric_min"; parametric || query.name == "geometric_min") {
     const auto weakest =
@@ -117,10 +117,10 @@ std::string needed(const Rule& rule) {
 }
 
 // Returns why a rule fails: for an overload, its kind and duration.
-std::string reason_of(const edit::Finder& find, const Rule& rule, const Finding& finding) {
-  const auto overloads = rule.query->name == "ride.envelope" ? find.overloads() : std::span<const sim::RedSpan>();
+std::string reason_of(const edit::SessionFindings& find, const Rule& rule, const RuleResult& finding) {
+  const auto overloads = rule.query->name == "ride.envelope" ? find.overloads() : std::span<const sim::Overload>();
   if (!overloads.empty()) {
-    const sim::RedSpan& span = overloads.front();
+    const sim::Overload& span = overloads.front();
     return fmt::format("{} {} g at {:.1f} m; the limit for that duration is {:.2f} g", base::row_of(span.axis).label,
                        base::figure_text(sim::signed_g(span.axis, span.worst), 2, "g"), span.from_distance,
                        sim::signed_g(span.axis, span.allowed));
@@ -130,11 +130,11 @@ std::string reason_of(const edit::Finder& find, const Rule& rule, const Finding&
 
 // Returns why the ride itself does not count; empty if it does.
 std::string unridden(const edit::ActiveChallenge& challenge, const edit::RideResult* result) {
-  if (challenge.file.judged == exchange::Judged::build) return {};
+  if (challenge.file.judged == exchange::JudgedWhen::build) return {};
   if (result == nullptr) return "not ridden yet";
   if (result->end == edit::RideEnd::failed) return result->reason;
   if (!result->whole) return "you changed the track or moved the train during the ride: start it again";
-  if (challenge.file.judged == exchange::Judged::time && result->end != edit::RideEnd::time)
+  if (challenge.file.judged == exchange::JudgedWhen::time && result->end != edit::RideEnd::time)
     return "the ride ended early: " + result->reason;
   return {};
 }
@@ -180,8 +180,8 @@ base::Status check_rules(const exchange::ChallengeFile& challenge, const std::st
   return {};
 }
 
-Finding look_at(const edit::Finder& find, const Rule& rule) {
-  Finding finding;
+RuleResult look_at(const edit::SessionFindings& find, const Rule& rule) {
+  RuleResult finding;
   const base::Result<Value> value = rule.query->evaluate(context_of(find), rule.condition.argument);
   if (!value) {
     finding.found = value.status().message;  // a knot that no longer exists
@@ -191,7 +191,7 @@ Finding look_at(const edit::Finder& find, const Rule& rule) {
   const base::Result<bool> held = holds(rule.condition, *value);
   finding.holds = held && *held;
   finding.found = shown(*rule.query, *value);
-  if (const None* const none = std::get_if<None>(&*value); none != nullptr && !finding.holds) {
+  if (const NoValue* const none = std::get_if<NoValue>(&*value); none != nullptr && !finding.holds) {
     finding.found = none->why.empty() ? "none" : none->why;
     finding.missing = true;
     return finding;
@@ -208,7 +208,7 @@ Finding look_at(const edit::Finder& find, const Rule& rule) {
   return finding;
 }
 
-std::string explain(const Rule& rule, const Finding& finding) {
+std::string explain(const Rule& rule, const RuleResult& finding) {
   if (finding.missing) return finding.found;
   const std::string needs = needed(rule);
   if (needs.empty()) return finding.holds ? "this holds" : "this does not hold";
@@ -229,7 +229,7 @@ edit::Verdict judge(edit::Session& session, const edit::RideResult* result) {
   if (!verdict.reason.empty() && result != nullptr) verdict.place = result->place;
   bool silver = true, gold = true;
   for (const Rule& rule : *rules) {
-    const Finding finding = look_at(session, rule);
+    const RuleResult finding = look_at(session, rule);
     const auto better = less_is_better(rule.condition);
     const bool known = std::any_of(verdict.values.begin(), verdict.values.end(),
                                    [&](const exchange::BestValue& v) { return v.query == full_name(rule); });
@@ -248,7 +248,7 @@ edit::Verdict judge(edit::Session& session, const edit::RideResult* result) {
   return verdict;
 }
 
-edit::Referee referee() { return {check_rules, judge, measure_goal}; }
+edit::ExpressionEvaluator referee() { return {check_rules, judge, measure_goal}; }
 
 std::string_view medal_name(int medal) {
   constexpr std::array<std::string_view, 4> kNames{"", "bronze", "silver", "gold"};

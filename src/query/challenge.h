@@ -36,24 +36,25 @@ base::Result<std::vector<Rule>> read_rules(const exchange::ChallengeFile& challe
 base::Status check_rules(const exchange::ChallengeFile& challenge, const std::string& path);
 
 // A rule evaluated on the present session.
-struct Finding {
+struct RuleResult {
   bool holds = false;
   bool missing = false;         // there is no value; `found` says why
   std::string found;            // the value as text with its unit: "1.40 g"
   std::optional<double> value;  // of numeric queries
   std::optional<double> place;  // m along the track, where the value is taken; nothing if it has no position
 };
-Finding look_at(const edit::Finder& find, const Rule& rule);
+RuleResult look_at(const edit::SessionFindings& find, const Rule& rule);
 
 // Returns "you have 1.41 g at 87.3 m; you need at most 1.2 g", or why there is no value.
-std::string explain(const Rule& rule, const Finding& finding);
+std::string explain(const Rule& rule, const RuleResult& finding);
 
 // Judges the session's challenge. Bronze: the ride counts and all goals, limits and bronze's own rules hold. Silver and
-// gold need their own rules too, gold also silver's. `result`: of the ride that has just ended; null for Judged::build.
+// gold need their own rules too, gold also silver's. `result`: of the ride that has just ended; null for
+// JudgedWhen::build.
 edit::Verdict judge(edit::Session& session, const edit::RideResult* result);
 
 // Returns the functions that a session needs.
-edit::Referee referee();
+edit::ExpressionEvaluator referee();
 
 // Returns "bronze", "silver" or "gold"; "" for 0.
 std::string_view medal_name(int medal);

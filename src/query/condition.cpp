@@ -152,7 +152,7 @@ bool meets(const Condition& c, const Ranked& found) {
   return rank ? ordered(*c.op, found.rank, *rank, 0, true) : *c.op == Op::not_equal;  // none is no rank
 }
 
-bool meets(const Condition&, const None&) { return false; }
+bool meets(const Condition&, const NoValue&) { return false; }
 
 bool meets(const Condition& c, glm::dvec3 found) {
   bool same = c.values.size() == 3;
@@ -291,7 +291,7 @@ base::Result<bool> holds(const Condition& condition, const Value& value) {
 }
 
 std::string describe(const Query& query, const Value& value) {
-  if (const None* const none = std::get_if<None>(&value))
+  if (const NoValue* const none = std::get_if<NoValue>(&value))
     return fmt::format("but {} is none{}{}", query.name, none->why.empty() ? "" : ": ", none->why);
   const auto text = std::holds_alternative<std::string>(value) ? quoted_start(to_text(value)) : query.words(value);
   return fmt::format("found {}{}{}", text, query.unit.empty() ? "" : " ", query.unit);

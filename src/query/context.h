@@ -10,8 +10,8 @@
 
 namespace coaster::query {
 
-struct Context {
-  edit::Finder find;
+struct QueryContext {
+  edit::SessionFindings find;
   const FrameStats& stats;
   std::string_view toast;  // text of the newest notice, "" if none is shown
   std::string_view title;

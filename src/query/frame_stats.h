@@ -16,7 +16,7 @@
 namespace coaster::query {
 
 // State of the document's file, besides its path.
-struct Keeping {
+struct DocumentFileState {
   std::string holder;   // the other process that has the file open, "another coaster (process 12)"; empty: none
   int recoverable = 0;  // autosaves of other runs that can be recovered
   int autosaves = 0;    // number written since the start
@@ -41,29 +41,29 @@ struct FrameStats : view::DrawStats {
   glm::dvec3 eye{0}, eye_forward{0, 0, -1}, eye_up{0, 1, 0};  // of the last frame's picture: m, unit, unit
   double field_of_view_deg = 0;
   int movie_frames = 0;  // pictures of the current movie, or of the last one
-  Keeping keeping;
+  DocumentFileState keeping;
 };
 
-struct FrameNumber {
+struct FrameStatRow {
   std::string_view query, unit, text;
   std::variant<int FrameStats::*, std::uint64_t FrameStats::*, double FrameStats::*> member;
 };
 inline constexpr std::array kFrameNumbers{
-    FrameNumber{"frame", "", "Number of frames drawn since the start.", &FrameStats::frame},
-    FrameNumber{"rebuilds", "", "Segments evaluated for the last frame.", &FrameStats::rebuilds},
-    FrameNumber{"supports.count", "", "Number of supports; 0 while hidden.", &FrameStats::supports},
-    FrameNumber{"supports.rebuilds", "", "Segments whose supports were recomputed for the last frame.",
-                &FrameStats::support_rebuilds},
-    FrameNumber{"colour.low", "", "Lower end of the colours' legend, in their unit.", &FrameStats::colour_low},
-    FrameNumber{"colour.high", "", "Upper end of the colours' legend.", &FrameStats::colour_high},
-    FrameNumber{"fps", "1/s", "Frames per second; none if not measured.", &FrameStats::fps},
-    FrameNumber{"cpu_ms", "ms", "Processor time of the last frame, outside OpenGL and waiting.", &FrameStats::cpu_ms},
-    FrameNumber{"gl_ms", "ms", "Time of the last frame inside OpenGL.", &FrameStats::gl_ms},
-    FrameNumber{"evaluation_time", "ms", "Time of evaluators in the last frame that evaluated anything.",
-                &FrameStats::evaluation_ms},
-    FrameNumber{"width", "px", "Width of the picture.", &FrameStats::width},
-    FrameNumber{"height", "px", "Height of the picture.", &FrameStats::height},
-    FrameNumber{"movie.frames", "", "Pictures of the current movie, or of the last one.", &FrameStats::movie_frames},
+    FrameStatRow{"frame", "", "Number of frames drawn since the start.", &FrameStats::frame},
+    FrameStatRow{"rebuilds", "", "Segments evaluated for the last frame.", &FrameStats::rebuilds},
+    FrameStatRow{"supports.count", "", "Number of supports; 0 while hidden.", &FrameStats::supports},
+    FrameStatRow{"supports.rebuilds", "", "Segments whose supports were recomputed for the last frame.",
+                 &FrameStats::support_rebuilds},
+    FrameStatRow{"colour.low", "", "Lower end of the colours' legend, in their unit.", &FrameStats::colour_low},
+    FrameStatRow{"colour.high", "", "Upper end of the colours' legend.", &FrameStats::colour_high},
+    FrameStatRow{"fps", "1/s", "Frames per second; none if not measured.", &FrameStats::fps},
+    FrameStatRow{"cpu_ms", "ms", "Processor time of the last frame, outside OpenGL and waiting.", &FrameStats::cpu_ms},
+    FrameStatRow{"gl_ms", "ms", "Time of the last frame inside OpenGL.", &FrameStats::gl_ms},
+    FrameStatRow{"evaluation_time", "ms", "Time of evaluators in the last frame that evaluated anything.",
+                 &FrameStats::evaluation_ms},
+    FrameStatRow{"width", "px", "Width of the picture.", &FrameStats::width},
+    FrameStatRow{"height", "px", "Height of the picture.", &FrameStats::height},
+    FrameStatRow{"movie.frames", "", "Pictures of the current movie, or of the last one.", &FrameStats::movie_frames},
 };
 
 }  // namespace coaster::query

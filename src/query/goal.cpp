@@ -88,7 +88,7 @@ base::Result<edit::GoalState> measure_goal(edit::Session& session, const std::st
   const base::Result<Value> value = read->query->evaluate(context_of(session), read->argument);
   if (!value) return value.status();
   const double* const number = std::get_if<double>(&*value);
-  if (const None* const none = std::get_if<None>(&*value))
+  if (const NoValue* const none = std::get_if<NoValue>(&*value))
     return base::Status{base::Code::refused,
                         fmt::format("{} is none{}{}", read->query->name, none->why.empty() ? "" : ": ", none->why)};
   if (!number)

@@ -24,7 +24,7 @@ std::string to_text(const Value& value) {
     std::string operator()(glm::dvec3 v) const {
       return fmt::format("{} {} {}", base::to_text(v.x), base::to_text(v.y), base::to_text(v.z));
     }
-    std::string operator()(const None&) const { return "none"; }
+    std::string operator()(const NoValue&) const { return "none"; }
   };
   return std::visit(Visitor{}, value);
 }
@@ -35,7 +35,7 @@ std::string Query::words(const Value& value) const {
   return over ? base::figure_text(*number, 0, unit) : to_text(value);
 }
 
-base::Result<Value> Query::evaluate(const Context& context, std::string_view word) const {
+base::Result<Value> Query::evaluate(const QueryContext& context, std::string_view word) const {
   if (const auto wrong = wrong_argument(argument, word)) return base::Status{base::Code::usage, wrong->message};
   base::Result<Value> value = row(context, word);
   auto* const number = value ? std::get_if<double>(&*value) : nullptr;
@@ -74,11 +74,11 @@ std::optional<int> rank_of(const Query& query, std::string_view word) {
 }
 
 // A parameter has the same choices in each element that has it.
-ValuesNow values_with(const Query& query, std::string_view argument) {
-  const Values& all = query.values;
+ArgumentValueDomain values_with(const Query& query, std::string_view argument) {
+  const ValueDomain& all = query.values;
   if (all.type != Type::parameter) return {all.type, all.words ? all.words() : std::vector<std::string>()};
   const std::string_view name = argument.substr(argument.rfind('.') + 1);
-  ValuesNow values;
+  ArgumentValueDomain values;
   for (const world::ElementRow& row : world::rows_of(world::ElementKind{}))
     for (const world::ElementParameter& p : row.parameters)
       if (p.name == name && values.words.empty())
@@ -105,12 +105,12 @@ Value parameter_of(const world::Element& element, std::string_view name) {
   return none("the element has no such parameter");
 }
 
-Context context_of(const edit::Finder& find) {
+QueryContext context_of(const edit::SessionFindings& find) {
   static const FrameStats kNothingDrawn;
   return {find, kNothingDrawn, {}, {}};
 }
 
-base::Result<world::Entity> entity_of(const Context& context, std::string_view argument, world::Kind kind) {
+base::Result<world::Entity> entity_of(const QueryContext& context, std::string_view argument, world::Kind kind) {
   const world::Document& document = context.session.document;
   const std::string_view word = argument.starts_with('@') ? argument.substr(1) : argument;
   const auto name = world::parse_name(word);
@@ -124,7 +124,7 @@ base::Result<world::Entity> entity_of(const Context& context, std::string_view a
                       fmt::format("no {} {}{}", base::name_of(kind), wanted, base::suggestion(wanted, names))};
 }
 
-std::optional<curve::Joint> joint_at(const world::Document& document, world::Entity knot) {
+std::optional<curve::JointContinuity> joint_at(const world::Document& document, world::Entity knot) {
   const world::Neighbours at = world::neighbours(document, knot);
   if (!at.before.valid() || !at.after.valid()) return std::nullopt;
   return curve::joint(world::cubic_of(document, at.before), world::cubic_of(document, at.after));

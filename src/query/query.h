@@ -17,7 +17,7 @@
 
 namespace coaster::query {
 
-struct Context;  // what queries read (query/context.h)
+struct QueryContext;  // what queries read (query/context.h)
 
 // Ordered values such as continuity compare by rank, from 0: none < G0 < G1 < G2, off < on.
 struct Ranked {
@@ -25,18 +25,18 @@ struct Ranked {
   std::string text;
 };
 // There is no value; `why` says why, if a row knows.
-struct None {
+struct NoValue {
   std::string why;
 };
-using Value = std::variant<double, std::string, Ranked, glm::dvec3, None>;
+using Value = std::variant<double, std::string, Ranked, glm::dvec3, NoValue>;
 
 std::string to_text(const Value& value);  // "none" for None
-inline bool is_none(const Value& value) { return std::holds_alternative<None>(value); }
+inline bool is_none(const Value& value) { return std::holds_alternative<NoValue>(value); }
 
 // What the values of a query are. parameter: the argument ends in a parameter of an element, so they are numbers or the
 // names of its choices.
 enum class Type : std::uint8_t { number, text, ranked, vector, parameter };
-struct Values {
+struct ValueDomain {
   Type type = Type::number;
   std::vector<std::string> (*words)() = nullptr;  // all texts, or null for any text; all ranks, ascending
   bool may_be_none = false;                       // there is no value in some states
@@ -48,31 +48,31 @@ struct Query {
   Argument argument;
   std::string_view unit;  // "m/s", "" if none
   std::string_view text;
-  using Row = base::Result<Value> (*)(const Context& context, std::string_view argument);
+  using Row = base::Result<Value> (*)(const QueryContext& context, std::string_view argument);
   Row row;  // of an argument that is accepted
-  Values values;
+  ValueDomain values;
 
-  constexpr Query(std::string_view n, Argument a, std::string_view u, std::string_view t, Row r, Values v = {})
+  constexpr Query(std::string_view n, Argument a, std::string_view u, std::string_view t, Row r, ValueDomain v = {})
       : name(n), argument(a), unit(u), text(t), row(r), values(v) {}
-  constexpr Query(std::string_view n, std::string_view u, std::string_view t, Row r, Values v = {})
+  constexpr Query(std::string_view n, std::string_view u, std::string_view t, Row r, ValueDomain v = {})
       : Query(n, {}, u, t, r, v) {}
 
   // Returns a value of it; of a figure at its limit (base/units.h) that it is over it.
   std::string words(const Value& value) const;
   // None where there is no value, and for a number that is not finite, unless it has a limit: then the largest one.
   // Code::usage for an argument that the query does not accept, Code::refused for an entity that does not exist.
-  base::Result<Value> evaluate(const Context& context, std::string_view word) const;
+  base::Result<Value> evaluate(const QueryContext& context, std::string_view word) const;
 };
 
 std::span<const Query> queries();
 const Query* find_query(std::string_view name);
 
 // What the values are with that argument; never Type::parameter. No words: any.
-struct ValuesNow {
+struct ArgumentValueDomain {
   Type type = Type::number;
   std::vector<std::string> words;
 };
-ValuesNow values_with(const Query& query, std::string_view argument);
+ArgumentValueDomain values_with(const Query& query, std::string_view argument);
 
 // Returns the rank of a word among the values of a ranked query, ignoring case; on and off have the synonyms true, yes,
 // 1 and false, no, 0. Nothing for other words.

@@ -37,10 +37,10 @@ inline bool has_row(std::span<const Query> rows, std::string_view name) {
 }
 
 // Returns what queries of track and ride read: no picture and no panels.
-Context context_of(const edit::Finder& find);
+QueryContext context_of(const edit::SessionFindings& find);
 
 // Returns the entity of that kind named `argument` ("@k3" or "k3"), or a Status with the error and a suggestion.
-base::Result<world::Entity> entity_of(const Context& context, std::string_view argument, world::Kind kind);
+base::Result<world::Entity> entity_of(const QueryContext& context, std::string_view argument, world::Kind kind);
 
 // The result of a row, and its argument.
 using Answer = base::Result<Value>;
@@ -52,7 +52,7 @@ Value number(Number n) {
   return static_cast<double>(n);
 }
 inline Value text(std::string_view t) { return std::string(t); }
-inline Value none(std::string_view why = {}) { return None{std::string(why)}; }
+inline Value none(std::string_view why = {}) { return NoValue{std::string(why)}; }
 // Returns one of a set of words; the word none is none.
 inline Value word(std::string_view w) { return w == "none" ? none() : text(w); }
 
@@ -67,7 +67,7 @@ inline constexpr std::string_view kNoSegment = "there is no segment", kNoRide = 
 template <class T>
 Value value_of(const T& value) {
   if constexpr (std::is_same_v<T, bool>) return yes_no(value);
-  else if constexpr (std::is_same_v<T, curve::Geometric> || std::is_same_v<T, curve::Parametric>)
+  else if constexpr (std::is_same_v<T, curve::GeometricContinuity> || std::is_same_v<T, curve::ParametricContinuity>)
     return value == T{} ? none() : Value(Ranked{static_cast<int>(value), std::string(base::name_of(value))});
   else if constexpr (base::Named<T>) return word(base::name_of(value));
   else if constexpr (std::is_arithmetic_v<T>) return number(value);
@@ -79,22 +79,22 @@ Value value_of(const T& value) {
 
 // The values of a row, by what it returns.
 std::vector<std::string> on_off();
-inline constexpr Values kText{Type::text}, kVector{Type::vector}, kSwitch{Type::ranked, on_off};
+inline constexpr ValueDomain kText{Type::text}, kVector{Type::vector}, kSwitch{Type::ranked, on_off};
 template <base::Named E>
-inline constexpr Values kOneOf{Type::text, base::names_of<E>};
+inline constexpr ValueDomain kOneOf{Type::text, base::names_of<E>};
 template <base::Named E>
-inline constexpr Values kRankOf{Type::ranked, base::names_of<E>};
-constexpr Values texts(std::vector<std::string> (*words)()) { return {Type::text, words}; }
-constexpr Values or_none(Values values = {}) {
+inline constexpr ValueDomain kRankOf{Type::ranked, base::names_of<E>};
+constexpr ValueDomain texts(std::vector<std::string> (*words)()) { return {Type::text, words}; }
+constexpr ValueDomain or_none(ValueDomain values = {}) {
   values.may_be_none = true;
   return values;
 }
-constexpr Values of_view(Values values = {}) {
+constexpr ValueDomain of_view(ValueDomain values = {}) {
   values.of_view = true;
   return values;
 }
 template <class T>
-constexpr Values values_of() {
+constexpr ValueDomain values_of() {
   if constexpr (std::is_same_v<T, bool>) return kSwitch;
   else if constexpr (base::Named<T>) return kOneOf<T>;
   else if constexpr (std::is_arithmetic_v<T>) return {};
@@ -118,33 +118,33 @@ const auto& member_at(const T& object, Member member, Path... path) {
 
 // Row of a member of the session's document or of the last frame's figures: of_document<&world::Document::datum>.
 template <auto... path>
-Answer of_document(const Context& c, View) {
+Answer of_document(const QueryContext& c, View) {
   return value_of(member_at(c.session.document, path...));
 }
 template <auto... path>
-Answer of_stats(const Context& c, View) {
+Answer of_stats(const QueryContext& c, View) {
   return value_of(member_at(c.stats, path...));
 }
 // The same of what the last frame drew; none before the first.
 template <auto... path>
-Answer of_frame(const Context& c, View) {
+Answer of_frame(const QueryContext& c, View) {
   return c.stats.frame > 0 ? value_of(member_at(c.stats, path...)) : none(kNoFrame);
 }
 
 // Returns the value of `function` for the entity that the argument names.
 template <class Function>
-Answer of_entity(const Context& c, View argument, world::Kind kind, Function function) {
+Answer of_entity(const QueryContext& c, View argument, world::Kind kind, Function function) {
   const auto entity = entity_of(c, argument, kind);
   if (!entity) return entity.status();
   return value_of(function(*entity));
 }
 
 // Returns the joint at a knot; nothing at an end of an open track.
-std::optional<curve::Joint> joint_at(const world::Document& document, world::Entity knot);
+std::optional<curve::JointContinuity> joint_at(const world::Document& document, world::Entity knot);
 
 // Returns the value of `function` for the joint at the knot that the argument names.
 template <class Function>
-Answer at_joint(const Context& c, View argument, Function function) {
+Answer at_joint(const QueryContext& c, View argument, Function function) {
   return of_entity(c, argument, world::Kind::knot, [&](world::Entity e) {
     const auto joint = joint_at(c.session.document, e);
     return joint ? value_of(function(*joint)) : none(kOpenEnd);
@@ -152,8 +152,8 @@ Answer at_joint(const Context& c, View argument, Function function) {
 }
 // Row of a member of it.
 template <auto member>
-Answer of_joint(const Context& c, View argument) {
-  return at_joint(c, argument, [](const curve::Joint& joint) { return joint.*member; });
+Answer of_joint(const QueryContext& c, View argument) {
+  return at_joint(c, argument, [](const curve::JointContinuity& joint) { return joint.*member; });
 }
 
 }  // namespace coaster::query

@@ -18,13 +18,13 @@ namespace coaster::query {
 namespace {
 
 // --- the whole track
-Answer knots(const Context& c, View) { return number(c.session.document.track.knots.size()); }
-Answer segments(const Context& c, View) { return number(c.session.document.track.segments.size()); }
-Answer length(const Context& c, View) { return number(c.session.derived.measured_length); }
-Answer exact_length(const Context& c, View) { return number(c.session.derived.length); }
+Answer knots(const QueryContext& c, View) { return number(c.session.document.track.knots.size()); }
+Answer segments(const QueryContext& c, View) { return number(c.session.document.track.segments.size()); }
+Answer length(const QueryContext& c, View) { return number(c.session.derived.measured_length); }
+Answer exact_length(const QueryContext& c, View) { return number(c.session.derived.length); }
 
-Answer longest(const Context& c, View) {
-  const sim::Derived& derived = c.session.derived;
+Answer longest(const QueryContext& c, View) {
+  const sim::DerivedTrack& derived = c.session.derived;
   world::Entity found;
   double most = -1;
   for (const world::Entity e : derived.order)
@@ -33,48 +33,48 @@ Answer longest(const Context& c, View) {
 }
 
 // --- conflicts
-const sim::Conflict* worst_conflict(const Context& c) {
+const sim::Conflict* worst_conflict(const QueryContext& c) {
   const auto found = c.find.conflicts();
   const auto worst =
       std::max_element(found.begin(), found.end(), [](const auto& a, const auto& b) { return a.missing < b.missing; });
   return worst == found.end() ? nullptr : &*worst;
 }
-Answer conflicts(const Context& c, View) { return number(c.find.conflicts().size()); }
-Answer conflict_missing(const Context& c, View) {
+Answer conflicts(const QueryContext& c, View) { return number(c.find.conflicts().size()); }
+Answer conflict_missing(const QueryContext& c, View) {
   const sim::Conflict* const worst = worst_conflict(c);
   return number(worst ? worst->missing : 0.0);
 }
 template <double sim::Conflict::*distance>
-Answer conflict_place(const Context& c, View) {
+Answer conflict_place(const QueryContext& c, View) {
   const sim::Conflict* const worst = worst_conflict(c);
   return worst ? number(worst->*distance) : none("there is no conflict");
 }
 
 // --- folds
-Answer folds(const Context& c, View) { return number(c.find.folds().size()); }
-Answer tight_bends(const Context& c, View) { return number(c.find.tight_bends().size()); }
-Answer tight_bend_at(const Context& c, View) {
+Answer folds(const QueryContext& c, View) { return number(c.find.folds().size()); }
+Answer tight_bends(const QueryContext& c, View) { return number(c.find.tight_bends().size()); }
+Answer tight_bend_at(const QueryContext& c, View) {
   const auto found = c.find.tight_bends();
   return found.empty() ? none("there is no tight bend") : number(sim::tightest(found).at);
 }
-Answer least_radius(const Context& c, View) {
+Answer least_radius(const QueryContext& c, View) {
   const double least = sim::least_radius(c.session.derived);
   return std::isfinite(least) ? number(least)
                               : none(c.session.derived.order.empty() ? kNoSegment : "the track is straight");
 }
 template <double sim::Fold::*value>
-Answer first_fold(const Context& c, View) {
+Answer first_fold(const QueryContext& c, View) {
   const auto found = c.find.folds();
   return found.empty() ? none("there is no fold") : number(found.front().*value);
 }
 
-Answer hash(const Context& c, View argument) {
+Answer hash(const QueryContext& c, View argument) {
   if (argument == "document") return text(base::hex16(world::hash(c.session.document)));
   return text(base::hex16(world::hash(c.session.document, c.session.motion)));
 }
 
 // --- fit of an imported track
-Answer open_end_distance(const Context& c, View) {
+Answer open_end_distance(const QueryContext& c, View) {
   const world::Track& track = c.session.document.track;
   if (track.closed) return number(0.0);
   if (track.knots.size() < 2) return none("fewer than two knots");
@@ -83,29 +83,31 @@ Answer open_end_distance(const Context& c, View) {
 }
 
 template <auto member>
-Answer of_import(const Context& c, View) {
+Answer of_import(const QueryContext& c, View) {
   return c.session.file.import ? number((*c.session.file.import).*member) : none("the track was not imported");
 }
-Answer import_knots(const Context& c, View) { return number(c.session.file.import ? c.session.file.import->knots : 0); }
+Answer import_knots(const QueryContext& c, View) {
+  return number(c.session.file.import ? c.session.file.import->knots : 0);
+}
 
 // --- knots
 template <auto member>
-Answer of_knot(const Context& c, View argument) {
+Answer of_knot(const QueryContext& c, View argument) {
   return of_entity(c, argument, world::Kind::knot,
                    [&](world::Entity e) { return std::invoke(member, world::knot(c.session.document, e)); });
 }
 double spin_deg(const world::Knot& knot) { return base::degrees(double{knot.spin}); }
 
 // --- segments
-Answer turns(const Context& c, View argument) {
+Answer turns(const QueryContext& c, View argument) {
   return of_entity(c, argument, world::Kind::segment,
                    [&](world::Entity e) { return world::segment(c.session.document, e).turns; });
 }
-Answer segment_length(const Context& c, View argument) {
+Answer segment_length(const QueryContext& c, View argument) {
   return of_entity(c, argument, world::Kind::segment,
                    [&](world::Entity e) { return c.session.derived.shape(e).measured_length; });
 }
-Answer twist(const Context& c, View argument) {
+Answer twist(const QueryContext& c, View argument) {
   return of_entity(c, argument, world::Kind::segment, [&](world::Entity e) {
     const sim::SegmentShape& shape = c.session.derived.shape(e);
     return sim::has_cusp(shape) ? none("the segment has a cusp") : number(base::degrees(shape.roll.twist));
@@ -113,7 +115,7 @@ Answer twist(const Context& c, View argument) {
 }
 
 // --- evaluation
-Answer vertices(const Context& c, View) { return number(c.session.derived.vertices); }
+Answer vertices(const QueryContext& c, View) { return number(c.session.derived.vertices); }
 
 constexpr ArgumentPart kHashed[]{{.words = [] { return std::vector<std::string>{"document", "motion"}; }}};
 
@@ -166,16 +168,16 @@ constexpr Query kDocumentRows[]{
     {"joint", kKnot, "", "A knot's kind of joint: smooth, aligned or automatic.", of_knot<&world::Knot::joint>,
      kOneOf<world::JointKind>},
     {"geometric", kKnot, "", "Geometric continuity: G0 < G1 < G2; none at the end of an open track.",
-     of_joint<&curve::Joint::geometric>, or_none(kRankOf<curve::Geometric>)},
+     of_joint<&curve::JointContinuity::geometric>, or_none(kRankOf<curve::GeometricContinuity>)},
     {"parametric", kKnot, "", "Parametric continuity: C0 < C1 < C2; none at the end of an open track.",
-     of_joint<&curve::Joint::parametric>, or_none(kRankOf<curve::Parametric>)},
+     of_joint<&curve::JointContinuity::parametric>, or_none(kRankOf<curve::ParametricContinuity>)},
     {"gap", kKnot, "m", "Distance between the ends of the segments at a knot; none at the end of an open track.",
-     of_joint<&curve::Joint::gap>, or_none()},
+     of_joint<&curve::JointContinuity::gap>, or_none()},
     {"speed_ratio", kKnot, "", "|C'(0)| / |B'(1)| of the segments at a knot; none at the end of an open track.",
-     of_joint<&curve::Joint::speed_ratio>, or_none()},
+     of_joint<&curve::JointContinuity::speed_ratio>, or_none()},
     {"curvature_jump", kKnot, "1/m",
      "Length of the difference of the curvature vectors at a knot; none at the end of an open track.",
-     of_joint<&curve::Joint::curvature_jump>, or_none()},
+     of_joint<&curve::JointContinuity::curvature_jump>, or_none()},
     {"turns", kSegment, "", "Whole turns of roll within a segment.", turns},
     {"segment_length", kSegment, "m", "A segment's length by the chosen arc-length method.", segment_length, of_view()},
     {"twist", kSegment, "deg", "Roll over a segment, relative to its rotation-minimising frame; none over a cusp.",
@@ -199,16 +201,16 @@ constexpr Query kDocumentRows[]{
 
 // Returns the speed of the first train by name, m/s; nothing without one.
 std::optional<double> present_speed(const edit::Session& session) {
-  const world::CartMotion* const first = session.motion.carts.find(world::first_cart(session.document));
+  const world::TrainMotion* const first = session.motion.carts.find(world::first_cart(session.document));
   return first ? std::optional(first->speed) : std::nullopt;
 }
 
 // --- joints
-Answer joint_angle(const Context& c, View argument) {
-  return at_joint(c, argument, [](const curve::Joint& joint) { return base::degrees(joint.angle); });
+Answer joint_angle(const QueryContext& c, View argument) {
+  return at_joint(c, argument, [](const curve::JointContinuity& joint) { return base::degrees(joint.angle); });
 }
-Answer g_step(const Context& c, View argument) {
-  return at_joint(c, argument, [&](const curve::Joint& joint) {
+Answer g_step(const QueryContext& c, View argument) {
+  return at_joint(c, argument, [&](const curve::JointContinuity& joint) {
     const auto speed = present_speed(c.session);
     return speed ? number(sim::g_step(joint.curvature_jump, *speed)) : none(kNoTrain);
   });
@@ -216,21 +218,21 @@ Answer g_step(const Context& c, View argument) {
 // Calls visit(knot, before, after) for each joint of the track, with the cubics that meet there.
 template <class Visit>
 void for_each_joint(const edit::Session& session, Visit visit) {
-  const sim::Derived& derived = session.derived;
+  const sim::DerivedTrack& derived = session.derived;
   const std::size_t count = derived.order.size();
   for (std::size_t i = derived.closed ? 0 : 1; i < count; ++i)
     visit(session.document.track.knots[i], derived.shape(derived.order[(i + count - 1) % count]).key.cubic,
           derived.shape(derived.order[i]).key.cubic);
 }
-Value label_or_none(const Context& c, world::Entity knot, View why) {
+Value label_or_none(const QueryContext& c, world::Entity knot, View why) {
   return knot.valid() ? text(world::label_of(c.session.document, knot)) : none(why);
 }
 constexpr View kNoJoint = "there is no joint";
 
 // An extreme of the joints and the knot where it is; no knot without one.
-template <class Figure>
+template <class ReportRow>
 struct AtJoint {
-  Figure figure{};
+  ReportRow figure{};
   world::Entity knot;
 };
 
@@ -243,29 +245,31 @@ AtJoint<double> roughest(const edit::Session& session) {
   });
   return found;
 }
-Answer g_step_max(const Context& c, View) {
+Answer g_step_max(const QueryContext& c, View) {
   const auto speed = present_speed(c.session);
   const AtJoint<double> found = roughest(c.session);
   if (!found.knot.valid()) return none(kNoJoint);
   return speed ? number(sim::g_step(found.figure, *speed)) : none(kNoTrain);
 }
-Answer roughest_joint(const Context& c, View) {
+Answer roughest_joint(const QueryContext& c, View) {
   const AtJoint<double> found = roughest(c.session);
   return found.figure > 0 ? text(world::label_of(c.session.document, found.knot)) : none("no joint has a jump");
 }
 // Return steps at the fastest passage of the ride; none where it does not pass.
 Value passed(std::optional<double> value) { return value ? number(*value) : none("the ride does not pass there"); }
-Answer ride_g_step(const Context& c, View argument) {
+Answer ride_g_step(const QueryContext& c, View argument) {
   return of_entity(c, argument, world::Kind::knot, [&](world::Entity e) {
     const world::Document& document = c.session.document;
     return passed(sim::fastest_step(document, c.find.jolts(), *world::index_of(document.track.knots, e)));
   });
 }
-Answer ride_g_step_max(const Context& c, View) { return passed(sim::largest_step(c.session.document, c.find.jolts())); }
+Answer ride_g_step_max(const QueryContext& c, View) {
+  return passed(sim::largest_step(c.session.document, c.find.jolts()));
+}
 
 // Returns the least continuity, at the first of several joints.
 template <class Level>
-AtJoint<Level> weakest(const edit::Session& session, Level curve::Joint::*member) {
+AtJoint<Level> weakest(const edit::Session& session, Level curve::JointContinuity::*member) {
   AtJoint<Level> found;
   for_each_joint(session, [&](world::Entity knot, const curve::Cubic& before, const curve::Cubic& after) {
     const Level level = curve::joint(before, after).*member;
@@ -274,25 +278,25 @@ AtJoint<Level> weakest(const edit::Session& session, Level curve::Joint::*member
   return found;
 }
 template <auto member>
-Answer weakest_level(const Context& c, View) {
+Answer weakest_level(const QueryContext& c, View) {
   const auto found = weakest(c.session, member);
   return found.knot.valid() ? value_of(found.figure) : none(kNoJoint);
 }
 template <auto member>
-Answer weakest_knot(const Context& c, View) {
+Answer weakest_knot(const QueryContext& c, View) {
   return label_or_none(c, weakest(c.session, member).knot, kNoJoint);
 }
-Answer roll_max(const Context& c, View) {
+Answer roll_max(const QueryContext& c, View) {
   double most = 0;
   if (c.session.document.track.knots.empty()) return none("there is no knot");
   for (const world::Entity e : c.session.document.track.knots)
     most = std::max(most, std::abs(world::roll_deg(world::knot(c.session.document, e))));
   return number(most);
 }
-Answer joints_g2(const Context& c, View) {
+Answer joints_g2(const QueryContext& c, View) {
   int smooth = 0;
   for_each_joint(c.session, [&](world::Entity, const curve::Cubic& before, const curve::Cubic& after) {
-    smooth += curve::joint(before, after).geometric == curve::Geometric::g2;
+    smooth += curve::joint(before, after).geometric == curve::GeometricContinuity::g2;
   });
   return number(smooth);
 }
@@ -300,7 +304,7 @@ Answer joints_g2(const Context& c, View) {
 // --- jolts
 // Returns that value of the jolt at a knot; none without a ride or a joint.
 template <double sim::Jolt::*axis>
-Answer jolt(const Context& c, View argument) {
+Answer jolt(const QueryContext& c, View argument) {
   return of_entity(c, argument, world::Kind::knot, [&](world::Entity e) {
     if (!joint_at(c.session.document, e)) return none(kOpenEnd);
     if (c.find.ride() == nullptr) return none(kNoRide);
@@ -309,7 +313,7 @@ Answer jolt(const Context& c, View argument) {
     return index && *index < jolts.size() ? number(jolts[*index].*axis) : none("the ride does not pass it");
   });
 }
-Answer jolt_knot(const Context& c, View) {
+Answer jolt_knot(const QueryContext& c, View) {
   AtJoint<double> worst;
   const std::span<const sim::Jolt> jolts = c.find.jolts();
   for (std::size_t i = 0; i < jolts.size(); ++i)
@@ -318,61 +322,62 @@ Answer jolt_knot(const Context& c, View) {
 }
 
 // --- the selected position
-struct Place {
+struct SelectedPosition {
   const sim::SegmentShape* shape;
   double t;
 };
 // Returns a segment's picked position; for a knot the start of the segment behind it, or at the track's end the end of
 // the last segment; for a train its present position.
-std::optional<Place> selected_place(const edit::Session& session) {
+std::optional<SelectedPosition> selected_place(const edit::Session& session) {
   const world::Entity e = session.settings.selected;
-  const sim::Derived& derived = session.derived;
-  if (const sim::SegmentShape* const shape = derived.segments.find(e)) return Place{shape, session.settings.selected_t};
+  const sim::DerivedTrack& derived = session.derived;
+  if (const sim::SegmentShape* const shape = derived.segments.find(e))
+    return SelectedPosition{shape, session.settings.selected_t};
   if (session.document.entities.find<world::Knot>(e)) {
     const world::Neighbours at = world::neighbours(session.document, e);
-    if (const sim::SegmentShape* const shape = derived.segments.find(at.after)) return Place{shape, 0.0};
-    if (const sim::SegmentShape* const shape = derived.segments.find(at.before)) return Place{shape, 1.0};
+    if (const sim::SegmentShape* const shape = derived.segments.find(at.after)) return SelectedPosition{shape, 0.0};
+    if (const sim::SegmentShape* const shape = derived.segments.find(at.before)) return SelectedPosition{shape, 1.0};
     return std::nullopt;
   }
-  const world::CartMotion* const cart = session.motion.carts.find(e);
+  const world::TrainMotion* const cart = session.motion.carts.find(e);
   const sim::SegmentShape* const shape = cart ? derived.segments.find(cart->segment) : nullptr;
-  return shape ? std::optional(Place{shape, shape->arc.parameter(cart->s)}) : std::nullopt;
+  return shape ? std::optional(SelectedPosition{shape, shape->arc.parameter(cart->s)}) : std::nullopt;
 }
 std::optional<curve::FrenetFrame> frenet_there(const edit::Session& session) {
   const auto place = selected_place(session);
   return place ? curve::frenet(place->shape->key.cubic, place->t) : std::nullopt;
 }
-Answer curvature(const Context& c, View) {
+Answer curvature(const QueryContext& c, View) {
   const auto place = selected_place(c.session);
   if (!place) return none(kNothingSelected);
   const auto found = curve::curvature_if_any(place->shape->key.cubic, place->t);
   return found ? number(*found) : none("the curve has a cusp there");
 }
-Answer torsion(const Context& c, View) {
+Answer torsion(const QueryContext& c, View) {
   const auto frame = frenet_there(c.session);
   if (!frame) return none(selected_place(c.session) ? "Frenet-Serret is undefined there" : kNothingSelected);
   return number(frame->torsion);
 }
-Answer frenet(const Context& c, View) { return yes_no(frenet_there(c.session).has_value()); }
+Answer frenet(const QueryContext& c, View) { return yes_no(frenet_there(c.session).has_value()); }
 
 // --- frames along the track
-Answer loop_twist(const Context& c, View) {
-  const sim::Derived& derived = c.session.derived;
+Answer loop_twist(const QueryContext& c, View) {
+  const sim::DerivedTrack& derived = c.session.derived;
   if (!derived.closed) return none("the track is open");
   return sim::has_cusp(derived) ? none("the track has a cusp") : number(base::degrees(sim::loop_twist(derived)));
 }
-Answer frenet_flips(const Context& c, View) { return number(sim::frenet_breaks(c.session.derived).size()); }
-Answer cart_up(const Context& c, View) {
+Answer frenet_flips(const QueryContext& c, View) { return number(sim::frenet_breaks(c.session.derived).size()); }
+Answer cart_up(const QueryContext& c, View) {
   const auto& carts = c.session.motion.carts;
   if (carts.size() == 0 || c.session.derived.order.empty()) return none(kNoTrain);
-  const world::CartMotion* cart = carts.find(c.session.settings.selected);
+  const world::TrainMotion* cart = carts.find(c.session.settings.selected);
   return Value(sim::pose(c.session.derived, cart ? *cart : carts.items()[0], c.session.settings.frames).frame.up);
 }
 
 // --- errata
 // Those of the selected segment, else of the first one.
-Answer of_erratum(const Context& c, View name, double sim::Erratum::*number_of) {
-  const sim::Derived& derived = c.session.derived;
+Answer of_erratum(const QueryContext& c, View name, double sim::Erratum::*number_of) {
+  const sim::DerivedTrack& derived = c.session.derived;
   if (derived.order.empty()) return none(kNoSegment);
   const auto speed = present_speed(c.session);
   if (!speed && name == "g_step") return none(kNoTrain);
@@ -381,8 +386,8 @@ Answer of_erratum(const Context& c, View name, double sim::Erratum::*number_of) 
   const auto found = sim::erratum(derived, segment, speed.value_or(0), c.session.settings.evaluation->steps, name);
   return number((*found).*number_of);
 }
-Answer erratum(const Context& c, View name) { return of_erratum(c, name, &sim::Erratum::right); }
-Answer erratum_wrong(const Context& c, View name) { return of_erratum(c, name, &sim::Erratum::wrong); }
+Answer erratum(const QueryContext& c, View name) { return of_erratum(c, name, &sim::Erratum::right); }
+Answer erratum_wrong(const QueryContext& c, View name) { return of_erratum(c, name, &sim::Erratum::wrong); }
 
 constexpr ArgumentPart kErratum[]{
     {.words = [] { return std::vector<std::string>(sim::kErrata.begin(), sim::kErrata.end()); }}};
@@ -390,11 +395,11 @@ constexpr ArgumentPart kErratum[]{
 constexpr Query kJointRows[]{
     {"joint_angle", kKnot, "deg", "Angle between the tangents of the segments at a knot.", joint_angle, or_none()},
     {"curvature_before", kKnot, "1/m", "Curvature vector at the end of the segment before a knot, towards the centre.",
-     of_joint<&curve::Joint::curvature_before>, or_none(kVector)},
+     of_joint<&curve::JointContinuity::curvature_before>, or_none(kVector)},
     {"curvature_after", kKnot, "1/m", "Curvature vector at the start of the segment after a knot, towards the centre.",
-     of_joint<&curve::Joint::curvature_after>, or_none(kVector)},
-    {"second_jump", kKnot, "m", "Length of C''(0) - B''(1) at a knot; 0 for C2.", of_joint<&curve::Joint::second_jump>,
-     or_none()},
+     of_joint<&curve::JointContinuity::curvature_after>, or_none(kVector)},
+    {"second_jump", kKnot, "m", "Length of C''(0) - B''(1) at a knot; 0 for C2.",
+     of_joint<&curve::JointContinuity::second_jump>, or_none()},
     {"g_step", kKnot, "g", "Jump of the force at a knot, v^2 |dK| / g, at the present speed of the first train.",
      g_step, or_none()},
     {"g_step_max", "g", "The largest such jump of the track.", g_step_max, or_none()},
@@ -414,13 +419,13 @@ constexpr Query kJointRows[]{
     {"jolt.longitudinal", kKnot, "g", "The same of longitudinal g alone.", jolt<&sim::Jolt::forward>, or_none()},
     {"ride.jolt_knot", "", "The knot with the largest jolt; none without a jolt.", jolt_knot, or_none(kText)},
     {"geometric_min", "", "Lowest geometric continuity of all joints: G0 < G1 < G2; none without a joint.",
-     weakest_level<&curve::Joint::geometric>, or_none(kRankOf<curve::Geometric>)},
+     weakest_level<&curve::JointContinuity::geometric>, or_none(kRankOf<curve::GeometricContinuity>)},
     {"parametric_min", "", "Lowest parametric continuity of all joints: C0 < C1 < C2; none without a joint.",
-     weakest_level<&curve::Joint::parametric>, or_none(kRankOf<curve::Parametric>)},
+     weakest_level<&curve::JointContinuity::parametric>, or_none(kRankOf<curve::ParametricContinuity>)},
     {"weakest_geometric", "", "The first knot with that geometric continuity; none without a joint.",
-     weakest_knot<&curve::Joint::geometric>, or_none(kText)},
+     weakest_knot<&curve::JointContinuity::geometric>, or_none(kText)},
     {"weakest_parametric", "", "The first knot with that parametric continuity; none without a joint.",
-     weakest_knot<&curve::Joint::parametric>, or_none(kText)},
+     weakest_knot<&curve::JointContinuity::parametric>, or_none(kText)},
     {"roll_max", "deg", "Largest roll of a knot, to either side.", roll_max, or_none()},
     {"joints_g2", "", "Number of joints that are G2.", joints_g2},
     {"curvature", "1/m",

@@ -18,93 +18,93 @@ namespace coaster::query {
 namespace {
 
 // A train and its motion; null if there is none.
-struct Riding {
+struct TrainInMotion {
   world::Entity entity;
-  const world::CartMotion* motion = nullptr;
+  const world::TrainMotion* motion = nullptr;
 };
-Riding cart_of(const edit::Session& session) {
+TrainInMotion cart_of(const edit::Session& session) {
   const auto& carts = session.motion.carts;
-  if (const world::CartMotion* const selected = carts.find(session.settings.selected))
+  if (const world::TrainMotion* const selected = carts.find(session.settings.selected))
     return {session.settings.selected, selected};
   const world::Entity first = world::first_cart(session.document);
   return {first, carts.find(first)};
 }
 
 template <class Function>
-Answer of_cart(const Context& context, Function function) {
-  const Riding riding = cart_of(context.session);
+Answer of_cart(const QueryContext& context, Function function) {
+  const TrainInMotion riding = cart_of(context.session);
   const bool there = riding.motion && context.session.derived.segments.contains(riding.motion->segment);
   return there ? value_of(function(riding.entity, *riding.motion)) : none(kNoTrain);
 }
 
-Answer state(const Context& c, View) {
+Answer state(const QueryContext& c, View) {
   return cart_of(c.session).motion ? value_of(c.session.motion.state) : none(kNoTrain);
 }
 template <auto member>
-Answer of_motion(const Context& c, View) {
-  return of_cart(c, [](world::Entity, const world::CartMotion& cart) { return static_cast<double>(cart.*member); });
+Answer of_motion(const QueryContext& c, View) {
+  return of_cart(c, [](world::Entity, const world::TrainMotion& cart) { return static_cast<double>(cart.*member); });
 }
-Answer cart_height(const Context& c, View) {
-  return of_cart(c, [&](world::Entity, const world::CartMotion& cart) {
+Answer cart_height(const QueryContext& c, View) {
+  return of_cart(c, [&](world::Entity, const world::TrainMotion& cart) {
     return sim::rail_point(c.session.derived.shape(cart.segment), cart.s).height;
   });
 }
 // sim::energy or sim::energy_drift.
 template <auto function>
-Answer energy(const Context& c, View) {
-  return of_cart(c, [&](world::Entity e, const world::CartMotion& cart) {
+Answer energy(const QueryContext& c, View) {
+  return of_cart(c, [&](world::Entity e, const world::TrainMotion& cart) {
     return function(c.session.document, c.session.derived, e, cart);
   });
 }
-template <float sim::Felt::*axis>
-Answer felt(const Context& c, View) {
-  return of_cart(c, [&](world::Entity e, const world::CartMotion& cart) {
+template <float sim::FeltAcceleration::*axis>
+Answer felt(const QueryContext& c, View) {
+  return of_cart(c, [&](world::Entity e, const world::TrainMotion& cart) {
     return double{sim::felt(c.session.document, c.session.derived, e, cart).*axis};
   });
 }
-template <double sim::Wheels::*kind>
-Answer wheels(const Context& c, View argument) {
+template <double sim::LoadsByWheelKind::*kind>
+Answer wheels(const QueryContext& c, View argument) {
   const auto set = base::value_named<sim::WheelSet>(argument);
-  return of_cart(c, [&](world::Entity e, const world::CartMotion& cart) {
+  return of_cart(c, [&](world::Entity e, const world::TrainMotion& cart) {
     return sim::wheel_loads(c.session.document, c.session.derived, e, cart).of(*set).*kind;
   });
 }
-template <double sim::Rolling::*member>
-Answer roll(const Context& c, View) {
-  return of_cart(c, [&](world::Entity e, const world::CartMotion& cart) {
+template <double sim::CarRoll::*member>
+Answer roll(const QueryContext& c, View) {
+  return of_cart(c, [&](world::Entity e, const world::TrainMotion& cart) {
     return glm::degrees(sim::rolling(c.session.document, c.session.derived, e, cart).*member);
   });
 }
 // Jerk depends on earlier values, so it comes from the simulation of the whole ride.
-Answer jerk(const Context& c, View) {
-  return of_cart(c, [&](world::Entity, const world::CartMotion& cart) -> std::optional<double> {
+Answer jerk(const QueryContext& c, View) {
+  return of_cart(c, [&](world::Entity, const world::TrainMotion& cart) -> std::optional<double> {
     const sim::Riders* const riders = c.find.riders();
     if (riders == nullptr) return std::nullopt;
     return sim::value_at(riders->car(0), cart.track_distance, sim::RideValue::jerk);
   });
 }
-Answer cost(const Context& c, View) {
+Answer cost(const QueryContext& c, View) {
   const double ns = c.session.measuring.ride_cost.ns_per_tick;
   return ns > 0 ? number(ns) : none("it was not measured");
 }
-Answer segment(const Context& c, View) {
-  const world::CartMotion* const cart = cart_of(c.session).motion;
+Answer segment(const QueryContext& c, View) {
+  const world::TrainMotion* const cart = cart_of(c.session).motion;
   return cart ? text(world::label_of(c.session.document, cart->segment)) : none(kNoTrain);
 }
-Answer carts(const Context& c, View) { return number(c.session.document.entities.pool<world::Cart>().size()); }
+Answer carts(const QueryContext& c, View) { return number(c.session.document.entities.pool<world::Train>().size()); }
 
 constexpr Query kRideRows[]{
     {"carts", "", "Number of trains.", carts},
     {"ride.state", "", "stopped, running, paused, ended or failed; none without a train.", state,
      or_none(kOneOf<world::RideState>)},
-    {"ride.speed", "m/s", "Speed along the track, negative backwards.", of_motion<&world::CartMotion::speed>,
+    {"ride.speed", "m/s", "Speed along the track, negative backwards.", of_motion<&world::TrainMotion::speed>,
      or_none()},
     {"ride.height", "m", "Height (y) of the rails under the train.", cart_height, or_none()},
-    {"ride.distance", "m", "Distance of the train along the track.", of_motion<&world::CartMotion::track_distance>,
+    {"ride.distance", "m", "Distance of the train along the track.", of_motion<&world::TrainMotion::track_distance>,
      or_none()},
     {"ride.travelled", "m", "Distance travelled since the start; backwards counts negative.",
-     of_motion<&world::CartMotion::travelled>, or_none()},
-    {"ride.lap", "", "Whole laps since the start; backwards counts negative.", of_motion<&world::CartMotion::laps>,
+     of_motion<&world::TrainMotion::travelled>, or_none()},
+    {"ride.lap", "", "Whole laps since the start; backwards counts negative.", of_motion<&world::TrainMotion::laps>,
      or_none()},
     {"ride.segment", "", "Segment under the train.", segment, or_none(kText)},
     {"ride.energy", "J/kg", "v^2/2 + g (y - datum).", energy<sim::energy>, or_none()},
@@ -114,65 +114,66 @@ constexpr Query kRideRows[]{
     {"ride.energy_drift", "", "|energy - energy at the start| / largest kinetic energy.", energy<sim::energy_drift>,
      or_none()},
     {"ride.g_up", "g", "Felt g towards the rider's head, not low-passed; 1 at rest on level track.",
-     felt<&sim::Felt::up>, or_none()},
-    {"ride.g_side", "g", "Felt g to the rider's left, not low-passed.", felt<&sim::Felt::left>, or_none()},
-    {"ride.g_forward", "g", "Felt g forwards, not low-passed.", felt<&sim::Felt::forward>, or_none()},
+     felt<&sim::FeltAcceleration::up>, or_none()},
+    {"ride.g_side", "g", "Felt g to the rider's left, not low-passed.", felt<&sim::FeltAcceleration::left>, or_none()},
+    {"ride.g_forward", "g", "Felt g forwards, not low-passed.", felt<&sim::FeltAcceleration::forward>, or_none()},
     {"wheels.road", kWordOf<sim::WheelSet>, "kN", "Load of the first car's road wheels: the rails push them up.",
-     wheels<&sim::Wheels::road>, or_none()},
+     wheels<&sim::LoadsByWheelKind::road>, or_none()},
     {"wheels.up_stop", kWordOf<sim::WheelSet>, "kN",
-     "Load of the first car's up-stop wheels: the rails push them down.", wheels<&sim::Wheels::up_stop>, or_none()},
+     "Load of the first car's up-stop wheels: the rails push them down.", wheels<&sim::LoadsByWheelKind::up_stop>,
+     or_none()},
     {"wheels.side", kWordOf<sim::WheelSet>, "kN", "Load of the first car's side wheels: the rails push them outwards.",
-     wheels<&sim::Wheels::side>, or_none()},
+     wheels<&sim::LoadsByWheelKind::side>, or_none()},
     {"ride.jerk", "g/s", "Change of the low-passed felt g per second where the train is, in the whole ride.", jerk,
      or_none()},
     {"ride.roll_rate", "deg/s", "Rate at which the first car rolls about the rails. Positive to the right.",
-     roll<&sim::Rolling::rate>, or_none()},
-    {"ride.roll_acceleration", "deg/s^2", "Change of the roll rate per second.", roll<&sim::Rolling::acceleration>,
+     roll<&sim::CarRoll::rate>, or_none()},
+    {"ride.roll_acceleration", "deg/s^2", "Change of the roll rate per second.", roll<&sim::CarRoll::acceleration>,
      or_none()},
 };
 
-const sim::SimulatedRide* simulated_ride_of(const Context& c) { return c.find.ride(); }
+const sim::SimulatedRide* simulated_ride_of(const QueryContext& c) { return c.find.ride(); }
 
 template <auto... path>
-Answer rating(const Context& c, View) {
+Answer rating(const QueryContext& c, View) {
   return simulated_ride_of(c) ? value_of(member_at(c.find.ratings(), path...)) : none(kNoRide);
 }
 template <sim::Extreme sim::Ratings::*member>
 constexpr auto extreme = rating<member, &sim::Extreme::value>;
 // The largest value of all cars, in either direction.
 template <sim::RideValue value>
-Answer most(const Context& c, View) {
+Answer most(const QueryContext& c, View) {
   const sim::Riders* const riders = c.find.riders();
   return riders != nullptr ? number(std::abs(sim::most_of(riders->all(), value).value)) : none(kNoRide);
 }
 
-Answer lap_time(const Context& c, View) {
+Answer lap_time(const QueryContext& c, View) {
   const sim::SimulatedRide* const simulated = simulated_ride_of(c);
   return simulated && simulated->lap ? number(simulated->lap_time) : none(simulated ? "no lap completed" : kNoRide);
 }
-Answer envelope(const Context& c, View) {
+Answer envelope(const QueryContext& c, View) {
   return simulated_ride_of(c) ? number(c.find.overloads().size()) : none(kNoRide);
 }
-Answer envelope_name(const Context& c, View) { return text(c.session.limits.name); }
-Answer fail(const Context& c, View) { return value_of(c.session.motion.failure.kind); }
-Answer fail_distance(const Context& c, View) {
+Answer envelope_name(const QueryContext& c, View) { return text(c.session.limits.name); }
+Answer fail(const QueryContext& c, View) { return value_of(c.session.motion.failure.kind); }
+Answer fail_distance(const QueryContext& c, View) {
   const world::Failure& failure = c.session.motion.failure;
   return failure.kind != world::FailureKind::none ? number(failure.distance) : none("the ride has not failed");
 }
-Answer why_ended(const Context& c, View) {
+Answer why_ended(const QueryContext& c, View) {
   const sim::SimulatedRide* const simulated = simulated_ride_of(c);
   return simulated ? value_of(simulated->end) : none(kNoRide);
 }
-Answer losses(const Context& c, View) {
+Answer losses(const QueryContext& c, View) {
   const auto set = world::loss_set_of(c.session.document.resistance);
   return text(set ? base::name_of(*set) : "own");
 }
 template <auto member>
-Answer of_cart(const Context& c, View argument) {
+Answer of_cart(const QueryContext& c, View argument) {
   return of_entity(c, argument, world::Kind::cart,
-                   [&](world::Entity e) { return c.session.document.entities.get<world::Cart>(e).*member; });
+                   [&](world::Entity e) { return c.session.document.entities.get<world::Train>(e).*member; });
 }
-Answer equipment(const Context& c, View argument) {
+Answer equipment(const QueryContext& c, View argument) {
   const auto segment = entity_of(c, argument, world::Kind::segment);
   if (!segment) return segment.status();
   const auto* const found = c.session.document.entities.find<world::Equipment>(*segment);
@@ -180,7 +181,7 @@ Answer equipment(const Context& c, View argument) {
 }
 
 // Returns the number of segments with that equipment.
-Answer equipped(const Context& c, View argument) {
+Answer equipped(const QueryContext& c, View argument) {
   const auto kind = base::value_named<world::EquipmentKind>(argument);
   const auto& all = c.session.document.entities.pool<world::Equipment>().items();
   return number(std::count_if(all.begin(), all.end(), [&](const world::Equipment& e) { return e.kind == *kind; }));
@@ -243,17 +244,17 @@ constexpr Query kSimulatedRows[]{
     {"ride.fail_distance", "m", "Distance along the track where it stopped; none if it has not.", fail_distance,
      or_none()},
     {"rolling", "", "Rolling friction, as a fraction of the weight.",
-     of_document<&world::Document::resistance, &world::Resistance::rolling>},
-    {"drag", "1/m", "Drag.", of_document<&world::Document::resistance, &world::Resistance::drag>},
+     of_document<&world::Document::resistance, &world::Losses::rolling>},
+    {"drag", "1/m", "Drag.", of_document<&world::Document::resistance, &world::Losses::drag>},
     {"losses", "", "Named set of losses: frictionless, openfvd, kexedit, or own for other numbers.", losses,
      texts(loss_sets)},
     {"heartline", "m", "Height of the riders' hearts above the rails, for which forces are given.",
      of_document<&world::Document::heartline>},
     {"curve", "", "What the track's curve is: rails or heartline.", of_document<&world::Document::curve>,
      kOneOf<world::TrackCurve>},
-    {"cars", kCart, "", "Number of cars of a train.", of_cart<&world::Cart::cars>},
-    {"car_length", kCart, "m", "Length of a car's body.", of_cart<&world::Cart::length>},
-    {"car_mass", kCart, "kg", "Mass of a car with its riders.", of_cart<&world::Cart::mass>},
+    {"cars", kCart, "", "Number of cars of a train.", of_cart<&world::Train::cars>},
+    {"car_length", kCart, "m", "Length of a car's body.", of_cart<&world::Train::length>},
+    {"car_mass", kCart, "kg", "Mass of a car with its riders.", of_cart<&world::Train::mass>},
     {"equipment", kSegment, "", "Equipment of a segment: station, lift, launch, brake, block or none.", equipment,
      or_none(kOneOf<world::EquipmentKind>)},
     {"equipped", kWordOf<world::EquipmentKind>, "", "Number of segments with that equipment.", equipped},
@@ -280,7 +281,7 @@ constexpr ArgumentPart kDistanceSeat[]{
     {.usage = "SEAT", .words = seats, .most = world::kMaxCars, .before = '/', .optional = true}};
 
 // Parses "62.5", "62.5/back", "62.5/3", "62.5/least". Without a seat: the setting's.
-Spot spot_of(const Context& c, View word) {
+Spot spot_of(const QueryContext& c, View word) {
   const std::size_t slash = word.find('/');
   const double distance = *base::parse_double(word.substr(0, slash));
   const world::LabView& lab = *c.session.settings.lab;
@@ -293,7 +294,7 @@ Spot spot_of(const Context& c, View word) {
 }
 
 template <sim::RideValue value>
-Answer at_seat(const Context& c, View word) {
+Answer at_seat(const QueryContext& c, View word) {
   const Spot spot = spot_of(c, word);
   const sim::SimulatedRide* const ride = c.find.ride();
   std::optional<double> result;
@@ -307,43 +308,43 @@ Answer at_seat(const Context& c, View word) {
 
 constexpr View kNoChallenge = "there is no challenge";
 
-Answer active(const Context& c, View) { return yes_no(c.session.game.challenge.has_value()); }
-Answer challenge_name(const Context& c, View) {
+Answer active(const QueryContext& c, View) { return yes_no(c.session.game.challenge.has_value()); }
+Answer challenge_name(const QueryContext& c, View) {
   return c.session.game.challenge ? text(c.session.game.challenge->file.name) : none(kNoChallenge);
 }
 template <class Counts>
-Answer count(const Context& c, Counts counts) {
+Answer count(const QueryContext& c, Counts counts) {
   if (!c.session.game.challenge) return none(kNoChallenge);
   const auto rules = read_rules(c.session.game.challenge->file, c.session.game.challenge->path);
   if (!rules) return rules.status();
   return number(std::count_if(rules->begin(), rules->end(), counts));
 }
-Answer goals(const Context& c, View) { return count(c, must_hold); }
-Answer met(const Context& c, View) {
+Answer goals(const QueryContext& c, View) { return count(c, must_hold); }
+Answer met(const QueryContext& c, View) {
   return count(c, [&](const Rule& rule) { return must_hold(rule) && look_at(c.find, rule).holds; });
 }
-Answer passed(const Context& c, View) {
+Answer passed(const QueryContext& c, View) {
   return yes_no(c.session.game.challenge && c.session.game.challenge->medal > 0);
 }
-Answer failure(const Context& c, View) {
+Answer failure(const QueryContext& c, View) {
   return c.session.game.challenge ? text(c.session.game.challenge->last.reason) : none(kNoChallenge);
 }
 template <auto member>
-Answer of_challenge(const Context& c, View) {
+Answer of_challenge(const QueryContext& c, View) {
   return c.session.game.challenge ? value_of((*c.session.game.challenge).*member) : none(kNoChallenge);
 }
 template <auto member>
-Answer of_card(const Context& c, View) {
+Answer of_card(const QueryContext& c, View) {
   return c.session.game.result ? value_of((*c.session.game.result).*member) : none("no ride has ended");
 }
-Answer rides(const Context& c, View) { return number(c.session.game.result ? c.session.game.result->serial : 0); }
-Answer challenge_deviation(const Context& c, View) {
+Answer rides(const QueryContext& c, View) { return number(c.session.game.result ? c.session.game.result->serial : 0); }
+Answer challenge_deviation(const QueryContext& c, View) {
   if (!c.session.game.challenge) return none(kNoChallenge);
   const double deviation = c.find.deviation();
   return std::isfinite(deviation) ? number(deviation) : none(kNoSegment);
 }
 
-Answer card_shows(const Context& c, View) {
+Answer card_shows(const QueryContext& c, View) {
   return yes_no(c.session.settings.aids->show_card && c.session.game.show_result && c.session.game.result);
 }
 constexpr Query kGameRows[]{

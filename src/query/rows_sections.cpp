@@ -13,55 +13,57 @@ namespace {
 
 // Returns the value of `function` for the segments of the section that the argument names.
 template <class Function>
-Answer of_run(const Context& c, View argument, Function function) {
+Answer of_run(const QueryContext& c, View argument, Function function) {
   return of_entity(c, argument, world::Kind::section,
                    [&](world::Entity e) { return function(world::run_of(c.session.document, e)); });
 }
-std::string knot_at(const Context& c, std::size_t index) {
+std::string knot_at(const QueryContext& c, std::size_t index) {
   const auto& knots = c.session.document.track.knots;
   return world::label_of(c.session.document, knots[index % knots.size()]);
 }
 
-Answer sections(const Context& c, View) { return number(c.session.document.entities.pool<world::Section>().size()); }
-Answer section_kind(const Context& c, View argument) {
+Answer sections(const QueryContext& c, View) {
+  return number(c.session.document.entities.pool<world::Section>().size());
+}
+Answer section_kind(const QueryContext& c, View argument) {
   return of_entity(c, argument, world::Kind::section, [&](world::Entity e) {
     return std::string(world::kind_name(world::section(c.session.document, e)));
   });
 }
-Answer section_title(const Context& c, View argument) {
+Answer section_title(const QueryContext& c, View argument) {
   return of_entity(c, argument, world::Kind::section,
                    [&](world::Entity e) { return world::title_of(world::section(c.session.document, e)); });
 }
-Answer section_segments(const Context& c, View argument) {
+Answer section_segments(const QueryContext& c, View argument) {
   return of_run(c, argument, [](const world::SectionRun& run) { return run.count; });
 }
-Answer section_length(const Context& c, View argument) {
+Answer section_length(const QueryContext& c, View argument) {
   return of_run(c, argument, [&](const world::SectionRun& run) {
     const std::vector<double>& starts = c.session.derived.starts;
     return starts[run.end()] - starts[run.first];
   });
 }
-Answer section_first(const Context& c, View argument) {
+Answer section_first(const QueryContext& c, View argument) {
   return of_run(c, argument, [&](const world::SectionRun& run) { return knot_at(c, run.first); });
 }
-Answer section_last(const Context& c, View argument) {
+Answer section_last(const QueryContext& c, View argument) {
   return of_run(c, argument, [&](const world::SectionRun& run) { return knot_at(c, run.end()); });
 }
-Answer section_of(const Context& c, View argument) {
+Answer section_of(const QueryContext& c, View argument) {
   return of_entity(c, argument, world::Kind::segment, [&](world::Entity e) {
     return world::label_of(c.session.document, world::segment(c.session.document, e).section);
   });
 }
 // Returns a figure of the section; none if the ride does not reach it.
 template <auto Member>
-Answer section_figure(const Context& c, View argument) {
+Answer section_figure(const QueryContext& c, View argument) {
   return of_run(c, argument, [&](const world::SectionRun& run) -> Value {
     const auto value = c.find.sections().of(run).*Member;
     return value_of(value);
   });
 }
 // The argument is "@q1.height".
-Answer section_value(const Context& c, View argument) {
+Answer section_value(const QueryContext& c, View argument) {
   const std::size_t dot = argument.find('.');
   const auto entity = entity_of(c, argument.substr(0, dot), world::Kind::section);
   if (!entity) return entity.status();
@@ -106,51 +108,51 @@ constexpr Query kSectionRows[]{
     {"section.last", kSection, "", "The knot where a section ends.", section_last, kText},
 };
 
-const sim::ElementPlan& plan(const Context& c) { return c.find.element(); }
+const sim::ElementPlan& plan(const QueryContext& c) { return c.find.element(); }
 
-Answer element(const Context& c, View) { return text(base::row_of(c.session.settings.element.kind).name); }
-Answer side(const Context& c, View) {
+Answer element(const QueryContext& c, View) { return text(base::row_of(c.session.settings.element.kind).name); }
+Answer side(const QueryContext& c, View) {
   const world::Element& e = c.session.settings.element;
   return base::row_of(e.kind).sided ? text(e.right ? "right" : "left") : none("the element has no side");
 }
-Answer value(const Context& c, View argument) { return parameter_of(plan(c).element, argument); }
+Answer value(const QueryContext& c, View argument) { return parameter_of(plan(c).element, argument); }
 // Returns a member of the plan; none if it has no spans.
 template <auto... path>
-Answer of_plan(const Context& c, View) {
+Answer of_plan(const QueryContext& c, View) {
   const sim::ElementPlan& found = plan(c);
   return found.spans() > 0 ? value_of(member_at(found, path...)) : none(found.refusal);
 }
-Answer roll_error(const Context& c, View) {
+Answer roll_error(const QueryContext& c, View) {
   const Answer radians = of_plan<&sim::ElementPlan::fit, &sim::ElementFit::roll_error>(c, {});
   return is_none(*radians) ? radians : number(base::degrees(std::get<double>(*radians)));
 }
-Answer spans(const Context& c, View) { return number(plan(c).spans()); }
-Answer missing(const Context& c, View) {
+Answer spans(const QueryContext& c, View) { return number(plan(c).spans()); }
+Answer missing(const QueryContext& c, View) {
   return plan(c).spans() > 0 ? number(sim::worst(c.find.room())) : none(plan(c).refusal);
 }
-Answer refusal(const Context& c, View) {
+Answer refusal(const QueryContext& c, View) {
   return plan(c).refusal.empty() ? none("it can be placed") : text(plan(c).refusal);
 }
 
-const sim::CircuitProposals& circuit(const Context& c) { return c.find.circuit(); }
-Answer proposals(const Context& c, View) { return number(circuit(c).list.size()); }
+const sim::CircuitProposals& circuit(const QueryContext& c) { return c.find.circuit(); }
+Answer proposals(const QueryContext& c, View) { return number(circuit(c).list.size()); }
 constexpr ArgumentPart kProposal[]{{.usage = "N", .most = sim::kMostProposals}};
 // Returns function(index) of the proposal that the argument names, none without it.
 template <class Function>
-Answer of_proposal(const Context& c, View argument, Function function) {
+Answer of_proposal(const QueryContext& c, View argument, Function function) {
   const auto i = static_cast<std::size_t>(*base::parse_int(argument)) - 1;
   return i < circuit(c).list.size() ? number(function(i)) : none("there is no such closing section");
 }
-Answer circuit_length(const Context& c, View argument) {
+Answer circuit_length(const QueryContext& c, View argument) {
   return of_proposal(c, argument, [&](std::size_t i) { return circuit(c).list[i].plan.length; });
 }
-Answer circuit_g(const Context& c, View argument) {
+Answer circuit_g(const QueryContext& c, View argument) {
   return of_proposal(c, argument, [&](std::size_t i) { return circuit(c).list[i].felt.most; });
 }
-Answer circuit_jolt(const Context& c, View argument) {
+Answer circuit_jolt(const QueryContext& c, View argument) {
   return of_proposal(c, argument, [&](std::size_t i) { return c.find.closing_jolt(i); });
 }
-Answer circuit_refusal(const Context& c, View) {
+Answer circuit_refusal(const QueryContext& c, View) {
   return circuit(c).refusal.empty() ? none("there is a closing section") : text(circuit(c).refusal);
 }
 
@@ -190,7 +192,7 @@ constexpr Query kElementRows[]{
 
 // Returns the value of `function` for the plan of the force section that the argument names; "none" for others.
 template <class Function>
-Answer of_plan(const Context& c, View argument, Function function) {
+Answer of_plan(const QueryContext& c, View argument, Function function) {
   const auto section = entity_of(c, argument, world::Kind::section);
   if (!section) return section.status();
   const sim::ForcePlan* const plan = c.find.force(*section);
@@ -216,13 +218,14 @@ double asked_at(const sim::ForcePlan& plan, const ForcePlace& spot) {
 }
 
 // Returns nothing where the ride does not arrive.
-std::optional<double> met_at(const Context& c, const sim::ForcePlan& plan, const ForcePlace& spot, std::size_t first) {
+std::optional<double> met_at(const QueryContext& c, const sim::ForcePlan& plan, const ForcePlace& spot,
+                             std::size_t first) {
   const double start = c.session.derived.starts[first];
   const sim::SimulatedRide* const ride = c.find.ride();
   const sim::RailTables& tables = c.find.tables();
   const auto length = [&](std::size_t i) { return plan.path.curve.points[i].s; };
   const double place = start + sim::between_points(plan, spot.at, length);
-  if (plan.task.program.of == world::ForceOf::curvature)
+  if (plan.task.program.of == world::ForceQuantity::curvature)
     return sim::curvature_at(c.session.derived, first, place)[static_cast<std::size_t>(spot.channel)];
   const auto passing = ride != nullptr ? sim::passing(*ride, place) : std::nullopt;
   if (!passing) return std::nullopt;
@@ -230,18 +233,18 @@ std::optional<double> met_at(const Context& c, const sim::ForcePlan& plan, const
   const double s = tables.locate(place, index), g = world::kGravity;
   if (spot.channel == world::ForceChannel::roll) {
     const double spin = base::degrees(c.session.derived.shape_at(index).roll.spin(s));
-    return plan.task.program.over == world::ForceOver::distance ? spin : spin * passing->speed;
+    return plan.task.program.over == world::ForceDomain::distance ? spin : spin * passing->speed;
   }
   const glm::vec3 felt = sim::felt_at(tables.segment(index), s, static_cast<float>(passing->along / g),
                                       static_cast<float>(passing->speed * passing->speed / g));
   return double{spot.channel == world::ForceChannel::vertical ? felt.z : felt.y};
 }
 
-Answer force_asked(const Context& c, View word) {
+Answer force_asked(const QueryContext& c, View word) {
   const ForcePlace spot = force_place(word);
   return of_plan(c, spot.section, [&](const sim::ForcePlan& plan) { return number(asked_at(plan, spot)); });
 }
-Answer force_met(const Context& c, View word) {
+Answer force_met(const QueryContext& c, View word) {
   const ForcePlace spot = force_place(word);
   return of_plan(c, spot.section, [&](const sim::ForcePlan& plan) {
     const auto section = entity_of(c, spot.section, world::Kind::section);
@@ -249,26 +252,26 @@ Answer force_met(const Context& c, View word) {
     return value_of(met_at(c, plan, spot, run.first));
   });
 }
-Answer force_keys(const Context& c, View word) {
+Answer force_keys(const QueryContext& c, View word) {
   const std::size_t dot = word.find('.');
   const auto channel = *base::value_named<world::ForceChannel>(word.substr(dot + 1));
   return of_plan(c, word.substr(0, dot),
                  [&](const sim::ForcePlan& plan) { return number(plan.task.program.keys(channel).size()); });
 }
 template <auto... path>
-Answer of_program(const Context& c, View word) {
+Answer of_program(const QueryContext& c, View word) {
   return of_plan(c, word, [](const sim::ForcePlan& plan) { return value_of(member_at(plan.task.program, path...)); });
 }
 template <auto... path>
-Answer of_force(const Context& c, View word) {
+Answer of_force(const QueryContext& c, View word) {
   return of_plan(c, word, [](const sim::ForcePlan& plan) { return value_of(member_at(plan, path...)); });
 }
-Answer force_unmet_at(const Context& c, View word) {
+Answer force_unmet_at(const QueryContext& c, View word) {
   return of_plan(c, word, [](const sim::ForcePlan& plan) {
     return plan.unmet > 0 ? number(plan.unmet_at) : none("the keys are met");
   });
 }
-Answer force_stopped(const Context& c, View word) {
+Answer force_stopped(const QueryContext& c, View word) {
   return of_plan(c, word, [](const sim::ForcePlan& plan) {
     const std::string stopped = sim::stop_text(plan);
     return stopped.empty() ? none("it has its whole length") : text(stopped);
@@ -293,9 +296,9 @@ constexpr Query kForceRows[]{
      force_met, or_none()},
     {"force.keys", kChannel, "", "Number of keys of a channel.", force_keys, or_none()},
     {"force.over", kSection, "", "Axis of the keys: distance or time.", of_program<&world::ForceProgram::over>,
-     or_none(kOneOf<world::ForceOver>)},
+     or_none(kOneOf<world::ForceDomain>)},
     {"force.of", kSection, "", "Quantity of the keys: forces or curvature.", of_program<&world::ForceProgram::of>,
-     or_none(kOneOf<world::ForceOf>)},
+     or_none(kOneOf<world::ForceQuantity>)},
     {"force.length", kSection, "", "Length of a force section's program, m or s.",
      of_program<&world::ForceProgram::length>, or_none()},
     {"force.tolerance", kSection, "g",

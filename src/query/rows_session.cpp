@@ -19,45 +19,45 @@
 namespace coaster::query {
 namespace {
 
-Answer selected(const Context& c, View) {
+Answer selected(const QueryContext& c, View) {
   const world::Entity e = c.session.settings.selected;
   const bool any = c.session.document.entities.find<world::Name>(e) != nullptr;
   return any ? text(world::label_of(c.session.document, e)) : none(kNothingSelected);
 }
-Answer selected_kind(const Context& c, View) {
+Answer selected_kind(const QueryContext& c, View) {
   const auto* const name = c.session.document.entities.find<world::Name>(c.session.settings.selected);
   return name ? value_of(name->kind) : none(kNothingSelected);
 }
-Answer selected_t(const Context& c, View) {
+Answer selected_t(const QueryContext& c, View) {
   const bool segment = c.session.derived.segments.contains(c.session.settings.selected);
   return segment ? number(c.session.settings.selected_t) : none("no segment is selected");
 }
-Answer selected_count(const Context& c, View) {
+Answer selected_count(const QueryContext& c, View) {
   const std::size_t several = world::selected_knots(c.session.document, c.session.settings).size() +
                               world::selected_sections(c.session.document, c.session.settings).size();
   return number(several > 0 ? several : c.session.settings.selected.valid() ? 1 : 0);
 }
-Answer undo_label(const Context& c, View) {
+Answer undo_label(const QueryContext& c, View) {
   return text(c.session.history.undo.empty() ? "" : c.session.history.undo.back().text.command);
 }
-Answer snapping(const Context& c, View) { return text(base::name_of(c.session.settings.snapping.to)); }
-Answer undo_depth(const Context& c, View) { return number(c.session.history.undo.size()); }
-Answer redo_depth(const Context& c, View) { return number(c.session.history.redo.size()); }
-Answer dirty(const Context& c, View) { return yes_no(edit::dirty(c.find)); }
-Answer toast(const Context& c, View) { return text(c.toast); }
-base::Result<Widget> widget(const Context& c, View path) {
+Answer snapping(const QueryContext& c, View) { return text(base::name_of(c.session.settings.snapping.to)); }
+Answer undo_depth(const QueryContext& c, View) { return number(c.session.history.undo.size()); }
+Answer redo_depth(const QueryContext& c, View) { return number(c.session.history.redo.size()); }
+Answer dirty(const QueryContext& c, View) { return yes_no(edit::dirty(c.find)); }
+Answer toast(const QueryContext& c, View) { return text(c.toast); }
+base::Result<Widget> widget(const QueryContext& c, View path) {
   return c.widget ? c.widget(path) : base::Status{base::Code::refused, "there are no panels"};
 }
-Answer widget_text(const Context& c, View path) {
+Answer widget_text(const QueryContext& c, View path) {
   const auto found = widget(c, path);
   return found ? Answer(text(found->text())) : found.status();
 }
-Answer enabled(const Context& c, View path) {
+Answer enabled(const QueryContext& c, View path) {
   const auto found = widget(c, path);
   return found ? Answer(yes_no(found->enabled)) : found.status();
 }
 // Off has the reason as its text.
-Answer visible(const Context& c, View path) {
+Answer visible(const QueryContext& c, View path) {
   const auto found = widget(c, path);
   if (!found && (!c.widget || found.status().code != base::Code::refused)) return found.status();
   const std::string why = !found           ? found.status().message
@@ -66,25 +66,27 @@ Answer visible(const Context& c, View path) {
   return found && found->visible && !found->covered ? yes_no(true) : Ranked{0, why};
 }
 constexpr ArgumentPart kWidget[]{{.usage = "\"PATH\""}};
-Answer title(const Context& c, View) { return text(c.title); }
-Answer polyline(const Context& c, View) { return yes_no(c.session.settings.lab->layers.has(world::Layer::polyline)); }
-Answer link_bytes(const Context& c, View) { return number(c.session.shared.size()); }
-Answer file(const Context& c, View) { return text(c.session.file.path.filename().string()); }
+Answer title(const QueryContext& c, View) { return text(c.title); }
+Answer polyline(const QueryContext& c, View) {
+  return yes_no(c.session.settings.lab->layers.has(world::Layer::polyline));
+}
+Answer link_bytes(const QueryContext& c, View) { return number(c.session.shared.size()); }
+Answer file(const QueryContext& c, View) { return text(c.session.file.path.filename().string()); }
 
-Answer camera_height(const Context& c, View) { return c.stats.frame > 0 ? number(c.stats.eye.y) : none(kNoFrame); }
-Answer camera_tilt(const Context& c, View) {
+Answer camera_height(const QueryContext& c, View) { return c.stats.frame > 0 ? number(c.stats.eye.y) : none(kNoFrame); }
+Answer camera_tilt(const QueryContext& c, View) {
   if (c.stats.frame == 0) return none(kNoFrame);
   // Roll of the picture's horizontal against the ground, clockwise as the rider tilts to the right.
   const double right = glm::cross(c.stats.eye_forward, c.stats.eye_up).y;
   return number(glm::degrees(std::atan2(-right, c.stats.eye_up.y)));
 }
-Answer camera_target(const Context& c, View) { return Value(glm::dvec3(c.session.settings.camera.target)); }
-Answer camera_distance(const Context& c, View) { return number(c.session.settings.camera.distance); }
-Answer camera_yaw(const Context& c, View) { return number(c.session.settings.camera.yaw_deg); }
-Answer camera_pitch(const Context& c, View) { return number(c.session.settings.camera.pitch_deg); }
+Answer camera_target(const QueryContext& c, View) { return Value(glm::dvec3(c.session.settings.camera.target)); }
+Answer camera_distance(const QueryContext& c, View) { return number(c.session.settings.camera.distance); }
+Answer camera_yaw(const QueryContext& c, View) { return number(c.session.settings.camera.yaw_deg); }
+Answer camera_pitch(const QueryContext& c, View) { return number(c.session.settings.camera.pitch_deg); }
 
-Answer tick(const Context& c, View) { return number(c.session.tick); }
-Answer entities(const Context& c, View) {
+Answer tick(const QueryContext& c, View) { return number(c.session.tick); }
+Answer entities(const QueryContext& c, View) {
   const world::Entities& all = c.session.document.entities;
   return number(all.size() - all.pool<world::Section>().size());
 }
@@ -111,13 +113,13 @@ constexpr Query kSessionRows[]{
     {"track_file", "", "Name of the track's file without its folder, empty if it has none.", file, kText},
     {"link_bytes", "", "Characters of the link that was shared last, from its # on; 0: none.", link_bytes},
     {"locked_by", "", "Other process that has the track's file open, empty if none.",
-     of_stats<&FrameStats::keeping, &Keeping::holder>, kText},
+     of_stats<&FrameStats::keeping, &DocumentFileState::holder>, kText},
     {"recoverable", "", "Number of autosaves of other runs that can be recovered.",
-     of_stats<&FrameStats::keeping, &Keeping::recoverable>},
+     of_stats<&FrameStats::keeping, &DocumentFileState::recoverable>},
     {"autosaves", "", "Number of autosaves written since the start.",
-     of_stats<&FrameStats::keeping, &Keeping::autosaves>},
+     of_stats<&FrameStats::keeping, &DocumentFileState::autosaves>},
     {"quits", "", "on if the program was asked to quit: a window closes then, a script continues.",
-     of_stats<&FrameStats::keeping, &Keeping::quits>, kSwitch},
+     of_stats<&FrameStats::keeping, &DocumentFileState::quits>, kSwitch},
     {"camera_shown", "", "The camera of the last frame: orbit if there is no train to follow.",
      of_frame<&FrameStats::camera_shown>, or_none(kOneOf<world::CameraMode>)},
     {"camera_eye", "m", "Position of the last frame's camera.", of_frame<&FrameStats::eye>, or_none(kVector)},
@@ -136,13 +138,13 @@ constexpr Query kSessionRows[]{
 };
 
 template <auto Member>
-Answer setting(const Context& c, View) {
+Answer setting(const QueryContext& c, View) {
   return value_of(world::value_in<Member>(c.session.settings));
 }
 
 // Times and rates are 0 until they are measured.
 template <const auto& table, std::size_t row>
-Answer number_of_frame(const Context& c, View) {
+Answer number_of_frame(const QueryContext& c, View) {
   const auto& [query, unit, text, member] = table[row];
   const double value = std::visit([&](auto of) { return static_cast<double>(c.stats.*of); }, member);
   if (c.stats.frame == 0 && query != "frame") return none(kNoFrame);
@@ -152,21 +154,21 @@ Answer number_of_frame(const Context& c, View) {
 template <const auto& table, std::size_t... row>
 constexpr auto rows_of(std::index_sequence<row...>) {
   return std::array{Query(table[row].query, table[row].unit, table[row].text, number_of_frame<table, row>,
-                          table[row].query == "frame" ? Values{} : or_none())...};
+                          table[row].query == "frame" ? ValueDomain{} : or_none())...};
 }
 
 // The deviation of the processor, or the one captured from the GPU.
-Answer deviation(const Context& c, View) {
-  const sim::Derived& derived = c.session.derived;
+Answer deviation(const QueryContext& c, View) {
+  const sim::DerivedTrack& derived = c.session.derived;
   if (derived.order.empty()) return none(kNoSegment);
   if (derived.evaluated_by == curve::EvaluatedBy::processor) return number(derived.deviation);
   return c.stats.frame > 0 && c.stats.deviation_pending == 0 ? number(c.stats.deviation)
                                                              : none("it is not measured yet");
 }
-Answer chord_error(const Context& c, View) {
+Answer chord_error(const QueryContext& c, View) {
   return c.session.derived.order.empty() ? none(kNoSegment) : number(c.find.chord_error());
 }
-Answer ns_per_point(const Context& c, View) {
+Answer ns_per_point(const QueryContext& c, View) {
   if (c.stats.evaluated_vertices == 0) return none("nothing has been evaluated");
   return number(c.stats.evaluation_ms * 1e6 / static_cast<double>(c.stats.evaluated_vertices));
 }
@@ -184,15 +186,15 @@ constexpr Query kMoreRows[]{
      or_none()},
 };
 
-Answer shown(const Context& c, View word) {
+Answer shown(const QueryContext& c, View word) {
   return yes_no(c.session.settings.lab->layers.has(*base::value_named<world::Layer>(word)));
 }
 
-const sim::SegmentShape* selected_shape(const Context& c) {
+const sim::SegmentShape* selected_shape(const QueryContext& c) {
   return c.session.derived.segments.find(c.session.settings.selected);
 }
 constexpr View kNoSegmentSelected = "no segment is selected";
-Answer construction_point(const Context& c, View) {
+Answer construction_point(const QueryContext& c, View) {
   const sim::SegmentShape* const shape = selected_shape(c);
   if (!shape) return none(kNoSegmentSelected);
   return Value(curve::point(shape->key.cubic, c.session.settings.selected_t));
@@ -200,16 +202,16 @@ Answer construction_point(const Context& c, View) {
 
 // sim::largest or sim::seam of the selected segment's rounding.
 template <auto figure>
-Answer rounding(const Context& c, View) {
+Answer rounding(const QueryContext& c, View) {
   const sim::SegmentShape* const shape = selected_shape(c);
   const world::Evaluation& evaluation = *c.session.settings.evaluation;
   if (!shape) return none(kNoSegmentSelected);
   return number(figure(sim::rounding(shape->curve, base::row_of(evaluation.evaluator), evaluation.steps)));
 }
 
-Answer measuring(const Context& c, View) { return yes_no(c.session.measuring.measurement.running); }
-Answer measure_progress(const Context& c, View) { return number(sim::progress(c.session.measuring.measurement)); }
-Answer measure_rows(const Context& c, View) { return number(c.session.measuring.measurement.rows.size()); }
+Answer measuring(const QueryContext& c, View) { return yes_no(c.session.measuring.measurement.running); }
+Answer measure_progress(const QueryContext& c, View) { return number(sim::progress(c.session.measuring.measurement)); }
+Answer measure_rows(const QueryContext& c, View) { return number(c.session.measuring.measurement.rows.size()); }
 
 std::vector<std::string> measured_steps() {
   std::vector<std::string> words;
@@ -220,7 +222,7 @@ constexpr ArgumentPart kMeasured[]{{.usage = "EVALUATOR", .words = base::names_o
                                    {.usage = "STEPS", .words = measured_steps, .before = '/'}};
 // Returns a figure of the measurement of "horner/64".
 template <auto member>
-Answer measured(const Context& c, View word) {
+Answer measured(const QueryContext& c, View word) {
   const std::size_t slash = word.find('/');
   const auto evaluator = *base::value_named<curve::EvaluatorId>(word.substr(0, slash));
   const std::vector<std::string> steps = measured_steps();

@@ -43,7 +43,7 @@ struct Host {
   std::function<base::Status(const platform::Events&, int ticks)>
       frame;                                            // one whole frame: events, UI, commands, ticks, drawing
   std::function<void(int ticks)> advance;               // ticks without drawing
-  std::function<const query::Context()> context;        // the last frame and the present state
+  std::function<const query::QueryContext()> context;   // the last frame and the present state
   std::function<std::vector<query::Widget>()> widgets;  // widgets of the last frame
   std::function<base::Result<glm::vec2>(const AimPoint&)> pixel_of;  // in the last frame's view; an error if off screen
   std::function<base::Result<glm::vec3>(const AimPoint&)> position_of;

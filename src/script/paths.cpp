@@ -41,7 +41,7 @@ std::string not_below_out(std::string_view written) {
                      base::quoted_start(fmt::format("{}/{}", kOut, name)), base::quoted_start(written));
 }
 
-base::Result<std::filesystem::path> find_output(std::string_view written, const base::Root& out) {
+base::Result<std::filesystem::path> find_output(std::string_view written, const base::FileRoot& out) {
   std::string_view rest;
   if (!below_out(written, rest) || rest.empty() || !out.contains(out.folder() / rest))
     return base::Status{base::Code::usage, not_below_out(written)};

@@ -19,6 +19,6 @@ std::string not_below_out(std::string_view written);
 
 // Resolves a path to write, below the folder of `out`, which is $OUT, and creates its parent folders. Code::usage
 // outside it, and the errors of base::Root.
-base::Result<std::filesystem::path> find_output(std::string_view written, const base::Root& out);
+base::Result<std::filesystem::path> find_output(std::string_view written, const base::FileRoot& out);
 
 }  // namespace coaster::script

@@ -54,7 +54,7 @@ std::vector<edit::Command> settings_commands(const edit::Session& session) {
 
 base::Result<std::unique_ptr<Recorder>> Recorder::start(const base::Files& files, const std::filesystem::path& path,
                                                         const edit::Session& session) {
-  auto folder = base::Root().open(path.has_parent_path() ? path.parent_path() : ".");
+  auto folder = base::FileRoot().open(path.has_parent_path() ? path.parent_path() : ".");
   if (!folder) return folder.status();
   base::Files below = files.with(std::move(*folder));
   auto out = below.create(path);

@@ -49,7 +49,7 @@ Status check_hover(FrameDriver& frames, const AimAction& aim) {
   const view::PickKind wanted = aim.target.kind;
   if (wanted == view::PickKind::none || !frames.host().hovered) return {};
   const view::Pick found = frames.host().hovered();
-  const query::Context context = frames.host().context();
+  const query::QueryContext context = frames.host().context();
   const world::Document& document = context.session.document;
   if (found.kind == wanted && (view::is_gizmo(wanted) || found.entity == world::find(document, aim.target.name)))
     return {};
@@ -100,7 +100,7 @@ std::optional<Status> Runner::step() {
 // Runs the next statement or the end of a block, or checks the lesson.
 Status Runner::advance() {
   if (given_ && places_.size() == given_->depth) return attend();
-  Place& here = places_.back();
+  BlockPosition& here = places_.back();
   if (here.next < here.block->size()) return run((*here.block)[here.next++]);
   if (here.again-- > 0) return here.next = 0, Status{};
   const bool gesture = here.gesture;
@@ -148,7 +148,7 @@ std::filesystem::path Runner::input(std::string_view written) const {
 void Runner::report_since(std::uint64_t serial) {
   const Host& host = frames_.host();
   if (!host.report) return;
-  const query::Context context = host.context();
+  const query::QueryContext context = host.context();
   for (const edit::Notice& notice : context.session.notices.list)
     if (notice.serial > serial) host.report(notice.text);
 }
@@ -243,7 +243,7 @@ Status Runner::perform(const Input& given) {
 Status Runner::perform(const FitCamera& fit) {
   if (!frames_.host().viewport) return wrong("no viewport");
   if (const Status status = frames_.settle_panels(); !status) return status;
-  const query::Context context = frames_.host().context();
+  const query::QueryContext context = frames_.host().context();
   const edit::Session& session = context.session;
   const view::Viewport viewport = frames_.host().viewport();
   if (fit.selection && !session.settings.selected.valid()) return wrong("nothing is selected");
@@ -254,7 +254,7 @@ Status Runner::perform(const FitCamera& fit) {
 }
 
 Status Runner::perform(const Needs& needs) {
-  const query::Context context = frames_.host().context();
+  const query::QueryContext context = frames_.host().context();
   const std::string& refusal = context.stats.stage_refusals[static_cast<std::size_t>(needs.stage)];
   if (refusal.empty()) return {};
   return {base::Code::skipped,
@@ -357,7 +357,7 @@ std::string Runner::stands_still(const Condition& condition) const {
   const bool moves = condition.query.starts_with("ride.fail") ||
                      (condition.query.starts_with("ride.") && query::has_row(query::ride_rows(), condition.query));
   if (!moves || frames_.has_put_off()) return {};
-  const query::Context context = frames_.host().context();
+  const query::QueryContext context = frames_.host().context();
   const edit::Session& session = context.session;
   if (session.motion.carts.size() == 0) return "there is no train: write add_cart @s1 at 0, then ride.start";
   switch (session.motion.state) {
@@ -374,7 +374,7 @@ std::string Runner::stands_still(const Condition& condition) const {
 base::Result<query::Value> Runner::value_of(std::string_view query, const std::string& argument) {
   const query::Query* const row = query::find_query(query);
   COASTER_CHECK(row, "the grammar rejects unknown queries");
-  query::Context context = frames_.host().context();
+  query::QueryContext context = frames_.host().context();
   context.widget = [this](std::string_view path) -> base::Result<query::Widget> {
     if (const Status status = frames_.settle_panels(); !status) return status;
     const std::vector<query::Widget> widgets = frames_.host().widgets();
@@ -468,7 +468,7 @@ Status Runner::perform(const Lesson& lesson) {
   const query::LessonCard card{lesson.text, lesson.widget ? lesson.widget->text : "", ++lessons_,
                                std::max(lessons_, lessons_in(script_.statements))};
   if (host.teach) host.teach(&card);
-  given_ = Given{running_, places_.size()};
+  given_ = ActiveLesson{running_, places_.size()};
   if (host.answer) return {};
   std::string found;
   const base::Result<bool> before = check(lesson.until, found);
@@ -480,7 +480,7 @@ Status Runner::perform(const Lesson& lesson) {
 
 Status Runner::attend() {
   const Host& host = frames_.host();
-  Given& given = *given_;
+  ActiveLesson& given = *given_;
   const Lesson& lesson = std::get<Lesson>(given.lesson->action);
   running_ = given.lesson;
   // The player gets the mouse with its buttons up: the last line may have put off a release.
@@ -504,7 +504,7 @@ Status Runner::attend() {
   // If the player built something else, the condition may name a part of the track that does not exist yet.
   const query::LessonAnswer answer = host.answer();
   if (answer == query::LessonAnswer::leave || frames_.interrupted()) {
-    for (Place& place : places_) place.next = place.block->size(), place.again = 0;
+    for (BlockPosition& place : places_) place.next = place.block->size(), place.again = 0;
     return end({});
   }
   if (answer == query::LessonAnswer::show) {

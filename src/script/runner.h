@@ -17,7 +17,7 @@
 namespace coaster::script {
 
 struct RunOptions {
-  base::Root out;  // limited to the folder that $OUT means
+  base::FileRoot out;  // limited to the folder that $OUT means
   bool update_goldens = false;
   Environment environment;       // in effect before the first env line
   ScriptError* error = nullptr;  // receives the error of a script that fails
@@ -43,14 +43,14 @@ class Runner {
 
  private:
   // The position of the run in a block, and in the blocks around it.
-  struct Place {
+  struct BlockPosition {
     const Block* block = nullptr;
     std::size_t next = 0;
     std::int64_t again = 0;  // remaining repetitions of the block after this one
     bool gesture = false;    // the block is a gesture
   };
   // The current lesson; a place behind `depth` shows its lines.
-  struct Given {
+  struct ActiveLesson {
     const Statement* lesson = nullptr;
     std::size_t depth = 0;
     int waited = 0;  // frames, without a player
@@ -119,9 +119,9 @@ class Runner {
   const RunOptions& options_;
   base::Files files_;  // writes only below $OUT, without the faults that scripts inject into the host's
   Environment environment_;
-  std::vector<Place> places_;              // the innermost last
+  std::vector<BlockPosition> places_;      // the innermost last
   std::set<std::filesystem::path> snaps_;  // golden pictures compared so far
-  std::optional<Given> given_;
+  std::optional<ActiveLesson> given_;
   bool waits_ = false;
   int lessons_ = 0;                           // lessons started so far
   std::vector<std::filesystem::path> homes_;  // folders named by env

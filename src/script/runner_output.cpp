@@ -12,7 +12,7 @@ namespace coaster::script {
 namespace {
 
 // Returns a JSON object of the values of all queries. `error`: of the script, put before them; null if there is none.
-std::string state_json(const query::Context& context, const ScriptError* error) {
+std::string state_json(const query::QueryContext& context, const ScriptError* error) {
   exchange::JsonMembers all = query::all_values(context);
   if (error != nullptr) all.emplace(all.begin(), "error", exchange::JsonList{to_json(*error)});
   return exchange::json_members(all);
@@ -37,7 +37,7 @@ std::string widgets_text(std::span<const query::Widget> widgets) {
 
 std::string Runner::write_evidence(const ScriptError& error) {
   Host& host = frames_.host();
-  const query::Context context = host.context();
+  const query::QueryContext context = host.context();
   const std::filesystem::path& out = options_.out.folder();
   const Status picture = host.screenshot(out / "frame.png");
   Status texts = files_.write_atomic(out / "widgets.txt", widgets_text(host.widgets()));
@@ -90,7 +90,7 @@ Status Runner::perform(const Dump& dump) {
   const auto stem = find_output("$OUT/" + dump.name, files_.root());
   if (!stem) return stem.status();
   const auto with = [&](const char* ending) { return std::filesystem::path(stem->string() + ending); };
-  const query::Context context = frames_.host().context();
+  const query::QueryContext context = frames_.host().context();
   if (const Status s = frames_.host().screenshot(with(".frame.png")); !s) return s;
   if (const Status s = files_.write_atomic(with(".widgets.txt"), widgets_text(frames_.host().widgets())); !s) return s;
   if (const Status s = files_.write_atomic(with(".state.json"), state_json(context, nullptr)); !s) return s;

@@ -28,7 +28,7 @@ float inverse_of(double x) {
 
 }  // namespace
 
-Beam::Beam(const View& view, dvec2 pixel) {
+PixelBeam::PixelBeam(const View& view, dvec2 pixel) {
   const glm::mat4 &p = view.projection, &m = view.view;
   // Returns row `row` of projection times view.
   const auto clip = [&](int row) {
@@ -58,7 +58,7 @@ Beam::Beam(const View& view, dvec2 pixel) {
 
 // The cylinder about the line of sight is within a cone from a far point of that line, whose radius is exact where the
 // view begins and at most twice as large where it ends.
-void Beam::set_parallel(const View& view) {
+void PixelBeam::set_parallel(const View& view) {
   constexpr double kSameDepth = 1e-3;  // of the distance of the subject
   const dvec3 u(u_), v(v_), forward(line_of_sight(view));
   const double pixels = glm::length(u), depth = 1 / glm::length(dvec3(z_));  // a metre in px; m from the eye to a plane
@@ -79,7 +79,7 @@ void Beam::set_parallel(const View& view) {
   has_eye_ = true;
 }
 
-void Beam::set_coarse() {
+void PixelBeam::set_coarse() {
   const dvec3 u(u_), v(v_), w(w_), across = glm::cross(u, v);
   const double inverse = 1 / glm::dot(across, w);
   const dvec3 eye = -inverse * (u_.w * glm::cross(v, w) + v_.w * glm::cross(w, u) + w_.w * across),

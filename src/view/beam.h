@@ -13,17 +13,17 @@ namespace coaster::view {
 // A point relative to a pixel, in homogeneous form: it appears (u/w, v/w) pixels from the pixel at depth w (1 in an
 // orthographic view), and lies between the near and the far plane if |z| <= w. All four are affine in the point, so the
 // values of a curve's control points are control values of the curve.
-struct Sighted {
+struct PixelRelative {
   double u = 0, v = 0, w = 0, z = 0;
 };
 inline constexpr double kNowhere = std::numeric_limits<double>::infinity();  // distance if nothing is hit
 inline constexpr double kLeastDepth = 1e-4;  // m: smaller depths count as behind the eye
-inline bool is_visible(const Sighted& s) { return s.w > kLeastDepth && s.z <= s.w && -s.z <= s.w; }
+inline bool is_visible(const PixelRelative& s) { return s.w > kLeastDepth && s.z <= s.w && -s.z <= s.w; }
 
-class Beam {
+class PixelBeam {
  public:
   // `view` must be a perspective or an orthographic view. Any other has no eye, and nothing is seen.
-  Beam(const View& view, glm::dvec2 pixel);
+  PixelBeam(const View& view, glm::dvec2 pixel);
   bool has_eye() const { return has_eye_; }
 
   // Metres by which depths of an orthographic view must differ for one to be in front; 0 for a perspective view.
@@ -33,7 +33,7 @@ class Beam {
     return same_depth_ > 0 ? glm::dot(glm::dvec3(coarse_.w), place) : w;
   }
 
-  Sighted operator()(glm::vec3 p) const {
+  PixelRelative operator()(glm::vec3 p) const {
     const auto row = [p](const glm::dvec4& r) { return r.x * p.x + r.y * p.y + r.z * p.z + r.w; };
     return {row(u_), row(v_), row(w_), row(z_)};
   }
@@ -64,7 +64,7 @@ class Beam {
 // others, roughly the closest first. A visit may lower the limit; segments that are only within the old limit may then
 // be skipped. Returns the number of tree nodes visited.
 template <class Limit, class Visit>
-std::size_t visit_near(const sim::SegmentTree& tree, const Beam& beam, Limit limit, Visit visit);
+std::size_t visit_near(const sim::SegmentTree& tree, const PixelBeam& beam, Limit limit, Visit visit);
 
 }  // namespace coaster::view
 

@@ -50,7 +50,7 @@ struct BoxSweep {
   int deep_side[3];
 
   // `slope`: growth of the beam's radius in metres per metre of depth.
-  BoxSweep(const Beam::Coarse& beam, float slope) {
+  BoxSweep(const PixelBeam::Coarse& beam, float slope) {
     for (int a = 0; a < 3; ++a) {
       inverse[a] = all(beam.inverse[a]), size[a] = all(std::abs(beam.inverse[a]));
       at_eye[a] = all(beam.eye[a] * beam.inverse[a]), depth[a] = all(beam.w[a] * slope);
@@ -77,8 +77,8 @@ struct BoxSweep {
 
 // The same for the segments of a block, by their chords as seen from the eye and their radii about these. `closeness`:
 // for each lane, a value about proportional to the square of the distance on screen.
-[[gnu::always_inline]] inline unsigned chords_met(const sim::SegmentBlock& block, const Beam::Coarse& beam, float slope,
-                                                  sim::FourFloats& closeness) {
+[[gnu::always_inline]] inline unsigned chords_met(const sim::SegmentBlock& block, const PixelBeam::Coarse& beam,
+                                                  float slope, sim::FourFloats& closeness) {
   Float4 from_u = all(0), from_v = all(0), from_w = all(0), to_u = all(0), to_v = all(0), to_w = all(0);
   each_axis([&](int a) {
     const Float4 from = load(block.from[a]) - all(beam.eye[a]), to = load(block.to[a]) - all(beam.eye[a]);
@@ -122,9 +122,9 @@ class Waiting {
 };
 
 template <class Limit, class Visit>
-std::size_t visit_near(const sim::SegmentTree& tree, const Beam& beam, Limit limit, Visit visit) {
+std::size_t visit_near(const sim::SegmentTree& tree, const PixelBeam& beam, Limit limit, Visit visit) {
   if (tree.nodes.empty() || !beam.has_eye()) return 0;
-  const Beam::Coarse& coarse = beam.coarse();
+  const PixelBeam::Coarse& coarse = beam.coarse();
   // Metres of the reach at depth 1, including float rounding of short sums.
   const auto slope_of = [&] {
     return static_cast<float>(std::min(limit() / coarse.least_pixels, 1e6) * 1.000001 + 4e-6);

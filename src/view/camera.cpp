@@ -266,7 +266,7 @@ world::Camera frame_entity(const world::Camera& from, const world::Document& doc
     return frame_box(from, glm::min(glm::min(in, out), p) - glm::vec3(1), glm::max(glm::max(in, out), p) + glm::vec3(1),
                      viewport);
   }
-  if (const world::Cart* const cart = document.entities.find<world::Cart>(entity)) entity = cart->segment;
+  if (const world::Train* const cart = document.entities.find<world::Train>(entity)) entity = cart->segment;
   if (document.entities.find<world::Section>(entity)) {
     const world::SectionRun run = world::run_of(document, entity);
     curve::Box box = curve::control_box(world::cubic_of(document, document.track.segments[run.first]));

@@ -10,7 +10,7 @@
 #include "world/settings.h"
 
 namespace coaster::sim {
-struct Derived;
+struct DerivedTrack;
 struct Pose;
 }  // namespace coaster::sim
 

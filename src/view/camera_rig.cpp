@@ -32,18 +32,18 @@ constexpr double kClear = 2.4;       // m from the track that the eye keeps if p
 constexpr double kSightClear = 1.3;  // m from the track that the first half of the line of sight keeps
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-double elevation_of(const Ridden& ridden) {
+double elevation_of(const RiddenTrain& ridden) {
   const double slope = std::asin(std::clamp(ridden.middle.frame.forward.y, -1.0, 1.0));
   return std::clamp(kElevation - kBySlope * slope, kLowest, kHighest);
 }
 
-double beside_of(const Ridden& ridden) {
+double beside_of(const RiddenTrain& ridden) {
   return kBeside + kBesideOver * 0.5 * std::clamp(1 - ridden.middle.frame.up.y - 0.6, 0.0, 1.4);
 }
 
-dvec3 looked_at(const Ridden& ridden) { return ridden.middle.position + dvec3(0, kLookOver, 0); }
+dvec3 looked_at(const RiddenTrain& ridden) { return ridden.middle.position + dvec3(0, kLookOver, 0); }
 
-dvec3 place(const CameraRig& rig, const Watched& w, const Ridden& ridden) {
+dvec3 place(const CameraRig& rig, const Watched& w, const RiddenTrain& ridden) {
   const dvec3 ahead = rig.heading.direction(), left = glm::cross(dvec3(0, 1, 0), ahead);
   const double distance = w.settings.feel->chase_distance + kPerTrain * ridden.length, e = rig.elevation.value,
                b = rig.beside.value;
@@ -55,7 +55,7 @@ dvec3 place(const CameraRig& rig, const Watched& w, const Ridden& ridden) {
 
 // Returns `from` moved away from the track by the distance missing to `clear`.
 dvec3 step_aside(const Watched& w, const dvec3& from, double clear) {
-  const NearTrack near = nearest_track(w.derived, from, clear);
+  const NearestTrack near = nearest_track(w.derived, from, clear);
   if (!(near.distance < clear)) return dvec3(0);
   return (clear - near.distance) * (near.distance > 1e-3 ? (from - near.point) / near.distance : dvec3(0, 1, 0));
 }
@@ -92,8 +92,8 @@ constexpr double kRumble = 0.003;                                  // m at 20 m/
 double wrapped(double angle) { return std::remainder(angle, 2 * base::kPi); }
 
 // Returns the head's offset: against g, plus a small shake. The distance travelled is the only clock.
-dvec3 bob_of(const Watched& w, const Ridden& ridden) {
-  const sim::Felt g = sim::felt(w.document, w.derived, ridden.cart, ridden.motion);
+dvec3 bob_of(const Watched& w, const RiddenTrain& ridden) {
+  const sim::FeltAcceleration g = sim::felt(w.document, w.derived, ridden.cart, ridden.motion);
   const double shake = kRumble * std::min(std::abs(ridden.motion.speed) / 20, 1.5), d = ridden.motion.travelled;
   const auto part = [](double metres) { return std::isfinite(metres) ? std::clamp(metres, -kMostBob, kMostBob) : 0.0; };
   return {0, part(kBobUp * (1 - g.up)) + shake * std::sin(2 * base::kPi * d / 3.1),
@@ -119,14 +119,14 @@ void roll_after(CameraRig& rig, const curve::Frame& frame, double lag, double dt
   rig.roll_lag = -roll.value, rig.roll_rate = roll.rate;
 }
 
-void settle_ride(CameraRig& rig, const Watched& w, const Ridden& ridden) {
+void settle_ride(CameraRig& rig, const Watched& w, const RiddenTrain& ridden) {
   rig.forward = ridden.front.frame.forward, rig.up = ridden.front.frame.up;
   rig.roll_lag = rig.roll_rate = 0;
   rig.widening.settle(w.settings.feel->widening_deg * std::min(1.5, std::abs(ridden.motion.speed) / kWideSpeed));
   rig.bob.settle(w.settings.feel->head_bob ? bob_of(w, ridden) : dvec3(0));
 }
 
-Eye ride(CameraRig& rig, const Watched& w, const Ridden& ridden, double dt) {
+Eye ride(CameraRig& rig, const Watched& w, const RiddenTrain& ridden, double dt) {
   const world::CameraFeel& feel = *w.settings.feel;
   const curve::Frame& frame = ridden.front.frame;
   roll_after(rig, frame, feel.roll_damping, dt);
@@ -154,18 +154,18 @@ using world::CameraMode;
 
 bool goes_along(CameraMode mode) { return mode == CameraMode::ride || mode == CameraMode::chase; }
 
-const world::CartMotion* ridden_cart(const Watched& w, world::Entity& cart) {
+const world::TrainMotion* ridden_cart(const Watched& w, world::Entity& cart) {
   if (w.derived.order.empty()) return nullptr;
   cart = world::first_cart(w.document);
-  const world::CartMotion* const motion = w.motion.carts.find(cart);
+  const world::TrainMotion* const motion = w.motion.carts.find(cart);
   return motion && w.derived.segments.contains(motion->segment) ? motion : nullptr;
 }
 
-Ridden ridden_of(const Watched& w, world::Entity cart, const world::CartMotion& motion) {
+RiddenTrain ridden_of(const Watched& w, world::Entity cart, const world::TrainMotion& motion) {
   const std::size_t index = sim::index_of_segment(w.derived, motion.segment, motion.track_distance);
   const sim::TrackPlace front{index < w.derived.order.size() ? index : 0, motion.s};
-  const world::Cart* const design = w.document.entities.find<world::Cart>(cart);
-  Ridden out{cart, motion, {}, {}, 0};
+  const world::Train* const design = w.document.entities.find<world::Train>(cart);
+  RiddenTrain out{cart, motion, {}, {}, 0};
   if (design) out.length = (sim::cars_on(w.derived, *design) - 1) * static_cast<double>(design->spacing);
   out.front = sim::pose(w.derived, front, w.settings.frames);
   // Banked by the knots for every frame method, because this eye is not in a seat.
@@ -182,7 +182,7 @@ bool usable(const Eye& eye) {
 }
 
 // True if the train is not where its motion took it: it was reset, placed, or moved by an edit.
-bool leapt(const CameraRig& rig, const Ridden& ridden, int ticks) {
+bool leapt(const CameraRig& rig, const RiddenTrain& ridden, int ticks) {
   constexpr double kSlack = 1.0;  // m, more than one edit of a drag moves it
   return glm::distance(rig.anchor, ridden.front.position) >
          kSlack + 1.5 * std::abs(ridden.motion.speed) * ticks * world::kTick;
@@ -190,8 +190,8 @@ bool leapt(const CameraRig& rig, const Ridden& ridden, int ticks) {
 
 Eye with_train(CameraRig& rig, const Watched& w, int ticks, bool switched) {
   world::Entity cart;
-  const world::CartMotion* const motion = ridden_cart(w, cart);
-  const Ridden ridden = ridden_of(w, cart, *motion);
+  const world::TrainMotion* const motion = ridden_cart(w, cart);
+  const RiddenTrain ridden = ridden_of(w, cart, *motion);
   const bool afresh = !rig.with_train || leapt(rig, ridden, ticks);
   if (afresh) rig.heading.settle(ridden.middle.frame);
   if (afresh || switched) {
@@ -238,8 +238,8 @@ Eye eased(const CameraRig& rig, const Eye& to) {
 
 }  // namespace
 
-NearTrack nearest_track(const sim::Derived& derived, dvec3 from, double reach) {
-  NearTrack best{kInfinity, from};
+NearestTrack nearest_track(const sim::DerivedTrack& derived, dvec3 from, double reach) {
+  NearestTrack best{kInfinity, from};
   double best_squared = reach * reach;
   for (const world::Entity e : derived.order) {
     const sim::SegmentShape& shape = derived.shape(e);
@@ -262,13 +262,13 @@ NearTrack nearest_track(const sim::Derived& derived, dvec3 from, double reach) {
   return best;
 }
 
-void settle_chase(CameraRig& rig, const Watched& w, const Ridden& ridden) {
+void settle_chase(CameraRig& rig, const Watched& w, const RiddenTrain& ridden) {
   rig.elevation.settle(elevation_of(ridden));
   rig.beside.settle(beside_of(ridden));
   rig.aside.settle(way_out(w, place(rig, w, ridden), dvec3(0), looked_at(ridden)));
 }
 
-Eye chase(CameraRig& rig, const Watched& w, const Ridden& ridden, double dt) {
+Eye chase(CameraRig& rig, const Watched& w, const RiddenTrain& ridden, double dt) {
   rig.heading.follow(ridden.middle.frame, kChaseHeadingLag, dt);
   rig.elevation.approach(elevation_of(ridden), kElevationLag, dt);
   rig.beside.approach(beside_of(ridden), kElevationLag, dt);

@@ -35,7 +35,7 @@ struct Damped {
 // The state that a camera follows.
 struct Watched {
   const world::Document& document;
-  const sim::Derived& derived;
+  const sim::DerivedTrack& derived;
   const world::Motion& motion;
   const world::Settings& settings;
   bool eased = true;  // a change of camera takes kTransitionTicks
@@ -84,21 +84,21 @@ void follow(CameraRig& rig, const Watched& watched, int ticks);
 bool steps(const CameraRig& rig);
 
 // State for the two cameras that follow a train; private to them and to follow(), as is the chase camera.
-struct Ridden {
+struct RiddenTrain {
   world::Entity cart;
-  const world::CartMotion& motion;
+  const world::TrainMotion& motion;
   sim::Pose front, middle;  // of the first car and of the train's middle
   double length = 0;        // m from the first car to the last
 };
-void settle_chase(CameraRig& rig, const Watched& watched, const Ridden& ridden);
-Eye chase(CameraRig& rig, const Watched& watched, const Ridden& ridden, double dt);
+void settle_chase(CameraRig& rig, const Watched& watched, const RiddenTrain& ridden);
+Eye chase(CameraRig& rig, const Watched& watched, const RiddenTrain& ridden, double dt);
 
 // The track nearest to a point within `reach` metres: its distance and position, exact to 1 cm. Costs about 10 ns per
 // distant segment.
-struct NearTrack {
+struct NearestTrack {
   double distance;  // m; infinity if there is none
   glm::dvec3 point;
 };
-NearTrack nearest_track(const sim::Derived& derived, glm::dvec3 from, double reach);
+NearestTrack nearest_track(const sim::DerivedTrack& derived, glm::dvec3 from, double reach);
 
 }  // namespace coaster::view

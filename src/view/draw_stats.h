@@ -28,31 +28,31 @@ struct DrawStats {
   int deviation_pending = 0;  // segments whose deviation will be measured in the next frames
 };
 
-struct DrawNumber {
+struct DrawStatRow {
   std::string_view query, unit, text;
   std::variant<int DrawStats::*, std::int64_t DrawStats::*, double DrawStats::*> member;
 };
 inline constexpr std::array kDrawNumbers{
-    DrawNumber{"deviation_pending", "", "Segments whose deviation on the GPU is not yet measured.",
-               &DrawStats::deviation_pending},
-    DrawNumber{"upload_bytes", "B", "Bytes written to the track's vertex buffers in the last frame.",
-               &DrawStats::upload_bytes},
-    DrawNumber{"polyline_upload_bytes", "B",
-               "The same for polylines only: vertices, or control points for GPU evaluators.",
-               &DrawStats::polyline_upload_bytes},
-    DrawNumber{"polyline_bytes", "B", "GPU memory of all polylines.", &DrawStats::polyline_bytes},
-    DrawNumber{"gpu_ms", "ms", "GPU time of the polylines, a few frames ago; none if not measured.",
-               &DrawStats::gpu_ms},
-    DrawNumber{"uploads", "", "Segments whose vertex buffers were uploaded in the last frame.", &DrawStats::uploads},
-    DrawNumber{"recolours", "", "Segments whose colour values were uploaded in the last frame; not part of uploads.",
-               &DrawStats::recolours},
-    DrawNumber{"supports.uploads", "", "Segments whose supports were uploaded in the last frame; not part of uploads.",
-               &DrawStats::support_uploads},
-    DrawNumber{"draw_calls", "", "Draw calls of the scene in the last frame.", &DrawStats::draw_calls},
-    DrawNumber{"triangles", "", "Triangles of these draw calls.", &DrawStats::triangles},
-    DrawNumber{"shadow_maps", "", "Shadow maps drawn in the last frame; 0 if neither track, trains nor light changed.",
-               &DrawStats::shadow_maps},
-    DrawNumber{"samples", "", "Samples per pixel (multisampling).", &DrawStats::samples},
+    DrawStatRow{"deviation_pending", "", "Segments whose deviation on the GPU is not yet measured.",
+                &DrawStats::deviation_pending},
+    DrawStatRow{"upload_bytes", "B", "Bytes written to the track's vertex buffers in the last frame.",
+                &DrawStats::upload_bytes},
+    DrawStatRow{"polyline_upload_bytes", "B",
+                "The same for polylines only: vertices, or control points for GPU evaluators.",
+                &DrawStats::polyline_upload_bytes},
+    DrawStatRow{"polyline_bytes", "B", "GPU memory of all polylines.", &DrawStats::polyline_bytes},
+    DrawStatRow{"gpu_ms", "ms", "GPU time of the polylines, a few frames ago; none if not measured.",
+                &DrawStats::gpu_ms},
+    DrawStatRow{"uploads", "", "Segments whose vertex buffers were uploaded in the last frame.", &DrawStats::uploads},
+    DrawStatRow{"recolours", "", "Segments whose colour values were uploaded in the last frame; not part of uploads.",
+                &DrawStats::recolours},
+    DrawStatRow{"supports.uploads", "", "Segments whose supports were uploaded in the last frame; not part of uploads.",
+                &DrawStats::support_uploads},
+    DrawStatRow{"draw_calls", "", "Draw calls of the scene in the last frame.", &DrawStats::draw_calls},
+    DrawStatRow{"triangles", "", "Triangles of these draw calls.", &DrawStats::triangles},
+    DrawStatRow{"shadow_maps", "", "Shadow maps drawn in the last frame; 0 if neither track, trains nor light changed.",
+                &DrawStats::shadow_maps},
+    DrawStatRow{"samples", "", "Samples per pixel (multisampling).", &DrawStats::samples},
 };
 
 }  // namespace coaster::view

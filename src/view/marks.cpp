@@ -59,7 +59,7 @@ class TopMarks {
 class MarkSearch {
  public:
   MarkSearch(const world::Document& document, const world::Settings& settings, const View& view,
-             const Selected& selected, const MarkChoice& choice)
+             const SelectionLookup& selected, const MarkChoice& choice)
       : document_(document),
         settings_(settings),
         view_(view),
@@ -93,7 +93,7 @@ class MarkSearch {
   }
 
   // Adds the nearest of all others.
-  void add_nearest(const sim::Derived& derived, MarksOnScreen& found) const {
+  void add_nearest(const sim::DerivedTrack& derived, MarksOnScreen& found) const {
     TopMarks top(choice_.most, found.marks);
     const auto offer = [&](std::size_t i, glm::vec3 position) {
       const world::Entity e = knots_[i];
@@ -126,7 +126,7 @@ class MarkSearch {
   const world::Document& document_;
   const world::Settings& settings_;
   const View& view_;
-  const Selected& selected_;
+  const SelectionLookup& selected_;
   const MarkChoice& choice_;
   Projector projector_;
   const std::vector<world::Entity>& knots_;
@@ -181,15 +181,15 @@ std::optional<PlacedMark> placed_mark(const Projector& projector, const View& vi
   return PlacedMark{kind, knot, position, *pixel, distance_of(view, glm::dvec3(position) - glm::dvec3(view.eye)), 0};
 }
 
-Selected::Selected(const world::Settings& settings) : active_(settings.selected) {
+SelectionLookup::SelectionLookup(const world::Settings& settings) : active_(settings.selected) {
   for (const world::Entity e : settings.also) {
     if (e.index >= also_.size()) also_.resize(e.index + 1, world::kNone);
     also_[e.index] = e;
   }
 }
 
-MarksOnScreen marks_on_screen(const world::Document& document, const sim::Derived& derived,
-                              const world::Settings& settings, const View& view, const Selected& selected,
+MarksOnScreen marks_on_screen(const world::Document& document, const sim::DerivedTrack& derived,
+                              const world::Settings& settings, const View& view, const SelectionLookup& selected,
                               const MarkChoice& choice) {
   const MarkSearch search(document, settings, view, selected, choice);
   MarksOnScreen found;

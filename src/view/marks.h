@@ -36,9 +36,9 @@ std::optional<PlacedMark> placed_mark(const Projector& projector, const View& vi
                                       glm::vec3 position);
 
 // The selection as a table, for fast lookup.
-class Selected {
+class SelectionLookup {
  public:
-  explicit Selected(const world::Settings& settings);
+  explicit SelectionLookup(const world::Settings& settings);
   bool operator()(world::Entity e) const { return e == active_ || (e.index < also_.size() && also_[e.index] == e); }
   bool several() const { return !also_.empty(); }
 
@@ -62,8 +62,8 @@ struct MarksOnScreen {
 
 // Returns the marks of knots and of the selection's handles, in no particular order. Finds the knots by the segment
 // tree from near to far, if `derived` is of this document.
-MarksOnScreen marks_on_screen(const world::Document& document, const sim::Derived& derived,
-                              const world::Settings& settings, const View& view, const Selected& selected,
+MarksOnScreen marks_on_screen(const world::Document& document, const sim::DerivedTrack& derived,
+                              const world::Settings& settings, const View& view, const SelectionLookup& selected,
                               const MarkChoice& choice);
 
 // True if `a` is drawn over `b`: handles over knots, then the nearer one, then the earlier in the track.

@@ -61,7 +61,7 @@ class Sampler {
 // The preview under construction.
 struct Sketch {
   const sim::ElementPlan& plan;
-  std::span<const sim::Narrow> narrow;
+  std::span<const sim::LineConflict> narrow;
   double rails;  // m above the curve
   Overlay& overlay;
   float scale;
@@ -79,8 +79,9 @@ struct Sketch {
     line(from, to, width_px, rgba);
   }
   std::uint32_t colour_at(const ElementPoint& p) const {
-    const bool lacks_room = std::any_of(narrow.begin(), narrow.end(),
-                                        [&](const sim::Narrow& part) { return part.from <= p.s && p.s <= part.to; });
+    const bool lacks_room = std::any_of(narrow.begin(), narrow.end(), [&](const sim::LineConflict& part) {
+      return part.from <= p.s && p.s <= part.to;
+    });
     return middle(p).y < 0   ? kBuriedColour
            : lacks_room      ? kNarrowColour
            : p.s < plan.lead ? kLeadColour
@@ -135,7 +136,7 @@ struct LineLook {
 };
 constexpr LineLook kSelectedLine{5, 0xff8a1fcc}, kHoveredLine{2, 0xffffffb0};
 
-void add_run(const sim::Derived& derived, const world::SectionRun& run, std::size_t most, const LineLook& look,
+void add_run(const sim::DerivedTrack& derived, const world::SectionRun& run, std::size_t most, const LineLook& look,
              float scale, Overlay& overlay) {
   constexpr std::size_t kMostSteps = 16;  // per segment
   const auto steps = static_cast<int>(std::clamp<std::size_t>(most / run.count, 1, kMostSteps));
@@ -187,16 +188,16 @@ void add_polygons(const world::Document& document, const world::Settings& settin
 }
 
 // Returns the marks to draw, far to near.
-std::vector<PlacedMark> shown_marks(const world::Document& document, const sim::Derived& derived,
+std::vector<PlacedMark> shown_marks(const world::Document& document, const sim::DerivedTrack& derived,
                                     const world::Settings& settings, const View& view, const Pick& hovered,
-                                    const Selected& selected, bool riding) {
+                                    const SelectionLookup& selected, bool riding) {
   const MarkChoice choice{!riding && shows_knots(settings), !riding, hovered};
   std::vector<PlacedMark> marks = marks_on_screen(document, derived, settings, view, selected, choice).marks;
   std::sort(marks.begin(), marks.end(), [](const PlacedMark& a, const PlacedMark& b) { return covers(b, a); });
   return marks;
 }
 
-Mark mark_of(const PlacedMark& placed, const world::Settings& settings, float scale, const Selected& selected,
+Mark mark_of(const PlacedMark& placed, const world::Settings& settings, float scale, const SelectionLookup& selected,
              const Pick& hovered) {
   const bool under_cursor = hovered == Pick{placed.kind, placed.knot};
   const float growth = (under_cursor ? kHoveredGrowth : 1.0f) * scale;
@@ -212,7 +213,7 @@ Mark mark_of(const PlacedMark& placed, const world::Settings& settings, float sc
 }
 
 // Adds a red disc with a cross above the rails.
-void add_failure(const sim::Derived& derived, const world::Failure& failure, const View& view, float scale,
+void add_failure(const sim::DerivedTrack& derived, const world::Failure& failure, const View& view, float scale,
                  Overlay& overlay) {
   if (failure.kind == world::FailureKind::none || derived.order.empty()) return;
   std::array<glm::dvec2, 14> cross;
@@ -224,8 +225,8 @@ void add_failure(const sim::Derived& derived, const world::Failure& failure, con
 
 }  // namespace
 
-void add_element(const sim::ElementPlan& plan, std::span<const sim::Narrow> narrow, double rails, const View& view,
-                 float scale, Overlay& overlay) {
+void add_element(const sim::ElementPlan& plan, std::span<const sim::LineConflict> narrow, double rails,
+                 const View& view, float scale, Overlay& overlay) {
   if (!plan.refusal.empty() || plan.ideal.points.size() < 2) return;
   const Sketch sketch{plan, narrow, rails, overlay, scale};
   add_rails(sketch);
@@ -241,7 +242,7 @@ void add_element(const sim::ElementPlan& plan, std::span<const sim::Narrow> narr
   }
 }
 
-void add_sections(const world::Document& document, const sim::Derived& derived, const world::Settings& settings,
+void add_sections(const world::Document& document, const sim::DerivedTrack& derived, const world::Settings& settings,
                   const View& view, const Pick& hovered, Overlay& overlay) {
   const float scale = mark_scale(settings, view);
   if (const Entity section = hovered_section(document, settings, hovered); section.valid())
@@ -255,8 +256,9 @@ void add_sections(const world::Document& document, const sim::Derived& derived, 
       add_run(derived, run, kMaxSectionLines / selected.size(), kSelectedLine, scale, overlay);
 }
 
-Overlay build_overlay(const world::Document& document, const sim::Derived& derived, const world::Settings& settings,
-                      const View& view, const Pick& hovered, const Findings& findings) {
+Overlay build_overlay(const world::Document& document, const sim::DerivedTrack& derived,
+                      const world::Settings& settings, const View& view, const Pick& hovered,
+                      const Findings& findings) {
   Overlay overlay;
   add_laboratory(document, derived, settings, view, findings, overlay);
   const float scale = mark_scale(settings, view);
@@ -272,7 +274,7 @@ Overlay build_overlay(const world::Document& document, const sim::Derived& deriv
     add_gizmo(*gizmo, view, scale, hovered.kind, overlay);
   if (const auto ring = spin_ring_of(document, settings, view); ring && !findings.riding)
     add_spin_ring(*ring, scale, overlay);
-  const Selected selected(settings);
+  const SelectionLookup selected(settings);
   for (const PlacedMark& placed : shown_marks(document, derived, settings, view, hovered, selected, findings.riding))
     overlay.marks.push_back(mark_of(placed, settings, scale, selected, hovered));
   if (section_handles_show(settings) && !findings.riding) {

@@ -46,13 +46,13 @@ struct Overlay {
 // Findings about the track and its ride that are marked on it.
 struct Findings {
   std::span<const sim::FrenetBreak> breaks;   // read for Layer::flips
-  std::span<const sim::RedSpan> spans;        // read for Layer::limits
+  std::span<const sim::Overload> spans;       // read for Layer::limits
   std::span<const sim::Jolt> jolts;           // of the track's knots; read for Layer::limits
   std::span<const sim::Conflict> conflicts;   // read for Layer::conflicts
   std::span<const sim::Fold> folds;           // read for Layer::conflicts
   world::Failure failure;                     // of the ride; kind none: no failure
   const sim::ElementPlan* element = nullptr;  // the palette's element at its preview position; null: not shown
-  std::span<const sim::Narrow> narrow;        // parts of it without clearance
+  std::span<const sim::LineConflict> narrow;  // parts of it without clearance
   bool riding = false;  // the eye follows a running train: hide knots that are neither selected nor hovered
   std::span<const sim::Fold> tight_bends;  // read for Layer::conflicts
 };
@@ -60,8 +60,9 @@ struct Findings {
 // Returns knots, handles of the selection, the control polygon of the selected segment (or of the segments at the
 // selected knot), the picked position and the ride's failure. The hovered mark is larger and brighter. The visible
 // laboratory layers are below them.
-Overlay build_overlay(const world::Document& document, const sim::Derived& derived, const world::Settings& settings,
-                      const View& view, const Pick& hovered, const Findings& findings = {});
+Overlay build_overlay(const world::Document& document, const sim::DerivedTrack& derived,
+                      const world::Settings& settings, const View& view, const Pick& hovered,
+                      const Findings& findings = {});
 
 // 0xRRGGBBAA: the element, its lead-in, and its parts below the ground or without clearance (as conflicts).
 inline constexpr std::uint32_t kElementColour = 0x66d9e8ff, kLeadColour = 0xffc078ff, kBuriedColour = 0xff6b6bff,
@@ -70,14 +71,14 @@ inline constexpr int kMaxElementSteps = 900;  // per rail, for any length
 
 // Adds the preview; nothing for an element that cannot be placed. `rails`: as world::rails_height(). At most 9 lines
 // per step.
-void add_element(const sim::ElementPlan& plan, std::span<const sim::Narrow> narrow, double rails, const View& view,
-                 float scale, Overlay& overlay);
+void add_element(const sim::ElementPlan& plan, std::span<const sim::LineConflict> narrow, double rails,
+                 const View& view, float scale, Overlay& overlay);
 
 inline constexpr std::size_t kMaxSectionLines = 2000;  // for each, unless its number of segments is larger
 
 // Adds the lines; nothing if no section is selected. The section under the mouse shows in the workspace Build, if it is
 // planned.
-void add_sections(const world::Document& document, const sim::Derived& derived, const world::Settings& settings,
+void add_sections(const world::Document& document, const sim::DerivedTrack& derived, const world::Settings& settings,
                   const View& view, const Pick& hovered, Overlay& overlay);
 
 // True in Build, where a press selects sections and their handles show.

@@ -62,7 +62,7 @@ std::optional<double> angle_on_ring(const Ray& ray, glm::dvec3 centre, glm::dvec
 std::vector<world::Entity> selected_segments(const world::Document& document, world::Entity selected);
 
 // Returns the point `height` metres above the rails at a distance along the track.
-glm::dvec3 over_rails(const sim::Derived& derived, double distance, double height);
+glm::dvec3 over_rails(const sim::DerivedTrack& derived, double distance, double height);
 
 // Adds an arrow from `from` along the unit `direction`, `length` metres long. Its head, two barbs that face the eye, is
 // omitted if the arrow points along the view.
@@ -102,29 +102,29 @@ void add_circle(const sim::SegmentShape& shape, double t, float scale, Overlay& 
 
 // Adds teeth from the curve along -kappa N, kappa * comb_scale long (at most kMaxTooth), joined at their ends within
 // each segment. The envelope breaks at a joint that is not G2.
-void add_comb(const sim::Derived& derived, const world::Settings& settings, const View& view, Overlay& overlay);
+void add_comb(const sim::DerivedTrack& derived, const world::Settings& settings, const View& view, Overlay& overlay);
 
 // Adds tangent, normal (the method's up) and binormal (T x N) of the chosen frame method, as arrows of one length on
 // screen, at multiples of a power of two metres along the track. Where the method is undefined, its substitute is drawn
 // faintly.
-void add_frames(const sim::Derived& derived, const world::Settings& settings, const View& view, Overlay& overlay);
+void add_frames(const sim::DerivedTrack& derived, const world::Settings& settings, const View& view, Overlay& overlay);
 
 // Adds the polyline of the selected segment, of the segments at a selected knot, or else of the first segments within
 // the limit, each vertex moved by (vertex - exact) * magnification. The last step, from the evaluator's accumulated
 // error to the pinned end, is the seam: red.
-void add_rounding(const world::Document& document, const sim::Derived& derived, const world::Settings& settings,
+void add_rounding(const world::Document& document, const sim::DerivedTrack& derived, const world::Settings& settings,
                   const View& view, Overlay& overlay);
 
 // Adds a cross and the normals on both sides of a flip, and a broad line where the curvature is 0.
-void add_breaks(const sim::Derived& derived, std::span<const sim::FrenetBreak> breaks, const View& view, float scale,
-                Overlay& overlay);
+void add_breaks(const sim::DerivedTrack& derived, std::span<const sim::FrenetBreak> breaks, const View& view,
+                float scale, Overlay& overlay);
 
 // Adds overloads: a broad line over the rails, each span at the car that feels it.
-void add_spans(const sim::Derived& derived, std::span<const sim::RedSpan> spans, float scale, Overlay& overlay);
+void add_spans(const sim::DerivedTrack& derived, std::span<const sim::Overload> spans, float scale, Overlay& overlay);
 
 // Adds the visible layers, the most extensive ones first, over dark rims. Each layer reads `findings` only while it is
 // visible.
-void add_laboratory(const world::Document& document, const sim::Derived& derived, const world::Settings& settings,
+void add_laboratory(const world::Document& document, const sim::DerivedTrack& derived, const world::Settings& settings,
                     const View& view, const Findings& findings, Overlay& overlay);
 
 }  // namespace coaster::view

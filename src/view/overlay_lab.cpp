@@ -49,7 +49,7 @@ std::vector<world::Entity> selected_segments(const world::Document& document, wo
   return out;
 }
 
-glm::dvec3 over_rails(const sim::Derived& derived, double distance, double height) {
+glm::dvec3 over_rails(const sim::DerivedTrack& derived, double distance, double height) {
   const sim::TrackPlace place = sim::place_at(derived, distance);
   const sim::SegmentShape& shape = derived.shape(derived.order[place.index]);
   return sim::rails_at(shape, place.s) + height * sim::frame_at(shape, place.s).up;
@@ -90,7 +90,7 @@ struct SeenSegment {
   double px_per_metre = 0;  // at its nearest point
   double length_px = 0;
 };
-std::vector<SeenSegment> seen_segments(const sim::Derived& derived, const View& view) {
+std::vector<SeenSegment> seen_segments(const sim::DerivedTrack& derived, const View& view) {
   constexpr float kNearest = 1;  // m: closer track gets no more detail
   const glm::vec3 right = right_of(view), up = top_of(view), forward = line_of_sight(view);
   const float fx = view.projection[0][0], fy = view.projection[1][1];
@@ -121,7 +121,7 @@ std::vector<SeenSegment> seen_segments(const sim::Derived& derived, const View& 
 }
 
 // Adds a broad line over the rails between two distances along the track, m, in `pieces`.
-void add_band(const sim::Derived& derived, double from, double to, int pieces, std::uint32_t rgba, float scale,
+void add_band(const sim::DerivedTrack& derived, double from, double to, int pieces, std::uint32_t rgba, float scale,
               Overlay& overlay) {
   constexpr double kOverRails = 0.35;  // m
   const auto at = [&](double distance) { return over_rails(derived, distance, kOverRails); };
@@ -165,7 +165,7 @@ std::span<const Found> first_of(std::span<const Found> found) {
 
 // Returns the number of teeth of a segment, both ends included. Segments smaller than `px` on screen share teeth: one
 // at the start of each segment that contains a multiple of the step.
-int teeth_of(const sim::Derived& derived, const SeenSegment& seen, double px) {
+int teeth_of(const sim::DerivedTrack& derived, const SeenSegment& seen, double px) {
   if (seen.length_px < px)
     return multiples(derived.starts[seen.index], derived.starts[seen.index + 1], step_of(seen, px)) > 0 ? 1 : 0;
   return std::clamp(static_cast<int>(seen.length_px / px), kFewestTeeth, kMostTeeth) + 1;
@@ -187,7 +187,7 @@ std::optional<glm::dvec3> tooth_at(const curve::Cubic& cubic, double t, double s
 constexpr double kMaxOffset = 1e4;  // m, limit of a magnified error
 
 // Returns the segments whose rounding is shown, with at most kMaxRoundingVertices together.
-std::vector<world::Entity> rounded_segments(const world::Document& document, const sim::Derived& derived,
+std::vector<world::Entity> rounded_segments(const world::Document& document, const sim::DerivedTrack& derived,
                                             const world::Settings& settings) {
   const std::vector<world::Entity> selected = selected_segments(document, settings.selected);
   if (!selected.empty()) return selected;
@@ -231,7 +231,7 @@ void append_rimmed(const Overlay& layer, float scale, Overlay& overlay) {
 }
 
 // Adds a sign with a peak above each joint whose jolt exceeds sim::kJoltLimit.
-void add_jolts(const sim::Derived& derived, std::span<const sim::Jolt> jolts, const View& view, float scale,
+void add_jolts(const sim::DerivedTrack& derived, std::span<const sim::Jolt> jolts, const View& view, float scale,
                Overlay& overlay) {
   constexpr std::array<glm::dvec2, 9> kPeak{
       {{-6, -3}, {-4, -3}, {-2.6, -1.2}, {-1.3, 1.4}, {0, 4}, {1.3, 1.4}, {2.6, -1.2}, {4, -3}, {6, -3}}};  // px
@@ -244,7 +244,7 @@ void add_jolts(const sim::Derived& derived, std::span<const sim::Jolt> jolts, co
 }
 
 // Adds folds of the rails, or tight bends: a broad line and a sign over each.
-void add_folds(const sim::Derived& derived, std::span<const sim::Fold> folds, const View& view, float scale,
+void add_folds(const sim::DerivedTrack& derived, std::span<const sim::Fold> folds, const View& view, float scale,
                Overlay& overlay) {
   const auto shown = first_of(folds);
   for (const sim::Fold& fold : shown) add_band(derived, fold.from, fold.to, kPieces, kConflictColour, scale, overlay);
@@ -252,8 +252,8 @@ void add_folds(const sim::Derived& derived, std::span<const sim::Fold> folds, co
 }
 
 // Adds conflicts: a broad line over both stretches, and a sign between their narrowest points.
-void add_conflicts(const sim::Derived& derived, std::span<const sim::Conflict> conflicts, const View& view, float scale,
-                   Overlay& overlay) {
+void add_conflicts(const sim::DerivedTrack& derived, std::span<const sim::Conflict> conflicts, const View& view,
+                   float scale, Overlay& overlay) {
   const auto shown = first_of(conflicts);
   for (const sim::Conflict& conflict : shown) {
     add_band(derived, conflict.from, conflict.to, kPieces, kConflictColour, scale, overlay);
@@ -266,7 +266,7 @@ void add_conflicts(const sim::Derived& derived, std::span<const sim::Conflict> c
 
 }  // namespace
 
-void add_comb(const sim::Derived& derived, const world::Settings& settings, const View& view, Overlay& overlay) {
+void add_comb(const sim::DerivedTrack& derived, const world::Settings& settings, const View& view, Overlay& overlay) {
   const float scale = mark_scale(settings, view);
   const std::vector<SeenSegment> seen = seen_segments(derived, view);
   const auto count = [&](const SeenSegment& one, double px) { return teeth_of(derived, one, px); };
@@ -296,7 +296,7 @@ void add_comb(const sim::Derived& derived, const world::Settings& settings, cons
   }
 }
 
-void add_frames(const sim::Derived& derived, const world::Settings& settings, const View& view, Overlay& overlay) {
+void add_frames(const sim::DerivedTrack& derived, const world::Settings& settings, const View& view, Overlay& overlay) {
   constexpr double kApartPx = 72, kArrowPx = 34;
   const float scale = mark_scale(settings, view);
   const double ui = static_cast<double>(scale);
@@ -325,11 +325,11 @@ void add_frames(const sim::Derived& derived, const world::Settings& settings, co
   }
 }
 
-void add_spans(const sim::Derived& derived, std::span<const sim::RedSpan> spans, float scale, Overlay& overlay) {
+void add_spans(const sim::DerivedTrack& derived, std::span<const sim::Overload> spans, float scale, Overlay& overlay) {
   constexpr double kPiece = 1.0;  // m
   if (derived.order.empty()) return;
   int left = kMaxSpanPieces;
-  for (const sim::RedSpan& span : spans) {
+  for (const sim::Overload& span : spans) {
     double length = span.to_distance - span.from_distance;
     if (length < 0 && derived.closed) length += derived.length;  // across the closing joint
     const int pieces = std::min(left, std::max(1, static_cast<int>(std::ceil(std::abs(length) / kPiece))));
@@ -339,8 +339,8 @@ void add_spans(const sim::Derived& derived, std::span<const sim::RedSpan> spans,
   }
 }
 
-void add_breaks(const sim::Derived& derived, std::span<const sim::FrenetBreak> breaks, const View& view, float scale,
-                Overlay& overlay) {
+void add_breaks(const sim::DerivedTrack& derived, std::span<const sim::FrenetBreak> breaks, const View& view,
+                float scale, Overlay& overlay) {
   constexpr int kLines = 12;
   constexpr double kCrossPx = 7, kNormalPx = 40, kBeside = 0.02;
   const PixelScale pixels(view);
@@ -372,7 +372,7 @@ void add_breaks(const sim::Derived& derived, std::span<const sim::FrenetBreak> b
 }
 
 void add_construction(const sim::SegmentShape& shape, double t, const View& view, float scale, Overlay& overlay) {
-  const curve::Construction c = curve::construction(shape.key.cubic, t);
+  const curve::DeCasteljauPoints c = curve::construction(shape.key.cubic, t);
   add_line(c.first[0], c.first[1], 2.25f * scale, kConstructionColour, overlay);
   add_line(c.first[1], c.first[2], 2.25f * scale, kConstructionColour, overlay);
   add_line(c.second[0], c.second[1], 2.75f * scale, kConstructionColour, overlay);
@@ -402,13 +402,13 @@ void add_circle(const sim::SegmentShape& shape, double t, float scale, Overlay& 
   add_disc(centre, 3.0f * scale, kCircleColour, overlay);
 }
 
-void add_rounding(const world::Document& document, const sim::Derived& derived, const world::Settings& settings,
+void add_rounding(const world::Document& document, const sim::DerivedTrack& derived, const world::Settings& settings,
                   const View& view, Overlay& overlay) {
   for (const world::Entity e : rounded_segments(document, derived, settings))
     add_rounding(derived.shape(e), settings, mark_scale(settings, view), overlay);
 }
 
-void add_laboratory(const world::Document& document, const sim::Derived& derived, const world::Settings& settings,
+void add_laboratory(const world::Document& document, const sim::DerivedTrack& derived, const world::Settings& settings,
                     const View& view, const Findings& findings, Overlay& overlay) {
   using world::Layer;
   const float scale = mark_scale(settings, view);

@@ -33,7 +33,7 @@ bool inside(const PlacedMark& mark, dvec2 pixel, double scale) {
 }
 
 // Returns the topmost of marks_on_screen() under a pixel. Finds knots by the segment tree, not one by one.
-std::optional<Pick> pick_mark(const world::Document& document, const sim::Derived& derived,
+std::optional<Pick> pick_mark(const world::Document& document, const sim::DerivedTrack& derived,
                               const world::Settings& settings, const View& view, glm::vec2 pixel) {
   const Projector projector(view);
   const std::vector<world::Entity>& knots = document.track.knots;
@@ -61,7 +61,7 @@ std::optional<Pick> pick_mark(const world::Document& document, const sim::Derive
     // Segment i goes from knot i to the next one.
     const double reach = 1.001 * static_cast<double>(kKnotRadius * target_scale(settings, view));
     (void)visit_near(
-        derived.tree, Beam(view, pixel), [reach] { return reach; },
+        derived.tree, PixelBeam(view, pixel), [reach] { return reach; },
         [&](std::size_t i) {
           if (i < knots.size()) try_knot(i), try_knot((i + 1) % knots.size());
         });
@@ -123,12 +123,12 @@ struct Hit {
 
 // Returns the nearest of the cars for which hit(pose) gives a hit.
 template <class HitCar>
-std::optional<Pick> nearest_cart(const world::Document& document, const sim::Derived& derived,
+std::optional<Pick> nearest_cart(const world::Document& document, const sim::DerivedTrack& derived,
                                  const world::Motion& motion, const world::Settings& settings, const HitCar& hit_car) {
   double nearest = kNowhere;
   std::optional<Pick> best;
   for (std::size_t i = 0; i < motion.carts.size(); ++i) {
-    const world::CartMotion& cart = motion.carts.items()[i];
+    const world::TrainMotion& cart = motion.carts.items()[i];
     const world::Entity entity = motion.carts.entities()[i];
     if (!derived.segments.contains(cart.segment)) continue;
     for (const sim::Pose& car : sim::car_poses(document, derived, entity, cart, settings.frames)) {
@@ -143,8 +143,9 @@ std::optional<Pick> nearest_cart(const world::Document& document, const sim::Der
 
 // Picks a car by its boxes; if none is hit, by a few pixels around its middle, because a distant car is smaller than
 // the knot below it.
-std::optional<Pick> pick_cart(const world::Document& document, const sim::Derived& derived, const world::Motion& motion,
-                              const world::Settings& settings, const View& view, glm::vec2 pixel) {
+std::optional<Pick> pick_cart(const world::Document& document, const sim::DerivedTrack& derived,
+                              const world::Motion& motion, const world::Settings& settings, const View& view,
+                              glm::vec2 pixel) {
   constexpr double kNotTheRiders = 2.5;  // m from the eye
   const Ray ray = ray_through(view, pixel);
   const float reach = kCartReach * target_scale(settings, view);
@@ -166,7 +167,7 @@ std::optional<Pick> pick_cart(const world::Document& document, const sim::Derive
 }
 
 // Returns the selected segment if the pixel is on the mark of its picked position.
-std::optional<Pick> pick_place(const sim::Derived& derived, const world::Settings& settings, const View& view,
+std::optional<Pick> pick_place(const sim::DerivedTrack& derived, const world::Settings& settings, const View& view,
                                glm::vec2 pixel) {
   const sim::SegmentShape* const shape = derived.segments.find(settings.selected);
   if (shape == nullptr) return std::nullopt;
@@ -176,7 +177,7 @@ std::optional<Pick> pick_place(const sim::Derived& derived, const world::Setting
   return pick_segment(derived, view, pixel, settings.selected);
 }
 
-std::optional<Pick> pick_section_handle(const world::Document& document, const sim::Derived& derived,
+std::optional<Pick> pick_section_handle(const world::Document& document, const sim::DerivedTrack& derived,
                                         const world::Settings& settings, const View& view, glm::vec2 pixel) {
   if (!section_handles_show(settings)) return std::nullopt;
   const Projector projector(view);
@@ -205,7 +206,7 @@ struct Candidate {
 bool is_earlier(const Candidate& a, const Candidate& b) { return a.index != b.index ? a.index < b.index : a.t < b.t; }
 
 // The end of a segment counts only if the neighbour does not come nearer beyond it.
-bool is_nearest_at_joint(const sim::Derived& derived, const Beam& beam, const Candidate& at) {
+bool is_nearest_at_joint(const sim::DerivedTrack& derived, const PixelBeam& beam, const Candidate& at) {
   const std::size_t count = derived.order.size();
   if (at.t == 0) {
     if (at.index == 0 && !derived.closed) return true;
@@ -223,7 +224,7 @@ bool is_nearest_at_joint(const sim::Derived& derived, const Beam& beam, const Ca
 // Collects the candidates while segments are visited in any order.
 class Search {
  public:
-  Search(const sim::Derived& derived, const Beam& beam, const View& view, double reach)
+  Search(const sim::DerivedTrack& derived, const PixelBeam& beam, const View& view, double reach)
       : derived_(derived),
         beam_(beam),
         least_(kNowhere),
@@ -262,13 +263,13 @@ class Search {
   }
 
  private:
-  const sim::Derived& derived_;
-  const Beam& beam_;
+  const sim::DerivedTrack& derived_;
+  const PixelBeam& beam_;
   double least_, reach_, one_behind_another_;  // px
   std::vector<Candidate> candidates_;
 };
 
-std::optional<Pick> picked(const sim::Derived& derived, const Candidate* place) {
+std::optional<Pick> picked(const sim::DerivedTrack& derived, const Candidate* place) {
   if (!place) return std::nullopt;
   return Pick{PickKind::curve, derived.order[place->index], place->t,
               glm::vec3(curve::point(derived.tree.cubics[place->index], place->t))};
@@ -278,7 +279,7 @@ std::optional<Pick> picked(const sim::Derived& derived, const Candidate* place) 
 
 float mark_scale(const world::Settings& settings, const View& view) { return settings.look->ui_scale * view.density; }
 
-Pick pick(const world::Document& document, const sim::Derived& derived, const world::Motion& motion,
+Pick pick(const world::Document& document, const sim::DerivedTrack& derived, const world::Motion& motion,
           const world::Settings& settings, const View& view, glm::vec2 pixel) {
   if (!view.viewport.contains(pixel)) return {};
   if (const auto handle = pick_section_handle(document, derived, settings, view, pixel)) return *handle;
@@ -291,7 +292,7 @@ Pick pick(const world::Document& document, const sim::Derived& derived, const wo
   return pick_curve(derived, view, pixel, kCurveReach * target_scale(settings, view)).value_or(Pick{});
 }
 
-std::optional<glm::vec3> position_of(const world::Document& document, const sim::Derived& derived,
+std::optional<glm::vec3> position_of(const world::Document& document, const sim::DerivedTrack& derived,
                                      const world::Motion& motion, PickKind kind, world::Entity entity, double t) {
   const world::Knot* const knot = document.entities.find<world::Knot>(entity);
   switch (kind) {
@@ -299,7 +300,7 @@ std::optional<glm::vec3> position_of(const world::Document& document, const sim:
     case PickKind::handle_in: return knot ? std::optional(world::in_handle(*knot)) : std::nullopt;
     case PickKind::handle_out: return knot ? std::optional(world::out_handle(*knot)) : std::nullopt;
     case PickKind::cart: {
-      const world::CartMotion* const cart = motion.carts.find(entity);
+      const world::TrainMotion* const cart = motion.carts.find(entity);
       if (!cart || !derived.segments.contains(cart->segment)) return std::nullopt;
       return cart_middle(sim::pose(derived, *cart, world::FrameMethod::knots));
     }
@@ -320,26 +321,27 @@ std::optional<glm::vec3> position_of(const world::Document& document, const sim:
   }
 }
 
-std::optional<Pick> pick_curve(const sim::Derived& derived, const View& view, glm::vec2 pixel, float reach) {
-  const Beam beam(view, pixel);
+std::optional<Pick> pick_curve(const sim::DerivedTrack& derived, const View& view, glm::vec2 pixel, float reach) {
+  const PixelBeam beam(view, pixel);
   Search search(derived, beam, view, reach);
   (void)visit_near(
       derived.tree, beam, [&] { return search.limit(); }, [&](std::size_t index) { search.look_at(index); });
   return picked(derived, search.meant());
 }
 
-std::optional<Pick> pick_curve_of_all(const sim::Derived& derived, const View& view, glm::vec2 pixel, float reach) {
-  const Beam beam(view, pixel);
+std::optional<Pick> pick_curve_of_all(const sim::DerivedTrack& derived, const View& view, glm::vec2 pixel,
+                                      float reach) {
+  const PixelBeam beam(view, pixel);
   if (!beam.has_eye()) return std::nullopt;
   Search search(derived, beam, view, reach);
   for (std::size_t i = 0; i < derived.order.size(); ++i) search.look_at(i);
   return picked(derived, search.meant());
 }
 
-std::optional<Pick> pick_segment(const sim::Derived& derived, const View& view, glm::vec2 pixel,
+std::optional<Pick> pick_segment(const sim::DerivedTrack& derived, const View& view, glm::vec2 pixel,
                                  world::Entity segment) {
   const sim::SegmentShape* const shape = derived.segments.find(segment);
-  const Beam beam(view, pixel);
+  const PixelBeam beam(view, pixel);
   if (shape == nullptr || !beam.has_eye()) return std::nullopt;
   const SightedPlaces places = nearest_places(sighted(shape->key.cubic, beam));
   const SightedPlace* const best =

@@ -54,7 +54,7 @@ float mark_scale(const world::Settings& settings, const View& view);
 // their middle however small they are; the car that contains the eye is not. Where curves cross on screen the selected
 // one wins near its picked position. Only handles of `selected` (a knot, or the knots of a selected segment) are shown
 // and can be picked.
-Pick pick(const world::Document& document, const sim::Derived& derived, const world::Motion& motion,
+Pick pick(const world::Document& document, const sim::DerivedTrack& derived, const world::Motion& motion,
           const world::Settings& settings, const View& view, glm::vec2 pixel);
 
 // Returns the position on the curve nearest to a pixel on screen, if within `reach` px of it. If the track passes the
@@ -63,19 +63,20 @@ Pick pick(const world::Document& document, const sim::Derived& derived, const wo
 // belongs to the segment that it ends. t to 1e-6. Ignores positions behind the eye or before the near plane; finds
 // nothing if the view is not perspective. Takes about a microsecond at 100,000 segments (docs/performance.md), by
 // derived.tree.
-std::optional<Pick> pick_curve(const sim::Derived& derived, const View& view, glm::vec2 pixel, float reach);
+std::optional<Pick> pick_curve(const sim::DerivedTrack& derived, const View& view, glm::vec2 pixel, float reach);
 inline constexpr double kOneBehindAnother = 1.0;  // points
 
 // Does the same by testing every segment: the reference for the tree in tests and benchmarks.
-std::optional<Pick> pick_curve_of_all(const sim::Derived& derived, const View& view, glm::vec2 pixel, float reach);
+std::optional<Pick> pick_curve_of_all(const sim::DerivedTrack& derived, const View& view, glm::vec2 pixel, float reach);
 
 // Returns the position on one segment that is nearest to a pixel on screen, at any distance; nothing if the segment is
 // entirely behind the eye or does not exist. The probe follows it during a drag.
-std::optional<Pick> pick_segment(const sim::Derived& derived, const View& view, glm::vec2 pixel, world::Entity segment);
+std::optional<Pick> pick_segment(const sim::DerivedTrack& derived, const View& view, glm::vec2 pixel,
+                                 world::Entity segment);
 
 // Returns the point that a script aims at: the position of the mark, the position on the curve, the middle of the car;
 // nothing if there is no such entity. The handle of a spin has none without a view.
-std::optional<glm::vec3> position_of(const world::Document& document, const sim::Derived& derived,
+std::optional<glm::vec3> position_of(const world::Document& document, const sim::DerivedTrack& derived,
                                      const world::Motion& motion, PickKind kind, world::Entity entity, double t);
 
 inline bool is_section_handle(PickKind kind) { return kind >= PickKind::section && kind <= PickKind::bank; }

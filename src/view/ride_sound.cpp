@@ -89,13 +89,13 @@ double bounded(double x) {
 
 }  // namespace
 
-RideNoise ride_noise(const world::Document& document, const sim::Derived& derived, const world::Motion& motion,
+RideNoise ride_noise(const world::Document& document, const sim::DerivedTrack& derived, const world::Motion& motion,
                      double volume) {
   RideNoise noise;
   noise.volume = volume;
   const world::Entity cart = world::first_cart(document);
-  const world::CartMotion* const moving = motion.carts.find(cart);
-  const world::Cart* const design = document.entities.find<world::Cart>(cart);
+  const world::TrainMotion* const moving = motion.carts.find(cart);
+  const world::Train* const design = document.entities.find<world::Train>(cart);
   if (!moving || !design || motion.state != world::RideState::running || !derived.segments.contains(moving->segment))
     return noise;
   noise.speed = std::abs(moving->speed);

@@ -24,7 +24,7 @@ struct RideNoise {
 };
 
 // Returns the noise of the first train: silent while the ride is not running. One pass over the equipment.
-RideNoise ride_noise(const world::Document& document, const sim::Derived& derived, const world::Motion& motion,
+RideNoise ride_noise(const world::Document& document, const sim::DerivedTrack& derived, const world::Motion& motion,
                      double volume);
 
 // A two-pole resonator, for the wind and the steel of a tooth.

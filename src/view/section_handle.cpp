@@ -17,7 +17,7 @@ using glm::dvec3;
 
 // Returns the position of the section that is farthest above or below its start: a joint of its segments, or one of 16
 // positions on each.
-dvec3 farthest_in_height(const sim::Derived& derived, const world::SectionRun& run, double from) {
+dvec3 farthest_in_height(const sim::DerivedTrack& derived, const world::SectionRun& run, double from) {
   constexpr int kPlaces = 16;
   dvec3 farthest(0, from, 0);
   for (std::size_t i = run.first; i < run.end(); ++i)
@@ -33,7 +33,7 @@ constexpr double kTurnShare = 0.6;  // radius of a turn's ring relative to that 
 constexpr double kBankShare = 0.08, kLeastBank = 3,
                  kMostBank = 9;  // radius of a bank's ring relative to the length; m, m
 
-AngleHandle turn_handle(const world::Element& element, const sim::Derived& derived, const world::SectionRun& run,
+AngleHandle turn_handle(const world::Element& element, const sim::DerivedTrack& derived, const world::SectionRun& run,
                         std::string_view parameter) {
   const curve::Cubic& first = derived.shape_at(run.first).key.cubic;
   const double side = element.right ? -1.0 : 1.0, radius = world::value_of(element, "radius");
@@ -47,7 +47,7 @@ AngleHandle turn_handle(const world::Element& element, const sim::Derived& deriv
 }
 
 // Returns the bank's handle: for an S-bend where its first turn is steepest, for others in the middle.
-AngleHandle bank_handle(const world::Element& element, const sim::Derived& derived, const world::SectionRun& run) {
+AngleHandle bank_handle(const world::Element& element, const sim::DerivedTrack& derived, const world::SectionRun& run) {
   const double from = derived.starts[run.first], length = derived.starts[run.end()] - from;
   const double share = element.kind == world::ElementKind::s_bend ? 0.25 : 0.5;
   const sim::TrackPlace place = sim::place_at(derived, from + share * length);
@@ -66,7 +66,7 @@ AngleHandle bank_handle(const world::Element& element, const sim::Derived& deriv
 
 }  // namespace
 
-std::optional<SectionHandle> section_handle(const world::Document& document, const sim::Derived& derived,
+std::optional<SectionHandle> section_handle(const world::Document& document, const sim::DerivedTrack& derived,
                                             world::Entity section) {
   const world::Section* const value = document.entities.find<world::Section>(section);
   if (!value || value->kind != world::SectionKind::element) return std::nullopt;
@@ -115,7 +115,7 @@ void add_section_handle(const SectionHandle& handle, float scale, bool hovered, 
 
 dvec3 AngleHandle::at(double deg) const { return centre + curve::rotate(zero, axis, base::radians(deg)); }
 
-std::vector<AngleHandle> angle_handles(const world::Document& document, const sim::Derived& derived,
+std::vector<AngleHandle> angle_handles(const world::Document& document, const sim::DerivedTrack& derived,
                                        world::Entity section) {
   std::vector<AngleHandle> handles;
   const world::Section* const value = document.entities.find<world::Section>(section);
@@ -131,7 +131,7 @@ std::vector<AngleHandle> angle_handles(const world::Document& document, const si
   return handles;
 }
 
-std::optional<AngleHandle> angle_handle(const world::Document& document, const sim::Derived& derived,
+std::optional<AngleHandle> angle_handle(const world::Document& document, const sim::DerivedTrack& derived,
                                         world::Entity section, PickKind kind) {
   for (const AngleHandle& handle : angle_handles(document, derived, section))
     if (handle.kind == kind) return handle;

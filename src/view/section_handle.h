@@ -20,7 +20,7 @@ struct SectionHandle {
 
 // Returns the handle of a planned section: its height at the point farthest above or below its start, else its length
 // or its radius at its end. Nothing for other sections.
-std::optional<SectionHandle> section_handle(const world::Document& document, const sim::Derived& derived,
+std::optional<SectionHandle> section_handle(const world::Document& document, const sim::DerivedTrack& derived,
                                             world::Entity section);
 // True if handles show: in the workspace Build with one section selected.
 bool section_handles_show(const world::Settings& settings);
@@ -46,10 +46,10 @@ struct AngleHandle {
 // Returns the handles of a planned section. An element that turns in plan has its turn, as a level ring about the
 // centre of the turn at the height where it begins; one with a bank parameter has its bank, as a ring about the rails
 // where it is steepest. A bank that follows from a speed has none.
-std::vector<AngleHandle> angle_handles(const world::Document& document, const sim::Derived& derived,
+std::vector<AngleHandle> angle_handles(const world::Document& document, const sim::DerivedTrack& derived,
                                        world::Entity section);
 // Returns the handle of one kind.
-std::optional<AngleHandle> angle_handle(const world::Document& document, const sim::Derived& derived,
+std::optional<AngleHandle> angle_handle(const world::Document& document, const sim::DerivedTrack& derived,
                                         world::Entity section, PickKind kind);
 
 // Returns the angle (deg) of the handle where the ray meets the ring's plane, with the whole turns that bring it

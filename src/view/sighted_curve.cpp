@@ -118,9 +118,9 @@ void add_visible_parts(const SightedControls& c, const Screen& s, SightedPlaces&
     each_root(std::array<double, 4>{value(c[0]), value(c[1]), value(c[2]), value(c[3])},
               [&](double t) { ends[count++] = t; });
   };
-  add_roots([](const Sighted& p) { return p.w - kLeastDepth; });
-  add_roots([](const Sighted& p) { return p.w - p.z; });
-  add_roots([](const Sighted& p) { return p.w + p.z; });
+  add_roots([](const PixelRelative& p) { return p.w - kLeastDepth; });
+  add_roots([](const PixelRelative& p) { return p.w - p.z; });
+  add_roots([](const PixelRelative& p) { return p.w + p.z; });
   ends[count++] = 1;
   std::sort(ends.begin(), ends.begin() + static_cast<std::ptrdiff_t>(count));
   for (std::size_t i = 0; i + 1 < count; ++i) {
@@ -139,12 +139,12 @@ void add_visible_parts(const SightedControls& c, const Screen& s, SightedPlaces&
 
 }  // namespace
 
-SightedControls sighted(const curve::Cubic& cubic, const Beam& beam) {
+SightedControls sighted(const curve::Cubic& cubic, const PixelBeam& beam) {
   return {beam(cubic.p0), beam(cubic.p1), beam(cubic.p2), beam(cubic.p3)};
 }
 
 bool may_come_near(const SightedControls& c, double limit) {
-  for (const Sighted& p : c)
+  for (const PixelRelative& p : c)
     if (!(p.w > kLeastDepth)) return true;
   // The hull is on one side of the pixel, by the limit, along the chord's normal or its direction, as a line of
   // homogeneous points.
@@ -153,7 +153,7 @@ bool may_come_near(const SightedControls& c, double limit) {
   if (!(length > 0)) x = 1, y = 0;
   else x /= length, y /= length;
   bool left = true, right = true, ahead = true, behind = true;
-  for (const Sighted& p : c) {
+  for (const PixelRelative& p : c) {
     const double side = x * p.v - y * p.u, along = x * p.u + y * p.v, reach = limit * p.w;
     left = left && side > reach, right = right && side < -reach;
     ahead = ahead && along > reach, behind = behind && along < -reach;

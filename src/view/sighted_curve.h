@@ -22,8 +22,8 @@ struct SightedPlaces {
   const SightedPlace* end() const { return items.data() + count; }
 };
 
-using SightedControls = std::array<Sighted, 4>;
-SightedControls sighted(const curve::Cubic& cubic, const Beam& beam);
+using SightedControls = std::array<PixelRelative, 4>;
+SightedControls sighted(const curve::Cubic& cubic, const PixelBeam& beam);
 
 // Returns false if all of the curve in front of the eye is certainly more than `limit` pixels (finite) away.
 bool may_come_near(const SightedControls& controls, double limit);

@@ -1,4 +1,4 @@
-// The functions of world/box.h, for the one file that makes those of a type: template class Box<T>.
+// The functions of world/box.h, for the one file that makes those of a type: template class HeapValue<T>.
 #pragma once
 
 #include "world/box.h"
@@ -6,20 +6,20 @@
 namespace coaster::world {
 
 template <class T>
-Box<T>::Box() : value_(new T) {}
+HeapValue<T>::HeapValue() : value_(new T) {}
 template <class T>
-Box<T>::Box(const Box& other) : value_(new T(*other.value_)) {}
+HeapValue<T>::HeapValue(const HeapValue& other) : value_(new T(*other.value_)) {}
 template <class T>
-Box<T>& Box<T>::operator=(const Box& other) {
+HeapValue<T>& HeapValue<T>::operator=(const HeapValue& other) {
   if (this != &other) *value_ = *other.value_;
   return *this;
 }
 template <class T>
-Box<T>::~Box() {
+HeapValue<T>::~HeapValue() {
   delete value_;
 }
 template <class T>
-bool Box<T>::operator==(const Box& other) const {
+bool HeapValue<T>::operator==(const HeapValue& other) const {
   return *value_ == *other.value_;
 }
 

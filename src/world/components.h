@@ -143,7 +143,7 @@ inline constexpr float kMinCarLength = 0.5f, kMaxCarLength = 20.0f, kMinCarMass 
 
 // The design of a train: the start position of its first car, and its number of cars. All cars have the same mass, so
 // without losses the motion depends only on positions; drag slows heavy cars less.
-struct Cart {
+struct Train {
   Entity segment;
   double fraction = 0;        // of the segment's arc length, [0,1)
   std::int32_t cars = 1;      // 1..kMaxCars
@@ -155,14 +155,14 @@ struct Cart {
   // Length of rail from the first car's centre to the last one's, m.
   double behind() const { return (cars - 1) * double{spacing}; }
   static constexpr void fields(auto visit) {
-    visit(Field{"segment"}, &Cart::segment);
-    visit(Field{"fraction", 0, 1}, &Cart::fraction);
-    visit(Field{"cars", 1, kMaxCars, InFile::unusual, 1}, &Cart::cars);
-    visit(Field{"spacing", kMinSpacing, kMaxSpacing, InFile::unusual, 1}, &Cart::spacing);
-    visit(Field{"length", kMinCarLength, kMaxCarLength, InFile::unusual, 2}, &Cart::length);
-    visit(Field{"mass", kMinCarMass, kMaxCarMass, InFile::unusual, 2}, &Cart::mass);
+    visit(Field{"segment"}, &Train::segment);
+    visit(Field{"fraction", 0, 1}, &Train::fraction);
+    visit(Field{"cars", 1, kMaxCars, InFile::unusual, 1}, &Train::cars);
+    visit(Field{"spacing", kMinSpacing, kMaxSpacing, InFile::unusual, 1}, &Train::spacing);
+    visit(Field{"length", kMinCarLength, kMaxCarLength, InFile::unusual, 2}, &Train::length);
+    visit(Field{"mass", kMinCarMass, kMaxCarMass, InFile::unusual, 2}, &Train::mass);
   }
-  friend bool operator==(const Cart&, const Cart&) = default;
+  friend bool operator==(const Train&, const Train&) = default;
 };
 
 // Names: world/equipment_rows.h.
@@ -192,25 +192,25 @@ struct Equipment {
 };
 
 // Resistance to motion: s'' = ... - sign(v) (rolling g + drag v^2).
-struct Resistance {
+struct Losses {
   float rolling = 0;  // coefficient of rolling friction; steel coasters 0.02..0.03
   float drag = 0;     // 1/m; about 2e-5
   static constexpr void fields(auto visit) {
-    visit(Field{"rolling", 0, kMaxRolling, InFile::unusual, 1}, &Resistance::rolling);
-    visit(Field{"drag", 0, kMaxDrag, InFile::unusual, 1}, &Resistance::drag);
+    visit(Field{"rolling", 0, kMaxRolling, InFile::unusual, 1}, &Losses::rolling);
+    visit(Field{"drag", 0, kMaxDrag, InFile::unusual, 1}, &Losses::drag);
   }
-  friend bool operator==(const Resistance&, const Resistance&) = default;
+  friend bool operator==(const Losses&, const Losses&) = default;
 };
 
 // Unknown members of a file's object, kept for saving: the text of a JSON object.
-struct Extra {
+struct UnknownMembers {
   std::string json;
-  static constexpr void fields(auto visit) { visit(Field{}, &Extra::json); }
-  friend bool operator==(const Extra&, const Extra&) = default;
+  static constexpr void fields(auto visit) { visit(Field{}, &UnknownMembers::json); }
+  friend bool operator==(const UnknownMembers&, const UnknownMembers&) = default;
 };
 
 // Components that a segment may have: files store their fields among the segment's, copies of the segment copy them.
 using Fittings = ComponentList<Equipment>;
-using Entities = RegistryOf<ComponentList<Name, Knot, Segment, Cart, Section, Extra>, Fittings>;
+using Entities = RegistryOf<ComponentList<Name, Knot, Segment, Train, Section, UnknownMembers>, Fittings>;
 
 }  // namespace coaster::world

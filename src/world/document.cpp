@@ -10,7 +10,7 @@ namespace coaster::world {
 Entity first_cart(const Document& document) {
   Entity first = kNone;
   Name least;
-  for (const Entity cart : document.entities.pool<Cart>().entities()) {
+  for (const Entity cart : document.entities.pool<Train>().entities()) {
     const Name name = name_of(document, cart);
     if (!first.valid() || name < least) first = cart, least = name;
     if (least.number == 1) break;  // there is no lower one

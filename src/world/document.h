@@ -33,11 +33,11 @@ struct Document {
   std::string name = "Untitled";  // UTF-8
   double start_speed = 1.0;       // m/s along the track, may be negative; |start_speed| <= kMaxSpeed
   double datum = 0.0;             // m, height of zero potential energy
-  Resistance resistance;          // none by default: the paper's frictionless circuit
+  Losses resistance;              // none by default: the paper's frictionless circuit
   double heartline = 1.1;         // m above the rails, height of the riders' hearts, for which forces are given
   bool rollback_fails = true;     // true: a rollback ends the ride
   TrackCurve curve = TrackCurve::rails;
-  Extra extra;                                                      // unknown top-level members of the file
+  UnknownMembers extra;                                             // unknown top-level members of the file
   std::array<std::uint32_t, base::count_of<Kind>()> last_number{};  // by Kind: the last number assigned
   // The fields that determine how the track is ridden.
   static constexpr void fields(auto visit) {

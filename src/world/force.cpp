@@ -30,10 +30,11 @@ std::optional<std::string> broken_key(const ForceProgram& program, ForceChannel 
 
 }  // namespace
 
-std::string_view unit_of(ForceOver over) { return over == ForceOver::distance ? "m" : "s"; }
+std::string_view unit_of(ForceDomain over) { return over == ForceDomain::distance ? "m" : "s"; }
 std::string_view unit_of(const ForceProgram& program, ForceChannel channel) {
-  if (channel != ForceChannel::roll || program.of == ForceOf::curvature) return channel_of(program.of, channel).unit;
-  return program.over == ForceOver::distance ? "deg/m" : "deg/s";
+  if (channel != ForceChannel::roll || program.of == ForceQuantity::curvature)
+    return channel_of(program.of, channel).unit;
+  return program.over == ForceDomain::distance ? "deg/m" : "deg/s";
 }
 
 std::optional<std::string> broken(const ForceProgram& program) {

@@ -15,18 +15,18 @@
 
 namespace coaster::world {
 
-enum class ForceOver : std::uint8_t { distance, time };
+enum class ForceDomain : std::uint8_t { distance, time };
 inline constexpr base::NameRow kForceOvers[] = {
     {"distance", "Distance", "Keys are metres from the section's start. The rate of roll is in degrees per metre."},
     {"time", "Time", "Keys are seconds from the section's start. The rate of roll is in degrees per second."}};
-constexpr std::span<const base::NameRow> rows_of(ForceOver) { return kForceOvers; }
+constexpr std::span<const base::NameRow> rows_of(ForceDomain) { return kForceOvers; }
 
-enum class ForceOf : std::uint8_t { forces, curvature };
+enum class ForceQuantity : std::uint8_t { forces, curvature };
 inline constexpr base::NameRow kForceOfs[] = {
     {"forces", "Forces",
      "Keys are what riders should feel: g and the rate of roll. The train's speed shapes the track."},
     {"curvature", "Curvature", "Keys are the track's curvature and its angle of roll, at any speed."}};
-constexpr std::span<const base::NameRow> rows_of(ForceOf) { return kForceOfs; }
+constexpr std::span<const base::NameRow> rows_of(ForceQuantity) { return kForceOfs; }
 
 enum class ForceChannel : std::uint8_t { vertical, lateral, roll };
 struct ForceChannelRow {
@@ -44,8 +44,8 @@ inline constexpr ForceChannelRow kCurvatureChannels[] = {
     {"vertical", "Vertical", "1/m", "Curvature upwards along the rider's spine: 1 over the radius.", 0, 0.5},
     {"lateral", "Lateral", "1/m", "Curvature to the rider's left: 1 over the radius.", 0, 0.5},
     {"roll", "Roll", "deg", "Angle rolled by since the section's start, positive to the rider's right.", 0, 3600}};
-constexpr std::span<const ForceChannelRow> channels_of(ForceOf of) {
-  return of == ForceOf::forces ? std::span(kForceChannels) : std::span(kCurvatureChannels);
+constexpr std::span<const ForceChannelRow> channels_of(ForceQuantity of) {
+  return of == ForceQuantity::forces ? std::span(kForceChannels) : std::span(kCurvatureChannels);
 }
 
 inline constexpr std::size_t kMostForceKeys = 200;                     // of a channel
@@ -67,12 +67,12 @@ struct ForceKey {
 };
 
 struct ForceProgram {
-  ForceOver over = ForceOver::distance;
+  ForceDomain over = ForceDomain::distance;
   double length = 40;       // m or s
   double tolerance = 0.05;  // g, of what is felt against what the keys say; of curvature, at kCurvatureSpeed
   double speed = 10;        // m/s of the train at the section's start, for which it was planned
   bool hold = false;  // its end stays where the track that follows begins, and the keys are met as far as possible
-  ForceOf of = ForceOf::forces;
+  ForceQuantity of = ForceQuantity::forces;
   // Ascending, kKeyGap apart. Before the first key and after the last one the value stays.
   std::array<std::vector<ForceKey>, base::count_of<ForceChannel>()> channels = {};
 
@@ -95,18 +95,20 @@ struct ForceProgram {
   friend bool operator==(const ForceProgram&, const ForceProgram&) = default;
 };
 
-inline double longest_of(ForceOver over) { return over == ForceOver::distance ? kLongestForce_m : kLongestForce_s; }
-inline double shortest_of(ForceOver over) { return over == ForceOver::distance ? kShortestForce_m : kShortestForce_s; }
-inline double key_gap_of(ForceOver over) { return over == ForceOver::distance ? kKeyGap_m : kKeyGap_s; }
-inline const ForceChannelRow& channel_of(ForceOf of, ForceChannel channel) {
+inline double longest_of(ForceDomain over) { return over == ForceDomain::distance ? kLongestForce_m : kLongestForce_s; }
+inline double shortest_of(ForceDomain over) {
+  return over == ForceDomain::distance ? kShortestForce_m : kShortestForce_s;
+}
+inline double key_gap_of(ForceDomain over) { return over == ForceDomain::distance ? kKeyGap_m : kKeyGap_s; }
+inline const ForceChannelRow& channel_of(ForceQuantity of, ForceChannel channel) {
   return channels_of(of)[static_cast<std::size_t>(channel)];
 }
 // True if the train's speed shapes the track. Curvature over distance is the same at any speed, even at none.
 inline bool needs_speed(const ForceProgram& program) {
-  return program.of == ForceOf::forces || program.over == ForceOver::time;
+  return program.of == ForceQuantity::forces || program.over == ForceDomain::time;
 }
 // Return "m" or "s"; for a channel's value: "g", "deg/m" or "deg/s", of curvature "1/m" or "deg".
-std::string_view unit_of(ForceOver over);
+std::string_view unit_of(ForceDomain over);
 std::string_view unit_of(const ForceProgram& program, ForceChannel channel);
 
 // Returns nothing for a program within all limits, else the error: "vertical has two keys within 1 m at 40 m".
@@ -123,9 +125,9 @@ struct KeySteps {
   double at, value;  // m or s; the channel's unit
 };
 inline KeySteps steps_of(const ForceProgram& program, ForceChannel channel) {
-  const bool metres = program.over == ForceOver::distance, roll = channel == ForceChannel::roll;
+  const bool metres = program.over == ForceDomain::distance, roll = channel == ForceChannel::roll;
   const double at = metres ? 1.0 : 0.1;
-  if (program.of == ForceOf::curvature) return {at, roll ? 5.0 : 0.001};
+  if (program.of == ForceQuantity::curvature) return {at, roll ? 5.0 : 0.001};
   return {at, !roll ? 0.1 : metres ? 1.0 : 5.0};
 }
 

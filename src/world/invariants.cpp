@@ -48,7 +48,7 @@ Broken broken_names(const Document& document) {
       return to_text(name) + ": number beyond the last one given";
     if (!document.entities.alive(e)) return to_text(name) + ": names a dead entity";
     const bool knot_here = document.entities.find<Knot>(e), segment_here = document.entities.find<Segment>(e),
-               cart_here = document.entities.find<Cart>(e), section_here = document.entities.find<Section>(e);
+               cart_here = document.entities.find<Train>(e), section_here = document.entities.find<Section>(e);
     if (knot_here != (name.kind == Kind::knot) || segment_here != (name.kind == Kind::segment) ||
         cart_here != (name.kind == Kind::cart) || section_here != (name.kind == Kind::section))
       return to_text(name) + ": components of another kind";
@@ -129,9 +129,9 @@ std::optional<std::string> broken_invariant(const Document& document) {
   if (Broken broken = broken_sections(document)) return broken;
   for (const Entity e : document.track.knots)
     if (Broken broken = broken_knot(document, e)) return broken;
-  const auto& carts = document.entities.pool<Cart>();
+  const auto& carts = document.entities.pool<Train>();
   for (std::size_t i = 0; i < carts.size(); ++i) {
-    const Cart& cart = carts.items()[i];
+    const Train& cart = carts.items()[i];
     if (!document.entities.find<Segment>(cart.segment))
       return label_of(document, carts.entities()[i]) + ": on no segment";
     if (!(cart.fraction >= 0 && cart.fraction < 1))

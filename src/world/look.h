@@ -25,24 +25,24 @@ inline constexpr base::NameRow kStyles[] = {
     {"blueprint", "Blueprint", "Lines on blue, for the laboratory and for print."}};
 constexpr std::span<const base::NameRow> rows_of(Style) { return kStyles; }
 
-struct Look {
+struct Appearance {
   float ui_scale = 1;
   Theme theme = Theme::dark;
   Style style = Style::day;
-  base::Units units = base::Units::m_s;
+  base::UnitSystem units = base::UnitSystem::m_s;
   bool shadows = true;
   float sound = 0.5f;
-  friend bool operator==(const Look&, const Look&) = default;
+  friend bool operator==(const Appearance&, const Appearance&) = default;
 
   static constexpr auto kRows = std::tuple{
-      setting(&Look::ui_scale, "scale", "Scale of the panels.", {.low = 0.75, .high = 3, .kept_as = "ui_scale"}),
-      setting(&Look::theme, "theme", "Colours of the panels.", {.kept_as = "theme"}),
-      setting(&Look::style, "style", "Light of the scene.", {.kept_as = "style"}),
-      setting(&Look::units, "units", "Units that lengths and speeds are shown and typed in. Scripts stay metric.",
+      setting(&Appearance::ui_scale, "scale", "Scale of the panels.", {.low = 0.75, .high = 3, .kept_as = "ui_scale"}),
+      setting(&Appearance::theme, "theme", "Colours of the panels.", {.kept_as = "theme"}),
+      setting(&Appearance::style, "style", "Light of the scene.", {.kept_as = "style"}),
+      setting(&Appearance::units, "units", "Units that lengths and speeds are shown and typed in. Scripts stay metric.",
               {.kept_as = "units"}),
-      setting(&Look::shadows, "shadows", "Whether track and trains cast shadows. Frames cost less without them.",
+      setting(&Appearance::shadows, "shadows", "Whether track and trains cast shadows. Frames cost less without them.",
               {.kept_as = "shadows"}),
-      setting(&Look::sound, "sound", "Ride volume. 0 mutes it.", {.low = 0, .high = 1, .kept_as = "sound"})};
+      setting(&Appearance::sound, "sound", "Ride volume. 0 mutes it.", {.low = 0, .high = 1, .kept_as = "sound"})};
 };
 
 }  // namespace coaster::world

@@ -11,7 +11,7 @@ namespace coaster::world {
 enum class LossSet : std::uint8_t { frictionless, openfvd, kexedit };
 struct LossRow {
   std::string_view name, label, help;
-  Resistance losses;
+  Losses losses;
 };
 inline constexpr LossRow kLossSets[] = {
     {"frictionless", "Frictionless", "No losses: the train keeps its energy.", {0, 0}},
@@ -20,7 +20,7 @@ inline constexpr LossRow kLossSets[] = {
 constexpr std::span<const LossRow> rows_of(LossSet) { return kLossSets; }
 
 // Returns the set that has exactly these losses, if there is one.
-inline std::optional<LossSet> loss_set_of(const Resistance& losses) {
+inline std::optional<LossSet> loss_set_of(const Losses& losses) {
   const auto* const row = std::ranges::find(kLossSets, losses, &LossRow::losses);
   if (row == std::end(kLossSets)) return std::nullopt;
   return static_cast<LossSet>(row - kLossSets);

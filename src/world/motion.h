@@ -23,7 +23,7 @@ struct TimetablePlace {
   friend bool operator==(const TimetablePlace&, const TimetablePlace&) = default;
 };
 
-struct CartMotion {
+struct TrainMotion {
   Entity segment;
   double s = 0;                 // m of arc length from the segment's start
   double speed = 0;             // m/s along the track, negative backwards
@@ -41,7 +41,7 @@ struct CartMotion {
   std::int32_t dwell = 0;       // ticks left to wait in a station; -1: dispatched
   bool braking = false;         // a brake under the train is braking
   TimetablePlace timetable;     // of integrators with a timetable
-  friend bool operator==(const CartMotion&, const CartMotion&) = default;
+  friend bool operator==(const TrainMotion&, const TrainMotion&) = default;
 };
 
 // ended: every train has reached an open end. failed: the ride stopped for the reason in Motion::failure.
@@ -63,7 +63,7 @@ struct Failure {
 };
 
 struct Motion {
-  Pool<CartMotion> carts;  // by the document's cart entities
+  Pool<TrainMotion> carts;  // by the document's cart entities
   RideState state = RideState::stopped;
   Failure failure;  // none if the ride has not failed
   friend bool operator==(const Motion&, const Motion&) = default;

@@ -11,11 +11,11 @@
 
 namespace coaster::world {
 
-template class Box<Aids>;
-template class Box<CameraFeel>;
-template class Box<Evaluation>;
-template class Box<LabView>;
-template class Box<Look>;
-template class Box<Panels>;
+template class HeapValue<Aids>;
+template class HeapValue<CameraFeel>;
+template class HeapValue<Evaluation>;
+template class HeapValue<LabView>;
+template class HeapValue<Appearance>;
+template class HeapValue<Panels>;
 
 }  // namespace coaster::world

@@ -48,7 +48,7 @@ struct Aids;        // world/aids.h
 struct CameraFeel;  // world/camera_feel.h
 struct Evaluation;  // world/evaluation.h
 struct LabView;     // world/lab_view.h
-struct Look;        // world/look.h
+struct Appearance;  // world/look.h
 struct Panels;      // world/panels.h
 
 enum class Colouring : std::uint8_t;  // world/laboratory.h
@@ -58,12 +58,12 @@ enum class Style : std::uint8_t;      // world/look.h
 enum class Theme : std::uint8_t;      // world/look.h
 
 struct Settings {
-  Box<Look> look;
-  Box<Panels> panels;
-  Box<CameraFeel> feel;
-  Box<Aids> aids;
-  Box<Evaluation> evaluation;
-  Box<LabView> lab;
+  HeapValue<Appearance> look;
+  HeapValue<Panels> panels;
+  HeapValue<CameraFeel> feel;
+  HeapValue<Aids> aids;
+  HeapValue<Evaluation> evaluation;
+  HeapValue<LabView> lab;
   FrameMethod frames = FrameMethod::knots;
   IntegratorId integrator{};
   CameraMode camera_mode = CameraMode::orbit;

@@ -19,7 +19,7 @@ namespace coaster::world {
 
 template <class Group, class AnySettings>
 auto& group_in(AnySettings& settings) {
-  if constexpr (std::is_same_v<Group, Look>) return *settings.look;
+  if constexpr (std::is_same_v<Group, Appearance>) return *settings.look;
   else if constexpr (std::is_same_v<Group, Panels>) return *settings.panels;
   else if constexpr (std::is_same_v<Group, CameraFeel>) return *settings.feel;
   else if constexpr (std::is_same_v<Group, Aids>) return *settings.aids;
@@ -37,7 +37,7 @@ auto& value_in(AnySettings& settings) {
 
 template <class... Groups>
 struct GroupList {};
-using SettingGroups = GroupList<Look, Panels, CameraFeel, Aids, Evaluation, LabView, Camera, Settings>;
+using SettingGroups = GroupList<Appearance, Panels, CameraFeel, Aids, Evaluation, LabView, Camera, Settings>;
 
 // Calls visit.template operator()<&Group::member>() for each row of a group, in order.
 template <class Group, class Visit>

@@ -19,7 +19,7 @@ std::uint32_t number_of(const Document& document, Entity e) {
 }
 
 void add_extra(base::Hasher& hasher, const Document& document, Entity e) {
-  const Extra* const extra = document.entities.find<Extra>(e);
+  const UnknownMembers* const extra = document.entities.find<UnknownMembers>(e);
   hasher.add(extra ? std::string_view(extra->json) : std::string_view());
 }
 
@@ -54,7 +54,7 @@ bool undivided(const Document& document, const std::vector<SectionRun>& runs) {
   if (runs.empty()) return true;
   const Entity e = runs.front().section;
   const Section* const section = document.entities.find<Section>(e);
-  return runs.size() == 1 && (!section || *section == Section{}) && !document.entities.find<Extra>(e);
+  return runs.size() == 1 && (!section || *section == Section{}) && !document.entities.find<UnknownMembers>(e);
 }
 
 void add_force(base::Hasher& hasher, const Document& document, const ForceProgram& force) {
@@ -108,7 +108,7 @@ std::uint64_t hash(const Document& document) {
     add_extra(hasher, document, e);
   }
   add_sections(hasher, document);
-  const auto& carts = document.entities.pool<Cart>();
+  const auto& carts = document.entities.pool<Train>();
   hasher.add(carts.size());
   for (const Entity e : by_number(document, carts.entities())) {
     hasher.add(number_of(document, e));
@@ -123,7 +123,7 @@ std::uint64_t hash(const Document& document, const Motion& motion) {
   const auto add = [&](const auto&... values) { (hasher.add(values), ...); };
   add(motion.state, motion.failure.kind, motion.carts.size());
   for (const Entity e : by_number(document, motion.carts.entities())) {
-    const CartMotion& cart = motion.carts.get(e);
+    const TrainMotion& cart = motion.carts.get(e);
     add(number_of(document, e), number_of(document, cart.segment), cart.s, cart.speed, cart.segment_length);
     add(cart.track_distance, cart.travelled, cart.laps, cart.reference_energy, cart.peak_kinetic, cart.work);
     add(cart.furthest, cart.carry, cart.still, cart.dwell, cart.braking);

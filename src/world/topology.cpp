@@ -28,9 +28,9 @@ double chord(glm::vec3 a, glm::vec3 b) { return glm::length(glm::dvec3(b) - glm:
 float third(double length) { return as_handle(length / 3.0); }
 
 void remove_carts_on(Document& document, Entity segment_entity) {
-  const std::vector<Entity> carts = document.entities.pool<Cart>().entities();  // a copy: destroying reorders the pool
+  const std::vector<Entity> carts = document.entities.pool<Train>().entities();  // a copy: destroying reorders the pool
   for (const Entity e : carts)
-    if (document.entities.get<Cart>(e).segment == segment_entity) document.entities.destroy(e);
+    if (document.entities.get<Train>(e).segment == segment_entity) document.entities.destroy(e);
 }
 
 // Gives it the next number of its kind.
@@ -85,7 +85,7 @@ void push_segment(Document& document, Entity from, Entity to) {
 
 template <class Fn>
 void for_carts_on(Document& document, Entity segment_entity, Fn fn) {
-  for (Cart& cart : document.entities.pool<Cart>().items())
+  for (Train& cart : document.entities.pool<Train>().items())
     if (cart.segment == segment_entity) fn(cart);
 }
 
@@ -100,8 +100,8 @@ void merge_segments(Document& document, std::size_t before_index, std::size_t af
   const Entity before = document.track.segments[before_index], after = document.track.segments[after_index];
   const double first = curve::arc_length(cubic_of(document, before)),
                second = curve::arc_length(cubic_of(document, after));
-  for_carts_on(document, before, [&](Cart& c) { c.fraction = as_fraction(c.fraction * first, first + second); });
-  for_carts_on(document, after, [&](Cart& c) {
+  for_carts_on(document, before, [&](Train& c) { c.fraction = as_fraction(c.fraction * first, first + second); });
+  for_carts_on(document, after, [&](Train& c) {
     c.segment = before, c.fraction = as_fraction(first + c.fraction * second, first + second);
   });
   const Segment removed = segment(document, after);
@@ -127,7 +127,7 @@ void merge_run(Document& document, std::size_t survivor, std::size_t end) {
   const Entity whole = track.segments[survivor];
   for (std::size_t i = end; i-- > survivor + 1;) {
     const Entity merged = track.segments[i];
-    for (Cart& cart : document.entities.pool<Cart>().items())
+    for (Train& cart : document.entities.pool<Train>().items())
       if (cart.segment == merged) cart.segment = whole;
     document.entities.destroy(merged), document.entities.destroy(track.knots[i]);
   }
@@ -207,7 +207,7 @@ void settle_joints(Document& document) {
 
 Entity add_cart(Document& document, Entity segment_entity, double fraction) {
   const Entity e = create_named(document, Kind::cart);
-  document.entities.put(e, Cart{segment_entity, as_fraction(fraction, 1.0)});
+  document.entities.put(e, Train{segment_entity, as_fraction(fraction, 1.0)});
   return e;
 }
 
@@ -262,7 +262,7 @@ SplitResult split_segment(Document& document, Entity first, double t, glm::vec3 
 
   const double left = curve::arc_length(cubic_of(document, first)),
                right = curve::arc_length(cubic_of(document, second));
-  for_carts_on(document, first, [&](Cart& cart) {
+  for_carts_on(document, first, [&](Train& cart) {
     const double s = cart.fraction * (left + right);
     cart.segment = s < left ? first : second,
     cart.fraction = s < left ? as_fraction(s, left) : as_fraction(s - left, right);
@@ -296,7 +296,7 @@ void set_closed(Document& document, bool closed) {
     push_segment(document, track.knots.back(), track.knots.front());
   } else {
     for_carts_on(document, track.segments.back(),
-                 [&](Cart& cart) { cart.segment = track.segments.front(), cart.fraction = 0; });
+                 [&](Train& cart) { cart.segment = track.segments.front(), cart.fraction = 0; });
     remove_segment(document, track.segments.size() - 1);
   }
   track.closed = closed;

@@ -35,11 +35,11 @@ TEST(found, a_track_arrives_whole) {
 }
 
 TEST(found, a_search_and_a_failure_arrive_whole) {
-  const edit::Sought sought{{0.1, -1.0 / 3, 1e300}, "ride.lap_time is 40 s."};
+  const edit::SeekResult sought{{0.1, -1.0 / 3, 1e300}, "ride.lap_time is 40 s."};
   const base::Result<JobResult> arrived = sent(JobResult(sought));
   ASSERT_TRUE(arrived.ok());
-  EXPECT_EQ(std::get<edit::Sought>(*arrived).values, sought.values);
-  EXPECT_EQ(std::get<edit::Sought>(*arrived).note, sought.note);
+  EXPECT_EQ(std::get<edit::SeekResult>(*arrived).values, sought.values);
+  EXPECT_EQ(std::get<edit::SeekResult>(*arrived).note, sought.note);
   const base::Status failed{base::Code::bad_file, "rows.csv:4: error: expected 13 numbers"};
   EXPECT_EQ(sent(failed).status(), failed);
   EXPECT_EQ(parse_job_result("6 failed1 55 grave").status(), (base::Status{base::Code::io, "grave"}))
@@ -47,7 +47,7 @@ TEST(found, a_search_and_a_failure_arrive_whole) {
 }
 
 TEST(found, a_closing_section_arrives_with_what_a_command_needs) {
-  sim::ChangedClosing way;
+  sim::ClosingReplanResult way;
   way.closing = {.first = 180.1, .second = -1.0 / 3, .radius = 31, .level = true, .height = 1e-300, .coasts = false};
   way.another = true;
   for (const float x : {0.1f, -7e-20f}) {
@@ -57,16 +57,17 @@ TEST(found, a_closing_section_arrives_with_what_a_command_needs) {
   }
   const base::Result<JobResult> arrived = sent(JobResult(way));
   ASSERT_TRUE(arrived.ok()) << arrived.status().message;
-  const auto& read = std::get<sim::ChangedClosing>(*arrived);
+  const auto& read = std::get<sim::ClosingReplanResult>(*arrived);
   EXPECT_EQ(read.closing, way.closing);
   EXPECT_EQ(read.fit.knots, way.fit.knots);
   EXPECT_TRUE(read.another);
-  EXPECT_EQ(std::get<sim::ChangedClosing>(*sent(JobResult(sim::ChangedClosing{.refusal = "no room"}))).refusal,
-            "no room");
+  EXPECT_EQ(
+      std::get<sim::ClosingReplanResult>(*sent(JobResult(sim::ClosingReplanResult{.refusal = "no room"}))).refusal,
+      "no room");
 }
 
 TEST(found, a_damaged_text_is_refused) {
-  const std::string whole = print_job_result(JobResult(edit::Sought{{0.1, 2}, "a note"}));
+  const std::string whole = print_job_result(JobResult(edit::SeekResult{{0.1, 2}, "a note"}));
   for (std::size_t size = 0; size < whole.size(); ++size)
     EXPECT_FALSE(parse_job_result(whole.substr(0, size)).ok()) << size;
   EXPECT_FALSE(parse_job_result(whole + "1 x").ok());

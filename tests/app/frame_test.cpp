@@ -87,7 +87,7 @@ TEST_F(Frame, a_scene_alone_shows_the_track_without_any_aid) {
     return program_->renderer->read_pixels();
   };
   const view::View view = view::view_of(program_->picture.rig.eye, whole);
-  const Look look{program_->session.settings, view, {}, true};
+  const PictureSettings look{program_->session.settings, view, {}, true};
   (void)draw_scene(*program_, look, find_seen(*program_, look), {320, 240});  // with everything switched off by command
   const gfx::Image plain = program_->renderer->read_pixels();
   ASSERT_TRUE(apply(*program_, edit::ShowLayer{world::Layer::polyline, true}).ok());

@@ -112,9 +112,9 @@ TEST_F(Idle, a_search_for_conflicts_is_finished_first) {
     }
   };
   play_slowly(2);
-  EXPECT_FALSE(edit::Finder(session).all_conflicts());
+  EXPECT_FALSE(edit::SessionFindings(session).all_conflicts());
   play_slowly(40);
-  EXPECT_TRUE(edit::Finder(session).all_conflicts());
+  EXPECT_TRUE(edit::SessionFindings(session).all_conflicts());
   EXPECT_EQ(play(5), 0u);
 }
 

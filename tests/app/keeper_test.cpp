@@ -13,7 +13,7 @@ namespace keeper_test {
 
 using edit::NoticeKind;
 
-class Keeping : public ProgramTest {
+class DocumentFileState : public ProgramTest {
  protected:
   void start(Program& program) { start_keeping(program, {folder_ / "config", folder_ / "state"}, {}, false); }
   void start() { start(*program_); }
@@ -45,9 +45,9 @@ class Keeping : public ProgramTest {
   }
 };
 
-TEST_F(Keeping, settings_are_written_a_second_after_the_last_change) {
+TEST_F(DocumentFileState, settings_are_written_a_second_after_the_last_change) {
   start();
-  ASSERT_TRUE(apply(*program_, edit::Set<&world::Look::ui_scale>{1.25f}).ok());
+  ASSERT_TRUE(apply(*program_, edit::Set<&world::Appearance::ui_scale>{1.25f}).ok());
   keep_at(10);
   keep_at(10.9);
   EXPECT_FALSE(std::filesystem::exists(settings()));
@@ -55,7 +55,8 @@ TEST_F(Keeping, settings_are_written_a_second_after_the_last_change) {
   EXPECT_EQ(written().session.look->ui_scale, 1.25f);
   // A slider that is dragged is written once.
   for (double at = 20; at < 23; at += 0.5) {
-    ASSERT_TRUE(apply(*program_, edit::Set<&world::Look::ui_scale>{static_cast<float>(1 + (at - 19.5) / 10)}).ok());
+    ASSERT_TRUE(
+        apply(*program_, edit::Set<&world::Appearance::ui_scale>{static_cast<float>(1 + (at - 19.5) / 10)}).ok());
     keep_at(at);
     EXPECT_EQ(written().session.look->ui_scale, 1.25f) << at;
   }
@@ -63,10 +64,10 @@ TEST_F(Keeping, settings_are_written_a_second_after_the_last_change) {
   EXPECT_EQ(written().session.look->ui_scale, program_->session.settings.look->ui_scale);
 }
 
-TEST_F(Keeping, the_next_start_has_the_settings_of_the_last) {
+TEST_F(DocumentFileState, the_next_start_has_the_settings_of_the_last) {
   start();
-  ASSERT_TRUE(apply(*program_, edit::Set<&world::Look::theme>{world::Theme::light}).ok());
-  ASSERT_TRUE(apply(*program_, edit::Set<&world::Look::shadows>{false}).ok());
+  ASSERT_TRUE(apply(*program_, edit::Set<&world::Appearance::theme>{world::Theme::light}).ok());
+  ASSERT_TRUE(apply(*program_, edit::Set<&world::Appearance::shadows>{false}).ok());
   surface(*program_).at = platform::Placement{31, 47, 1111, 777, false};
   stop_keeping(*program_, true);
   EXPECT_FALSE(program_->keeper);
@@ -79,7 +80,7 @@ TEST_F(Keeping, the_next_start_has_the_settings_of_the_last) {
   EXPECT_EQ(surface(*next).at->height, 777);
 }
 
-TEST_F(Keeping, a_size_on_the_command_line_replaces_that_of_the_last_window) {
+TEST_F(DocumentFileState, a_size_on_the_command_line_replaces_that_of_the_last_window) {
   start();
   surface(*program_).at = platform::Placement{31, 47, 1111, 777, true};
   stop_keeping(*program_, true);
@@ -89,7 +90,7 @@ TEST_F(Keeping, a_size_on_the_command_line_replaces_that_of_the_last_window) {
   EXPECT_EQ(surface(*next).at, (platform::Placement{31, 47, 1600, 900, false}));
 }
 
-TEST_F(Keeping, a_file_that_holds_no_settings_is_set_aside) {
+TEST_F(DocumentFileState, a_file_that_holds_no_settings_is_set_aside) {
   std::filesystem::create_directories(folder_ / "config");
   ASSERT_TRUE(program_->files.write_atomic(settings(), "{ this is no JSON").ok());
   start();
@@ -100,7 +101,7 @@ TEST_F(Keeping, a_file_that_holds_no_settings_is_set_aside) {
   EXPECT_EQ(*aside, "{ this is no JSON");
 }
 
-TEST_F(Keeping, the_autosave_is_due_its_seconds_after_the_first_change) {
+TEST_F(DocumentFileState, the_autosave_is_due_its_seconds_after_the_first_change) {
   start();
   program_->keeper->state.settings.autosave_seconds = 30;
   const int& autosaves = program_->stats.keeping.autosaves;
@@ -121,7 +122,7 @@ TEST_F(Keeping, the_autosave_is_due_its_seconds_after_the_first_change) {
   EXPECT_EQ(autosaves, 2);
 }
 
-TEST_F(Keeping, the_autosave_waits_for_the_end_of_a_gesture) {
+TEST_F(DocumentFileState, the_autosave_waits_for_the_end_of_a_gesture) {
   start();
   program_->keeper->state.settings.autosave_seconds = 30;
   ASSERT_TRUE(apply(*program_, edit::BeginGesture{}).ok());
@@ -134,7 +135,7 @@ TEST_F(Keeping, the_autosave_waits_for_the_end_of_a_gesture) {
   EXPECT_EQ(program_->stats.keeping.autosaves, 1);
 }
 
-TEST_F(Keeping, a_saved_track_needs_no_autosave) {
+TEST_F(DocumentFileState, a_saved_track_needs_no_autosave) {
   start();
   build_track(*program_);
   ASSERT_TRUE(autosave_now(*program_).ok());
@@ -146,7 +147,7 @@ TEST_F(Keeping, a_saved_track_needs_no_autosave) {
   EXPECT_EQ(program_->stats.keeping.autosaves, 1);
 }
 
-TEST_F(Keeping, what_a_crashed_program_left_is_offered_and_recovered) {
+TEST_F(DocumentFileState, what_a_crashed_program_left_is_offered_and_recovered) {
   crash_with_track("Kestrel");
   start();
   const auto& offers = program_->keeper->state.recoveries;
@@ -163,7 +164,7 @@ TEST_F(Keeping, what_a_crashed_program_left_is_offered_and_recovered) {
   EXPECT_TRUE(program_->keeper->autosave.exists()) << "at no time is there none";
 }
 
-TEST_F(Keeping, an_offer_put_off_comes_again_and_a_discarded_one_does_not) {
+TEST_F(DocumentFileState, an_offer_put_off_comes_again_and_a_discarded_one_does_not) {
   crash_with_track("Kestrel");
   start();
   ASSERT_EQ(program_->keeper->state.recoveries.size(), 1u);
@@ -178,7 +179,7 @@ TEST_F(Keeping, an_offer_put_off_comes_again_and_a_discarded_one_does_not) {
   EXPECT_TRUE(last->keeper->state.recoveries.empty());
 }
 
-TEST_F(Keeping, the_autosave_of_a_running_program_is_nobody_else_s) {
+TEST_F(DocumentFileState, the_autosave_of_a_running_program_is_nobody_else_s) {
   start();
   build_track(*program_);
   ASSERT_TRUE(autosave_now(*program_).ok());
@@ -191,7 +192,7 @@ TEST_F(Keeping, the_autosave_of_a_running_program_is_nobody_else_s) {
   EXPECT_TRUE(next->keeper->state.recoveries.empty());
 }
 
-TEST_F(Keeping, a_file_is_saved_by_the_program_that_opened_it_first) {
+TEST_F(DocumentFileState, a_file_is_saved_by_the_program_that_opened_it_first) {
   start();
   build_track(*program_);
   ASSERT_TRUE(apply(*program_, edit::Save{file("shared.json")}).ok());
@@ -214,7 +215,7 @@ TEST_F(Keeping, a_file_is_saved_by_the_program_that_opened_it_first) {
 }
 
 // A challenge's start track has no file: that of the track before is nobody's then.
-TEST_F(Keeping, a_challenge_leaves_the_file_to_others) {
+TEST_F(DocumentFileState, a_challenge_leaves_the_file_to_others) {
   const std::string challenge = std::string(COASTER_SOURCE_DIR) + "/challenges/01_first_hill.json";
   start();
   build_track(*program_);
@@ -231,7 +232,7 @@ TEST_F(Keeping, a_challenge_leaves_the_file_to_others) {
   stop_keeping(*other, true);
 }
 
-TEST_F(Keeping, recent_files_are_those_the_user_named_the_newest_first) {
+TEST_F(DocumentFileState, recent_files_are_those_the_user_named_the_newest_first) {
   start();
   build_track(*program_);
   for (const char* const name : {"a.json", "b.json"}) ASSERT_TRUE(apply(*program_, edit::Save{file(name)}).ok());
@@ -244,7 +245,7 @@ TEST_F(Keeping, recent_files_are_those_the_user_named_the_newest_first) {
   EXPECT_EQ(std::filesystem::path(recent[1]).filename(), "b.json");
 }
 
-TEST_F(Keeping, medals_outlive_the_program) {
+TEST_F(DocumentFileState, medals_outlive_the_program) {
   start();
   exchange::merge(program_->session.game.earned, {"03_hill", 2, {}});
   keep(*program_);

@@ -76,13 +76,13 @@ TEST_F(RideSummaries, g_are_those_that_riders_feel_as_in_the_report) {
   while (s.laps == 0 && s.ticks < 120 * 40) {
     edit::advance(session, 1), measure(session, s);
     const world::Entity train = session.motion.carts.entities()[0];
-    const world::CartMotion& cart = session.motion.carts.items()[0];
+    const world::TrainMotion& cart = session.motion.carts.items()[0];
     most = std::max(most, std::abs(double{sim::felt(session.document, session.derived, train, cart).left}));
   }
   finish_summary(session, s);
   EXPECT_LT(s.most_side, most - 1);
   EXPECT_GT(s.most_side, 14 * 14 / 40.7 / 9.81);
-  const sim::Ratings& ratings = edit::Finder(session).ratings();
+  const sim::Ratings& ratings = edit::SessionFindings(session).ratings();
   EXPECT_EQ(s.most_up, ratings.up_most.value);
   EXPECT_EQ(s.least_up, ratings.up_least.value);
   EXPECT_EQ(s.most_side, ratings.side_most.value);

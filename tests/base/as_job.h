@@ -6,8 +6,8 @@
 namespace coaster::test {
 
 template <class Work>
-auto as_job(base::Progress& job, const Work& work) {
-  const base::WorkFor working(&job);
+auto as_job(base::JobProgress& job, const Work& work) {
+  const base::JobScope working(&job);
   return work();
 }
 

@@ -103,7 +103,8 @@ TEST_F(file_lock, moving_it_lets_go_of_the_one_before) {
 
 TEST_F(file_lock, a_folder_is_claimed_by_one_run_and_leaves_no_file) {
   const fs::path out = folder / "out";
-  const Root root = *Root().open(out), other = *Root().open(out), beside = *Root().open(folder / "beside");
+  const FileRoot root = *FileRoot().open(out), other = *FileRoot().open(out),
+                 beside = *FileRoot().open(folder / "beside");
   {
     const auto mine = claim_folder(root);
     ASSERT_TRUE(mine.ok()) << mine.status().message;
@@ -119,7 +120,7 @@ TEST_F(file_lock, a_folder_is_claimed_by_one_run_and_leaves_no_file) {
 }
 
 TEST_F(file_lock, the_claim_of_a_killed_process_ends_with_it) {
-  const Root root = *Root().open(folder / "out");
+  const FileRoot root = *FileRoot().open(folder / "out");
   int ready[2];
   ASSERT_EQ(::pipe(ready), 0);
   const pid_t child = ::fork();

@@ -12,10 +12,10 @@ namespace coaster::base {
 namespace interrupted_test {
 
 TEST(interrupted, cancel_reaches_all_threads_of_its_job_and_no_others) {
-  Progress job, other;
+  JobProgress job, other;
   EXPECT_FALSE(interrupted());
   {
-    const WorkFor working(&job);
+    const JobScope working(&job);
     other.cancelled = true;
     EXPECT_FALSE(interrupted());
     job.cancelled = true;
@@ -27,28 +27,28 @@ TEST(interrupted, cancel_reaches_all_threads_of_its_job_and_no_others) {
 }
 
 TEST(interrupted, a_job_within_a_job_ends_alone) {
-  Progress outer, inner;
-  const WorkFor first(&outer);
+  JobProgress outer, inner;
+  const JobScope first(&outer);
   inner.cancelled = true;
   {
-    const WorkFor second(&inner);
+    const JobScope second(&inner);
     EXPECT_TRUE(interrupted());
   }
   EXPECT_FALSE(interrupted());
-  EXPECT_EQ(WorkFor::now(), &outer);
+  EXPECT_EQ(JobScope::now(), &outer);
 }
 
 TEST(interrupted, a_job_is_told_how_far_its_work_is_and_it_never_goes_back) {
   report_progress(0.5);  // of no job
-  Progress job, other;
-  const WorkFor working(&job);
+  JobProgress job, other;
+  const JobScope working(&job);
   for (const double part : {0.2, 0.4, 0.1, 0.6}) {
     const double before = job.done;
     report_progress(part);
     EXPECT_EQ(job.done, std::max(before, part));
   }
   {
-    const WorkFor unwatched(nullptr);
+    const JobScope unwatched(nullptr);
     report_progress(0.9);
   }
   EXPECT_EQ(job.done, 0.6);

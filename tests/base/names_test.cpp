@@ -77,7 +77,7 @@ TEST(names, every_enumerator_has_its_row_and_a_name_of_its_own) {
   expect_rows_up_to(world::ElementKind::force_brakes);
   expect_rows_up_to(world::RideState::failed);
   expect_rows_up_to(world::FailureKind::deadlock);
-  expect_rows_up_to(exchange::Judged::build);
+  expect_rows_up_to(exchange::JudgedWhen::build);
   expect_rows_up_to(exchange::RuleList::gold);
 }
 

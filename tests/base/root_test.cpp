@@ -24,7 +24,7 @@ class root : public testing::Test {
     fs::create_directories(top / "out");
     fs::create_directories(top / "foreign" / "folder");
     std::ofstream(victim()) << "victim";
-    const auto opened = Root().open(top / "out");
+    const auto opened = FileRoot().open(top / "out");
     ASSERT_TRUE(opened.ok()) << opened.status().message;
     io = Files(*opened);
   }
@@ -146,7 +146,7 @@ TEST_F(root, a_file_that_no_run_made_is_neither_replaced_nor_removed) {
   EXPECT_FALSE(io.remove(out("mine")));
   EXPECT_EQ(text(out("mine")), "mine");
   ASSERT_TRUE(io.write_atomic(out("made"), "1").ok());
-  const Files later(*Root().open(top / "out"));
+  const Files later(*FileRoot().open(top / "out"));
   EXPECT_TRUE(Files(later).write_atomic(out("made"), "2").ok()) << "of an earlier run";
   EXPECT_FALSE(io.rename(out("made"), "mine")) << "the name is not free";
   EXPECT_EQ(text(out("mine")), "mine");
@@ -212,7 +212,7 @@ TEST_F(root, a_lock_is_a_new_file_below) {
 
 TEST_F(root, the_folder_itself_may_be_a_link_and_stays_the_same_one) {
   fs::create_directory_symlink("out", top / "named");
-  const auto named = Root().open(top / "named");
+  const auto named = FileRoot().open(top / "named");
   ASSERT_TRUE(named.ok());
   fs::remove(top / "named");
   fs::create_directory_symlink("foreign", top / "named");  // afterwards it leads elsewhere

@@ -67,7 +67,7 @@ TEST(bernstein, weights_and_construction_give_the_same_point_for_every_degree) {
 TEST(bernstein, construction_agrees_with_the_cubic_and_its_split) {
   for (const Cubic& c : random_cubics(30, 42)) {
     for (const double t : {0.0, 0.123, 0.5, 0.871, 1.0}) {
-      const Construction k = construction(c, t);
+      const DeCasteljauPoints k = construction(c, t);
       EXPECT_LT(glm::length(k.point - point(c, t)), 1e-12);
       EXPECT_LT(glm::length(k.point - point_long_double(c, t)), 1e-13);
       const SplitCubic halves = split(c, t);

@@ -141,7 +141,7 @@ TEST(degenerate, splits_add_up_and_the_nearest_point_is_no_farther_than_the_ends
       ASSERT_LE(near.distance, std::min(glm::length(target - dvec3(c.p0)), glm::length(target - dvec3(c.p3))))
           << set.name;
       ASSERT_NEAR(near.distance, glm::length(target - point(c, near.t)), 1e-9) << set.name;
-      const Joint j = joint(halves.left, halves.right);
+      const JointContinuity j = joint(halves.left, halves.right);
       ASSERT_EQ(j.gap, 0) << set.name;
       ASSERT_TRUE(std::isfinite(j.angle) && std::isfinite(j.speed_ratio) && std::isfinite(j.curvature_jump))
           << set.name;
@@ -223,9 +223,9 @@ TEST(degenerate, a_closed_loop_with_opposed_ends_has_length_but_no_chord) {
   const NearestPoint start = nearest_point(c, dvec3(a));
   EXPECT_LT(start.distance, 1e-6);
   EXPECT_LT(std::min(start.t, 1 - start.t), 1e-6);
-  const Joint j = joint(c, c);  // closes on itself with a corner
+  const JointContinuity j = joint(c, c);  // closes on itself with a corner
   EXPECT_EQ(j.gap, 0);
-  EXPECT_EQ(j.geometric, Geometric::g0);
+  EXPECT_EQ(j.geometric, GeometricContinuity::g0);
   const Cubic flat{a, a + x, a - x, a};  // the same squeezed to a line: out, through and back
   EXPECT_NEAR(arc_length(flat), 2 / std::sqrt(3.0) * glm::length(dvec3(flat.p1) - dvec3(flat.p0)), 1e-5);
 }

@@ -10,8 +10,8 @@ namespace coaster::curve {
 namespace g2_conditions_test {
 
 using detail::Conditions;
+using detail::G2Unknowns;
 using detail::Matrix;
-using detail::Point;
 using detail::Vector;
 using glm::dvec3;
 
@@ -22,13 +22,13 @@ struct Chance {
   dvec3 unit() { return glm::normalize(vector(1) + dvec3(0.2, 0.1, 1.3)); }
 };
 
-G2Side side_of(Chance& chance, G2Side::Keep keep) {
+G2Side side_of(Chance& chance, G2Side::FarEndConstraint keep) {
   G2Side side{chance.vector(14), chance.unit(), chance.number(2, 6), false, keep};
   side.curvature = glm::cross(side.direction, chance.vector(0.2));
   return side;
 }
 
-G2Problem problem_of(Chance& chance, G2Side::Keep before, G2Side::Keep after) {
+G2Problem problem_of(Chance& chance, G2Side::FarEndConstraint before, G2Side::FarEndConstraint after) {
   G2Problem p;
   p.position = chance.vector(50);
   p.in_handle = p.position + chance.vector(6), p.out_handle = p.position + chance.vector(6);
@@ -37,18 +37,18 @@ G2Problem problem_of(Chance& chance, G2Side::Keep before, G2Side::Keep after) {
   return p;
 }
 
-double& unknown(Point& x, int i) {
+double& unknown(G2Unknowns& x, int i) {
   if (i < 6) return i < 3 ? x.q[i] : x.r[i - 3];
   return i == 6 ? x.l : i == 7 ? x.a : x.b;
 }
-Point at(Point x, int i, double by) {
+G2Unknowns at(G2Unknowns x, int i, double by) {
   unknown(x, i) += by;
   return x;
 }
 
 struct Place {
   detail::Repair repair;
-  Point x;
+  G2Unknowns x;
   detail::Axes axes;
 };
 Place place_of(Chance& chance, const G2Problem& problem) {
@@ -58,7 +58,8 @@ Place place_of(Chance& chance, const G2Problem& problem) {
 }
 
 constexpr double kStep = 1e-4;  // m; the conditions are polynomials, differences lose some 1e-8
-constexpr std::array kKept{G2Side::Keep::nothing, G2Side::Keep::curvature, G2Side::Keep::handle};
+constexpr std::array kKept{G2Side::FarEndConstraint::nothing, G2Side::FarEndConstraint::curvature,
+                           G2Side::FarEndConstraint::handle};
 
 TEST(g2_conditions, rows_are_the_derivatives_of_the_conditions) {
   Chance chance;
@@ -66,7 +67,9 @@ TEST(g2_conditions, rows_are_the_derivatives_of_the_conditions) {
     for (const auto after : kKept) {
       const Place p = place_of(chance, problem_of(chance, before, after));
       const Conditions now = p.repair.conditions(p.x, p.axes);
-      const auto count = [](G2Side::Keep keep) { return keep == G2Side::Keep::nothing ? 0 : keep == kKept[1] ? 2 : 3; };
+      const auto count = [](G2Side::FarEndConstraint keep) {
+        return keep == G2Side::FarEndConstraint::nothing ? 0 : keep == kKept[1] ? 2 : 3;
+      };
       ASSERT_EQ(now.count, 2 + count(before) + count(after) + 3);
       for (int i = 0; i < detail::kUnknowns; ++i) {
         const Conditions more = p.repair.conditions(at(p.x, i, kStep), p.axes),
@@ -104,7 +107,7 @@ TEST(g2_conditions, equal_curvature_is_met_where_both_sides_have_it) {
 }
 
 // The objective is half the sum of the squared movements of q, r, p and both lengths.
-std::array<double, 11> movements(const G2Problem& problem, const Point& x) {
+std::array<double, 11> movements(const G2Problem& problem, const G2Unknowns& x) {
   const dvec3 q = x.q - (problem.in_handle - problem.position), r = x.r - (problem.out_handle - problem.position),
               p = x.p();
   return {q.x, q.y, q.z, r.x, r.y, r.z, p.x, p.y, p.z, x.a - problem.before.length, x.b - problem.after.length};
@@ -151,7 +154,7 @@ TEST(g2_conditions, with_the_bend_the_second_derivatives_are_those_of_the_lagran
     Matrix hessian{};
     p.repair.slopes(p.x, gradient, hessian);
     p.repair.bend(p.x, p.axes, multipliers, hessian);
-    const auto lagrangian = [&](const Point& x) {
+    const auto lagrangian = [&](const G2Unknowns& x) {
       const Conditions c = p.repair.conditions(x, p.axes);
       double sum = p.repair.cost(x);
       for (std::size_t k = 0; k < static_cast<std::size_t>(c.count); ++k) sum += multipliers[k] * c.c[k];

@@ -155,10 +155,10 @@ TEST(g2, keeps_the_curvature_of_the_far_joints_or_the_handle) {
   int solved = 0;
   for (int i = 0; i < 200; ++i) {
     G2Problem p = crooked(chance, false);
-    p.before.keep = G2Side::Keep::curvature;
+    p.before.keep = G2Side::FarEndConstraint::curvature;
     p.before.curvature = far_curvature(p.before, p.before.length, p.in_handle);
     p.before.length_fixed = i % 2 == 0;
-    if (i % 4 == 3) p.after.keep = G2Side::Keep::handle;
+    if (i % 4 == 3) p.after.keep = G2Side::FarEndConstraint::handle;
     const G2Solution s = solve_g2(p);
     if (s.outcome != G2Outcome::solved) continue;
     ++solved;
@@ -205,7 +205,7 @@ TEST(g2, refuses_handles_of_no_length_and_conditions_that_contradict) {
   EXPECT_EQ(solve_g2(p).outcome, G2Outcome::degenerate);
   // Every handle and the place held: nothing is left to move.
   p = crooked(chance, true);
-  p.before.keep = p.after.keep = G2Side::Keep::handle;
+  p.before.keep = p.after.keep = G2Side::FarEndConstraint::handle;
   p.position_fixed = true;
   const G2Solution s = solve_g2(p);
   EXPECT_EQ(s.outcome, G2Outcome::no_convergence);

@@ -41,7 +41,7 @@ constexpr int kSteps[] = {1, 2, 3, 4, 5, 7, 8, 9, 15, 16, 23, 31, 33, 63, 64, 65
 
 TEST(kernels, every_path_and_method_keeps_its_bound_for_every_number_of_steps) {
   const auto cubics = random_cubics(40, 41);
-  for (const Processor on : available_processors())
+  for (const InstructionSet on : available_processors())
     for (const int n : kSteps)
       for (const Cubic& c : cubics) {
         std::vector<glm::vec3> by_horner(static_cast<std::size_t>(n) + 1), by_differences(by_horner.size());
@@ -66,10 +66,11 @@ TEST(kernels, every_path_and_method_keeps_its_bound_for_every_number_of_steps) {
 TEST(kernels, a_track_is_its_curves_one_after_the_other_in_both_layouts) {
   const auto cubics = random_cubics(7, 42);
   const auto all = prepared(cubics);
-  for (const Processor on : available_processors())
+  for (const InstructionSet on : available_processors())
     for (const int n : kSteps)
-      for (const TrackLayout layout : {TrackLayout::polylines, TrackLayout::chain}) {
-        const std::size_t count = track_vertices(all.size(), n, layout), own = layout == TrackLayout::chain ? n : n + 1;
+      for (const VertexLayout layout : {VertexLayout::polylines, VertexLayout::chain}) {
+        const std::size_t count = track_vertices(all.size(), n, layout),
+                          own = layout == VertexLayout::chain ? n : n + 1;
         std::vector<glm::vec3> out(count + 1, glm::vec3(-7));
         track_points(all, n, layout, std::span(out).first(count), on);
         EXPECT_EQ(out.back(), glm::vec3(-7)) << "written past the end";
@@ -87,15 +88,15 @@ TEST(kernels, writing_past_the_caches_gives_the_same_vertices) {
   const auto cubics = random_cubics(50, 43);
   std::vector<PreparedCubic> all;
   for (std::size_t i = 0; i < 46'000; ++i) all.push_back(prepare(cubics[i % cubics.size()]));
-  const std::size_t count = track_vertices(all.size(), 64, TrackLayout::chain);
+  const std::size_t count = track_vertices(all.size(), 64, VertexLayout::chain);
   const std::size_t bytes = (count * sizeof(glm::vec3) + 31) / 32 * 32;
   const std::unique_ptr<void, decltype(&std::free)> memory(std::aligned_alloc(32, bytes), &std::free);
   const std::span<glm::vec3> out(static_cast<glm::vec3*>(memory.get()), count);
-  for (const Processor on : available_processors()) {
+  for (const InstructionSet on : available_processors()) {
     std::fill(out.begin(), out.end(), glm::vec3(0));
-    track_points(all, 64, TrackLayout::chain, out, on);
-    std::vector<glm::vec3> some(track_vertices(50, 64, TrackLayout::chain));
-    track_points(std::span(all).first(50), 64, TrackLayout::chain, some, on);
+    track_points(all, 64, VertexLayout::chain, out, on);
+    std::vector<glm::vec3> some(track_vertices(50, 64, VertexLayout::chain));
+    track_points(std::span(all).first(50), 64, VertexLayout::chain, some, on);
     for (std::size_t i = 0; i < all.size() * 64; ++i) ASSERT_EQ(out[i], some[i % (50 * 64)]);
     EXPECT_EQ(out.back(), all.back().cubic.p3);
   }
@@ -103,20 +104,20 @@ TEST(kernels, writing_past_the_caches_gives_the_same_vertices) {
 
 TEST(kernels, degenerate_curves_and_an_empty_track_are_finite) {
   const auto all = prepared(degenerate_cubics());
-  for (const Processor on : available_processors()) {
+  for (const InstructionSet on : available_processors()) {
     for (const int n : {1, 7, 64}) {
-      std::vector<glm::vec3> out(track_vertices(all.size(), n, TrackLayout::polylines));
-      track_points(all, n, TrackLayout::polylines, out, on);
+      std::vector<glm::vec3> out(track_vertices(all.size(), n, VertexLayout::polylines));
+      track_points(all, n, VertexLayout::polylines, out, on);
       for (const glm::vec3 p : out) ASSERT_TRUE(std::isfinite(p.x + p.y + p.z));
     }
-    track_points({}, 64, TrackLayout::chain, {}, on);
+    track_points({}, 64, VertexLayout::chain, {}, on);
   }
 }
 
 TEST(kernels, the_best_path_is_among_those_available_and_the_baseline_always_is) {
   const auto available = available_processors();
   ASSERT_FALSE(available.empty());
-  EXPECT_EQ(available.front(), Processor::baseline);
+  EXPECT_EQ(available.front(), InstructionSet::baseline);
   EXPECT_EQ(available.back(), best_processor());
 }
 

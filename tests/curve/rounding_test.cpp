@@ -52,7 +52,7 @@ Points placed(Points p, double scale, dvec3 offset) {
   return p;
 }
 // Returns the joint of the rounded points.
-Joint rounded(const Points& p) { return joint(cubic(p, 0), cubic(p, 3)); }
+JointContinuity rounded(const Points& p) { return joint(cubic(p, 0), cubic(p, 3)); }
 double bound(const Points& p) { return rounding_curvature(cubic(p, 0), 1.0) + rounding_curvature(cubic(p, 3), 0.0); }
 
 dvec3 bend(dvec3 d, dvec3 dd) {  // B'' across B' by the length of B' squared
@@ -80,10 +80,10 @@ TEST(rounding, a_joint_that_was_g2_before_it_was_rounded_is_g2) {
     const double scale = joints.spread(1e-3, 1e3), k = i % 5 == 0 ? 0 : joints.spread(1e-5, 0.1);
     const dvec3 offset = i % 7 == 0 ? dvec3(0) : joints.spread(1e-2, 1e5) * joints.direction();
     const Points p = placed(joints.joint(k, 1), scale, offset);
-    const Joint j = rounded(p);
+    const JointContinuity j = rounded(p);
     if (j.speed_ratio == 0 || glm::vec3(p[3]) == glm::vec3(p[2])) continue;  // rounded away
-    EXPECT_EQ(j.geometric, Geometric::g2) << "scale " << scale << " at " << glm::length(offset) << " m, jump "
-                                          << j.curvature_jump << ", bound " << bound(p);
+    EXPECT_EQ(j.geometric, GeometricContinuity::g2) << "scale " << scale << " at " << glm::length(offset) << " m, jump "
+                                                    << j.curvature_jump << ", bound " << bound(p);
     const double size = std::max(glm::length(j.curvature_before), glm::length(j.curvature_after));
     by_rounding += j.curvature_jump > 1e-3 * size;
   }
@@ -103,7 +103,8 @@ TEST(rounding, a_jump_of_two_thousandths_well_above_rounding_is_g1) {
     for (const std::size_t at : {2, 4}) shortest = std::min(shortest, glm::distance(p[at], p[3]));
     if (ulp * 30 / (shortest * shortest) > 1e-3 * k / scale) continue;
     ++tried;
-    EXPECT_EQ(rounded(p).geometric, Geometric::g1) << "scale " << scale << " at " << glm::length(offset) << " m";
+    EXPECT_EQ(rounded(p).geometric, GeometricContinuity::g1)
+        << "scale " << scale << " at " << glm::length(offset) << " m";
   }
   EXPECT_GT(tried, 5'000);
 }
@@ -112,7 +113,8 @@ TEST(rounding, a_jump_just_below_a_thousandth_is_none_at_every_scale) {
   Joints joints(4);
   for (int i = 0; i < 10'000; ++i) {
     const double scale = joints.spread(1e-3, 1e3), k = joints.spread(1e-3, 0.1);
-    EXPECT_EQ(rounded(placed(joints.joint(k, 1 + 0.9e-3), scale, dvec3(0))).geometric, Geometric::g2) << scale;
+    EXPECT_EQ(rounded(placed(joints.joint(k, 1 + 0.9e-3), scale, dvec3(0))).geometric, GeometricContinuity::g2)
+        << scale;
   }
 }
 

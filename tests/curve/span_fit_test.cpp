@@ -42,7 +42,7 @@ struct Helix {
     return {s, origin + radius * outward + radius * a * climb * z, (round + climb * z) / stretch(),
             -outward / (radius * stretch() * stretch())};
   }
-  SpanNodes nodes(int spans, double length) const {
+  SpanKnots nodes(int spans, double length) const {
     std::vector<PathPoint> points;
     for (int k = 0; k <= spans; ++k) points.push_back(at(length * k / spans));
     return span_nodes(points);
@@ -51,15 +51,15 @@ struct Helix {
 
 TEST(span_fit, turned_tangents_make_the_joints_of_a_space_curve_g2) {
   const Helix helix;
-  SpanNodes nodes = helix.nodes(9, 60);
+  SpanKnots nodes = helix.nodes(9, 60);
   const double before = turn_tangents(nodes);
   EXPECT_GT(before, 1e-4) << "torsion leaves a jump";
   double jump = before;
   for (int step = 0; step < 4; ++step) jump = turn_tangents(nodes);
   EXPECT_LT(jump, 1e-11);
   for (std::size_t k = 0; k + 2 < nodes.place.size(); ++k) {
-    const Joint j = joint(span_cubic(nodes, k), span_cubic(nodes, k + 1));
-    EXPECT_EQ(j.geometric, Geometric::g2) << k;
+    const JointContinuity j = joint(span_cubic(nodes, k), span_cubic(nodes, k + 1));
+    EXPECT_EQ(j.geometric, GeometricContinuity::g2) << k;
     EXPECT_LT(j.curvature_jump, 1e-5) << k << ": rounding to float alone";
   }
   for (std::size_t k = 0; k < nodes.place.size(); ++k) {
@@ -73,7 +73,7 @@ TEST(span_fit, turned_tangents_make_the_joints_of_a_space_curve_g2) {
 TEST(span_fit, plane_paths_need_no_turning) {
   Helix circle;
   circle.climb = 0;
-  SpanNodes nodes = circle.nodes(5, 50);
+  SpanKnots nodes = circle.nodes(5, 50);
   const std::vector<dvec3> before = nodes.tangent;
   EXPECT_LT(turn_tangents(nodes), 1e-8);
   for (std::size_t k = 0; k < before.size(); ++k) EXPECT_LT(glm::distance(before[k], nodes.tangent[k]), 1e-7);

@@ -24,7 +24,7 @@ curve::PathPoint path(double angle, double rise) {
 void fit(const char* name, double rise, int spans) {
   std::vector<curve::PathPoint> points;
   for (int k = 0; k <= spans; ++k) points.push_back(path(2 * kPi * k / spans, rise));
-  curve::SpanNodes nodes = curve::span_nodes(points);
+  curve::SpanKnots nodes = curve::span_nodes(points);
   for (int step = 0; step < 8 && curve::turn_tangents(nodes) > 1e-11;) ++step;
 
   // The largest distance of the path from the span beside it, and the largest jump of curvature at a joint.
@@ -36,9 +36,9 @@ void fit(const char* name, double rise, int spans) {
       error =
           std::max(error, curve::nearest_point(cubic, path(2 * kPi * (k + i / 20.0) / spans, rise).position).distance);
     if (k == 0) continue;
-    const curve::Joint joint = curve::joint(curve::span_cubic(nodes, k - 1), cubic);
+    const curve::JointContinuity joint = curve::joint(curve::span_cubic(nodes, k - 1), cubic);
     jump = std::max(jump, joint.curvature_jump);
-    joints += joint.geometric == curve::Geometric::g2;
+    joints += joint.geometric == curve::GeometricContinuity::g2;
   }
   std::printf("%s %d %.6e %.6e %d %.12f\n", name, spans, error, jump, joints, nodes.out[0]);
 }

@@ -15,7 +15,7 @@ void print(const char* name, const curve::Cubic& c) {
   std::printf("\n");
 }
 
-void print(const char* when, const curve::Joint& j) {
+void print(const char* when, const curve::JointContinuity& j) {
   const auto class_of = static_cast<std::size_t>(j.geometric);
   std::printf("%s_jump %.9e\n%s_class %s\n", when, j.curvature_jump, when,
               std::string(curve::rows_of(j.geometric)[class_of].name).c_str());

@@ -25,7 +25,7 @@ class Forces : public SessionTest {
   }
   const world::Section& value() { return world::section(session.document, entity(section.c_str())); }
   const world::ForceProgram& program() { return value().force; }
-  const sim::ForcePlan& plan() { return *edit::Finder(session).force(entity(section.c_str())); }
+  const sim::ForcePlan& plan() { return *edit::SessionFindings(session).force(entity(section.c_str())); }
   // Returns the knots from the section's end on, without the handle before it, which is the section's own.
   std::vector<world::Knot> knots_behind() {
     const auto& order = session.document.track.knots;
@@ -38,8 +38,8 @@ class Forces : public SessionTest {
   void key(const std::string& words) { good("force @" + section + " " + words); }
   // Largest difference between what the plan asks for and what the first train's riders feel in the simulated ride.
   double missed() {
-    const sim::SimulatedRide& ride = *edit::Finder(session).ride();
-    const sim::RailTables& tables = edit::Finder(session).tables();
+    const sim::SimulatedRide& ride = *edit::SessionFindings(session).ride();
+    const sim::RailTables& tables = edit::SessionFindings(session).tables();
     const sim::ForcePlan& planned = plan();
     const double start = session.derived.starts[world::run_of(session.document, entity(section.c_str())).first];
     double most = 0;
@@ -59,9 +59,10 @@ class Forces : public SessionTest {
   }
   void expect_g2() {
     for (std::size_t i = 1; i < session.derived.order.size(); ++i) {
-      const curve::Joint joint =
+      const curve::JointContinuity joint =
           curve::joint(session.derived.shape_at(i - 1).key.cubic, session.derived.shape_at(i).key.cubic);
-      EXPECT_EQ(joint.geometric, curve::Geometric::g2) << "knot " << i << " jumps by " << joint.curvature_jump;
+      EXPECT_EQ(joint.geometric, curve::GeometricContinuity::g2)
+          << "knot " << i << " jumps by " << joint.curvature_jump;
     }
   }
 

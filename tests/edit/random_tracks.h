@@ -15,7 +15,7 @@ class RandomTracks : public SessionTest {
  protected:
   RandomTracks() : SessionTest(world::Document{}) {}
 
-  const sim::CircuitProposals& proposals() { return edit::Finder(session).circuit(); }
+  const sim::CircuitProposals& proposals() { return edit::SessionFindings(session).circuit(); }
   std::uint32_t below(std::uint32_t n) { return bits_() % n; }
   double uniform(double low, double high) { return low + (high - low) * (bits_() / 4294967296.0); }
 
@@ -47,7 +47,7 @@ class RandomTracks : public SessionTest {
           fmt::format("element loop {} height {:.1f}", side, loop),
           fmt::format("element helix {} radius {:.1f} turns 1.2 height {:.1f}", side, coil, descent)};
       if (!apply(line[below(7)])) continue;
-      bool bad = !edit::Finder(session).conflicts().empty();
+      bool bad = !edit::SessionFindings(session).conflicts().empty();
       for (const world::Entity e : session.document.track.knots)
         bad = bad || world::knot(session.document, e).position.y < 1.5f;
       if (bad) good("undo");

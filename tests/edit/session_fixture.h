@@ -39,10 +39,12 @@ class SessionTest : public testing::Test {
   }
 
   static edit::Command command(const std::string& line) { return command_of(line); }
-  base::Status apply(const edit::Command& c, edit::Search* search = nullptr) {
+  base::Status apply(const edit::Command& c, edit::ClosingSearch* search = nullptr) {
     return edit::apply(session, files, c, search);
   }
-  base::Status apply(const std::string& line, edit::Search* search = nullptr) { return apply(command(line), search); }
+  base::Status apply(const std::string& line, edit::ClosingSearch* search = nullptr) {
+    return apply(command(line), search);
+  }
   void good(const std::string& line) {
     const base::Status status = apply(line);
     EXPECT_TRUE(status) << line << ": " << status.message;

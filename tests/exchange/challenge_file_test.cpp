@@ -43,7 +43,7 @@ TEST(challenge_file, all_members_are_read) {
   const ChallengeFile& c = loaded->challenge;
   EXPECT_EQ(c.name, "A \"name\"");
   EXPECT_EQ(c.teaches, "Something.");
-  EXPECT_EQ(c.judged, Judged::time);
+  EXPECT_EQ(c.judged, JudgedWhen::time);
   EXPECT_EQ(c.seconds, 12.5);
   ASSERT_EQ(c.list(RuleList::goals).size(), 2u);
   EXPECT_EQ(c.list(RuleList::goals)[1], (ChallengeRule{"ride.lap == 1", "A lap"}));

@@ -35,7 +35,7 @@ TEST(formats, a_path_has_the_format_of_its_ending_in_either_case) {
 }
 
 TEST(formats, messages_name_every_ending_once) {
-  const std::string read = known_endings(Direction::read), write = known_endings(Direction::write);
+  const std::string read = known_endings(FormatUse::read), write = known_endings(FormatUse::write);
   for (const Format& format : formats()) {
     EXPECT_EQ(read.find(format.ending) != std::string::npos, format.parse != nullptr) << format.ending;
     EXPECT_EQ(write.find(format.ending) != std::string::npos, format.print != nullptr) << format.ending;

@@ -139,7 +139,7 @@ void outputs(std::string_view bytes) {
   if (bytes.size() > 2'000) return;
   const LinkFarm farm;
   const std::string before = census(farm.outside);
-  base::Files files(*base::Root().open(farm.run));
+  base::Files files(*base::FileRoot().open(farm.run));
   while (!bytes.empty()) {
     const std::string line(bytes.substr(0, bytes.find('\n')));
     bytes.remove_prefix(std::min(bytes.size(), line.size() + 1));

@@ -34,13 +34,13 @@ inline Id id_of(PickKind kind, world::Entity entity) {
 // A hilly ring with three carts close together, so that they cover each other, and one view of it.
 struct Sight {
   world::Document document;
-  sim::Derived derived;
+  sim::DerivedTrack derived;
   world::Motion motion;
   world::Settings settings;
   view::View view;
   std::vector<sim::Pose> carts() const {
     std::vector<sim::Pose> poses;
-    for (const world::CartMotion& cart : motion.carts.items())
+    for (const world::TrainMotion& cart : motion.carts.items())
       poses.push_back(sim::pose(derived, cart, settings.frames));
     return poses;
   }

@@ -123,7 +123,7 @@ TEST_F(Pictures, the_shadow_is_on_the_ground_and_darkens_once) {
   Track track = ring();
   const Image with = picture(track);
   const view::View view = look(track);
-  const sim::Derived nothing;
+  const sim::DerivedTrack nothing;
   const view::Overlay overlay;
   renderer_->draw(Scene{nothing, view, overlay, {}}, width_, height_);
   const Image without = renderer_->read_pixels();

@@ -55,7 +55,7 @@ TEST(shadow_fit, places_on_one_ray_of_light_share_a_place_in_the_map_and_the_nea
 }
 
 TEST(shadow_fit, the_whole_track_and_its_feet_are_in_the_map_while_the_eye_is_near_or_far) {
-  const sim::Derived derived = test::derived_of(test::ring_document(9, 17.3));
+  const sim::DerivedTrack derived = test::derived_of(test::ring_document(9, 17.3));
   const SunAxes axes(kSun);
   const LightBox box = TrackBox().update(axes, derived);
   for (const float away : {5.0f, 90.0f, 900.0f}) {
@@ -73,7 +73,7 @@ TEST(shadow_fit, the_whole_track_and_its_feet_are_in_the_map_while_the_eye_is_ne
 
 TEST(shadow_fit, nothing_throws_no_shadow) {
   const SunAxes axes(kSun);
-  EXPECT_TRUE(TrackBox().update(axes, sim::Derived{}).empty());
+  EXPECT_TRUE(TrackBox().update(axes, sim::DerivedTrack{}).empty());
   EXPECT_TRUE(light_box(axes, std::span<const sim::Pose>{}).empty());
   EXPECT_EQ(fit_shadow(axes, LightBox{}, 128, {}, {0, 0, -1}).side, 0);
 }
@@ -83,7 +83,7 @@ TEST(shadow_fit, the_box_of_a_track_follows_its_changes_and_looks_only_near_them
   world::Document document = test::ring_document(kSegments, 4000);
   world::Settings settings;
   settings.evaluation->steps = 1;
-  sim::Derived derived;
+  sim::DerivedTrack derived;
   TrackBox kept;
   const auto expect_fresh = [&](const SunAxes& axes, std::size_t most) {
     world::settle_joints(document);
@@ -110,7 +110,7 @@ TEST(shadow_fit, the_box_of_a_track_follows_its_changes_and_looks_only_near_them
 }
 
 TEST(shadow_fit, a_large_track_has_its_map_about_the_eye_and_all_of_it_from_far_away) {
-  const sim::Derived derived = test::derived_of(test::ring_document(60, 900));
+  const sim::DerivedTrack derived = test::derived_of(test::ring_document(60, 900));
   const SunAxes axes(kSun);
   const LightBox box = TrackBox().update(axes, derived);
   const glm::vec3 on_track = test::polyline_of(derived.shape(derived.order[11])).front();

@@ -19,7 +19,7 @@ namespace coaster::test {
 struct Track {
   world::Document document;
   world::Settings settings;
-  sim::Derived derived;
+  sim::DerivedTrack derived;
 
   explicit Track(world::Document from, int steps = 24) : document(std::move(from)) {
     settings.evaluation->steps = steps;

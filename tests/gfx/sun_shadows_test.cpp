@@ -24,7 +24,7 @@ glm::vec3 on_ground(glm::vec3 at, world::Style style) {
 TEST_F(Shadows, fall_where_the_light_through_the_track_meets_the_ground) {
   width_ = 320, height_ = 180, show_polyline_ = false;
   const Track track(test::straight_document({-21, 2.6f, 1}, {19, 3.1f, 4}, 4));
-  const sim::Derived nothing;
+  const sim::DerivedTrack nothing;
   const view::Overlay overlay;
   for (const world::Style style : {world::Style::day, world::Style::dusk, world::Style::blueprint}) {
     style_ = style;

@@ -123,7 +123,7 @@ TEST_F(Swept, an_orbit_of_a_large_track_stays_within_the_budget_and_uploads_noth
   const float flat = 1.0f / 128;
   const glm::mat4 light{glm::vec4(flat, 0, 0, 0), glm::vec4(0, 0, 1e-4f, 0), glm::vec4(0, flat, 0, 0),
                         glm::vec4(-flat * start.x, -flat * start.z, 0, 1)};
-  const Cast cast = swept.cast(light, 0.125f, true);
+  const ShadowDrawStats cast = swept.cast(light, 0.125f, true);
   EXPECT_GT(cast.triangles, 0);
   EXPECT_LT(cast.triangles, 60 * 600);  // 600 triangles in each of the segments in 256 m and a bit
 }

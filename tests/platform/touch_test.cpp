@@ -25,7 +25,7 @@ std::string told(const Events& events) {
 
 // A screen: each call is a frame with these fingers.
 struct Screen {
-  Touch touch;
+  TouchTranslator touch;
   double now = 0;
   bool taken = true;  // by the last frame
   std::string frame(std::vector<Finger> fingers, double dt = 0.02) {
@@ -75,7 +75,7 @@ TEST(touch, two_fingers_pan_and_zoom) {
   screen.frame({{1, 100, 100}});
   EXPECT_EQ(screen.frame({{1, 100, 100}, {2, 200, 100}}), "move 150,100; middle down");
   EXPECT_EQ(screen.frame({{1, 110, 120}, {2, 210, 120}}), "move 160,120");
-  const float wide = 100 * std::pow(Touch::kPerNotch, 2.0f);
+  const float wide = 100 * std::pow(TouchTranslator::kPerNotch, 2.0f);
   EXPECT_EQ(screen.frame({{1, 160 - wide / 2, 120}, {2, 160 + wide / 2, 120}}), "move 160,120; wheel 2.00");
   EXPECT_EQ(screen.frame({{1, 110, 120}}), "middle up");
   EXPECT_EQ(screen.frame({{1, 10, 20}}), "") << "the one that stays does not drag";

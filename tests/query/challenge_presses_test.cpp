@@ -59,7 +59,7 @@ class ChallengePresses : public test::SessionTest {
         lines.push_back(fmt::format("{} @{} as {}", command, name, kind));
     };
     equips("section.equip", "q1");
-    if (session.game.challenge->file.judged == exchange::Judged::lap)
+    if (session.game.challenge->file.judged == exchange::JudgedWhen::lap)
       for (const world::Entity segment : session.document.track.segments)
         equips("equip", world::label_of(session.document, segment));
     return lines;
@@ -67,7 +67,7 @@ class ChallengePresses : public test::SessionTest {
   // The medal after a press, ridden if everything is met.
   int medal_after(const std::string& press) {
     const edit::ActiveChallenge& challenge = *session.game.challenge;
-    if (!apply(press) || challenge.file.judged == exchange::Judged::build) return challenge.medal;
+    if (!apply(press) || challenge.file.judged == exchange::JudgedWhen::build) return challenge.medal;
     const auto rules = read_rules(challenge.file, challenge.path);
     for (const Rule& rule : *rules)
       if (must_hold(rule) && !look_at(session, rule).holds) return 0;

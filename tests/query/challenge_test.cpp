@@ -112,7 +112,7 @@ TEST_F(ChallengeTest, a_lap_is_judged_when_it_is_ridden_and_not_before) {
   // The lap ended at the tick after the train's return, for any number of ticks per call: the simulated ride's own lap
   // gives the time.
   ASSERT_TRUE(session.game.result);
-  const double lap = edit::Finder(session).ride()->lap_time;
+  const double lap = edit::SessionFindings(session).ride()->lap_time;
   EXPECT_NEAR(session.game.result->seconds, lap, 2 * world::kTick);
   EXPECT_EQ(session.game.result->end, edit::RideEnd::lap);
   ASSERT_TRUE(exchange::find(session.game.earned, "c"));
@@ -205,7 +205,7 @@ TEST_F(ChallengeTest, a_failing_goal_is_told_with_its_value_place_and_unit) {
   edit::advance(session, 120 * 300);
   ASSERT_EQ(session.game.challenge->judged, 1u);
   // Against the simulated ride's raw forces, low-passed and searched here.
-  const sim::SimulatedRide* const simulated = edit::Finder(session).ride();
+  const sim::SimulatedRide* const simulated = edit::SessionFindings(session).ride();
   const std::vector<float> side = sim::pressed(*simulated, 0, sim::ForceAxis::side, session.limits.envelope.cutoff);
   const auto most = std::max_element(side.begin(), side.end());
   const double place = simulated->distance(static_cast<std::size_t>(most - side.begin()) * sim::kForceEvery);
@@ -232,7 +232,7 @@ TEST_F(ChallengeTest, a_weak_joint_is_told_with_its_place_and_the_step_that_ride
     }
     const std::size_t knot = std::string_view(expect).starts_with("geometric_min") ? weakest : 4;
     double fastest = 0;
-    for (const sim::Passage& passage : edit::Finder(session).ride()->passages)
+    for (const sim::JointPassage& passage : edit::SessionFindings(session).ride()->passages)
       if (passage.knot == knot) fastest = std::max(fastest, std::abs(passage.speed));
     ASSERT_GT(jumps[knot], 1e-4);
     EXPECT_EQ(session.game.challenge->last.reason,
@@ -257,7 +257,7 @@ TEST_F(ChallengeTest, a_train_that_is_too_slow_is_told_how_much_is_missing) {
   good("new");
   good("append at 0 4 0"), good("append at 40 4 0"), good("append at 80 4 0"), good("append at 120 24 0"),
       good("append at 160 24 0");
-  if (session.document.entities.pool<world::Cart>().size() == 0) good("add_cart @s1 at 0");
+  if (session.document.entities.pool<world::Train>().size() == 0) good("add_cart @s1 at 0");
   good("start_speed 12");
   good("ride.start");
   edit::advance(session, 120 * 60);

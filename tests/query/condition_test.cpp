@@ -173,16 +173,16 @@ TEST(condition, none_meets_only_a_comparison_with_none) {
     const std::string value = query == "geometric @k1" ? "G1" : vector ? "0 0 0" : query == "card.end" ? "lap" : "0";
     for (const std::string op : {"==", "!=", "<", "<=", ">", ">=", "~"}) {
       if ((vector || text) && op != "==" && op != "!=" && op != "~") continue;
-      EXPECT_EQ(holds_for(op + " " + value, None{}, query), 0) << query << " " << op;
-      EXPECT_EQ(holds_for(op + " " + value, None{}, "not " + query), 0) << "not " << query << " " << op;
+      EXPECT_EQ(holds_for(op + " " + value, NoValue{}, query), 0) << query << " " << op;
+      EXPECT_EQ(holds_for(op + " " + value, NoValue{}, "not " + query), 0) << "not " << query << " " << op;
     }
-    EXPECT_EQ(holds_for("", None{}, query), 0) << query;
-    EXPECT_EQ(holds_for("", None{}, "not " + query), 0) << query;
-    EXPECT_EQ(holds_for("~ none", None{}, query), 0) << query;
-    EXPECT_EQ(holds_for("== none", None{}, query), 1) << query;
-    EXPECT_EQ(holds_for("!= none", None{}, query), 0) << query;
-    EXPECT_EQ(holds_for("== none", None{}, "not " + query), 0) << query;
-    EXPECT_EQ(holds_for("!= none", None{}, "not " + query), 1) << query;
+    EXPECT_EQ(holds_for("", NoValue{}, query), 0) << query;
+    EXPECT_EQ(holds_for("", NoValue{}, "not " + query), 0) << query;
+    EXPECT_EQ(holds_for("~ none", NoValue{}, query), 0) << query;
+    EXPECT_EQ(holds_for("== none", NoValue{}, query), 1) << query;
+    EXPECT_EQ(holds_for("!= none", NoValue{}, query), 0) << query;
+    EXPECT_EQ(holds_for("== none", NoValue{}, "not " + query), 0) << query;
+    EXPECT_EQ(holds_for("!= none", NoValue{}, "not " + query), 1) << query;
   }
   EXPECT_EQ(holds_for("== none", std::string("none"), "name"), 1) << "a track may have that name";
 }
@@ -190,8 +190,8 @@ TEST(condition, none_meets_only_a_comparison_with_none) {
 TEST(condition, what_was_found_is_said_with_its_unit_or_why_it_is_none) {
   EXPECT_EQ(describe(*find_query("length"), 3.5), "found 3.5 m");
   EXPECT_EQ(describe(*find_query("name"), std::string("Skew")), "found \"Skew\"");
-  EXPECT_EQ(describe(*find_query("fold.at"), None{"there is no fold"}), "but fold.at is none: there is no fold");
-  EXPECT_EQ(describe(*find_query("fold.at"), None{}), "but fold.at is none");
+  EXPECT_EQ(describe(*find_query("fold.at"), NoValue{"there is no fold"}), "but fold.at is none: there is no fold");
+  EXPECT_EQ(describe(*find_query("fold.at"), NoValue{}), "but fold.at is none");
 }
 
 TEST(condition, a_text_with_a_tolerance_compares_by_the_number_it_begins_with) {
@@ -227,7 +227,7 @@ TEST(condition, continuity_compares_by_rank) {
   EXPECT_EQ(holds_for("== G0", g1, "geometric @k1"), 0);
   EXPECT_EQ(holds_for("== g1", g1, "geometric @k1"), 1);
   EXPECT_EQ(holds_for("!= G2", g1, "geometric @k1"), 1);
-  EXPECT_EQ(holds_for("< G2", None{}, "geometric @k1"), 0) << "an open end joins nothing";
+  EXPECT_EQ(holds_for("< G2", NoValue{}, "geometric @k1"), 0) << "an open end joins nothing";
   EXPECT_EQ(holds_for("== none", g1, "geometric @k1"), 0);
   EXPECT_EQ(holds_for(">= C1", g1, "geometric @k1"), -1) << "C1 is a rank of another scale";
   EXPECT_EQ(holds_for("== on", query::Value(query::Ranked{1, "on"})), 1);

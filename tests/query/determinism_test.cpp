@@ -119,7 +119,7 @@ TEST(determinism, the_default_integrator_keeps_the_energy_over_ten_laps_of_each_
     double worst = 0;
     for (int tick = 0; tick < 120 * 1200; tick += 7) {
       edit::advance(session, 7);
-      const world::CartMotion& cart = session.motion.carts.items().at(0);
+      const world::TrainMotion& cart = session.motion.carts.items().at(0);
       worst = std::max(
           worst, sim::energy_drift(session.document, session.derived, session.motion.carts.entities().at(0), cart));
       if (cart.laps == 10) break;

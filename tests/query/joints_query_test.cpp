@@ -61,7 +61,7 @@ TEST_F(JointsQueryTest, the_g_step_is_at_the_present_speed_of_the_first_cart) {
 TEST_F(JointsQueryTest, the_ride_g_step_is_at_the_fastest_passage_of_all_cars) {
   good("start_speed 20");
   std::vector<double> fastest(5, 0.0);
-  for (const sim::Passage& passage : edit::Finder(session).ride()->passages)
+  for (const sim::JointPassage& passage : edit::SessionFindings(session).ride()->passages)
     fastest[passage.knot] = std::max(fastest[passage.knot], std::abs(passage.speed));
   double most = 0;
   for (std::size_t i = 1; i < 4; ++i) {
@@ -85,7 +85,7 @@ TEST_F(JointsQueryTest, the_ride_g_step_is_at_the_fastest_passage_of_all_cars) {
 
 TEST_F(JointsQueryTest, jolts_are_those_of_the_whole_ride_at_the_knots) {
   good("start_speed 20");
-  std::vector<sim::Jolt> expected = sim::jolts(*edit::Finder(session).ride(), session.limits.envelope.cutoff);
+  std::vector<sim::Jolt> expected = sim::jolts(*edit::SessionFindings(session).ride(), session.limits.envelope.cutoff);
   expected.resize(5);
   double most = 0;
   for (std::size_t i = 1; i < 4; ++i) {

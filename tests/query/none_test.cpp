@@ -112,7 +112,7 @@ class NoneTest : public test::SessionTest {
     stats.evaluation_ms = 0.25, stats.evaluated_vertices = 100;
     session.measuring.ride_cost.ns_per_tick = 700;
   }
-  Context context() {
+  QueryContext context() {
     return {session, stats, "", "", [](std::string_view path) { return Widget{std::string(path)}; }};
   }
   // Every argument of one kind of word: entities of the document, words, whole numbers, and two numbers.

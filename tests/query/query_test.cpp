@@ -32,7 +32,7 @@ class QueryTest : public test::SessionTest {
     return std::get<Ranked>(*ask(name, argument)).rank;
   }
 
-  Context context() {
+  QueryContext context() {
     return {session, stats, toast, title, [](std::string_view path) { return Widget{std::string(path)}; }};
   }
 
@@ -168,7 +168,7 @@ TEST_F(QueryTest, the_conflict_is_the_worst_wherever_it_is) {
       good("append at " + at);
     ASSERT_GE(number("conflicts"), 2);
     double most = 0, at = 0;
-    for (const sim::Conflict& conflict : edit::Finder(session).conflicts())
+    for (const sim::Conflict& conflict : edit::SessionFindings(session).conflicts())
       if (conflict.missing > most) most = conflict.missing, at = conflict.at;
     EXPECT_EQ(number("conflict.missing"), most) << heights;
     EXPECT_EQ(number("conflict.at"), at) << heights;

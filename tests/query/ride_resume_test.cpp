@@ -25,7 +25,7 @@ world::Motion renamed(const world::Motion& motion, const world::Document& from, 
   result.state = motion.state, result.failure = motion.failure;
   result.failure.cart = entity(motion.failure.cart);
   for (std::size_t i = 0; i < motion.carts.size(); ++i) {
-    world::CartMotion cart = motion.carts.items()[i];
+    world::TrainMotion cart = motion.carts.items()[i];
     cart.segment = entity(cart.segment);
     result.carts.put(entity(motion.carts.entities()[i]), cart);
   }
@@ -34,7 +34,7 @@ world::Motion renamed(const world::Motion& motion, const world::Document& from, 
 
 struct Ride {
   world::Document document;
-  sim::Derived derived;
+  sim::DerivedTrack derived;
   sim::RideCache cache;
   world::Motion motion;
   explicit Ride(world::Document d) : document(std::move(d)) { sim::derive(document, {}, {}, derived); }
@@ -57,7 +57,7 @@ world::Document sample(const std::string& name) {
 world::Document operated() {
   world::Document d = sample("gentle");
   d.resistance = {0.01f, 2e-5f};
-  d.entities.get<world::Cart>(world::first_cart(d)).cars = 3;
+  d.entities.get<world::Train>(world::first_cart(d)).cars = 3;
   const auto& segments = d.track.segments;
   world::add_cart(d, segments[segments.size() / 2], 0.4);
   d.entities.put(segments[0], world::Equipment{world::EquipmentKind::lift, 5.0f, 3.0f, 0.5f, 5});

@@ -19,7 +19,7 @@ class RiderRows : public test::SessionTest {
   }
   // By hand: over the entries of one car.
   double value_of(int car, double distance, sim::RideValue value) {
-    const sim::Rider rider = edit::Finder(session).riders()->car(car);
+    const sim::Rider rider = edit::SessionFindings(session).riders()->car(car);
     for (std::size_t k = 0; k + 1 < rider.entries(); ++k) {
       const double from = rider.place(k), to = rider.place(k + 1);
       if (distance < from || distance > to) continue;
@@ -82,7 +82,7 @@ TEST_F(RiderRows, the_live_train_rolls_as_the_whole_ride_does_there) {
 
 TEST_F(RiderRows, the_largest_values_are_those_of_all_cars) {
   good("train @c1 cars 4 spacing 2.5");
-  const std::vector<sim::Rider> riders = edit::Finder(session).riders()->all();
+  const std::vector<sim::Rider> riders = edit::SessionFindings(session).riders()->all();
   double jerk = 0, rate = 0;
   for (const sim::Rider& rider : riders)
     for (std::size_t k = 0; k < rider.entries(); ++k) {

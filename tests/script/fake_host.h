@@ -38,7 +38,7 @@ struct FakeHost {
     h.apply = [this](const edit::Command& command) { return apply(command); };
     h.frame = [this](const platform::Events& events, int ticks) { return frame(events, ticks); };
     h.advance = [this](int ticks) { edit::advance(session, ticks); };
-    h.context = [this]() -> const query::Context {
+    h.context = [this]() -> const query::QueryContext {
       toast = session.notices.list.empty() ? "" : session.notices.list.back().text;
       return {session, stats, toast, "title"};
     };
@@ -101,7 +101,7 @@ inline base::Status run_lines(Host host, const std::string& lines, bool update =
   base::Files files;
   const ParsedScript parsed = parse_script("coaster-script 1\n" + lines, "test.coaster", test_folder(), files);
   if (!parsed.errors.empty()) return {base::Code::usage, parsed.errors.front()};
-  const auto out = base::Root().open(test_folder() / "out");
+  const auto out = base::FileRoot().open(test_folder() / "out");
   if (!out) return out.status();
   return run_script(parsed.script, host, {*out, update, {}});
 }

@@ -40,7 +40,7 @@ struct Class {
     };
     host.interrupted = [this] { return interrupted || watched > 1000; };
     RunOptions options;
-    options.out = *base::Root().open(std::filesystem::path(testing::TempDir()) / "lesson");
+    options.out = *base::FileRoot().open(std::filesystem::path(testing::TempDir()) / "lesson");
     return run_script(parsed.script, host, options);
   }
   std::size_t knots() const { return fake.session.document.track.knots.size(); }

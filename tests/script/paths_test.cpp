@@ -31,7 +31,7 @@ TEST_F(Paths, a_file_is_read_below_out_beside_the_script_or_where_the_program_is
 }
 
 TEST_F(Paths, a_file_is_written_below_out_and_nowhere_else) {
-  const auto root = base::Root().open(out_);
+  const auto root = base::FileRoot().open(out_);
   ASSERT_TRUE(root) << root.status().message;
   const auto good = find_output("$OUT/pictures/a.png", *root);
   ASSERT_TRUE(good) << good.status().message;

@@ -60,7 +60,8 @@ TEST(recorder, a_replay_has_the_same_hashes) {
   ASSERT_TRUE(parsed->errors.empty()) << parsed->errors.front();
   FakeHost replayed;
   Host host = replayed.host();
-  const base::Status status = run_script(parsed->script, host, {*base::Root().open(test_folder() / "out"), false, {}});
+  const base::Status status =
+      run_script(parsed->script, host, {*base::FileRoot().open(test_folder() / "out"), false, {}});
   ASSERT_TRUE(status.ok()) << status.message;
   EXPECT_EQ(hashes(replayed.session), hashes(original.session));
   EXPECT_EQ(replayed.session.history.undo.size(), original.session.history.undo.size());
@@ -97,7 +98,7 @@ TEST(recorder, a_replay_has_the_same_settings) {
     EXPECT_TRUE(parsed.ok() && parsed->errors.empty());
     FakeHost replayed;
     Host host = replayed.host();
-    EXPECT_TRUE(run_script(parsed->script, host, {*base::Root().open(test_folder() / "out"), false, {}}).ok());
+    EXPECT_TRUE(run_script(parsed->script, host, {*base::FileRoot().open(test_folder() / "out"), false, {}}).ok());
     return replayed.session.settings;
   };
   EXPECT_TRUE(replay("first") == at_first) << "what a command changes besides is set, too";

@@ -67,7 +67,8 @@ TEST(runner, a_signal_ends_ticks_and_waits_early) {
     Host host = fake.host();
     int asked = 0;
     host.interrupted = [&asked] { return ++asked > 5; };
-    const base::Status ended = run_script(parsed.script, host, {*base::Root().open(test_folder() / "out"), false, {}});
+    const base::Status ended =
+        run_script(parsed.script, host, {*base::FileRoot().open(test_folder() / "out"), false, {}});
     EXPECT_LE(fake.session.tick, 10 * world::kTicksPerSecond) << line;
     EXPECT_TRUE(ended.message.starts_with("test.coaster:2:1: error: stopped by a signal")) << ended.message;
   }
@@ -105,7 +106,7 @@ TEST(runner, wait_goes_on_while_the_widget_or_entity_of_its_condition_is_missing
   base::Files files;
   const ParsedScript parsed = parse_script("coaster-script 1\nwait text \"Track/Length\" == \"7 m\" max 60 frames\n",
                                            "a.coaster", test_folder(), files);
-  EXPECT_TRUE(run_script(parsed.script, host, {*base::Root().open(test_folder() / "out"), false, {}}).ok());
+  EXPECT_TRUE(run_script(parsed.script, host, {*base::FileRoot().open(test_folder() / "out"), false, {}}).ok());
   EXPECT_LT(fake.frames.size(), 10u);
   // A value that it never has, and a path of two widgets.
   EXPECT_EQ(run_lines(fake, "wait element.value radius == tall max 3 ticks\n").code, base::Code::usage);
@@ -381,7 +382,7 @@ TEST(runner, a_golden_picture_is_updated_once_a_run) {
       asked.emplace_back(name, writes);
       return asked.size() == 3 ? third : base::Status{};
     };
-    return run_script(parsed.script, host, {*base::Root().open(test_folder() / "out"), update, {}});
+    return run_script(parsed.script, host, {*base::FileRoot().open(test_folder() / "out"), update, {}});
   };
   EXPECT_TRUE(run(true, {}).ok());
   EXPECT_EQ(asked, (std::vector<std::pair<std::string, bool>>{{"a", true}, {"b", true}, {"a", false}, {"a", false}}));

@@ -116,7 +116,7 @@ TEST(ui_driver, a_wait_for_a_widget_ends_when_it_shows_and_else_suggests_the_nea
   base::Files files;
   const ParsedScript parsed =
       parse_script("coaster-script 1\nwait enabled \"later\" max 60 frames\n", "a.coaster", test_folder(), files);
-  EXPECT_TRUE(run_script(parsed.script, host, {*base::Root().open(test_folder() / "out"), false, {}}).ok());
+  EXPECT_TRUE(run_script(parsed.script, host, {*base::FileRoot().open(test_folder() / "out"), false, {}}).ok());
   EXPECT_EQ(later.frames.size(), 5u);
 }
 

@@ -25,7 +25,7 @@ world::Document operated_ring(const std::set<std::size_t>& blocks, double statio
   }
   d.start_speed = 3;
   for (const std::size_t i : {1u, 6u, 10u})
-    d.entities.get<world::Cart>(world::add_cart(d, d.track.segments[i], 0.9)).cars = 3;
+    d.entities.get<world::Train>(world::add_cart(d, d.track.segments[i], 0.9)).cars = 3;
   return d;
 }
 
@@ -45,7 +45,7 @@ struct Watched {
 };
 
 Watched watch(const world::Document& d, const std::set<std::size_t>& blocks, int ticks) {
-  Derived derived;
+  DerivedTrack derived;
   derive(d, {}, {}, derived);
   std::vector<double> ends{derived.starts[1]};
   for (const std::size_t i : blocks) ends.push_back(derived.starts[i + 1]);
@@ -59,7 +59,7 @@ Watched watch(const world::Document& d, const std::set<std::size_t>& blocks, int
     step(d, derived, {}, 1, cache, motion);
     std::set<std::size_t> taken;
     for (std::size_t train = 0; train < motion.carts.size(); ++train) {
-      const world::CartMotion& cart = motion.carts.items()[train];
+      const world::TrainMotion& cart = motion.carts.items()[train];
       std::set<std::size_t> mine;
       // A train at a block's exact end has not left it: half a car of tolerance.
       for (int car = 0; car < 3; ++car)
@@ -71,7 +71,7 @@ Watched watch(const world::Document& d, const std::set<std::size_t>& blocks, int
       else if (standing[train] > 0) seen.stops.push_back(std::exchange(standing[train], 0));
     }
   }
-  for (const world::CartMotion& cart : motion.carts.items()) seen.laps.push_back(cart.laps);
+  for (const world::TrainMotion& cart : motion.carts.items()) seen.laps.push_back(cart.laps);
   seen.failed = motion.state != world::RideState::running;
   return seen;
 }

@@ -28,7 +28,7 @@ class ForceOracle {
 
   // Returns the value that a channel's keys ask for, with what is added to them; without the ramp at the start.
   Long asked(world::ForceChannel channel, Long x) const {
-    const bool forces = task_.program.of == world::ForceOf::forces;
+    const bool forces = task_.program.of == world::ForceQuantity::forces;
     const Long usual = forces && channel == world::ForceChannel::vertical ? 1 : 0;
     const auto& keys = task_.program.keys(channel);
     const Long beyond = forces || channel != world::ForceChannel::roll || keys.empty() || x <= keys.back().at
@@ -49,7 +49,7 @@ class ForceOracle {
 
   // Goes on to that place of the axis.
   void go_to(Long x, Long finest = 0.0025L) {
-    const bool by_time = task_.program.over == world::ForceOver::time;
+    const bool by_time = task_.program.over == world::ForceDomain::time;
     while (at < x) {
       const Long step = std::min(x - at, by_time ? finest / std::sqrt(square) : finest);
       const State before = state(), middle = moved(before, rates(before), step / 2);
@@ -106,9 +106,9 @@ class ForceOracle {
 
   // From felt g of riders d above the curve, with the rates of turn about left and up found by iteration.
   Rates rates(const State& s) const {
-    const bool by_time = task_.program.over == world::ForceOver::time;
+    const bool by_time = task_.program.over == world::ForceDomain::time;
     // Curvature goes on where the train stops.
-    const bool bends = task_.program.of == world::ForceOf::curvature;
+    const bool bends = task_.program.of == world::ForceQuantity::curvature;
     const Long g = 9.81L, d = task_.riders, speed = std::sqrt(bends ? std::max(s.square, Long{1}) : s.square),
                radian = std::acos(-1.0L) / 180;
     const Vector left = cross(s.up, s.forward);
@@ -182,7 +182,7 @@ class RandomCurvature {
       task.end.position = {3, 120, -7};
       task.losses = {0.02f, 2e-5f}, task.riders = 1.1;
       world::ForceProgram& program = task.program;
-      program.of = world::ForceOf::curvature, program.speed = uniform(12, 30), program.length = metres;
+      program.of = world::ForceQuantity::curvature, program.speed = uniform(12, 30), program.length = metres;
       for (std::size_t c = 0; c < 3; ++c) {
         program.channels[c] = {{0, 0}};
         for (double at = 0; at < metres;) {
@@ -227,9 +227,9 @@ class RandomForces {
     task.losses = {0.02f, 2e-5f};
     task.riders = uniform(0, 1) < 0.5 ? 1.1 : 0;
     world::ForceProgram& program = task.program;
-    program.over = uniform(0, 1) < 0.5 ? world::ForceOver::time : world::ForceOver::distance;
+    program.over = uniform(0, 1) < 0.5 ? world::ForceDomain::time : world::ForceDomain::distance;
     program.speed = uniform(20, 30);
-    const bool by_time = program.over == world::ForceOver::time;
+    const bool by_time = program.over == world::ForceDomain::time;
     for (std::size_t c = 0; c < 3; ++c) program.channels[c] = {{0, c == 0 ? 1.0 : 0.0}};
     sim::ElementPoint end{0, task.end.position};
     double at = 0, speed = program.speed;

@@ -17,7 +17,7 @@ struct Drift {
 
 Drift drift_of(world::Document document, const char* row, int minutes) {
   document.resistance = {};
-  Derived derived;
+  DerivedTrack derived;
   derive(document, {}, {}, derived);
   RideCache cache;
   world::Motion motion;
@@ -28,7 +28,7 @@ Drift drift_of(world::Document document, const char* row, int minutes) {
   Drift drift;
   for (int i = 0; i < looks; ++i) {
     step(document, derived, base::value_named<world::IntegratorId>(row).value(), 24, cache, motion);
-    const world::CartMotion& cart = motion.carts.get(entity);
+    const world::TrainMotion& cart = motion.carts.get(entity);
     const double now = energy_drift(document, derived, entity, cart);
     drift.finite = drift.finite && std::isfinite(now) && std::isfinite(cart.s) && std::isfinite(cart.speed);
     if (i < looks / 5) drift.first = std::max(drift.first, now);
@@ -64,9 +64,9 @@ TEST(ride_drift, verlet_goes_over_joints_and_counts_laps_as_runge_kutta_does) {
   for (const double speed : {14.3, -14.3}) {
     world::Document d = test::ring_document(12, 20.3);
     const world::Entity cart = world::add_cart(d, d.track.segments[4], 0.37);
-    d.entities.get<world::Cart>(cart).cars = 3;
+    d.entities.get<world::Train>(cart).cars = 3;
     d.start_speed = speed, d.rollback_fails = false;
-    Derived derived;
+    DerivedTrack derived;
     derive(d, {}, {}, derived);
     RideCache cache;
     world::Motion a, b;
@@ -74,7 +74,7 @@ TEST(ride_drift, verlet_goes_over_joints_and_counts_laps_as_runge_kutta_does) {
     a.state = b.state = world::RideState::running;
     step(d, derived, base::value_named<world::IntegratorId>("rk4").value(), 120 * 60, cache, a);
     step(d, derived, base::value_named<world::IntegratorId>("verlet").value(), 120 * 60, cache, b);
-    const world::CartMotion &x = a.carts.items()[0], &y = b.carts.items()[0];
+    const world::TrainMotion &x = a.carts.items()[0], &y = b.carts.items()[0];
     EXPECT_EQ(x.laps, y.laps);
     EXPECT_GT(std::abs(x.laps), 4);
     EXPECT_NEAR(x.travelled, y.travelled, 0.5);
@@ -90,7 +90,7 @@ TEST(ride_drift, verlet_stops_at_open_ends_and_where_friction_holds) {
   d.start_speed = 7.3;
   for (const float rolling : {0.0f, 0.3f}) {
     d.resistance.rolling = rolling;
-    Derived derived;
+    DerivedTrack derived;
     derive(d, {}, {}, derived);
     RideCache cache;
     world::Motion motion;
@@ -98,7 +98,7 @@ TEST(ride_drift, verlet_stops_at_open_ends_and_where_friction_holds) {
     motion.state = world::RideState::running;
     const double from = motion.carts.items()[0].track_distance;
     step(d, derived, base::value_named<world::IntegratorId>("verlet").value(), 320, cache, motion);
-    const world::CartMotion& cart = motion.carts.items()[0];
+    const world::TrainMotion& cart = motion.carts.items()[0];
     EXPECT_EQ(cart.speed, 0);
     const double way = rolling > 0 ? 7.3 * 7.3 / (2 * 9.81 * 0.3) : derived.length - from;  // v^2 = 2 mu g x
     EXPECT_NEAR(cart.track_distance - from, way, 1e-3);

@@ -67,7 +67,7 @@ struct Misses {
 // The distances of rows from the whole track, and the angles at the counted rows from the frame at a place within 1 cm
 // of them.
 inline Misses misses_of(const world::Document& document, const std::vector<sim::FitRow>& rows) {
-  sim::Derived derived;
+  sim::DerivedTrack derived;
   world::Settings settings;
   settings.evaluation->steps = 1;
   sim::derive(document, settings, {}, derived);

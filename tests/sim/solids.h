@@ -21,7 +21,7 @@ inline bool finite(const sim::Mesh& mesh) {
 }
 
 // Volume enclosed by the triangles of one part, by the divergence theorem: negative when they are turned inside out.
-inline double volume(const sim::Mesh& mesh, sim::Part part, const std::vector<std::uint32_t>& indices) {
+inline double volume(const sim::Mesh& mesh, sim::Material part, const std::vector<std::uint32_t>& indices) {
   double sum = 0;
   const glm::dvec3 origin(mesh.vertices.at(0).position);
   for (std::size_t i = 0; i < indices.size(); i += 3) {
@@ -32,19 +32,19 @@ inline double volume(const sim::Mesh& mesh, sim::Part part, const std::vector<st
   }
   return sum;
 }
-inline double volume(const sim::Mesh& mesh, sim::Part part) { return volume(mesh, part, mesh.indices); }
+inline double volume(const sim::Mesh& mesh, sim::Material part) { return volume(mesh, part, mesh.indices); }
 
 // Edges that are not gone along as often in one direction as in the other: a closed surface has none. Vertices are the
 // same where their positions are, bit for bit.
 inline int open_edges(const sim::Mesh& mesh, const std::vector<std::uint32_t>& indices) {
-  using Point = std::array<float, 3>;
+  using G2Unknowns = std::array<float, 3>;
   const auto point = [&](std::uint32_t i) {
-    return Point{mesh.vertices.at(i).position.x, mesh.vertices.at(i).position.y, mesh.vertices.at(i).position.z};
+    return G2Unknowns{mesh.vertices.at(i).position.x, mesh.vertices.at(i).position.y, mesh.vertices.at(i).position.z};
   };
-  std::map<std::pair<Point, Point>, int> balance;
+  std::map<std::pair<G2Unknowns, G2Unknowns>, int> balance;
   for (std::size_t i = 0; i < indices.size(); i += 3)
     for (std::size_t k = 0; k < 3; ++k) {
-      const Point a = point(indices[i + k]), b = point(indices[i + (k + 1) % 3]);
+      const G2Unknowns a = point(indices[i + k]), b = point(indices[i + (k + 1) % 3]);
       if (a < b) ++balance[{a, b}];
       if (b < a) --balance[{b, a}];
     }
@@ -56,8 +56,8 @@ inline int open_edges(const sim::Mesh& mesh) { return open_edges(mesh, mesh.indi
 
 // Connected solids of a mesh whose faces look inwards: by the sign of the volume of each.
 inline int inside_out(const sim::Mesh& mesh, const std::vector<std::uint32_t>& indices) {
-  using Point = std::array<float, 4>;  // with the part: solids of two parts may touch
-  std::map<Point, std::size_t> places;
+  using G2Unknowns = std::array<float, 4>;  // with the part: solids of two parts may touch
+  std::map<G2Unknowns, std::size_t> places;
   std::vector<std::size_t> place(mesh.vertices.size()), parent;
   for (std::size_t i = 0; i < place.size(); ++i) {
     const sim::MeshVertex& v = mesh.vertices[i];

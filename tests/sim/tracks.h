@@ -8,15 +8,15 @@
 
 namespace coaster::test {
 
-inline sim::Derived derived_of(const world::Document& document, const world::Settings& settings = {}) {
-  sim::Derived derived;
+inline sim::DerivedTrack derived_of(const world::Document& document, const world::Settings& settings = {}) {
+  sim::DerivedTrack derived;
   sim::derive(document, settings, {}, derived);
   return derived;
 }
 
 // Splits a segment at its parameter t, where the new knot takes the track's own `up`.
 inline void split_at(world::Document& document, world::Entity segment, double t) {
-  const sim::Derived derived = sim::shapes_of(document);
+  const sim::DerivedTrack derived = sim::shapes_of(document);
   const sim::SegmentShape& shape = derived.shape(segment);
   world::split_segment(document, segment, t, glm::vec3(sim::frame_at(shape, shape.arc.distance(t)).up));
 }

@@ -28,7 +28,7 @@ class AllPartsStage : public Stage {
   void SetUp() override {
     Stage::SetUp();
     good(edit::SetStartSpeed{18});
-    good(edit::AddForce{});
+    good(edit::AddForceSection{});
     good(edit::PlaceElement{world::usual_element(world::ElementKind::straight)});
     good(edit::StartChallenge{(std::filesystem::path(COASTER_SOURCE_DIR) / "challenges/01_first_hill.json").string()});
   }
@@ -96,7 +96,7 @@ class AllPartsStage : public Stage {
                                  {"Challenges", Key::h, {.ctrl = true}},
                                  {"Settings", Key::comma, {.ctrl = true}},
                                  {"Palette", Key::p, {.ctrl = true}}}) {
-      session_.file.saved_hash = edit::Finder(session_).document_hash();
+      session_.file.saved_hash = edit::SessionFindings(session_).document_hash();
       const std::size_t before = host_->widgets().size();
       key(dialog.key, dialog.with);
       show(dialog.name);

@@ -29,7 +29,7 @@ namespace coaster::ui {
 inline void build_track(edit::Session& session, base::Files& files) {
   const glm::vec3 places[] = {{-17.3f, 4.1f, 6.7f}, {3.9f, 9.6f, -2.3f}, {21.1f, 5.3f, 8.9f}};
   for (const glm::vec3 place : places) EXPECT_TRUE(edit::apply(session, files, edit::AppendKnot{place}).ok());
-  EXPECT_TRUE(edit::apply(session, files, edit::AddCart{{{world::Kind::segment, 1}}, 0.25}).ok());
+  EXPECT_TRUE(edit::apply(session, files, edit::AddTrain{{{world::Kind::segment, 1}}, 0.25}).ok());
   EXPECT_TRUE(edit::apply(session, files, edit::Select{}).ok());
 }
 
@@ -116,7 +116,7 @@ class Stage : public testing::Test {
   Output frame(platform::Events events = {}) {
     events.emplace_back(platform::Tick{1.0 / 60});
     seconds_ += 1.0 / 60;
-    State state{session_, stats_, seconds_, scripted_, nullptr, user_ ? &*user_ : nullptr};
+    UiState state{session_, stats_, seconds_, scripted_, nullptr, user_ ? &*user_ : nullptr};
     state.pictures = &pictures_;
     state.lesson = lesson_;
     state.content_scale = density_;

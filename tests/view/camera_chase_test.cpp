@@ -17,10 +17,10 @@ constexpr double kDistance = 20;  // m, of the eye
 struct Chased {
   world::Document document;
   world::Settings settings;
-  sim::Derived derived;
+  sim::DerivedTrack derived;
   world::Motion motion;
-  world::CartMotion cart;
-  Ridden ridden{{}, cart, {}, {}, 0};
+  world::TrainMotion cart;
+  RiddenTrain ridden{{}, cart, {}, {}, 0};
   CameraRig rig;
 
   explicit Chased(dvec3 middle, dvec3 forward = {1, 0, 0}, dvec3 up = {0, 1, 0}) {
@@ -100,7 +100,7 @@ TEST(camera_chase, the_eye_goes_aside_as_far_as_a_clear_view_takes) {
 
 TEST(camera_chase, the_nearest_track_is_that_of_a_fine_search) {
   const world::Document ring = test::ring_document(9, 30.3);
-  const sim::Derived derived = test::derived_of(ring);
+  const sim::DerivedTrack derived = test::derived_of(ring);
   std::vector<dvec3> fine;
   for (const world::Entity e : derived.order)
     for (int i = 0; i < 4000; ++i) fine.push_back(sim::rails_point(derived.shape(e), i / 4000.0));
@@ -109,7 +109,7 @@ TEST(camera_chase, the_nearest_track_is_that_of_a_fine_search) {
     double least = 1e9;
     for (const dvec3& p : fine) least = std::min(least, glm::distance(p, from));
     for (const double reach : {least + 0.05, least + 30}) {
-      const NearTrack near = nearest_track(derived, from, reach);
+      const NearestTrack near = nearest_track(derived, from, reach);
       EXPECT_NEAR(near.distance, least, 0.01);
       EXPECT_NEAR(glm::distance(near.point, from), near.distance, 1e-9);
     }

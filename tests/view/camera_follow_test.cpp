@@ -28,7 +28,7 @@ TEST(chase_camera, it_keeps_its_distance_off_the_ground_and_off_the_track_for_a_
     for (const int cars : {1, 6}) {
       if (!test::tried(i++)) continue;
       world::Document d = sample_track(name);
-      d.entities.get<world::Cart>(world::first_cart(d)).cars = cars;
+      d.entities.get<world::Train>(world::first_cart(d)).cars = cars;
       if (cars > 1) d.start_speed = 9;  // a long train needs it to leave the first crest
       Watch w(std::move(d), CameraMode::chase);
       const double wanted = w.settings.feel->chase_distance + 0.6 * 3.0 * (cars - 1);

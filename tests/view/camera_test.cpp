@@ -275,7 +275,7 @@ TEST(camera, framing_nothing_shows_forty_metres_about_the_origin) {
 
 TEST(camera, framing_an_entity_shows_it) {
   world::Document d = test::sample_document();
-  for (const world::Entity e : {d.track.knots[2], d.track.segments[1], d.entities.pool<world::Cart>().entities()[0]}) {
+  for (const world::Entity e : {d.track.knots[2], d.track.segments[1], d.entities.pool<world::Train>().entities()[0]}) {
     const world::Camera c = frame_entity({}, d, e, kViewport);
     EXPECT_LT(c.distance, frame_all({}, d, kViewport).distance);
   }

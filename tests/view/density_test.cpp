@@ -42,7 +42,7 @@ TEST_F(Density, twice_the_pixels_show_every_line_and_mark_twice_as_large) {
     session.settings.lab->layers.set(static_cast<world::Layer>(i), true);
   const std::vector<sim::FrenetBreak> breaks{{sim::FrenetBreak::Kind::flip, entity("s3"), 0.4, 0.4, 2},
                                              {sim::FrenetBreak::Kind::undefined, entity("s1"), 0, 1, 0}};
-  const std::vector<sim::RedSpan> spans{{0, {}, 1, 2, 20, 40, 5, 4, 1.5}};
+  const std::vector<sim::Overload> spans{{0, {}, 1, 2, 20, 40, 5, 4, 1.5}};
   const std::vector<sim::Jolt> jolts{{}, {0, 0, 2, 2, 0, 10}};
   const std::vector<sim::Conflict> conflicts{{60, 80, 55, 65, 75, 85, 0.5, {60, 5, 1}, {61, 7, 2}}};
   const std::vector<sim::Fold> folds{{90, 95, 92, 0.7, {70, 6, 1}}};

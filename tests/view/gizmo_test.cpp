@@ -88,7 +88,7 @@ TEST(gizmo, keeps_its_size_on_the_screen) {
 TEST(gizmo, knots_and_handles_are_picked_before_it_and_it_before_the_curve) {
   Scene s;
   const View view = s.view();
-  sim::Derived derived;
+  sim::DerivedTrack derived;
   world::Motion motion;
   const auto gizmo = gizmo_of(s.document, s.settings, view);
   const auto pick_at = [&](glm::vec3 place) {

@@ -21,9 +21,9 @@ std::vector<std::size_t> orders_of(const MarksOnScreen& found) {
   return orders;
 }
 
-MarksOnScreen marks_of(const world::Document& d, const sim::Derived& derived, const View& view, std::size_t most) {
+MarksOnScreen marks_of(const world::Document& d, const sim::DerivedTrack& derived, const View& view, std::size_t most) {
   const world::Settings settings;
-  return marks_on_screen(d, derived, settings, view, Selected(settings), {true, true, {}, most});
+  return marks_on_screen(d, derived, settings, view, SelectionLookup(settings), {true, true, {}, most});
 }
 
 TEST(marks, are_those_of_all_knots_that_a_look_at_each_shows) {
@@ -36,7 +36,7 @@ TEST(marks, are_those_of_all_knots_that_a_look_at_each_shows) {
     world::Document d = test::ring_document(count, 0.9 * count + 5);
     for (const bool closed : {false, count > 1}) {
       world::set_closed(d, closed);
-      const sim::Derived derived = test::derived_of(d);
+      const sim::DerivedTrack derived = test::derived_of(d);
       for (int i = 0; i < 60; ++i) {
         world::Camera camera;
         camera.target = world::knot(d, d.track.knots[bits() % d.track.knots.size()]).position;
@@ -55,7 +55,7 @@ TEST(marks, are_those_of_all_knots_that_a_look_at_each_shows) {
 
 TEST(marks, of_a_very_long_track_are_found_without_a_look_at_each) {
   const world::Document d = test::ring_document(20'000, 31'000);
-  const sim::Derived derived = test::derived_of(d);
+  const sim::DerivedTrack derived = test::derived_of(d);
   world::Camera camera;
   camera.target = world::knot(d, d.track.knots[77]).position;
   camera.pitch_deg = 70, camera.distance = 60;
@@ -82,7 +82,7 @@ TEST(marks, of_too_many_are_the_nearest_and_of_equally_far_ones_the_first) {
          {world::Projection::perspective, world::Projection::front, world::Projection::top}) {
       world::Document d = twin_knots(1'500);
       world::set_closed(d, closed);
-      const sim::Derived derived = test::derived_of(d);
+      const sim::DerivedTrack derived = test::derived_of(d);
       for (const float pitch : {89.0f, 35.0f, -10.0f}) {
         world::Camera camera;
         camera.pitch_deg = pitch, camera.distance = 160, camera.projection = projection;
@@ -111,7 +111,7 @@ TEST(marks, of_too_many_are_the_nearest_and_of_equally_far_ones_the_first) {
 
 TEST(marks, in_sight_of_a_whole_long_track_are_found_without_a_look_at_each) {
   const world::Document d = test::ring_document(20'000, 3'000);
-  const sim::Derived derived = test::derived_of(d);
+  const sim::DerivedTrack derived = test::derived_of(d);
   world::Camera camera;
   camera.pitch_deg = 60, camera.distance = 9'000;
   const View view = orbit_view(camera, {0, 0, 640, 360});
@@ -123,7 +123,7 @@ TEST(marks, in_sight_of_a_whole_long_track_are_found_without_a_look_at_each) {
 
 TEST(marks, without_all_are_those_of_the_selection_and_the_hovered_knot) {
   const world::Document d = test::ring_document(60, 30);
-  const sim::Derived derived = test::derived_of(d);
+  const sim::DerivedTrack derived = test::derived_of(d);
   world::Camera camera;
   camera.pitch_deg = 50, camera.distance = 200;
   const View view = orbit_view(camera, {0, 0, 640, 360});
@@ -131,7 +131,7 @@ TEST(marks, without_all_are_those_of_the_selection_and_the_hovered_knot) {
   const auto shown = [&](const world::Settings& settings, const Pick& hovered) {
     std::vector<std::size_t> orders;
     for (const PlacedMark& mark :
-         marks_on_screen(d, derived, settings, view, Selected(settings), {false, false, hovered, kEvery}).marks)
+         marks_on_screen(d, derived, settings, view, SelectionLookup(settings), {false, false, hovered, kEvery}).marks)
       if (mark.kind == PickKind::knot) orders.push_back(mark.order);
     std::sort(orders.begin(), orders.end());
     return orders;

@@ -22,7 +22,7 @@ View view_of_all() {
   return orbit_view(camera, {0, 0, 640, 480});
 }
 
-Overlay drawn(const sim::ElementPlan& plan, std::span<const sim::Narrow> narrow = {}, double rails = 0) {
+Overlay drawn(const sim::ElementPlan& plan, std::span<const sim::LineConflict> narrow = {}, double rails = 0) {
   Overlay overlay;
   add_element(plan, narrow, rails, view_of_all(), 1, overlay);
   return overlay;
@@ -71,7 +71,7 @@ TEST(overlay_element, what_lacks_room_is_yellow) {
   sim::TrackEnd end;
   end.position.y = 30;
   const sim::ElementPlan plan = sim::plan_element(world::usual_element(world::ElementKind::straight), end);
-  const sim::Narrow part{0.25 * plan.length, 0.5 * plan.length, 1};
+  const sim::LineConflict part{0.25 * plan.length, 0.5 * plan.length, 1};
   const Overlay overlay = drawn(plan, {&part, 1});
   int yellow = 0;
   for (const Line& line : overlay.lines) {

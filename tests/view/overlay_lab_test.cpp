@@ -20,7 +20,7 @@ const Viewport kViewport{57, 31, 1280, 720};
 struct Scene {
   world::Document document = test::ring_document(7, 31.7);
   world::Settings settings;
-  sim::Derived derived;
+  sim::DerivedTrack derived;
   View view;
 
   explicit Scene(world::Document d = test::ring_document(7, 31.7)) : document(std::move(d)) { look(); }
@@ -227,7 +227,7 @@ TEST(overlay_lab, a_flip_shows_the_normal_just_before_and_just_behind_it) {
 TEST(overlay_lab, a_red_span_runs_over_the_rails_from_end_to_end) {
   const Scene scene;
   const double end = scene.derived.length;
-  sim::RedSpan span;
+  sim::Overload span;
   for (const auto& [from, to] : {std::pair{13.7, 41.2}, {end - 6.5, 9.25}}) {  // the second runs over the closing joint
     span.from_distance = from, span.to_distance = to;
     Overlay overlay;

@@ -22,7 +22,7 @@ TEST(overlay_section, selected_sections_and_the_one_under_the_mouse_of_build_hav
   const world::Entity first = world::segment(d, d.track.segments[0]).section;
   const world::Entity planned =
       world::make_section(d, 3, 4, {{}, world::SectionKind::element, world::usual_element(world::ElementKind::curve)});
-  const sim::Derived derived = test::derived_of(d);
+  const sim::DerivedTrack derived = test::derived_of(d);
   world::Settings settings;
   const View view = orbit_view(settings.camera, kViewport);
   const auto widths = [&](const Pick& hovered) {

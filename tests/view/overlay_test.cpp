@@ -76,7 +76,7 @@ TEST(overlay, what_is_painted_last_is_what_is_picked) {
                                                                : d.track.knots[bits() % d.track.knots.size()];
     const View view = orbit_view(settings.camera, kViewport);
     const Eye eye(settings.camera);
-    sim::Derived nothing;  // no curve and no carts: marks alone
+    sim::DerivedTrack nothing;  // no curve and no carts: marks alone
     const Overlay overlay = build_overlay(d, nothing, settings, view, {});
     const std::vector<Candidate> all = candidates(d, settings.selected);
     for (int i = 0; i < 20; ++i) {
@@ -132,7 +132,7 @@ TEST(overlay, what_is_painted_last_is_what_is_picked) {
 
 struct Scene {
   world::Document document = test::sample_document();
-  sim::Derived derived = test::derived_of(document);
+  sim::DerivedTrack derived = test::derived_of(document);
   world::Settings settings;
   View view = orbit_view(frame_all({}, document, kViewport), kViewport);
   Overlay overlay(const Pick& hovered = {}) const { return build_overlay(document, derived, settings, view, hovered); }
@@ -216,7 +216,7 @@ TEST(overlay, a_selection_that_is_gone_is_ignored) {
 
 TEST(overlay_riding, only_the_chosen_knot_is_marked_while_the_eye_rides) {
   const world::Document d = test::ring_document(7, 31.7);
-  const sim::Derived derived = test::derived_of(d);
+  const sim::DerivedTrack derived = test::derived_of(d);
   const Viewport viewport{0, 0, 640, 360};
   const View view = orbit_view(frame_all({}, d, viewport), viewport);
   Findings findings;
@@ -240,7 +240,7 @@ TEST(overlay_riding, knots_that_are_neither_chosen_nor_hovered_show_in_every_wor
 
 TEST(overlay_failure, a_failed_ride_is_marked_where_it_failed_and_one_that_goes_on_is_not) {
   const world::Document d = test::ring_document(7, 31.7);
-  const sim::Derived derived = test::derived_of(d);
+  const sim::DerivedTrack derived = test::derived_of(d);
   const Viewport viewport{0, 0, 640, 360};
   const View view = orbit_view(frame_all({}, d, viewport), viewport);
   const Overlay without = build_overlay(d, derived, {}, view, {});
@@ -270,7 +270,7 @@ TEST(overlay, marks_of_very_many_knots_are_those_of_the_nearest_and_of_the_activ
   std::vector<world::Entity> by_distance = d.track.knots;
   std::sort(by_distance.begin(), by_distance.end(), [&](auto a, auto b) { return far(a) < far(b); });
   const MarkChoice every{true, true, {}, by_distance.size()};
-  ASSERT_EQ(marks_on_screen(d, {}, settings, view, Selected(settings), every).marks.size(), by_distance.size())
+  ASSERT_EQ(marks_on_screen(d, {}, settings, view, SelectionLookup(settings), every).marks.size(), by_distance.size())
       << "all are on screen";
   const Overlay overlay = build_overlay(d, {}, settings, view, {});
   ASSERT_EQ(overlay.marks.size(), kMostMarks);

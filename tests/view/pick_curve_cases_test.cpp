@@ -28,7 +28,7 @@ world::Document crossing(bool upright_first) {
 TEST(pick_curve_cases, where_the_track_crosses_itself_on_screen_the_front_one_is_picked) {
   for (const bool upright_first : {false, true}) {
     const world::Document d = crossing(upright_first);
-    const sim::Derived derived = test::derived_of(d);
+    const sim::DerivedTrack derived = test::derived_of(d);
     const world::Entity across = d.track.segments[upright_first ? 3 : 0],
                         upright = d.track.segments[upright_first ? 0 : 3];
     for (const float yaw : {0.0f, 180.0f}) {  // from the other side the upright one is in front
@@ -48,7 +48,7 @@ TEST(pick_curve_cases, where_the_track_crosses_itself_on_screen_the_front_one_is
 
 TEST(pick_curve_cases, a_joint_belongs_to_the_segment_that_it_ends) {
   const world::Document d = test::ring_document(12, 31);
-  const sim::Derived derived = test::derived_of(d);
+  const sim::DerivedTrack derived = test::derived_of(d);
   const View view = orbit_view(frame_all({}, d, kViewport), kViewport);
   for (std::size_t i = 0; i < 12; ++i) {
     const glm::vec3 joint = world::knot(d, d.track.knots[i]).position;
@@ -60,7 +60,7 @@ TEST(pick_curve_cases, a_joint_belongs_to_the_segment_that_it_ends) {
   }
   // Seen square on, the pixel is exactly beside the joint.
   const world::Document straight = test::straight_document({-20, 5, 1}, {20, 5, 1}, 2);
-  const sim::Derived of_straight = test::derived_of(straight);
+  const sim::DerivedTrack of_straight = test::derived_of(straight);
   const View square = orbit_view({{0, 5, 1}, 0, 0, 60}, kViewport);
   for (const float off : {0.0f, 3.0f, -7.0f}) {
     const auto found = pick_curve(of_straight, square, glm::vec2(57 + 320, 31 + 240 + off), 8);
@@ -71,12 +71,12 @@ TEST(pick_curve_cases, a_joint_belongs_to_the_segment_that_it_ends) {
 }
 
 TEST(pick_curve_cases, without_segments_or_an_eye_nothing_is_found) {
-  sim::Derived nothing;
+  sim::DerivedTrack nothing;
   const View view = orbit_view({{0, 5, 1}, 0, 0, 60}, kViewport);
   EXPECT_FALSE(pick_curve(nothing, view, {100, 100}, 8));
   EXPECT_FALSE(pick_curve_of_all(nothing, view, {100, 100}, 8));
   const world::Document d = test::ring_document(12, 31);
-  const sim::Derived derived = test::derived_of(d);
+  const sim::DerivedTrack derived = test::derived_of(d);
   for (const View& blind : {View{}, View{glm::mat4(0), glm::mat4(0), {0, 0, 0}, kViewport},
                             View{glm::mat4(1), glm::mat4(NAN), {0, 0, 0}, kViewport}}) {
     EXPECT_FALSE(pick_curve(derived, blind, {100, 100}, 8));
@@ -88,7 +88,7 @@ TEST(pick_curve_cases, without_segments_or_an_eye_nothing_is_found) {
 
 TEST(pick_curve_cases, straights_seen_end_on_and_places_without_extent_are_places_too) {
   const world::Document d = test::straight_document({1, 5, 30}, {1, 5, -30}, 3);
-  const sim::Derived derived = test::derived_of(d);
+  const sim::DerivedTrack derived = test::derived_of(d);
   const View along = orbit_view({{1, 5, 0}, 0, 0, 60}, kViewport);  // all of it is one point
   const auto found = pick_curve(derived, along, {57 + 320 + 2, 31 + 240 + 3}, 8);
   ASSERT_TRUE(found);
@@ -97,7 +97,7 @@ TEST(pick_curve_cases, straights_seen_end_on_and_places_without_extent_are_place
 
   world::Document crumpled;
   for (int i = 0; i < 4; ++i) world::append_knot(crumpled, test::skew_knot({7, 8, 9}, {1, 0, 0}, 0.01f, 0.01f));
-  const sim::Derived of_crumpled = test::derived_of(crumpled);
+  const sim::DerivedTrack of_crumpled = test::derived_of(crumpled);
   const View view = orbit_view({{7, 8, 9}, 30, 20, 40}, kViewport);
   const auto spot = pick_curve(of_crumpled, view, {57 + 320 + 4, 31 + 240}, 8);
   ASSERT_TRUE(spot);

@@ -41,7 +41,7 @@ world::Document knotted_document(Random& random, int count, bool closed) {
 }
 
 // Near, far, on the track itself, with long and with wide lenses.
-View random_view(Random& random, const world::Document& d, const sim::Derived& derived) {
+View random_view(Random& random, const world::Document& d, const sim::DerivedTrack& derived) {
   const world::Entity segment = derived.order[random.below(derived.order.size())];
   const glm::vec3 at(curve::point(world::cubic_of(d, segment), random(0, 1)));
   world::Camera camera{at, static_cast<float>(random(-180, 180)), static_cast<float>(random(-20, 85)),
@@ -64,7 +64,7 @@ TEST(pick_curve, the_hierarchy_finds_what_looking_at_every_segment_finds) {
   for (int trial = 0; trial < test::tries(60); ++trial) {
     const bool closed = trial % 3 == 0;
     world::Document d = knotted_document(random, 2 + static_cast<int>(random.below(trial % 5 == 0 ? 400 : 60)), closed);
-    sim::Derived derived = test::derived_of(d);
+    sim::DerivedTrack derived = test::derived_of(d);
     for (int i = 0; i < 70; ++i, ++picks) {
       if (i % 10 == 9) {  // the tree is refitted
         const world::Entity e = d.track.knots[random.below(d.track.knots.size())];
@@ -153,7 +153,7 @@ TEST(pick_curve, of_the_places_within_a_pixel_of_the_nearest_the_front_one_is_fo
   int found_some = 0, front_ones = 0;
   for (int trial = 0; trial < test::tries(400); ++trial) {
     const world::Document d = knotted_document(random, 9, trial % 2 == 0);
-    const sim::Derived derived = test::derived_of(d);
+    const sim::DerivedTrack derived = test::derived_of(d);
     const View view = orbit_view({{random(-5, 5), random(5, 20), random(-5, 5)},
                                   static_cast<float>(random(-180, 180)),
                                   static_cast<float>(random(0, 80)),
@@ -201,7 +201,7 @@ TEST(pick_curve, orthographic_views_find_the_front_one_as_by_hand) {
   int found_some = 0, front_ones = 0;
   for (int trial = 0; trial < test::tries(240); ++trial) {
     const world::Document d = knotted_document(random, 9, trial % 2 == 0);
-    const sim::Derived derived = test::derived_of(d);
+    const sim::DerivedTrack derived = test::derived_of(d);
     world::Camera camera{{random(-5, 5), random(5, 20), random(-5, 5)}, 0, 0, static_cast<float>(random(5, 120))};
     camera.projection = static_cast<world::Projection>(1 + trial % 3);
     const View view = orbit_view(camera, kViewport);
@@ -250,7 +250,7 @@ TEST(pick_curve, the_parameter_is_good_to_a_millionth) {
   Random random(5);
   for (int trial = 0; trial < 300; ++trial) {
     const world::Document d = knotted_document(random, 8, true);
-    const sim::Derived derived = test::derived_of(d);
+    const sim::DerivedTrack derived = test::derived_of(d);
     const View view = random_view(random, d, derived);
     const auto found = pick_curve(derived, view, random_pixel(random), 1e6f);
     if (!found || found->t < 1e-5 || found->t > 1 - 1e-5) continue;

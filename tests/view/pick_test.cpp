@@ -14,7 +14,7 @@ const Viewport kViewport{57, 31, 640, 480};
 
 struct Scene {
   world::Document document;
-  sim::Derived derived;
+  sim::DerivedTrack derived;
   world::Motion motion;
   world::Settings settings;
   View view;
@@ -145,7 +145,7 @@ TEST(pick, carts_are_boxes_on_the_rails) {
   world::Document d = test::straight_document({-20, 5, 1}, {20, 5, 1});
   world::add_cart(d, d.track.segments[0], 0.6);  // at x = 4
   const Scene scene(d, {{4, 5.5f, 1}, 0, 0, 20});
-  const world::Entity cart = d.entities.pool<world::Cart>().entities()[0];
+  const world::Entity cart = d.entities.pool<world::Train>().entities()[0];
   // On the near side, z = 1 + 0.65.
   for (const auto& [x, y, hit] :
        {std::tuple(4.0f, 5.55f, true), std::tuple(5.05f, 6.05f, true), std::tuple(2.95f, 5.05f, true),
@@ -165,7 +165,7 @@ TEST(pick, the_nearer_cart_wins_and_knots_beat_carts) {
   world::add_cart(d, d.track.segments[0], 0.3);
   world::add_cart(d, d.track.segments[0], 0.6);
   const Scene scene(d, {{1, 5.5f, 0}, 0, 0, 60});  // along the rails
-  EXPECT_EQ(scene.at({1, 5.9f, 8}).entity, d.entities.pool<world::Cart>().entities()[0]);
+  EXPECT_EQ(scene.at({1, 5.9f, 8}).entity, d.entities.pool<world::Train>().entities()[0]);
   Scene on_knot(d, {{1, 5.5f, 0}, 0, 2, 60});
   EXPECT_EQ(on_knot.at({1, 5, 20}).kind, PickKind::knot);
 }
@@ -190,7 +190,7 @@ TEST(pick, positions_of_things_lead_back_to_them) {
         std::tuple(PickKind::handle_in, scene.settings.selected, 0.0),
         std::tuple(PickKind::handle_out, scene.settings.selected, 0.0),
         std::tuple(PickKind::curve, scene.document.track.segments[2], 0.41),
-        std::tuple(PickKind::cart, scene.document.entities.pool<world::Cart>().entities()[0], 0.0)}) {
+        std::tuple(PickKind::cart, scene.document.entities.pool<world::Train>().entities()[0], 0.0)}) {
     const auto position = position_of(scene.document, scene.derived, scene.motion, kind, entity, t);
     ASSERT_TRUE(position);
     const Pick found = scene.at(*position);
@@ -212,7 +212,7 @@ TEST(pick, of_five_thousand_segments_a_few_are_looked_at) {
     std::size_t segments = 0;
     bool seen = false;
     const std::size_t nodes = visit_near(
-        scene.derived.tree, Beam(scene.view, pixel), [] { return 0.25; },
+        scene.derived.tree, PixelBeam(scene.view, pixel), [] { return 0.25; },
         [&](std::size_t s) { ++segments, seen |= s == i; });
     ASSERT_TRUE(seen) << i;
     most_nodes = std::max(most_nodes, nodes), most_segments = std::max(most_segments, segments);

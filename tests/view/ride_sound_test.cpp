@@ -159,11 +159,11 @@ TEST(ride_sound, hears_the_first_train_and_whether_any_of_its_cars_is_on_a_lift)
   world::Document d = test::straight_document({1.3f, 2.1f, -7.7f}, {121.3f, 32.1f, -7.7f}, 12);
   d.entities.put(d.track.segments.at(2), world::Equipment{world::EquipmentKind::lift, 4, 3, 0, 0});
   const world::Entity cart = world::add_cart(d, d.track.segments.at(0), 0.5);
-  d.entities.get<world::Cart>(cart).cars = 3;
-  const sim::Derived derived = test::derived_of(d);
+  d.entities.get<world::Train>(cart).cars = 3;
+  const sim::DerivedTrack derived = test::derived_of(d);
   world::Motion motion;
   sim::reset(d, derived, motion);
-  world::CartMotion& train = motion.carts.items().front();
+  world::TrainMotion& train = motion.carts.items().front();
   const double segment = derived.length / 12;
   const auto put = [&](double front, double speed) {
     const sim::TrackPlace place = sim::place_at(derived, front);

@@ -23,7 +23,7 @@ TEST(sighted_curve, no_place_nearest_among_its_neighbours_is_missed) {
                          static_cast<float>(uniform(bits, 0.5, 30))};
     const View view = orbit_view(camera, {0, 0, 800, 600});
     const glm::vec2 pixel(uniform(bits, 0, 800), uniform(bits, 0, 600));
-    const Beam beam(view, pixel);
+    const PixelBeam beam(view, pixel);
     ASSERT_TRUE(beam.has_eye());
     const SightedPlaces places = nearest_places(sighted(cubic, beam));
     constexpr int kSamples = 10000;
@@ -64,7 +64,7 @@ TEST(sighted_curve, what_is_said_to_be_far_is_far) {
     const View view = orbit_view(
         {cubic.p1, static_cast<float>(uniform(bits, -180, 180)), 20, static_cast<float>(uniform(bits, 1, 60))},
         {0, 0, 800, 600});
-    const Beam beam(view, {uniform(bits, 0, 800), uniform(bits, 0, 600)});
+    const PixelBeam beam(view, {uniform(bits, 0, 800), uniform(bits, 0, 600)});
     const SightedControls controls = sighted(cubic, beam);
     const double limit = uniform(bits, 1, 100);
     if (may_come_near(controls, limit)) continue;

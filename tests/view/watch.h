@@ -18,7 +18,7 @@ inline world::Document sample_track(const std::string& name) {
 
 inline world::Document with_cart(world::Document d, double speed, int cars = 1) {
   const world::Entity cart = world::add_cart(d, d.track.segments.front(), 0.1);
-  d.entities.get<world::Cart>(cart).cars = cars;
+  d.entities.get<world::Train>(cart).cars = cars;
   d.start_speed = speed;
   return d;
 }
@@ -27,7 +27,7 @@ inline world::Document with_cart(world::Document d, double speed, int cars = 1) 
 struct Watch {
   world::Document document;
   world::Settings settings;
-  sim::Derived derived;
+  sim::DerivedTrack derived;
   world::Motion motion;
   sim::RideCache cache;
   CameraRig rig;
@@ -45,7 +45,7 @@ struct Watch {
     sim::step(document, derived, {}, 1, cache, motion);
     look(1);
   }
-  const world::CartMotion& cart() const { return motion.carts.items()[0]; }
+  const world::TrainMotion& cart() const { return motion.carts.items()[0]; }
   sim::Pose pose() const { return sim::pose(derived, cart(), settings.frames); }
 };
 

@@ -21,7 +21,9 @@ std::vector<Document> versions() {
   then([](Document& d) { split_segment(d, d.track.segments[1], 0.3, {0, 1, 0}, 0); });
   then([](Document& d) { remove_knot(d, d.track.knots[1]); });
   then([](Document& d) { d.entities.put(d.track.segments[0], Equipment{}); });
-  then([](Document& d) { d.entities.put(d.track.knots[0], Extra{"{\"a\": 1}"}), d.name = "Other", d.datum = 3; });
+  then([](Document& d) {
+    d.entities.put(d.track.knots[0], UnknownMembers{"{\"a\": 1}"}), d.name = "Other", d.datum = 3;
+  });
   then([](Document& d) { reverse(d); });
   then([](Document& d) { add_cart(d, d.track.segments[1], 0.2); });
   then([](Document& d) { set_closed(d, !d.track.closed); });

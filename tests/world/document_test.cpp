@@ -22,12 +22,12 @@ TEST(document, find_and_name_are_inverse) {
 TEST(document, the_first_train_is_that_of_the_least_number_however_they_are_stored) {
   Document d = test::sample_document();
   for (const Entity cart :
-       std::vector(d.entities.pool<Cart>().entities().begin(), d.entities.pool<Cart>().entities().end()))
+       std::vector(d.entities.pool<Train>().entities().begin(), d.entities.pool<Train>().entities().end()))
     d.entities.destroy(cart);
   EXPECT_EQ(first_cart(d), kNone);
   for (const unsigned number : {7u, 3u, 9u}) {
     const Entity cart = d.entities.create();
-    d.entities.put(cart, Name{Kind::cart, number}), d.entities.put(cart, Cart{d.track.segments[0], 0.5});
+    d.entities.put(cart, Name{Kind::cart, number}), d.entities.put(cart, Train{d.track.segments[0], 0.5});
   }
   EXPECT_EQ(name_of(d, first_cart(d)), (Name{Kind::cart, 3}));
 }

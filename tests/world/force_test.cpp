@@ -12,7 +12,7 @@ namespace force_test {
 
 ForceProgram sample() {
   ForceProgram program;
-  program.over = ForceOver::time, program.length = 3.5, program.tolerance = 0.1, program.speed = 21.25;
+  program.over = ForceDomain::time, program.length = 3.5, program.tolerance = 0.1, program.speed = 21.25;
   program.keys(ForceChannel::vertical) = {{0, 1}, {1.25, 3.5, 0.5, 0.25, 0.125}, {3, 0.75}};
   program.keys(ForceChannel::roll) = {{0.5, -60, 0, 0, 0.5}, {2, 0}};
   return program;
@@ -27,7 +27,7 @@ Document with(const ForceProgram& program) {
 // Each changes a program so that it is another one within the limits.
 const auto kChanges = [] {
   std::vector<void (*)(ForceProgram&)> changes;
-  changes.push_back([](ForceProgram& p) { p.over = ForceOver::distance; });
+  changes.push_back([](ForceProgram& p) { p.over = ForceDomain::distance; });
   changes.push_back([](ForceProgram& p) { p.length = 3.25; });
   changes.push_back([](ForceProgram& p) { p.tolerance = 0.2; });
   changes.push_back([](ForceProgram& p) { p.speed += 1e-9; });
@@ -46,7 +46,7 @@ TEST(force, every_number_counts_in_hashes_and_is_kept_in_files) {
   for (std::size_t i = 0; i < kChanges.size(); ++i) {
     ForceProgram program = sample();
     kChanges[i](program);
-    const bool apart = program.over == ForceOver::time;  // keys 0.25 s apart are too near in metres
+    const bool apart = program.over == ForceDomain::time;  // keys 0.25 s apart are too near in metres
     if (!apart) program.length = 30, program.channels = {};
     ASSERT_EQ(broken(program), std::nullopt) << i;
     const Document document = with(program);

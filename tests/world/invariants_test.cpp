@@ -44,7 +44,7 @@ TEST(invariants, every_broken_promise_is_noticed) {
   expect_broken([](Document& d) { std::swap(d.track.segments[0], d.track.segments[1]); }, "lead");
   expect_broken([](Document& d) { std::swap(d.track.knots[0], d.track.knots[1]); }, "lead");
   expect_broken([](Document& d) { d.entities.get<Segment>(d.track.segments[0]).turns = 17; }, "turns");
-  expect_broken([](Document& d) { d.entities.get<Cart>(find(d, {Kind::cart, 1})).fraction = 1; }, "c1: fraction");
+  expect_broken([](Document& d) { d.entities.get<Train>(find(d, {Kind::cart, 1})).fraction = 1; }, "c1: fraction");
   const auto section_of = [](Document& d) -> Section& { return d.entities.pool<Section>().items().front(); };
   expect_broken([](Document& d) { d.entities.get<Segment>(d.track.segments[1]).section = kNone; }, "s2: in no section");
   expect_broken(
@@ -76,7 +76,7 @@ TEST(invariants, every_broken_promise_is_noticed) {
   expect_broken([](Document& d) { d.entities.put(segment(d, d.track.segments[0]).section, Name{Kind::cart, 2}); }, "");
   expect_broken(
       [](Document& d) {
-        d.entities.get<Cart>(find(d, {Kind::cart, 1})).segment = kNone;
+        d.entities.get<Train>(find(d, {Kind::cart, 1})).segment = kNone;
       },
       "c1: on no segment");
 }

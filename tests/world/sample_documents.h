@@ -60,7 +60,7 @@ inline world::Document random_document(std::uint32_t seed) {
   for (const world::Entity s : d.track.segments) {
     d.entities.get<world::Segment>(s).turns = whole(5) - 2;
     if (whole(3) == 0) world::add_cart(d, s, uniform(0, 1));
-    if (whole(4) == 0) d.entities.put(s, world::Extra{R"({"wear":0.25,"by":["a",null]})"});
+    if (whole(4) == 0) d.entities.put(s, world::UnknownMembers{R"({"wear":0.25,"by":["a",null]})"});
   }
   if (whole(2)) d.extra.json = R"({"author":"Zoë","tags":{"b":1,"a":[2.5,-3]}})";
   d.name = whole(2) ? "Ünï \\ \"q\"" : "plain";
@@ -78,7 +78,7 @@ inline world::Document random_document(std::uint32_t seed) {
       section.element = world::usual_element(static_cast<world::ElementKind>(whole(8)));
     const world::Entity made = world::make_section(d, static_cast<std::size_t>(first),
                                                    static_cast<std::size_t>(1 + whole(count - first)), section);
-    if (whole(4) == 0) d.entities.put(made, world::Extra{R"({"theme":"night"})"});
+    if (whole(4) == 0) d.entities.put(made, world::UnknownMembers{R"({"theme":"night"})"});
   }
   return d;
 }

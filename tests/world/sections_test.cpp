@@ -51,7 +51,7 @@ TEST(sections, a_shorter_section_is_what_is_left_when_its_last_knots_are_removed
       for (std::size_t left = run.count; left > count; --left)
         remove_knot(single, single.track.knots[run.first + left - 1]);
       for (Document* const each : {&bulk, &single})  // which the caller sets
-        for (Cart& cart : each->entities.pool<Cart>().items()) cart.fraction = 0;
+        for (Train& cart : each->entities.pool<Train>().items()) cart.fraction = 0;
       EXPECT_TRUE(bulk == single) << seed << ": " << run.first << " " << run.count << " to " << count;
       EXPECT_EQ(broken_invariant(bulk), std::nullopt);
       EXPECT_EQ(bulk.entities.create(), single.entities.create());

@@ -16,9 +16,9 @@ namespace coaster::world {
 namespace settings_test {
 
 TEST(settings, a_box_is_a_value) {
-  Box<Aids> box;
+  HeapValue<Aids> box;
   box->circuit = 2;
-  Box<Aids> copy = box;
+  HeapValue<Aids> copy = box;
   EXPECT_TRUE(copy == box);
   copy->circuit = 1;
   EXPECT_EQ(box->circuit, 2) << "each has its own";

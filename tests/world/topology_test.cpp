@@ -9,12 +9,12 @@
 namespace coaster::world {
 namespace topology_test {
 
-const Cart& cart(const Document& d, std::uint32_t number) {
-  return d.entities.get<Cart>(find(d, {Kind::cart, number}));
+const Train& cart(const Document& d, std::uint32_t number) {
+  return d.entities.get<Train>(find(d, {Kind::cart, number}));
 }
 
 // m from the start of the track.
-double place_of(const Document& d, const Cart& c) {
+double place_of(const Document& d, const Train& c) {
   double start = 0;
   for (const Entity s : d.track.segments) {
     const double length = curve::arc_length(cubic_of(d, s));
@@ -131,7 +131,7 @@ TEST(topology, opening_moves_carts_of_the_closing_segment_to_the_start) {
   set_closed(d, true);
   add_cart(d, d.track.segments.back(), 0.5);
   set_closed(d, false);
-  EXPECT_EQ(cart(d, 3), (Cart{d.track.segments.front(), 0.0}));
+  EXPECT_EQ(cart(d, 3), (Train{d.track.segments.front(), 0.0}));
   EXPECT_EQ(broken_invariant(d), std::nullopt);
 }
 

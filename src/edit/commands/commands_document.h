@@ -96,10 +96,10 @@ struct AppendKnot {
   COASTER_COMMAND(AppendKnot, "append", "Append a knot to an open track.", Effect::document, "Appended a knot");
   COASTER_FIELDS(visit("at", self.at))
 };
-struct RemoveKnot {
+struct RemoveKnotOrTrain {
   static constexpr std::string_view kTargets = "@knot|@cart";
   Target what;
-  COASTER_COMMAND(RemoveKnot, "remove", "Remove a knot or a train.", Effect::document, "Deleted {}");
+  COASTER_COMMAND(RemoveKnotOrTrain, "remove", "Remove a knot or a train.", Effect::document, "Deleted {}");
   COASTER_FIELDS(visit("", self.what))
 };
 struct SetClosed {
@@ -108,10 +108,10 @@ struct SetClosed {
                   "{?Closed|Opened} the track");
   COASTER_FIELDS(visit("", self.to))
 };
-struct AddCart {
+struct AddTrain {
   Target segment;
   double at = 0;
-  COASTER_COMMAND(AddCart, "add_cart", "Add a train that starts on a segment, at a fraction of its length.",
+  COASTER_COMMAND(AddTrain, "add_cart", "Add a train that starts on a segment, at a fraction of its length.",
                   Effect::document, "Added a train");
   COASTER_FIELDS(visit("", self.segment), visit("at", self.at))
 };
@@ -150,7 +150,7 @@ struct MakeAllG2 {
 };
 
 COASTER_COMMAND_LIST(Document, MoveKnot, MoveHandle, SetDirection, SetLengths, SetRoll, SetSpin, AutomaticSpin,
-                     SetJoint, SetTurns, SplitSegment, AddCurve, AppendKnot, RemoveKnot, SetClosed, AddCart, SetName,
-                     SetStartSpeed, SetDatum, MakeG2, MakeAllG2);
+                     SetJoint, SetTurns, SplitSegment, AddCurve, AppendKnot, RemoveKnotOrTrain, SetClosed, AddTrain,
+                     SetName, SetStartSpeed, SetDatum, MakeG2, MakeAllG2);
 
 }  // namespace coaster::edit

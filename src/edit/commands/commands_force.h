@@ -9,12 +9,12 @@
 namespace coaster::edit {
 COASTER_COMMAND_GROUP(Force);
 
-struct AddForce {
-  world::ForceOver over{};
+struct AddForceSection {
+  world::ForceDomain over{};
   double length = 40, tolerance = 0.05;
-  world::ForceOf of{};
+  world::ForceQuantity of{};
   COASTER_COMMAND(
-      AddForce, "force.add",
+      AddForceSection, "force.add",
       "Add a section of forces or curvature at the open end of the track: length in m or s, tolerance in g.",
       Effect::document, "Added a force section");
   COASTER_FIELDS(visit("over?", self.over), visit("of?", self.of), visit("length?", self.length),
@@ -111,39 +111,39 @@ struct SetForceTolerance {
       Effect::document, "Set the tolerance of {} to {to} g");
   COASTER_FIELDS(visit("", self.section), visit("to", self.to))
 };
-struct SetForceOver {
+struct SetForceDomain {
   Target section;
-  world::ForceOver to{};
-  COASTER_COMMAND(SetForceOver, "force.over",
+  world::ForceDomain to{};
+  COASTER_COMMAND(SetForceDomain, "force.over",
                   "Use metres or seconds for the keys of a force section; they keep their positions.", Effect::document,
                   "Counted the keys of {} over {to}");
   COASTER_FIELDS(visit("", self.section), visit("to", self.to))
 };
-struct SetForceOf {
+struct SetForceQuantity {
   Target section;
-  world::ForceOf to{};
-  COASTER_COMMAND(SetForceOf, "force.of",
+  world::ForceQuantity to{};
+  COASTER_COMMAND(SetForceQuantity, "force.of",
                   "Use forces or curvature for the keys of a force section; they take what the track has there.",
                   Effect::document, "Changed the keys of {} to {to}");
   COASTER_FIELDS(visit("", self.section), visit("to", self.to))
 };
 
-struct HoldForces {
+struct HoldForceSectionEnds {
   Target section;
   bool on{};
   COASTER_COMMAND(
-      HoldForces, "force.hold",
+      HoldForceSectionEnds, "force.hold",
       "Keep both ends of a force section in place when its keys change. Riders then feel the keys as closely "
       "as that allows; force.unmet is the difference.",
       Effect::document, "Set whether both ends of {} stay");
   COASTER_FIELDS(visit("", self.section), visit("", self.on))
 };
 
-struct ReadForces {
+struct MakeForceSection {
   Sections sections;
   double tolerance = 0.05;
   COASTER_COMMAND(
-      ReadForces, "force.read",
+      MakeForceSection, "force.read",
       "Make a section, or neighbouring ones together, a force section of their shape, within 1 cm: their g and roll at "
       "the present speed become keys. What follows stays.",
       Effect::document, "Made {} a force section");
@@ -156,8 +156,8 @@ struct FreeForces {
   COASTER_FIELDS(visit("", self.section))
 };
 
-COASTER_COMMAND_LIST(Force, AddForce, SetForceKey, InsertForceKey, MoveForceKey, RemoveForceKey, ShapeForceKey,
-                     CopyForceKeys, PasteForceKeys, SetForceLength, SetForceTolerance, SetForceOver, SetForceOf,
-                     HoldForces, ReadForces, FreeForces);
+COASTER_COMMAND_LIST(Force, AddForceSection, SetForceKey, InsertForceKey, MoveForceKey, RemoveForceKey, ShapeForceKey,
+                     CopyForceKeys, PasteForceKeys, SetForceLength, SetForceTolerance, SetForceDomain, SetForceQuantity,
+                     HoldForceSectionEnds, MakeForceSection, FreeForces);
 
 }  // namespace coaster::edit

@@ -55,14 +55,14 @@ struct SetHeartline {
                   Effect::document, "Set the heartline to {} m");
   COASTER_FIELDS(visit("", self.to))
 };
-enum class Keep : std::uint8_t { rails, numbers };
+enum class CurveSwitchKeeps : std::uint8_t { rails, numbers };
 inline constexpr base::NameRow kKeeps[] = {
     {"rails", "Rails", "The rails stay within 1 cm, and the knots' numbers change."},
     {"numbers", "Numbers", "The knots' numbers stay, and the rails move by the heartline's height."}};
-constexpr std::span<const base::NameRow> rows_of(Keep) { return kKeeps; }
+constexpr std::span<const base::NameRow> rows_of(CurveSwitchKeeps) { return kKeeps; }
 struct SetCurve {
   world::TrackCurve to{};
-  Keep keep{};
+  CurveSwitchKeeps keep{};
   COASTER_COMMAND(SetCurve, "curve",
                   "Make the track's curve the rails or the riders' heartline, with the rails below it; keeps the shape "
                   "of the rails, within 1 cm, or the knots' numbers.",
@@ -83,9 +83,9 @@ struct SaveReport {
                   Effect::session, {}, kWritesFile);
   COASTER_FIELDS(visit("", self.path))
 };
-struct LoadEnvelope {
+struct LoadForceLimits {
   std::string path;
-  COASTER_COMMAND(LoadEnvelope, "envelope",
+  COASTER_COMMAND(LoadForceLimits, "envelope",
                   "Compare forces with the limits by duration in a file (.json): data to edit, not a compliance check.",
                   Effect::session, {}, {PathUse::opens, Recorded::nothing});
   COASTER_FIELDS(visit("", self.path))
@@ -99,6 +99,6 @@ struct AutoBank {
 };
 
 COASTER_COMMAND_LIST(Operation, SetEquipment, RemoveEquipment, SetTrain, SetLosses, SetLossSet, SetHeartline, SetCurve,
-                     SetRollbackFails, SaveReport, LoadEnvelope, AutoBank);
+                     SetRollbackFails, SaveReport, LoadForceLimits, AutoBank);
 
 }  // namespace coaster::edit

@@ -6,7 +6,7 @@
 
 namespace coaster::edit {
 
-// Sets the setting with that member pointer: Set<&world::Look::shadows>{false}. Name and help come from its row.
+// Sets the setting with that member pointer: Set<&world::Appearance::shadows>{false}. Name and help come from its row.
 template <auto Member>
 struct Set {
   static constexpr world::SettingRow kRow = world::setting_row<Member>();

@@ -94,7 +94,7 @@ Status document_command(Session& session, Change& change, const Command& command
 
 Status settings_command(Session& session, Change& change, const Command& command) {
   const Status status = perform_one(session, change, command);
-  const base::WorkFor whole(nullptr);
+  const base::JobScope whole(nullptr);
   if (status && change.remeasure) derive(session);
   return status;
 }
@@ -104,7 +104,7 @@ template <class Exchange>
 bool exchange_document(Session& session, Exchange exchange) {
   world::Document next = session.document;
   if (!exchange(next)) return false;
-  const base::WorkFor whole(nullptr);
+  const base::JobScope whole(nullptr);
   follow_by_distance(session.document, next, session.derived, session.motion);
   session.document = std::move(next);
   fit_budget(session);
@@ -130,12 +130,12 @@ Status allowed(const Session& session, const Command& command) {
 // Tells of tight bends when there are more than before, at the end of a gesture.
 void warn_of_tight_bends(Session& session) {
   if (session.history.in_gesture) return;
-  const std::span<const sim::TightBend> bends = Finder(session).tight_bends();
+  const std::span<const sim::TightBend> bends = SessionFindings(session).tight_bends();
   if (bends.size() > std::exchange(session.notices.tight, bends.size()))
     notify(session, NoticeKind::warning, sim::tight_text(bends) + ". No train can pass there.");
 }
 
-Status carry_out(Session& session, base::Files& files, const Command& command, Search* search) {
+Status carry_out(Session& session, base::Files& files, const Command& command, ClosingSearch* search) {
   Change change{files, search};
   const Effect effect = info(command).effect;
   const bool complete = session.history.dropped == 0;
@@ -147,7 +147,7 @@ Status carry_out(Session& session, base::Files& files, const Command& command, S
   if (search && search->wanted) return status;  // to be applied again: nothing has happened
   if (effect != Effect::settings && effect != Effect::motion) ++session.edits;
   if (!status && base::interrupted()) return status;
-  const base::WorkFor whole(nullptr);  // it is done: Cancel comes too late
+  const base::JobScope whole(nullptr);  // it is done: Cancel comes too late
   if (base::interrupted()) return refused("stopped");
   if (!status) {
     notify(session, status);
@@ -198,7 +198,7 @@ void settle(Session& session) {
   settle_trains(session);
 }
 
-Status apply(Session& session, base::Files& files, const Command& command, Search* search) {
+Status apply(Session& session, base::Files& files, const Command& command, ClosingSearch* search) {
   const std::uint64_t serial = session.notices.serial;
   const Status status = carry_out(session, files, command, search);
   if (session.notices.serial != serial) session.notices.before = serial;

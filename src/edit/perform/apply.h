@@ -5,7 +5,7 @@
 
 namespace coaster::edit {
 
-struct Search;
+struct ClosingSearch;
 
 // Checks first, changes nothing on error. On success document, settings, motion, derived and history are consistent
 // again (derive and reconcile have run). Numbers beyond the limits are clamped with a warning notice that contains the
@@ -15,7 +15,7 @@ struct Search;
 // If the job of this thread is cancelled meanwhile, it returns an error without a notice, and the session is as before
 // once settle() is called; or the command is done, if the old state was gone already.
 // `search` lets another thread search for it, before or after (edit/perform/job_result.h).
-base::Status apply(Session& session, base::Files& files, const Command& command, Search* search = nullptr);
+base::Status apply(Session& session, base::Files& files, const Command& command, ClosingSearch* search = nullptr);
 
 // Restores what depends on the document after a cancelled apply().
 void settle(Session& session);

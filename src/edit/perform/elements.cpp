@@ -71,22 +71,22 @@ void equip(world::Document& document, const sim::ElementPlan& plan, std::size_t 
 }
 
 void add_first_train(world::Document& document) {
-  if (document.entities.pool<world::Cart>().size() == 0)
+  if (document.entities.pool<world::Train>().size() == 0)
     world::add_cart(document, document.track.segments.front(), 0.0);
 }
 
 Status perform(Session& session, Change& change, const PlaceElement& command) {
   if (const Status good = well_formed(command.what); !good) return good;
   world::Document& document = session.document;
-  const sim::ElementPlan& plan = Finder(session).element(command.what);
+  const sim::ElementPlan& plan = SessionFindings(session).element(command.what);
   if (!plan.refusal.empty()) return refused(plan.refusal);
   const std::size_t knots = std::max<std::size_t>(document.track.knots.size(), 1) + plan.spans();
   if (const Status room = room_for(session, knots, knots - 1); !room) return room;
-  const double missing = sim::worst(Finder(session).room(command.what));
+  const double missing = sim::worst(SessionFindings(session).room(command.what));
   const world::Entity section = place(document, plan);
   change.select = plan.forces ? section : document.track.knots.back();
   if (document.track.segments.size() == plan.spans()) add_first_train(document);
-  if (plan.forces) report_forces(*Finder(session).force(section), change);
+  if (plan.forces) report_forces(*SessionFindings(session).force(section), change);
   report(plan, missing, change);
   return {};
 }
@@ -94,7 +94,7 @@ Status perform(Session& session, Change& change, const PlaceElement& command) {
 Status perform(Session& session, Change& change, const CompleteCircuit& command) {
   if (command.proposal < 1 || command.proposal > static_cast<int>(sim::kMostProposals))
     return refused(fmt::format("expected a proposal from 1 to {}", sim::kMostProposals));
-  const sim::CircuitProposals& found = Finder(session).circuit();
+  const sim::CircuitProposals& found = SessionFindings(session).circuit();
   if (!found.refusal.empty()) return refused(found.refusal);
   if (static_cast<std::size_t>(command.proposal) > found.list.size())
     return refused(fmt::format("there {} {} proposal{}", found.list.size() == 1 ? "is" : "are", found.list.size(),
@@ -102,7 +102,7 @@ Status perform(Session& session, Change& change, const CompleteCircuit& command)
   const sim::CircuitProposal& proposal = found.list[static_cast<std::size_t>(command.proposal) - 1];
   const std::vector<world::Knot>& knots = proposal.plan.fit.knots;
   if (const Status room = room_for(session, knots.size() - 2, knots.size() - 1); !room) return room;
-  const double jolt = Finder(session).closing_jolt(static_cast<std::size_t>(command.proposal) - 1);
+  const double jolt = SessionFindings(session).closing_jolt(static_cast<std::size_t>(command.proposal) - 1);
   change.select = sim::close_by(session.document, proposal);
   if (jolt > sim::kJoltLimit)
     change.clamped.push_back(fmt::format("A joint of the closing section jolts riders by {} g. Worst jolt finds it.",

@@ -46,7 +46,7 @@ Status show_shared(Session& session, Change& change, const exchange::SharedView&
 }  // namespace
 
 void start_over(Session& session, world::Document document, std::filesystem::path path) {
-  const base::WorkFor whole(nullptr);  // the old track is gone: Cancel comes too late
+  const base::JobScope whole(nullptr);  // the old track is gone: Cancel comes too late
   if (!session.document.track.knots.empty()) session.notices.list.clear();  // they are about that track
   session.notices.tight = 0;
   session.document = std::move(document);
@@ -133,8 +133,8 @@ Status perform(Session& session, Change& change, const SaveReport& command) {
   if (!report) return refused("a report needs a track with a train");
   return write(change, command.path, *report);
 }
-Status perform(Session& session, Change& change, const LoadEnvelope& command) {
-  base::Result<exchange::LoadedEnvelope> loaded = exchange::load_envelope(change.files, command.path);
+Status perform(Session& session, Change& change, const LoadForceLimits& command) {
+  base::Result<exchange::LoadedForceLimits> loaded = exchange::load_envelope(change.files, command.path);
   if (!loaded) return loaded.status();
   session.limits.envelope = std::move(loaded->envelope), session.limits.name = std::move(loaded->name);
   ++session.limits.serial;

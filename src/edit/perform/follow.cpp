@@ -22,7 +22,7 @@ namespace coaster::edit {
 namespace {
 
 // A split keeps the shape, so distances stay; they are scaled only by the rounding of the lengths.
-void follow_split(const MotionFollowUp& change, const sim::Derived& derived, world::CartMotion& cart) {
+void follow_split(const MotionFollowUp& change, const sim::DerivedTrack& derived, world::TrainMotion& cart) {
   const double left = derived.shape(change.first).arc.length(), right = derived.shape(change.second).arc.length();
   const double s = cart.segment_length > 0 ? cart.s * ((left + right) / cart.segment_length) : 0;
   const bool beyond = s > left;
@@ -32,7 +32,7 @@ void follow_split(const MotionFollowUp& change, const sim::Derived& derived, wor
 }
 
 // The length stays that of both old segments: reconcile scales it to the survivor's.
-void follow_merge(const MotionFollowUp& change, world::CartMotion& cart) {
+void follow_merge(const MotionFollowUp& change, world::TrainMotion& cart) {
   if (cart.segment == change.second) cart.s += change.first_length;
   cart.segment = change.first;
   cart.segment_length = change.first_length + change.second_length;
@@ -40,11 +40,11 @@ void follow_merge(const MotionFollowUp& change, world::CartMotion& cart) {
 
 // The rails stay and their direction is reversed: the rear of a train becomes its front, and it keeps moving the same
 // way in space.
-void follow_reversal(const world::Document& document, const sim::Derived& derived, world::Motion& motion) {
+void follow_reversal(const world::Document& document, const sim::DerivedTrack& derived, world::Motion& motion) {
   for (std::size_t i = 0; i < motion.carts.size(); ++i) {
-    world::CartMotion& cart = motion.carts.items()[i];
+    world::TrainMotion& cart = motion.carts.items()[i];
     const auto index = world::index_of(derived.order, cart.segment);
-    const world::Cart* const design = document.entities.find<world::Cart>(motion.carts.entities()[i]);
+    const world::Train* const design = document.entities.find<world::Train>(motion.carts.entities()[i]);
     if (!index || !design) continue;
     // `s` was measured from the present end of the segment.
     const double front = derived.starts[*index + 1] - cart.s, behind = design->behind();
@@ -59,11 +59,11 @@ void follow_reversal(const world::Document& document, const sim::Derived& derive
 
 // Keeps moving trains at their positions on the rails while segments are added and removed. Only positions:
 // sim::reconcile, which runs afterwards, handles energies and the rest.
-void follow_on_rails(const MotionFollowUp& change, const world::Document& document, const sim::Derived& derived,
+void follow_on_rails(const MotionFollowUp& change, const world::Document& document, const sim::DerivedTrack& derived,
                      world::Motion& motion) {
   if (change.kind == MotionFollowUp::Kind::none) return;
   if (change.kind == MotionFollowUp::Kind::reversed) return follow_reversal(document, derived, motion);
-  for (world::CartMotion& cart : motion.carts.items()) {
+  for (world::TrainMotion& cart : motion.carts.items()) {
     if (cart.segment != change.first && cart.segment != change.second) continue;
     if (change.kind == MotionFollowUp::Kind::split) follow_split(change, derived, cart);
     else follow_merge(change, cart);
@@ -138,7 +138,7 @@ class Comparison {
     return sim::move_between(dvec3(former(before, 0).position), way(former(before, 0), former(before, farthest)),
                              dvec3(present(now, 0).position), way(present(now, 0), present(now, farthest)));
   }
-  const sim::Derived::Made& made() const { return session_.derived.made; }
+  const sim::DerivedTrack::Made& made() const { return session_.derived.made; }
   const Knot& former(const world::SectionRun& run, std::size_t i) const {
     return made().knots[(run.first + i) % made().knots.size()];
   }
@@ -203,9 +203,9 @@ std::vector<PlannedSection> planned_sections(const world::Document& document) {
   return planned;
 }
 
-void follow_by_distance(const world::Document& present, const world::Document& next, const sim::Derived& derived,
+void follow_by_distance(const world::Document& present, const world::Document& next, const sim::DerivedTrack& derived,
                         world::Motion& motion) {
-  for (world::CartMotion& cart : motion.carts.items()) {
+  for (world::TrainMotion& cart : motion.carts.items()) {
     const auto* const now = present.entities.find<world::Segment>(cart.segment);
     const auto* const then = next.entities.find<world::Segment>(cart.segment);
     if (now && then && now->from == then->from && now->to == then->to) continue;
@@ -218,7 +218,7 @@ void follow_by_distance(const world::Document& present, const world::Document& n
 void settle_trains(Session& session) {
   if (base::interrupted()) return;
   // A ride that has not started (or has no trains) puts the trains at their start; any other keeps their positions.
-  if (session.motion.state == world::RideState::stopped || session.document.entities.pool<world::Cart>().size() == 0)
+  if (session.motion.state == world::RideState::stopped || session.document.entities.pool<world::Train>().size() == 0)
     sim::reset(session.document, session.derived, session.motion);
   else sim::reconcile(session.document, session.derived, session.motion);
   world::drop_dead(session.document, session.settings);

@@ -25,7 +25,7 @@ void follow_change(Session& session, Change& change, const std::vector<PlannedSe
 
 // Call before the whole document is replaced by `next` (undo, redo, cancel): trains on segments that differ keep their
 // distance from the start, by `derived` of the present document.
-void follow_by_distance(const world::Document& present, const world::Document& next, const sim::Derived& derived,
+void follow_by_distance(const world::Document& present, const world::Document& next, const sim::DerivedTrack& derived,
                         world::Motion& motion);
 
 // Puts trains on the track as derived, and drops from the selection what no longer exists.

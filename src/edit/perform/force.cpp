@@ -152,7 +152,7 @@ Status add_force(Session& session, Change& change, ForceProgram program) {
   Document& document = session.document;
   const std::optional<sim::TrackEnd> end = sim::open_end(document);
   if (!end) return refused(std::string(world::kClosedTrack));
-  const std::optional<double> speed = Finder(session).speed_at(session.derived.length);
+  const std::optional<double> speed = SessionFindings(session).speed_at(session.derived.length);
   program.speed = speed.value_or(sim::kAssumedSpeed);
   const sim::ForcePlan& plan = force_plans_of(session).plan(sim::force_task(document, *end, program));
   if (!plan.refusal.empty()) return refused(plan.refusal);
@@ -170,7 +170,7 @@ Entity place_force(Document& document, const sim::ForcePlan& plan) {
   return append_section(document, plan.fit.spans.knots, {{}, world::SectionKind::force, {}, {}, plan.task.program});
 }
 
-Status perform(Session& session, Change& change, const AddForce& command) {
+Status perform(Session& session, Change& change, const AddForceSection& command) {
   ForceProgram program;
   program.over = command.over, program.of = command.of;
   program.length = command.length, program.tolerance = command.tolerance;
@@ -251,7 +251,7 @@ Status perform(Session& session, Change& change, const SetForceTolerance& comman
   return with_program_of(session, change, command, [&](ForceProgram& program) { program.tolerance = command.to; });
 }
 
-Status perform(Session& session, Change& change, const SetForceOver& command) {
+Status perform(Session& session, Change& change, const SetForceDomain& command) {
   return with_program_of(session, change, command, [&](ForceProgram& program) -> Status {
     if (program.over == command.to) return {};
     const base::Result<sim::ForcePlan> plan = present_plan(session, command.section, program);
@@ -261,7 +261,7 @@ Status perform(Session& session, Change& change, const SetForceOver& command) {
   });
 }
 
-Status perform(Session& session, Change& change, const SetForceOf& command) {
+Status perform(Session& session, Change& change, const SetForceQuantity& command) {
   return with_program_of(session, change, command, [&](ForceProgram& program) -> Status {
     if (program.of == command.to) return {};
     const base::Result<sim::ForcePlan> plan = present_plan(session, command.section, program);
@@ -272,7 +272,7 @@ Status perform(Session& session, Change& change, const SetForceOf& command) {
   });
 }
 
-Status perform(Session& session, Change& change, const HoldForces& command) {
+Status perform(Session& session, Change& change, const HoldForceSectionEnds& command) {
   return with_program_of(session, change, command, [&](ForceProgram& program) { program.hold = command.on; });
 }
 
@@ -284,7 +284,7 @@ Status perform(Session& session, Change&, const FreeForces& command) {
   return {};
 }
 
-Status perform(Session& session, Change& change, const ReadForces& command) {
+Status perform(Session& session, Change& change, const MakeForceSection& command) {
   const auto sections = chosen_sections(session, command.sections);
   if (!sections) return sections.status();
   const Document& document = session.document;
@@ -295,10 +295,10 @@ Status perform(Session& session, Change& change, const ReadForces& command) {
   if (!all) return all.status();
   const world::SectionRun& run = *all;
   if (const Status same = same_equipment(document, run); !same) return same;
-  const std::optional<double> speed = Finder(session).speed_at(session.derived.starts[run.first]);
+  const std::optional<double> speed = SessionFindings(session).speed_at(session.derived.starts[run.first]);
   world::ForceProgram program;
   program.tolerance = command.tolerance, program.speed = speed.value_or(sim::kAssumedSpeed);
-  const sim::ForceReading reading =
+  const sim::RunForcePlan reading =
       sim::read_forces({session.derived, run.first, run.count}, sim::force_task(document, run, program));
   if (!reading.refusal.empty()) return refused(fmt::format("@{}: {}", label, reading.refusal));
   const sim::ForcePlan& plan = force_plans_of(session).plan(reading.plan.task);

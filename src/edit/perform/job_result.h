@@ -12,20 +12,20 @@
 namespace coaster::edit {
 
 // What a search (command seek) found: with these values the goal is met.
-struct Sought {
+struct SeekResult {
   std::vector<double> values;  // of the numbers that the command names, in their order
   std::string note;            // "ride.lap_time is 40 s, from 43.2 s. ..."
 };
 
-using JobResult = std::variant<exchange::LoadedTrack, Sought, sim::ChangedClosing>;
+using JobResult = std::variant<exchange::LoadedTrack, SeekResult, sim::ClosingReplanResult>;
 
 // What apply() leaves to another thread, and what that has found. A change of a circuit plans the closing section
 // again, which may take longer than a frame.
-struct Search {
+struct ClosingSearch {
   bool leaves = false;  // true: a command that would search for a closing section is refused without a notice instead,
-  std::optional<sim::ClosingChange> wanted = {};  // and leaves here what is to be searched for
-  std::optional<JobResult> found = {};            // for the command, which then neither reads nor searches
-  std::optional<sim::ClosingChange> asked = {};   // what a closing section that was found answers
+  std::optional<sim::ClosingReplanTask> wanted = {};  // and leaves here what is to be searched for
+  std::optional<JobResult> found = {};                // for the command, which then neither reads nor searches
+  std::optional<sim::ClosingReplanTask> asked = {};   // what a closing section that was found answers
 };
 
 }  // namespace coaster::edit

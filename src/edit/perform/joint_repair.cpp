@@ -46,7 +46,7 @@ curve::Cubic cubic_from(const Document& document, std::size_t index) {
   return world::cubic_of(document, document.track.segments[index]);
 }
 
-curve::Joint class_at(const Document& document, std::size_t index) {
+curve::JointContinuity class_at(const Document& document, std::size_t index) {
   return curve::joint(cubic_from(document, joint_at(document, index).before), cubic_from(document, index));
 }
 
@@ -63,12 +63,13 @@ G2Side side_of(const Document& document, std::size_t far, bool out, bool strict,
     side.length_fixed = knot.joint == JointKind::automatic;
     return side;
   }
-  const curve::Joint joint = class_at(document, far);
-  side.length_fixed = one_neighbour || knot.joint != JointKind::aligned || joint.parametric >= curve::Parametric::c1;
-  if (joint.parametric == curve::Parametric::c2) {
-    side.keep = G2Side::Keep::handle;
-  } else if (strict && joint.geometric == curve::Geometric::g2) {
-    side.keep = G2Side::Keep::curvature;
+  const curve::JointContinuity joint = class_at(document, far);
+  side.length_fixed =
+      one_neighbour || knot.joint != JointKind::aligned || joint.parametric >= curve::ParametricContinuity::c1;
+  if (joint.parametric == curve::ParametricContinuity::c2) {
+    side.keep = G2Side::FarEndConstraint::handle;
+  } else if (strict && joint.geometric == curve::GeometricContinuity::g2) {
+    side.keep = G2Side::FarEndConstraint::curvature;
     // The curvature on the other side of that joint: it does not change, unless both sides belong to this joint.
     side.curvature = one_neighbour ? 0.5 * (joint.curvature_before + joint.curvature_after)
                      : out         ? joint.curvature_before
@@ -87,7 +88,7 @@ curve::G2Problem problem_of(const Document& document, const Joint& j, bool stric
   problem.in_handle = p - t * double{knot.in_length};
   problem.out_handle = p + t * double{knot.out_length};
   problem.equal_lengths =
-      knot.joint == JointKind::smooth || class_at(document, j.at).parametric >= curve::Parametric::c1;
+      knot.joint == JointKind::smooth || class_at(document, j.at).parametric >= curve::ParametricContinuity::c1;
   problem.position_fixed = knot_at(document, j.before).joint == JointKind::automatic ||
                            knot_at(document, j.after).joint == JointKind::automatic;
   problem.before = side_of(document, j.before, true, strict, one_neighbour);
@@ -147,12 +148,12 @@ void put(Document& document, const Joint& j, const curve::G2Problem& problem, co
 }
 
 struct Classes {
-  curve::Geometric geometric;
-  curve::Parametric parametric;
+  curve::GeometricContinuity geometric;
+  curve::ParametricContinuity parametric;
 };
 std::optional<Classes> classes_at(const Document& document, std::size_t index) {
   if (!joins(document, index)) return std::nullopt;
-  const curve::Joint joint = class_at(document, index);
+  const curve::JointContinuity joint = class_at(document, index);
   return Classes{joint.geometric, joint.parametric};
 }
 bool lowered(const std::optional<Classes>& before, const std::optional<Classes>& now) {
@@ -167,13 +168,13 @@ base::Status repair(Document& document, std::size_t index, bool strict) {
   if (const base::Status status = acceptable(document, j, problem, solution); !status) return status;
   const Knot was[] = {knot_at(document, j.before), knot_at(document, j.at), knot_at(document, j.after)};
   const std::optional<Classes> before = classes_at(document, j.before), after = classes_at(document, j.after);
-  const curve::Parametric own = class_at(document, index).parametric;
+  const curve::ParametricContinuity own = class_at(document, index).parametric;
   put(document, j, problem, solution);
-  const curve::Joint now = class_at(document, index);
+  const curve::JointContinuity now = class_at(document, index);
   std::string reason;
-  if (now.geometric != curve::Geometric::g2)
+  if (now.geometric != curve::GeometricContinuity::g2)
     reason = "rounding the coordinates leaves a jump of curvature of " + base::to_text(now.curvature_jump) + " 1/m";
-  else if (problem.equal_lengths && now.parametric < std::min(own, curve::Parametric::c1))
+  else if (problem.equal_lengths && now.parametric < std::min(own, curve::ParametricContinuity::c1))
     reason = "rounding the coordinates would cost the joint C1";
   else if (strict && (lowered(before, classes_at(document, j.before)) || lowered(after, classes_at(document, j.after))))
     reason = "a neighbouring joint would lose its class";
@@ -200,7 +201,7 @@ double movement_between(const Document& a, const Document& b) {
 void pass_along(Document& document, std::vector<std::string>& reasons) {
   for (std::size_t i = 0; i < document.track.knots.size(); ++i) {
     reasons[i].clear();
-    if (!joins(document, i) || class_at(document, i).geometric == curve::Geometric::g2) continue;
+    if (!joins(document, i) || class_at(document, i).geometric == curve::GeometricContinuity::g2) continue;
     if (const base::Status status = repair(document, i, true); !status) reasons[i] = status.message;
   }
 }
@@ -217,8 +218,8 @@ void sweeps(Document& document, std::vector<std::string>& reasons) {
       base::report_progress((sweep + static_cast<double>(k) / static_cast<double>(count)) / kMostSweeps);
       reasons[i].clear();
       if (!joins(document, i)) continue;
-      const curve::Joint now = class_at(document, i);
-      if (now.curvature_jump < kSmall && now.geometric == curve::Geometric::g2) continue;
+      const curve::JointContinuity now = class_at(document, i);
+      if (now.curvature_jump < kSmall && now.geometric == curve::GeometricContinuity::g2) continue;
       const base::Status status = repair(document, i, false);
       if (!status) reasons[i] = status.message;
       any |= static_cast<bool>(status);
@@ -235,8 +236,8 @@ RepairReport report(const Document& before, const Document& now, const std::vect
     if (!joins(now, i)) continue;
     const std::optional<Classes> was = classes_at(before, i), is = classes_at(now, i);
     if (lowered(was, is)) spoilt = true;
-    if (was->geometric == curve::Geometric::g2) ++result.already;
-    else if (is->geometric == curve::Geometric::g2) ++result.changed;
+    if (was->geometric == curve::GeometricContinuity::g2) ++result.already;
+    else if (is->geometric == curve::GeometricContinuity::g2) ++result.changed;
     else
       result.refused.push_back({now.track.knots[i], reasons[i].empty() ? "the repair did not converge" : reasons[i]});
   }
@@ -249,7 +250,7 @@ RepairReport report(const Document& before, const Document& now, const std::vect
 base::Status make_g2(Document& document, std::size_t index, double* movement) {
   if (movement) *movement = 0;
   if (!joins(document, index)) return refusal("an end of an open track joins nothing");
-  if (class_at(document, index).geometric == curve::Geometric::g2) return {};
+  if (class_at(document, index).geometric == curve::GeometricContinuity::g2) return {};
   const Document before = document;
   const base::Status status = repair(document, index, true);
   if (status && movement) *movement = movement_between(before, document);

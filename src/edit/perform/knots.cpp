@@ -62,7 +62,7 @@ constexpr double kLeastFactor = 1e-4;  // of scaling: smaller factors would lose
 constexpr double kShortAxis = 1e-9;
 
 // p -> about + linear (p - about) + by.
-struct Map {
+struct AffineMap {
   dmat3 linear{1.0};
   dvec3 about{0}, by{0};
   bool rigid_shift = false;  // linear is 1: only positions change, by one addition
@@ -105,7 +105,7 @@ void turn_back_twists(world::Document& document, const std::vector<Entity>& knot
   }
 }
 
-Status transform(Session& session, Change& change, const Knots& which, const Map& map, bool from_start) {
+Status transform(Session& session, Change& change, const Knots& which, const AffineMap& map, bool from_start) {
   auto knots = knots_of(session, which);
   if (!knots) return knots.status();
   bool cut = false;
@@ -223,7 +223,7 @@ Status perform(Session& session, Change& change, const MakeG2& command) {
   const world::Entity e = entity_of(session, command.knot);
   const std::size_t index = *world::index_of(session.document.track.knots, e);
   double movement = 0;
-  const std::span<const sim::Jolt> jolts = Finder(session).jolts();  // of the ride before
+  const std::span<const sim::Jolt> jolts = SessionFindings(session).jolts();  // of the ride before
   const world::Document before = session.document;
   const Status status = make_g2(session.document, index, &movement);
   if (!status) return status;
@@ -239,7 +239,7 @@ Status perform(Session& session, Change& change, const MakeAllG2&) {
   const RepairReport report = make_all_g2(next);
   const std::string text = told(session.document, report);
   if (report.changed == 0 && !report.refused.empty()) return refused(text);
-  const std::span<const sim::Jolt> jolts = Finder(session).jolts();
+  const std::span<const sim::Jolt> jolts = SessionFindings(session).jolts();
   change.note = text + told("Largest step of the force at a fastest passage",
                             sim::largest_step(session.document, jolts), sim::largest_step(next, jolts));
   session.document = std::move(next);

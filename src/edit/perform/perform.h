@@ -19,12 +19,12 @@ struct MotionFollowUp {
   double first_length = 0, second_length = 0;  // m, merged: before the change
 };
 
-struct Search;  // edit/perform/job_result.h
+struct ClosingSearch;  // edit/perform/job_result.h
 
 // The files that a command may use, and its report besides the status.
 struct Change {
   base::Files& files;
-  Search* search = nullptr;            // what another thread has found, or may search for
+  ClosingSearch* search = nullptr;     // what another thread has found, or may search for
   std::vector<std::string> clamped{};  // one sentence for each clamped value or other warning
   std::string note{};                  // result to show on success, if it is not obvious
   MotionFollowUp motion{};

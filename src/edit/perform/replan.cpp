@@ -23,11 +23,11 @@ namespace coaster::edit {
 namespace {
 
 using base::Status;
-using world::Cart;
 using world::Document;
 using world::Entity;
 using world::Knot;
 using world::SectionRun;
+using world::Train;
 
 // The start positions of a section's trains, as fractions of its length.
 struct Starts {
@@ -43,10 +43,10 @@ std::vector<double> lengths_of(const Document& document, const SectionRun& run) 
 
 Starts starts_on(const Document& document, const SectionRun& run) {
   Starts starts;
-  const auto& carts = document.entities.pool<Cart>();
+  const auto& carts = document.entities.pool<Train>();
   std::vector<double> ends;
   for (std::size_t i = 0; i < carts.size(); ++i) {
-    const Cart& cart = carts.items()[i];
+    const Train& cart = carts.items()[i];
     const std::size_t at = *world::index_of(document.track.segments, cart.segment);
     if (at < run.first || at >= run.end()) continue;
     if (ends.empty()) ends = lengths_of(document, run);
@@ -65,7 +65,7 @@ void put_back(const Starts& starts, const SectionRun& run, Document& document) {
     std::size_t k = 0;
     while (k + 1 < run.count && s >= ends[k + 1]) ++k;
     const double length = ends[k + 1] - ends[k];
-    Cart& cart = document.entities.get<Cart>(e);
+    Train& cart = document.entities.get<Train>(e);
     cart.segment = document.track.segments[run.first + k];
     cart.fraction = length > 0 ? std::clamp((s - ends[k]) / length, 0.0, std::nextafter(1.0, 0.0)) : 0.0;
   }
@@ -236,27 +236,28 @@ bool driven_between(const Document& former, const SectionRun& was, const Documen
 }
 
 // Returns what the change asks of the section that completes the circuit.
-sim::ClosingChange change_of(const Session& session, const Document& former, const SectionRun& was,
-                             const Document& next, const SectionRun& run) {
+sim::ClosingReplanTask change_of(const Session& session, const Document& former, const SectionRun& was,
+                                 const Document& next, const SectionRun& run) {
   const std::size_t count = next.track.segments.size();
-  sim::ClosingChange change{.opened = stretch_of(next, run.end() % count, count - run.count),
-                            .former = world::section(next, run.section).closing,
-                            .losses = session.document.resistance,
-                            .whole = !session.history.in_gesture};
+  sim::ClosingReplanTask change{.opened = stretch_of(next, run.end() % count, count - run.count),
+                                .former = world::section(next, run.section).closing,
+                                .losses = session.document.resistance,
+                                .whole = !session.history.in_gesture};
   for (std::size_t i = was.first; i < was.end(); ++i)
     change.lengths.push_back(curve::arc_length(world::cubic_of(former, former.track.segments[i])));
   if (!driven_between(former, was, next, run))
     change.risen = double{nth_knot(next, run.first).position.y} - double{nth_knot(former, was.first).position.y};
-  if (const world::Cart* const cart = session.document.entities.find<world::Cart>(chosen_cart(session)))
+  if (const world::Train* const cart = session.document.entities.find<world::Train>(chosen_cart(session)))
     change.losses.drag *= world::kCarMass / cart->mass;
   return change;
 }
 
 // Returns the closing section: the one that was found for this change, else searches for it. Nothing if another thread
 // is to find it.
-std::optional<sim::ChangedClosing> closing_for(Session& session, Search* search, sim::ClosingChange change) {
+std::optional<sim::ClosingReplanResult> closing_for(Session& session, ClosingSearch* search,
+                                                    sim::ClosingReplanTask change) {
   if (search && search->found && search->asked == change)
-    return std::get<sim::ChangedClosing>(*std::exchange(search->found, std::nullopt));
+    return std::get<sim::ClosingReplanResult>(*std::exchange(search->found, std::nullopt));
   if (!search || !search->leaves) return sim::changed_closing(change, opened_track_of(session));
   search->wanted = std::move(change);
   return std::nullopt;
@@ -418,7 +419,7 @@ bool follow_speeds(Session& session, Change& change) {
     if (value.kind != SectionKind::force) continue;
     const SectionRun run = world::run_of(session.document, section);
     world::ForceProgram program = value.force;
-    const std::optional<double> speed = Finder(session).speed_at(session.derived.starts[run.first]);
+    const std::optional<double> speed = SessionFindings(session).speed_at(session.derived.starts[run.first]);
     if (speed && !(std::abs(*speed - program.speed) <= kSameSpeed)) program.speed = *speed;
     const sim::ForceTask task = sim::force_task(session.document, run, program);
     if (force_plans_of(session).has(task)) continue;
@@ -448,7 +449,7 @@ Status keep_closed(Session& session, Change& change, const Document& former, Doc
   if (run->count == count) return refused("a circuit needs a section besides the one that completes it");
   const SectionRun was = world::run_of(former, run->section);
   if (alike(ends_of(former, was), ends_of(next, *run))) return {};
-  const std::optional<sim::ChangedClosing> found =
+  const std::optional<sim::ClosingReplanResult> found =
       closing_for(session, change.search, change_of(session, former, was, next, *run));
   if (!found) return refused("the closing section is not found yet");
   if (!found->refusal.empty()) return refused(found->refusal);

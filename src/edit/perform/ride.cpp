@@ -17,7 +17,7 @@ constexpr int kMaxStepTicks = 100'000;
 
 Status rideable(const Session& session) {
   if (session.document.track.segments.empty()) return refused("the track has no segments: append knots first");
-  if (session.document.entities.pool<world::Cart>().size() == 0) return refused("there is no train: add one first");
+  if (session.document.entities.pool<world::Train>().size() == 0) return refused("there is no train: add one first");
   return {};
 }
 

@@ -332,7 +332,7 @@ Status perform(Session& session, Change& change, const DeleteSection& command) {
     begin_there(knot_to_change(next, run.first), end.out_length);
   }
   world::remove_section(next, section);
-  const auto trains = [](const Document& document) { return document.entities.pool<world::Cart>().size(); };
+  const auto trains = [](const Document& document) { return document.entities.pool<world::Train>().size(); };
   const std::size_t lost = trains(session.document) - trains(next);
   change.note = fmt::format("Deleted {}{}.{}", title,
                             lost == 0   ? ""

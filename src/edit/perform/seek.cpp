@@ -115,13 +115,13 @@ std::string failure(const std::string& by, const base::Solution& solution, const
   }
 }
 
-base::Result<Sought> run(Trial& trial) {
+base::Result<SeekResult> run(Trial& trial) {
   const base::Result<GoalState> before = trial.measure();
   if (!before) return before.status();
   const auto is_now = [&](double value) {
     return fmt::format("{} is {}", before->name, with_unit(value, before->unit));
   };
-  if (before->met) return Sought{trial.start_values(), is_now(before->found) + " already."};
+  if (before->met) return SeekResult{trial.start_values(), is_now(before->found) + " already."};
 
   base::Equation equation{.unknowns = trial.unknowns(),
                           .wanted = before->wanted,
@@ -139,8 +139,9 @@ base::Result<Sought> run(Trial& trial) {
   const base::Solution solution = base::solve_by_least_change(equation);
   if (solution.end != base::SolutionEnd::met) return refused(failure(trial.by(), solution, *before));
   const Values values = trial.values_of(solution.unknowns);
-  return Sought{values, fmt::format("{}, was {}. {}", is_now(solution.value), with_unit(before->found, before->unit),
-                                    changed_text(trial.by(), trial.numbers(), values))};
+  return SeekResult{values,
+                    fmt::format("{}, was {}. {}", is_now(solution.value), with_unit(before->found, before->unit),
+                                changed_text(trial.by(), trial.numbers(), values))};
 }
 
 // Returns the sections whose parameters, or whose closing section, the search has changed.
@@ -241,24 +242,24 @@ base::Result<Numbers> of_knots(const Session& session, const Seek& command) {
 }
 
 // The numbers of a force section that a word names: "length", "vertical", or "vertical at 40" for a single key.
-struct ForceBy {
+struct ForceSeekTarget {
   std::optional<world::ForceChannel> channel;  // nothing: the length
   std::optional<double> at;                    // m or s
 };
-std::optional<ForceBy> force_by(std::string_view by) {
-  if (by == "length") return ForceBy{};
+std::optional<ForceSeekTarget> force_by(std::string_view by) {
+  if (by == "length") return ForceSeekTarget{};
   constexpr std::string_view kAt = " at ";
   const std::size_t end = by.find(kAt);
   const auto channel = base::value_named<world::ForceChannel>(by.substr(0, end));
   if (!channel) return std::nullopt;
-  if (end == std::string_view::npos) return ForceBy{channel, {}};
+  if (end == std::string_view::npos) return ForceSeekTarget{channel, {}};
   const auto at = base::parse_double(by.substr(end + kAt.size()));
-  return at ? std::optional(ForceBy{channel, at}) : std::nullopt;
+  return at ? std::optional(ForceSeekTarget{channel, at}) : std::nullopt;
 }
 
 // Returns the length or the keys of a force section that the command names; empty if it has none of them.
 Numbers of_forces(const world::ForceProgram& program, Entity section, std::string_view by) {
-  const std::optional<ForceBy> named = force_by(by);
+  const std::optional<ForceSeekTarget> named = force_by(by);
   if (!named) return {};
   if (!named->channel) {
     const Unknown length{program.length, kParameterStep * program.length, world::shortest_of(program.over),
@@ -349,18 +350,19 @@ std::vector<std::string> section_numbers() {
 
 }  // namespace
 
-std::function<base::Result<Sought>()> search_for(const Session& session, const Seek& command) {
-  return
-      [trial = trial_for(session, command)]() { return trial ? run(**trial) : base::Result<Sought>(trial.status()); };
+std::function<base::Result<SeekResult>()> search_for(const Session& session, const Seek& command) {
+  return [trial = trial_for(session, command)]() {
+    return trial ? run(**trial) : base::Result<SeekResult>(trial.status());
+  };
 }
 
 Status perform(Session& session, Change& change, const Seek& command) {
   if (session.history.in_gesture) return refused("a gesture is open");
   const auto* const sought =
-      change.search && change.search->found ? std::get_if<Sought>(&*change.search->found) : nullptr;
+      change.search && change.search->found ? std::get_if<SeekResult>(&*change.search->found) : nullptr;
   const base::Result<std::shared_ptr<Trial>> trial = trial_for(session, command);
   if (!trial) return trial.status();
-  base::Result<Sought> found = sought ? base::Result<Sought>(*sought) : run(**trial);
+  base::Result<SeekResult> found = sought ? base::Result<SeekResult>(*sought) : run(**trial);
   if (!found) return found.status();
   if (const Status set = (*trial)->set(found->values); !set) return set;
   world::Document document = (*trial)->document();

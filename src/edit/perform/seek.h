@@ -20,7 +20,7 @@ std::optional<std::string> wrong_by(const Seek& command);
 // Prepares a search on a copy of the session; calling the result once, in any thread, runs it. Refused then if the goal
 // cannot be parsed or measured, if nothing that could change is named, or if the goal is not reached. The same bits
 // everywhere. A trial costs a ride, some milliseconds; at most 400, and ten for each number.
-std::function<base::Result<Sought>()> search_for(const Session& session, const Seek& command);
+std::function<base::Result<SeekResult>()> search_for(const Session& session, const Seek& command);
 
 inline constexpr std::size_t kMaxSeekNumbers = 300;
 

@@ -27,7 +27,7 @@ using world::Knot;
 constexpr double kShortChord = 1e-4;  // m; a spline's step is never shorter
 
 // Index arithmetic in track order, with neighbours across the joint of a closed track.
-struct Places {
+struct KnotsInOrder {
   world::Document& document;
   std::size_t count = document.track.knots.size();
   Knot& knot(std::size_t place) const { return document.entities.get<Knot>(document.track.knots[place % count]); }
@@ -38,7 +38,7 @@ struct Places {
 };
 
 // Smooths a run; the neighbouring knots do not change.
-void smooth_run(const Places& at, const KnotRun& run, world::SplineSteps by) {
+void smooth_run(const KnotsInOrder& at, const KnotRun& run, world::SplineSteps by) {
   std::vector<std::size_t> places = run.places;
   const bool before = !run.whole && at.has_before(places.front()), after = !run.whole && at.has_after(places.back());
   if (before) places.insert(places.begin(), at.before(places.front()));
@@ -71,7 +71,7 @@ void smooth_run(const Places& at, const KnotRun& run, world::SplineSteps by) {
 }
 
 // Moves knots of a run onto its chord, each at its fraction of the distance; handles are a third of the gaps.
-Status straighten_run(const Places& at, const KnotRun& run) {
+Status straighten_run(const KnotsInOrder& at, const KnotRun& run) {
   const std::vector<std::size_t>& places = run.places;
   const dvec3 start = at.position(places.front()), way = at.position(places.back()) - start;
   const double length = glm::length(way);
@@ -108,7 +108,7 @@ std::optional<double> length_for(double radius, dvec3 position, dvec3 tangent, d
 Status perform(Session& session, Change& change, const Smooth& command) {
   const auto knots = knots_of(session, command.knots);
   if (!knots) return knots.status();
-  const Places at{session.document};
+  const KnotsInOrder at{session.document};
   if (at.count < 2) return refused("a spline needs two knots");
   for (const KnotRun& run : runs_of(session.document, *knots)) smooth_run(at, run, command.by);
   change.note = fmt::format("Smoothed {} {}.", knots->size(), knots->size() == 1 ? "knot" : "knots");
@@ -127,7 +127,7 @@ Status perform(Session& session, Change&, const Straighten& command) {
   const auto knots = knots_of(session, command.knots);
   if (!knots) return knots.status();
   world::Document next = session.document;
-  const Places at{next};
+  const KnotsInOrder at{next};
   bool any = false;
   for (const KnotRun& run : runs_of(session.document, *knots)) {
     if (run.whole) return refused("a closed track has no straight line from its first knot to its last");
@@ -147,7 +147,7 @@ Status perform(Session& session, Change& change, const SetRadius& command) {
   if (!knots) return knots.status();
   const double radius = change.clamp("radius", command.to, kLeast, kMost, "m");
   world::Document next = session.document;
-  const Places at{next};
+  const KnotsInOrder at{next};
   std::size_t bent = 0;
   for (int sweep = 0; sweep < kSweeps; ++sweep) {
     bent = 0;
@@ -200,7 +200,7 @@ Status perform(Session& session, Change& change, const RemoveEquipment& command)
 
 Status perform(Session& session, Change& change, const SetTrain& command) {
   const world::Entity cart = entity_of(session, command.cart);
-  world::Cart& design = session.document.entities.get<world::Cart>(cart);
+  world::Train& design = session.document.entities.get<world::Train>(cart);
   design.cars = change.clamp("cars", command.cars, 1, world::kMaxCars);
   if (command.spacing != 0)
     design.spacing = change.clamp("spacing", command.spacing, world::kMinSpacing, world::kMaxSpacing, "m");
@@ -233,7 +233,7 @@ Status perform(Session& session, Change&, const SetRollbackFails& command) {
 
 // Banking changes what riders feel, not the speeds of the ride, so one pass is enough.
 Status perform(Session& session, Change& change, const AutoBank&) {
-  const sim::SimulatedRide* const simulated = Finder(session).ride();
+  const sim::SimulatedRide* const simulated = SessionFindings(session).ride();
   if (!simulated) return refused("banking needs a track with a train");
   const int turned = sim::bank_knots(session.document, session.derived, *simulated);
   change.respun = session.document.track.knots;
@@ -243,7 +243,7 @@ Status perform(Session& session, Change& change, const AutoBank&) {
 
 Status perform(Session& session, Change& change, const SetCurve& command) {
   if (session.document.curve == command.to) return {};
-  if (command.keep == Keep::numbers) {
+  if (command.keep == CurveSwitchKeeps::numbers) {
     session.document.curve = command.to;
     return {};
   }
@@ -252,7 +252,7 @@ Status perform(Session& session, Change& change, const SetCurve& command) {
   const world::Track& track = switched->document.track;
   if (const Status room = room_for(session, track.knots.size(), track.segments.size()); !room) return room;
   // Moving trains stay at their positions on the rails.
-  for (world::CartMotion& cart : session.motion.carts.items()) {
+  for (world::TrainMotion& cart : session.motion.carts.items()) {
     const sim::SegmentShape* const former = session.derived.segments.find(cart.segment);
     if (!former) continue;
     const sim::CurvePlace now = switched->place(session.derived, {cart.segment, former->arc.parameter(cart.s)});

@@ -49,12 +49,12 @@ Status append_at(Session& session, Change& change, glm::vec3 position) {
   if (knots > 0) change.respun.push_back(document.track.knots.back());
   change.select = world::append_knot(document, knot);
   // A first segment gets a train, so that there is something to watch.
-  if (document.track.segments.size() == 1 && document.entities.pool<world::Cart>().size() == 0)
+  if (document.track.segments.size() == 1 && document.entities.pool<world::Train>().size() == 0)
     world::add_cart(document, document.track.segments.front(), 0.0);
   return {};
 }
 
-Entity longest_segment(const sim::Derived& derived) {
+Entity longest_segment(const sim::DerivedTrack& derived) {
   Entity longest = world::kNone;
   double most = -1;
   for (const Entity e : derived.order)
@@ -67,7 +67,7 @@ using glm::dvec3;
 using world::Knot;
 
 // Returns the front of a train after reversing the track: its former rear, so that it stays on the same rails.
-double turned(const sim::Derived& derived, double front, double behind) {
+double turned(const sim::DerivedTrack& derived, double front, double behind) {
   const double place = sim::within_lap(derived.length - (front - behind), derived.length, derived.closed);
   return std::clamp(place, 0.0, derived.length);
 }
@@ -116,7 +116,7 @@ Status perform(Session& session, Change& change, const AppendKnot& command) {
   return append_at(session, change, change.clamp_position("position", command.at));
 }
 
-Status perform(Session& session, Change& change, const RemoveKnot& command) {
+Status perform(Session& session, Change& change, const RemoveKnotOrTrain& command) {
   world::Document& document = session.document;
   if (command.what.name.kind == Kind::cart) {
     const auto cart = require(session, command.what, Kind::cart);
@@ -153,10 +153,10 @@ Status perform(Session& session, Change& change, const SetClosed& command) {
   return {};
 }
 
-Status perform(Session& session, Change& change, const AddCart& command) {
+Status perform(Session& session, Change& change, const AddTrain& command) {
   const world::Entity e = entity_of(session, command.segment);
   if (const Status on = within("a fraction of the length", command.at, 0, 1); !on) return on;
-  if (session.document.entities.pool<world::Cart>().size() >= world::kMaxCarts)
+  if (session.document.entities.pool<world::Train>().size() >= world::kMaxCarts)
     return refused(fmt::format("a track has at most {} trains", world::kMaxCarts));
   change.select = world::add_cart(session.document, e, command.at);
   warn_of_deadlock(session);
@@ -183,15 +183,15 @@ Status perform(Session& session, Change& change, const SetDatum& command) {
 Status perform(Session& session, Change& change, const Reverse&) {
   world::Document& document = session.document;
   if (document.track.segments.empty()) return refused("there is no track to reverse");
-  const sim::Derived& derived = session.derived;
+  const sim::DerivedTrack& derived = session.derived;
   struct Start {
     Entity cart;
     double place;
   };
   std::vector<Start> starts;
-  const auto& carts = document.entities.pool<world::Cart>();
+  const auto& carts = document.entities.pool<world::Train>();
   for (std::size_t i = 0; i < carts.size(); ++i) {
-    const world::Cart& cart = carts.items()[i];
+    const world::Train& cart = carts.items()[i];
     const std::size_t index = *world::index_of(derived.order, cart.segment);
     const double front = derived.starts[index] + cart.fraction * (derived.starts[index + 1] - derived.starts[index]);
     starts.push_back({carts.entities()[i], turned(derived, front, cart.behind())});
@@ -204,7 +204,7 @@ Status perform(Session& session, Change& change, const Reverse&) {
     const std::size_t old = static_cast<std::size_t>(std::max<std::ptrdiff_t>(upper - derived.starts.begin() - 1, 0));
     const double length = derived.starts[old + 1] - derived.starts[old],
                  s = derived.starts[old + 1] - (derived.length - start.place);
-    world::Cart& cart = document.entities.get<world::Cart>(start.cart);
+    world::Train& cart = document.entities.get<world::Train>(start.cart);
     cart.segment = document.track.segments[count - 1 - old];
     cart.fraction = length > 0 ? std::clamp(s / length, 0.0, std::nextafter(1.0, 0.0)) : 0.0;
   }

@@ -44,11 +44,11 @@ struct GoalState {
 
 // Evaluates expressions for the session. If all are null, challenges are loaded unchecked and never judged, and seek is
 // unavailable.
-struct Referee {
+struct ExpressionEvaluator {
   // Checks that every expression can be parsed; else Code::bad_file with "PATH: error: goals[1].expect: ...".
   base::Status (*check)(const exchange::ChallengeFile& challenge, const std::string& path) = nullptr;
   // Judges the session's challenge, which must exist, on the present session; only findings change. `result`: how the
-  // ride ended, null for Judged::build.
+  // ride ended, null for JudgedWhen::build.
   Verdict (*judge)(Session& session, const struct RideResult* result) = nullptr;
   // Measures a goal. Code::usage if it cannot be parsed, Code::refused if its query has no value.
   base::Result<GoalState> (*measure)(Session& session, const std::string& goal) = nullptr;

@@ -10,10 +10,10 @@
 
 namespace coaster::world {
 using Memory = edit::FindingsMemory;
-template Box<Memory>::Box();
-template Box<Memory>::Box(const Box<Memory>&);
-template Box<Memory>& Box<Memory>::operator=(const Box<Memory>&);
-template Box<Memory>::~Box();
+template HeapValue<Memory>::Box();
+template HeapValue<Memory>::Box(const HeapValue<Memory>&);
+template HeapValue<Memory>& HeapValue<Memory>::operator=(const HeapValue<Memory>&);
+template HeapValue<Memory>::~Box();
 }  // namespace coaster::world
 
 namespace coaster::edit {
@@ -23,23 +23,25 @@ sim::ForceCache& force_plans_of(Session& session) { return session.findings->for
 const sim::ForceCache& force_plans_of(const Session& session) { return session.findings->forces; }
 sim::OpenedTrack& opened_track_of(Session& session) { return session.findings->opened; }
 
-FindingsMemory& Finder::memory() const { return *session_->findings; }
+FindingsMemory& SessionFindings::memory() const { return *session_->findings; }
 
-std::uint64_t Finder::document_hash() const {
+std::uint64_t SessionFindings::document_hash() const {
   return memory().document_hash.get(session_->edits, [&] { return world::hash(session_->document); });
 }
 
-const sim::SimulatedRide* Finder::ride() const {
+const sim::SimulatedRide* SessionFindings::ride() const {
   return memory().rides.ride(session_->document, session_->derived, chosen_cart(*session_));
 }
 
-const sim::RailTables& Finder::tables() const { return memory().rides.tables(session_->document, session_->derived); }
+const sim::RailTables& SessionFindings::tables() const {
+  return memory().rides.tables(session_->document, session_->derived);
+}
 
-const sim::Ratings& Finder::ratings() const {
+const sim::Ratings& SessionFindings::ratings() const {
   static const sim::Ratings kNone;
   const sim::SimulatedRide* const found = ride();
   if (found == nullptr) return kNone;
-  const sim::Envelope& envelope = session_->limits.envelope;
+  const sim::ForceLimitCurves& envelope = session_->limits.envelope;
   return memory().ratings.get({found->serial, session_->derived.last_build, envelope}, [&] {
     memory().passed.update(session_->derived);
     const sim::NearMisses misses = sim::near_misses(*found, session_->derived, &memory().passed);
@@ -47,21 +49,21 @@ const sim::Ratings& Finder::ratings() const {
   });
 }
 
-std::span<const sim::RedSpan> Finder::overloads() const {
+std::span<const sim::Overload> SessionFindings::overloads() const {
   const sim::SimulatedRide* const found = ride();
   if (found == nullptr) return {};
-  const sim::Envelope& envelope = session_->limits.envelope;
+  const sim::ForceLimitCurves& envelope = session_->limits.envelope;
   return memory().overloads.get({found->serial, envelope}, [&] { return sim::red_spans(*found, envelope); });
 }
 
-std::span<const sim::Jolt> Finder::jolts() const {
+std::span<const sim::Jolt> SessionFindings::jolts() const {
   const sim::SimulatedRide* const found = ride();
   if (found == nullptr) return {};
   const double cutoff = session_->limits.envelope.cutoff;
   return memory().jolts.get({found->serial, cutoff}, [&] { return sim::jolts(*found, cutoff); });
 }
 
-const sim::Riders* Finder::riders_of(bool all) const {
+const sim::Riders* SessionFindings::riders_of(bool all) const {
   const sim::SimulatedRide* const found = ride();
   if (found == nullptr) return nullptr;
   const world::LabView& lab = *session_->settings.lab;
@@ -69,10 +71,10 @@ const sim::Riders* Finder::riders_of(bool all) const {
   memory().riders.update(*found, tables(), session_->derived, session_->limits.envelope.cutoff, cars);
   return &memory().riders;
 }
-const sim::Riders* Finder::seat() const { return riders_of(false); }
-const sim::Riders* Finder::riders() const { return riders_of(true); }
+const sim::Riders* SessionFindings::seat() const { return riders_of(false); }
+const sim::Riders* SessionFindings::riders() const { return riders_of(true); }
 
-std::optional<double> Finder::speed_at(double distance) const {
+std::optional<double> SessionFindings::speed_at(double distance) const {
   const world::Document& document = session_->document;
   if (document.track.segments.empty()) return document.start_speed;
   const sim::SimulatedRide* const found = memory().rides.ride(document, session_->derived, world::first_cart(document));
@@ -81,7 +83,7 @@ std::optional<double> Finder::speed_at(double distance) const {
   return passed ? std::optional(passed->speed) : std::nullopt;
 }
 
-const sim::TrackValues& Finder::values() const {
+const sim::TrackValues& SessionFindings::values() const {
   const world::Colouring colouring = session_->settings.lab->colouring;
   const auto value = sim::ride_value_of(colouring);
   const sim::SimulatedRide* const found = base::row_of(colouring).of_ride ? ride() : nullptr;
@@ -98,7 +100,7 @@ const sim::TrackValues& Finder::values() const {
   return memory().values.update(session_->derived, session_->settings, rider);
 }
 
-const sim::SectionTable& Finder::sections() const {
+const sim::SectionTable& SessionFindings::sections() const {
   const sim::Riders* const felt = seat();
   const sim::SimulatedRide* const found = ride();
   const world::LabView& lab = *session_->settings.lab;
@@ -112,58 +114,62 @@ const sim::SectionTable& Finder::sections() const {
   });
 }
 
-std::span<const sim::Conflict> Finder::conflicts() const { return memory().conflicts.update(session_->derived); }
-std::span<const sim::Conflict> Finder::conflicts_so_far() const {
+std::span<const sim::Conflict> SessionFindings::conflicts() const {
+  return memory().conflicts.update(session_->derived);
+}
+std::span<const sim::Conflict> SessionFindings::conflicts_so_far() const {
   return memory().conflicts.update(session_->derived, sim::Conflicts::kSlice);
 }
-bool Finder::all_conflicts() const { return memory().conflicts.is_complete(); }
-std::span<const sim::Fold> Finder::folds() const { return memory().folds.update(session_->derived); }
-std::span<const sim::Fold> Finder::tight_bends() const { return memory().tight_bends.update(session_->derived); }
-std::span<const sim::FrenetBreak> Finder::breaks() const { return memory().breaks.update(session_->derived); }
+bool SessionFindings::all_conflicts() const { return memory().conflicts.is_complete(); }
+std::span<const sim::Fold> SessionFindings::folds() const { return memory().folds.update(session_->derived); }
+std::span<const sim::Fold> SessionFindings::tight_bends() const {
+  return memory().tight_bends.update(session_->derived);
+}
+std::span<const sim::FrenetBreak> SessionFindings::breaks() const { return memory().breaks.update(session_->derived); }
 
-const sim::Supports& Finder::supports() const {
+const sim::Supports& SessionFindings::supports() const {
   memory().near.update(session_->derived);
   memory().supports.update(session_->derived, memory().near);
   return memory().supports;
 }
-void Finder::look_from(const sim::Surroundings& around) const { memory().near.look_from(around); }
+void SessionFindings::look_from(const sim::Surroundings& around) const { memory().near.look_from(around); }
 
-double Finder::chord_error() const {
+double SessionFindings::chord_error() const {
   return memory().chord_error.get({session_->derived.last_build, session_->derived.steps},
                                   [&] { return sim::chord_error(session_->derived); });
 }
 
-double Finder::deviation() const {
+double SessionFindings::deviation() const {
   if (!session_->game.challenge) return 0;
   std::pair traces{sim::trace_of(session_->document), session_->game.challenge->shape};
   return memory().deviation.get(traces, [&] { return sim::shape_distance(traces.first, traces.second); });
 }
 
-const sim::ElementPlan& Finder::element() const { return element(session_->settings.element); }
-const sim::ElementPlan& Finder::element(const world::Element& element) const {
+const sim::ElementPlan& SessionFindings::element() const { return element(session_->settings.element); }
+const sim::ElementPlan& SessionFindings::element(const world::Element& element) const {
   const bool of_forces = world::is_of_forces(element.kind);
   return memory().elements.plan(element, session_->document,
                                 of_forces ? speed_at(session_->derived.length) : std::nullopt);
 }
 
-std::span<const sim::Narrow> Finder::room() const { return room(session_->settings.element); }
-std::span<const sim::Narrow> Finder::room(const world::Element& element) const {
+std::span<const sim::LineConflict> SessionFindings::room() const { return room(session_->settings.element); }
+std::span<const sim::LineConflict> SessionFindings::room(const world::Element& element) const {
   (void)conflicts();
   return memory().room.update(this->element(element), memory().conflicts, session_->derived,
                               world::rails_height(session_->document));
 }
 
-const sim::CircuitProposals& Finder::circuit() const {
+const sim::CircuitProposals& SessionFindings::circuit() const {
   (void)conflicts();
   return memory().circuit.update(session_->document, session_->derived, memory().conflicts, ride());
 }
 
-double Finder::closing_jolt(std::size_t index) const {
+double SessionFindings::closing_jolt(std::size_t index) const {
   return memory().closing_jolts.worst(circuit(), index, session_->document, session_->edits, chosen_cart(*session_),
                                       session_->limits.envelope.cutoff);
 }
 
-const sim::ForcePlan* Finder::force(world::Entity section) const {
+const sim::ForcePlan* SessionFindings::force(world::Entity section) const {
   const world::Document& document = session_->document;
   const world::Section* const value = document.entities.find<world::Section>(section);
   if (value == nullptr || value->kind != world::SectionKind::force) return nullptr;

@@ -28,10 +28,10 @@ struct ForcePlan;
 struct FrenetBreak;
 struct SimulatedRide;
 struct Jolt;
-struct Narrow;
+struct LineConflict;
 struct OpenedTrack;
 struct Ratings;
-struct RedSpan;
+struct Overload;
 struct SectionTable;
 struct Surroundings;
 struct TrackValues;
@@ -50,21 +50,21 @@ sim::OpenedTrack& opened_track_of(Session& session);  // for planning a section 
 
 // Gives read access to a session and its findings, for panels and queries. References, pointers and spans are valid
 // until the session changes, or the same finding is asked for with another argument.
-class Finder {
+class SessionFindings {
  public:
-  Finder(Session& session) : session_(&session) {}
+  SessionFindings(Session& session) : session_(&session) {}
   const Session& session() const { return *session_; }
 
   std::uint64_t document_hash() const;
 
   // The ride of the selected cart (chosen_cart): null, none or 0 without one.
   const sim::SimulatedRide* ride() const;
-  const sim::RailTables& tables() const;            // of the rails
-  const sim::Ratings& ratings() const;              // of that ride
-  std::span<const sim::RedSpan> overloads() const;  // parts of it over the force limits
-  std::span<const sim::Jolt> jolts() const;         // at the joints, by index of the knot in the track
-  const sim::Riders* seat() const;                  // what the riders of the selected seat feel
-  const sim::Riders* riders() const;                // the same for all cars
+  const sim::RailTables& tables() const;             // of the rails
+  const sim::Ratings& ratings() const;               // of that ride
+  std::span<const sim::Overload> overloads() const;  // parts of it over the force limits
+  std::span<const sim::Jolt> jolts() const;          // at the joints, by index of the knot in the track
+  const sim::Riders* seat() const;                   // what the riders of the selected seat feel
+  const sim::Riders* riders() const;                 // the same for all cars
   std::optional<double> speed_at(double) const;  // m/s, of the first train at a distance, m; nothing if it isn't there
   const sim::TrackValues& values() const;        // values that colour the track: those of the middle car
 
@@ -84,8 +84,8 @@ class Finder {
   // Plans: the palette's element at the track's open end, or another one; ways from the open end to the first knot.
   const sim::ElementPlan& element() const;
   const sim::ElementPlan& element(const world::Element& element) const;
-  std::span<const sim::Narrow> room() const;  // parts of the element without clearance
-  std::span<const sim::Narrow> room(const world::Element& element) const;
+  std::span<const sim::LineConflict> room() const;  // parts of the element without clearance
+  std::span<const sim::LineConflict> room(const world::Element& element) const;
   const sim::CircuitProposals& circuit() const;
   double closing_jolt(std::size_t index) const;  // g, the selected cart's largest jolt on one of these ways
   // The plan of a force section as it is in the document; null for other sections.

@@ -29,29 +29,31 @@
 namespace coaster::edit {
 
 struct FindingsMemory {
-  base::Kept<std::uint64_t, std::uint64_t> document_hash;  // by Session::edits
+  base::CachedValue<std::uint64_t, std::uint64_t> document_hash;  // by Session::edits
   sim::RideCache rides;
   // Keyed by the ride's serial, the build of the track and the envelope.
-  base::Kept<std::tuple<std::uint64_t, std::uint64_t, sim::Envelope>, sim::Ratings> ratings;
-  base::Kept<std::pair<std::uint64_t, sim::Envelope>, std::vector<sim::RedSpan>> overloads;  // by the ride's serial
+  base::CachedValue<std::tuple<std::uint64_t, std::uint64_t, sim::ForceLimitCurves>, sim::Ratings> ratings;
+  base::CachedValue<std::pair<std::uint64_t, sim::ForceLimitCurves>, std::vector<sim::Overload>>
+      overloads;  // by the ride's serial
   sim::Riders riders;
-  base::Kept<std::pair<std::uint64_t, double>, std::vector<sim::Jolt>> jolts;  // by the ride's serial and the cutoff
+  base::CachedValue<std::pair<std::uint64_t, double>, std::vector<sim::Jolt>>
+      jolts;  // by the ride's serial and the cutoff
   sim::Conflicts conflicts;
   sim::Folds folds, tight_bends{sim::tight_bends_of};
   sim::ElementCache elements;
-  sim::ElementRoom room;
+  sim::ElementClearance room;
   sim::ProposalCache circuit;
   sim::ClosingJolts closing_jolts;
   // Keyed by Session::edits, the last build, the ride's serial and the first and the last car.
-  base::Kept<std::tuple<std::uint64_t, std::uint64_t, std::uint64_t, int, int>, sim::SectionTable> sections;
+  base::CachedValue<std::tuple<std::uint64_t, std::uint64_t, std::uint64_t, int, int>, sim::SectionTable> sections;
   sim::OpenedTrack opened;  // for planning a section that completes a circuit again
   sim::ForceCache forces;
   sim::FrenetBreaks breaks;
   sim::TrackValueCache values;
-  sim::NearTrack near;             // to the eye
+  sim::NearSegments near;          // to the eye
   sim::Supports supports, passed;  // displayed ones, and those a ride passes: each counts its rebuilds
-  base::Kept<std::pair<sim::ShapeTrace, sim::ShapeTrace>, double> deviation;  // by the two tracks' traces
-  base::Kept<std::pair<std::uint64_t, int>, double> chord_error;              // by the last build, and steps
+  base::CachedValue<std::pair<sim::ShapeTrace, sim::ShapeTrace>, double> deviation;  // by the two tracks' traces
+  base::CachedValue<std::pair<std::uint64_t, int>, double> chord_error;              // by the last build, and steps
 };
 
 }  // namespace coaster::edit

@@ -61,7 +61,7 @@ void explain(Session& session, const sim::SimulatedRide* simulated, RideResult& 
   const world::Failure& failure = session.motion.failure;
   const std::string_view what = base::name_of(failure.kind);
   const bool climbed = failure.kind == FailureKind::stall || failure.kind == FailureKind::rollback;
-  const auto missing = simulated && climbed ? shortfall(*simulated, Finder(session).tables()) : std::nullopt;
+  const auto missing = simulated && climbed ? shortfall(*simulated, SessionFindings(session).tables()) : std::nullopt;
   result.place = missing ? missing->furthest : failure.distance;
   result.below_top = missing.has_value();
   if (missing)
@@ -96,7 +96,7 @@ void end_ride(Session& session, RideEnd end) {
   result.serial = session.game.result ? session.game.result->serial + 1 : 1;
   result.whole = run.whole && run.document == world::hash(session.document);
   result.seconds = static_cast<double>(run.ticks) * world::kTick;
-  const Finder find(session);
+  const SessionFindings find(session);
   result.ratings = find.ratings();
   if (end == RideEnd::failed || end == RideEnd::open_end)
     explain(session, result.whole ? find.ride() : nullptr, result);
@@ -106,7 +106,7 @@ void end_ride(Session& session, RideEnd end) {
 }
 
 bool came_round(const Session& session) {
-  const world::CartMotion* const cart = session.motion.carts.find(chosen_cart(session));
+  const world::TrainMotion* const cart = session.motion.carts.find(chosen_cart(session));
   return cart != nullptr && cart->laps != 0;
 }
 
@@ -122,7 +122,7 @@ std::string key(std::string name, std::string_view unit) {
   return name;
 }
 
-exchange::JsonMembers overload(const sim::RedSpan& span) {
+exchange::JsonMembers overload(const sim::Overload& span) {
   return {{"car", std::int64_t{span.car + 1}},
           {"axis", std::string(base::name_of(span.axis))},
           {"worst_g", base::limited_figure(sim::signed_g(span.axis, span.worst), "g")},
@@ -155,7 +155,7 @@ void watch_ticks(Session& session, int ticks) {
   RideRun& run = session.game.run;
   if (!run.under_way) return;
   run.ticks += static_cast<std::uint64_t>(ticks);
-  const bool timed = session.game.challenge && session.game.challenge->file.judged == exchange::Judged::time;
+  const bool timed = session.game.challenge && session.game.challenge->file.judged == exchange::JudgedWhen::time;
   if (session.motion.state == RideState::failed) return end_ride(session, RideEnd::failed);
   if (timed && static_cast<double>(run.ticks) * world::kTick >= session.game.challenge->file.seconds)
     return end_ride(session, RideEnd::time);
@@ -164,13 +164,13 @@ void watch_ticks(Session& session, int ticks) {
 }
 
 void watch_built(Session& session) {
-  if (!session.game.challenge || session.game.challenge->file.judged != exchange::Judged::build ||
+  if (!session.game.challenge || session.game.challenge->file.judged != exchange::JudgedWhen::build ||
       session.history.in_gesture)
     return;
   judge(session, nullptr);
 }
 
-std::optional<std::string> ride_report_json(const Finder& find) {
+std::optional<std::string> ride_report_json(const SessionFindings& find) {
   if (find.ride() == nullptr) return std::nullopt;
   const sim::SimulatedRide& simulated = *find.ride();
   const sim::Ratings& r = find.ratings();
@@ -203,7 +203,7 @@ std::optional<std::string> ride_report_json(const Finder& find) {
   all.insert(all.end(), ratings.begin(), ratings.end());
   all.emplace_back("over_limit", std::move(over));
   exchange::JsonList overloads, missed, bends;
-  for (const sim::RedSpan& span : find.overloads()) overloads.push_back(overload(span));
+  for (const sim::Overload& span : find.overloads()) overloads.push_back(overload(span));
   for (const sim::TightBend& bend : find.tight_bends()) bends.push_back({{"at_m", bend.at}, {"radius_m", bend.radius}});
   all.emplace_back("tight_bends", std::move(bends));
   const std::string blocks = sim::deadlock_text(find.session().document, find.session().derived);

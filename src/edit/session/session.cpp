@@ -37,7 +37,7 @@ void notify(Session& session, const base::Status& error) {
   notify(session, NoticeKind::error, refused ? base::sentence(error.message) : error.message);
 }
 
-bool dirty(const Finder& find) {
+bool dirty(const SessionFindings& find) {
   const History& history = find.session().history;
   if (history.in_gesture && !history.gesture_text.command.empty()) return true;
   return find.document_hash() != find.session().file.saved_hash;
@@ -73,11 +73,11 @@ void advance_measurement(Session& session) {
 }
 
 world::Entity chosen_cart(const Session& session) {
-  const bool selected = session.document.entities.find<world::Cart>(session.settings.selected) != nullptr;
+  const bool selected = session.document.entities.find<world::Train>(session.settings.selected) != nullptr;
   return selected ? session.settings.selected : world::first_cart(session.document);
 }
 
-std::optional<std::vector<MissedForces>> forces_missed(const Finder& find) {
+std::optional<std::vector<MissedForces>> forces_missed(const SessionFindings& find) {
   const world::Document& document = find.session().document;
   std::vector<MissedForces> all;
   bool any = false;
@@ -96,7 +96,7 @@ namespace {
 
 // Returns a line for each force section whose spans miss its tolerance, below a line with their number; empty without
 // force sections.
-std::string missed_forces(const Finder& find) {
+std::string missed_forces(const SessionFindings& find) {
   std::string lines;
   const std::optional<std::vector<MissedForces>> missed = forces_missed(find);
   if (!missed) return {};
@@ -124,7 +124,7 @@ std::string label_of(std::string_view command) {
 
 }  // namespace
 
-std::optional<std::string> ride_report(const Finder& find) {
+std::optional<std::string> ride_report(const SessionFindings& find) {
   const sim::SimulatedRide* const ride = find.ride();
   if (ride == nullptr) return std::nullopt;
   std::string text =
@@ -141,7 +141,7 @@ std::optional<std::string> ride_report(const Finder& find) {
   }
   return text;
 }
-std::optional<std::string> ride_csv(const Finder& find) {
+std::optional<std::string> ride_csv(const SessionFindings& find) {
   const sim::SimulatedRide* const ride = find.ride();
   return ride ? std::optional(sim::report_csv(*ride, find.riders()->all())) : std::nullopt;
 }

@@ -77,19 +77,19 @@ struct DocumentFile {
 
 // The force limits that rides are checked against; not a compliance check.
 struct ForceLimits {
-  sim::Envelope envelope = sim::default_envelope();
+  sim::ForceLimitCurves envelope = sim::default_envelope();
   std::string name = "default";
   std::uint64_t serial = 0;  // increases with each loaded envelope
 };
 
 // Challenges and the ends of rides.
-struct Game {
-  Referee referee;
+struct ChallengeState {
+  ExpressionEvaluator referee;
   std::optional<ActiveChallenge> challenge;
   RideRun run;                       // the ride in progress
   std::optional<RideResult> result;  // of the last ride that ended
   bool show_result = false;          // its score card is still open
-  exchange::Progress earned;         // progress in challenges since the program's start
+  exchange::PlayerProgress earned;   // progress in challenges since the program's start
 };
 
 // Measurements on this machine; no hash depends on them.
@@ -115,11 +115,11 @@ struct Session {
   world::Settings settings;
   ForceLimits limits;
   world::Motion motion;
-  std::uint64_t tick = 0;  // ticks since the program's start
-  sim::Derived derived;    // derived from document and settings
+  std::uint64_t tick = 0;     // ticks since the program's start
+  sim::DerivedTrack derived;  // derived from document and settings
   EvaluationWork evaluated;
-  world::Box<FindingsMemory> findings;  // found from all of these by a Finder
-  Game game;
+  world::HeapValue<FindingsMemory> findings;  // found from all of these by a Finder
+  ChallengeState game;
   Measuring measuring;
   Notices notices;
   std::string copied;  // copied last: sections as the text of a track, or force keys
@@ -131,7 +131,7 @@ void notify(Session& session, NoticeKind kind, std::string text);
 void notify(Session& session, const base::Status& error);
 // True if the document has unsaved changes. An open gesture that moved anything counts as one: a hash at each of its
 // moves would cost more than the moves.
-bool dirty(const Finder& find);
+bool dirty(const SessionFindings& find);
 
 // Returns a link to the track with its present view: exchange::print_link() of document, camera and evaluator.
 std::string link_of(const Session& session);
@@ -151,8 +151,8 @@ void advance_measurement(Session& session);
 world::Entity chosen_cart(const Session& session);
 // Return the report of the selected cart's ride on the present track as text, and as comma-separated values by time;
 // nothing without a ride.
-std::optional<std::string> ride_report(const Finder& find);
-std::optional<std::string> ride_csv(const Finder& find);
+std::optional<std::string> ride_report(const SessionFindings& find);
+std::optional<std::string> ride_csv(const SessionFindings& find);
 
 // Returns "Train c1 stalled at 132.4 m, 2.1 m below the top at 141.0 m: ...", as the score card says it; empty if the
 // ride has not failed.

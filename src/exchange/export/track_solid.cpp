@@ -48,12 +48,12 @@ constexpr double kLineTolerance =
 constexpr std::uint32_t kNowhere = std::numeric_limits<std::uint32_t>::max();
 
 std::size_t part_of(const sim::MeshVertex& vertex) {
-  switch (static_cast<sim::Part>(static_cast<int>(vertex.part))) {
-    case sim::Part::rail: return 0;
-    case sim::Part::spine: return 1;
-    case sim::Part::tie: return 2;
-    case sim::Part::support: return 4;
-    case sim::Part::concrete: return 5;
+  switch (static_cast<sim::Material>(static_cast<int>(vertex.part))) {
+    case sim::Material::rail: return 0;
+    case sim::Material::spine: return 1;
+    case sim::Material::tie: return 2;
+    case sim::Material::support: return 4;
+    case sim::Material::concrete: return 5;
     default: return 3;
   }
 }
@@ -81,7 +81,7 @@ int chords(const sim::SegmentShape& shape) {
 }
 
 // Calls visit(mesh) for each segment's track with its equipment, and for its supports, until one returns false.
-void for_each_mesh(const world::Document& document, const sim::Derived& derived, const auto& visit) {
+void for_each_mesh(const world::Document& document, const sim::DerivedTrack& derived, const auto& visit) {
   sim::Supports supports;
   supports.update(derived);
   const sim::Detail detail = sim::detail_of(derived);
@@ -107,7 +107,7 @@ void for_each_mesh(const world::Document& document, const sim::Derived& derived,
 // capped only at the ends of an open track.
 TrackSolid track_solid(const world::Document& document) {
   TrackSolid solid;
-  sim::Derived derived;
+  sim::DerivedTrack derived;
   sim::derive(document, {}, {}, derived);
   for_each_mesh(document, derived, [&](const sim::Mesh& mesh) { return add_mesh(mesh, solid), true; });
   for (const world::Entity segment : document.track.segments) {
@@ -193,7 +193,7 @@ Json track_mesh(BinaryBuilder& builder, const TrackSolid& solid, Json& materials
 base::Status check_solid(const world::Document& document) {
   constexpr std::size_t kFewSegments = 1000;
   constexpr double kShort = 5'000;  // m: fewer and shorter ones are far below the limit
-  sim::Derived derived;
+  sim::DerivedTrack derived;
   sim::derive(document, {}, {}, derived);
   if (derived.order.size() <= kFewSegments && derived.length <= kShort) return {};
   std::size_t vertices = 0;

@@ -222,7 +222,7 @@ std::vector<double> corners_of(const FvdFunction& function) {
 
 world::ForceProgram program_of(const FvdSection& section, const FvdPath& path) {
   world::ForceProgram program;
-  program.over = section.by_distance ? world::ForceOver::distance : world::ForceOver::time;
+  program.over = section.by_distance ? world::ForceDomain::distance : world::ForceDomain::time;
   program.length = std::round(path.at.back() * 1e6) / 1e6;
   const double gap = world::key_gap_of(program.over);
   const auto keys = [&](ForceChannel channel, const FvdFunction& function, double tolerance, const auto& f) {
@@ -281,7 +281,7 @@ std::string add(FvdImport& import, FvdSection section) {
     return path.stopped;
   }
   section.name = std::string(base::utf8_start(section.name, world::kMaxNameBytes));
-  const world::ForceOver over = section.by_distance ? world::ForceOver::distance : world::ForceOver::time;
+  const world::ForceDomain over = section.by_distance ? world::ForceDomain::distance : world::ForceDomain::time;
   const bool fits = path.at.back() >= world::shortest_of(over) && path.at.back() <= world::longest_of(over);
   const bool forces = section.kind == FvdKind::forced && section.free_speed && fits;
   // With a heartline the train there moves on the rails, here on the hearts: the same forces shape other track.

@@ -112,7 +112,7 @@ constexpr double kMostLift = 0.9;     // share of the train's speed by which hea
 constexpr double kSpeedHeight = 0.9;  // of the heartline, from the hearts down to the point that has the train's energy
 constexpr dvec3 kUp{0, 1, 0};
 
-struct Train {
+struct FvdTrainState {
   dvec3 position, forward, up;
   double square;         // m^2/s^2, the speed squared
   dvec3 right;           // level: the axis of pitch, which stays on its side through the vertical
@@ -149,9 +149,9 @@ dvec3 right_at(const FvdStart& start) {
   return glm::length(right) > 1e-6 ? right : glm::cross(start.forward, start.up);
 }
 
-class Walk {
+class FvdIntegration {
  public:
-  Walk(const FvdTrack& track, FvdSection& section, const FvdStart& start)
+  FvdIntegration(const FvdTrack& track, FvdSection& section, const FvdStart& start)
       : track_(track),
         section_(section),
         gravity_(track.heart == 0 ? world::kGravity : kGravityThere),
@@ -214,13 +214,13 @@ class Walk {
 
  private:
   // Returns the curvature of a turn, which rises and falls as a smooth step of the length.
-  double turn_at(const Train& train) const {
+  double turn_at(const FvdTrainState& train) const {
     double share = lead_in_ > kNoLead ? std::min(train.rails / lead_in_, 1.0) : 1.0;
     if (out_from_) share = std::min(share, std::clamp(1 - (train.rails - *out_from_) / lead_out_, 0.0, 1.0));
     return sim::smooth_step(share) / section_.radius;
   }
 
-  Rates rates(const Train& train) const {
+  Rates rates(const FvdTrainState& train) const {
     const double speed = std::sqrt(train.square), heart = track_.heart;
     double most = kMostLift;
     Rates r;  // by metre of the train's way, until the end
@@ -271,7 +271,7 @@ class Walk {
   }
 
   // Each piece that levels the roll begins from the present roll.
-  void enter_piece(const Train& train) {
+  void enter_piece(const FvdTrainState& train) {
     constexpr double kBefore = 1e-3;
     std::size_t now = 0;
     while (now + 1 < section_.roll.size() && section_.roll[now].to < train.at + 1e-9) ++now;
@@ -287,7 +287,7 @@ class Walk {
     if (!section_.upright) piece.start += train.forward.y * yaw_of(train.forward, r.curvature) / r.per_metre;
   }
 
-  void enter_lead_out(const Train& train) {
+  void enter_lead_out(const FvdTrainState& train) {
     if (section_.kind == FvdKind::curved && !out_from_ && train.at >= length_ - lead_out_angle_ - 1e-9) {
       out_from_ = train.rails;
       lead_out_ = std::max(1.997 * section_.radius * base::radians(length_ - train.at), kNoLead);
@@ -295,8 +295,8 @@ class Walk {
   }
 
   // Returns the train after a step with the rates of its middle: a turn about a fixed axis.
-  Train moved(const Train& train, const Rates& rates, double by) const {
-    Train next = train;
+  FvdTrainState moved(const FvdTrainState& train, const Rates& rates, double by) const {
+    FvdTrainState next = train;
     const dvec3 turn = glm::cross(rates.forward, rates.curvature) + rates.twist * rates.forward;
     if (const double size = glm::length(turn); size > 0) {
       next.forward = glm::normalize(curve::rotate(train.forward, turn / size, size * by));
@@ -312,7 +312,7 @@ class Walk {
     return next;
   }
 
-  void record(const Train& train) {
+  void record(const FvdTrainState& train) {
     const Rates r = rates(train);
     path_.curve.points.push_back({train.s, train.position, train.forward, r.curvature, train.up, r.twist});
     path_.at.push_back(train.at);
@@ -320,19 +320,21 @@ class Walk {
   }
 
   // Returns the metres to the section's end.
-  double rest(const Train& train, const Rates& now) const {
+  double rest(const FvdTrainState& train, const Rates& now) const {
     if (section_.kind == FvdKind::curved && lead_out_angle_ > 0)
       return out_from_ ? (*out_from_ + lead_out_ - train.rails) / now.rails : std::numeric_limits<double>::infinity();
     return (length_ - train.at) / now.per_metre;
   }
 
-  double energy_height(const Train& train) const { return train.position.y - kSpeedHeight * track_.heart * train.up.y; }
+  double energy_height(const FvdTrainState& train) const {
+    return train.position.y - kSpeedHeight * track_.heart * train.up.y;
+  }
 
   const FvdTrack& track_;
   FvdSection& section_;
   const double gravity_;  // without a heartline that of force sections, which such a track gets
   const curve::Frame start_;
-  Train train_;
+  FvdTrainState train_;
   double length_ = 0;  // of `at`
   FvdLevelling levelling_;
   std::size_t piece_ = ~std::size_t{0};  // index of the roll's piece; none at first
@@ -432,7 +434,7 @@ FvdPath fvd_path(const FvdTrack& track, FvdSection& section, const FvdStart& sta
     return stops(fmt::format("the train falls below {} m/s", kSlowest));
   if (section.kind == FvdKind::curved && !(section.radius >= kSlowest))
     return stops(fmt::format("its radius is {} m", section.radius));
-  return Walk(track, section, start).run();
+  return FvdIntegration(track, section, start).run();
 }
 
 }  // namespace coaster::exchange

@@ -379,7 +379,7 @@ base::Result<LoadedTrack> parse_nl2_csv(std::string_view text, std::string_view 
   loaded.document.name = name_of_file(name);
   world::add_cart(loaded.document, loaded.document.track.segments[0], 0);
   const sim::FitReport& report = fitted.report;
-  const auto tell = [&](const sim::Doubt& doubt, double most, std::string_view what) {
+  const auto tell = [&](const sim::FeltUncertainty& doubt, double most, std::string_view what) {
     if (doubt.g > most)
       r.warn(
           r.row_lines[doubt.row],
@@ -413,7 +413,7 @@ base::Status check_nl2_csv(const world::Document& document, double spacing) {
 
 std::string print_nl2_csv(const world::Document& document, double spacing) {
   COASTER_CHECK(spacing > 0 && check_nl2_csv(document, spacing).ok(), "callers check the track first");
-  const sim::Derived derived = sim::shapes_of(document);
+  const sim::DerivedTrack derived = sim::shapes_of(document);
   std::string out;
   for (const std::string_view column : kNl2Columns) out += fmt::format("{}{}\"", out.empty() ? "\"" : "\t\"", column);
   out += '\n';

@@ -22,7 +22,7 @@ struct Sample {
 };
 
 // Returns the track's frames at most kRollStep apart; those at the knots are chosen.
-std::vector<Sample> samples_of(const sim::Derived& derived) {
+std::vector<Sample> samples_of(const sim::DerivedTrack& derived) {
   std::vector<Sample> samples;
   curve::Frame carried;
   dvec3 last(0);
@@ -69,7 +69,7 @@ constexpr double kLeastStep = 0.01;  // m between points of the spline
 
 // A position that may become a knot.
 struct Candidate {
-  Stop stop;  // its `up` is that of its roll, if there is one
+  KnotPosition stop;  // its `up` is that of its roll, if there is one
   bool knot = false, strict = false;
   double off = 0;  // m from the position to its roll
   curve::Frame carried;
@@ -127,7 +127,7 @@ std::vector<Candidate> sampled(const std::vector<Candidate>& all, const std::vec
   std::vector<Candidate> more;
   for (std::size_t i = 0; i < all.size(); ++i) {
     more.push_back(all[i]);
-    const Stop& from = all[i].stop;
+    const KnotPosition& from = all[i].stop;
     for (int k = 1; k < kParts && i + 1 < all.size(); ++k) {
       const double s = from.s + (all[i + 1].stop.s - from.s) * k / kParts;
       if (all[i + 1].stop.s - from.s > kRollApart)
@@ -143,7 +143,7 @@ void carry_frames(std::span<const Bezier> pieces, std::vector<Candidate>& all) {
   const dvec3 first = start_direction(pieces[0]);
   all.front().carried = {first, curve::perpendicular(first, {0, 1, 0})};
   for (std::size_t i = 1; i < all.size(); ++i) {
-    const Stop &from = all[i - 1].stop, &to = all[i].stop;
+    const KnotPosition &from = all[i - 1].stop, &to = all[i].stop;
     const Bezier& piece = pieces[from.piece];
     const double end = to.piece == from.piece ? to.t : 1;
     curve::Frame frame = all[i - 1].carried;
@@ -189,7 +189,7 @@ std::vector<sim::Roll> rolls_between(const std::vector<Candidate>& all, const st
   constexpr double kPull = 1e-4;
   std::vector<sim::Roll> rolls;
   for (std::size_t k = 0; k + 1 < at.size(); ++k) {
-    const Stop &from = all[at[k]].stop, &to = all[at[k + 1]].stop;
+    const KnotPosition &from = all[at[k]].stop, &to = all[at[k + 1]].stop;
     rolls.push_back({to.s - from.s, to.angle - from.angle, 0, 0});
   }
   const std::size_t count = closed ? rolls.size() : at.size();
@@ -288,7 +288,7 @@ RollSpline::Value RollSpline::at(double s) const {
   return {from->angle + roll.angle(s - from->s), roll.spin(s - from->s)};
 }
 
-std::vector<double> roll_places(const sim::Derived& derived) {
+std::vector<double> roll_places(const sim::DerivedTrack& derived) {
   std::vector<Sample> samples = samples_of(derived);
   std::vector<std::size_t> points;
   for (std::size_t added = 1; added > 0;) {
@@ -309,7 +309,7 @@ std::vector<double> roll_places(const sim::Derived& derived) {
   return places;
 }
 
-std::vector<Stop> stops_of(std::span<const Bezier> pieces, bool closed, std::vector<ElementRoll> rolls) {
+std::vector<KnotPosition> stops_of(std::span<const Bezier> pieces, bool closed, std::vector<ElementRoll> rolls) {
   std::vector<curve::ArcLengthMap> arcs;
   std::vector<double> starts{0};
   for (const Bezier& piece : pieces) {
@@ -330,7 +330,7 @@ std::vector<Stop> stops_of(std::span<const Bezier> pieces, bool closed, std::vec
     }
     choose_knots(all, closed);
   }
-  std::vector<Stop> stops;
+  std::vector<KnotPosition> stops;
   for (const Candidate& c : all)
     if (c.knot) stops.push_back(c.stop);
   return stops;

@@ -245,7 +245,7 @@ std::vector<SplinePiece> spline_pieces(std::span<const SplineVertex> vertices) {
   return pieces;
 }
 
-PlaceOnTrack place_on(const sim::Derived& derived, double distance) {
+PlaceOnTrack place_on(const sim::DerivedTrack& derived, double distance) {
   const sim::TrackPlace at = sim::place_at(derived, distance);
   const sim::SegmentShape& shape = derived.shape(derived.order[at.index]);
   const double within = std::min(at.s, shape.arc.length());

@@ -51,7 +51,7 @@ struct PlaceOnTrack {
   glm::dvec3 position;
   curve::Frame frame;
 };
-PlaceOnTrack place_on(const sim::Derived& derived, double distance);
+PlaceOnTrack place_on(const sim::DerivedTrack& derived, double distance);
 inline constexpr double kCornerOff = 0.03;    // m, the largest distance of a fillet from the corner it replaces
 inline constexpr double kSharpest = 90;       // degrees; sharper corners are rejected
 inline constexpr double kTurnedOff = 0.0001;  // m; handles are turned if that moves the curve by no more
@@ -106,7 +106,7 @@ inline constexpr double kRollTolerance = 0.05;  // degrees: a roll that the trac
 inline constexpr double kBetweenRolls = 0.1;    // degrees: the same for the spline between rolls
 
 // A position at which the track gets a knot.
-struct Stop {
+struct KnotPosition {
   std::size_t piece = 0;
   double t = 0, s = 0;           // parameter of the piece; m along the track
   std::optional<glm::dvec3> up;  // if there is a roll here
@@ -118,7 +118,7 @@ struct Stop {
 // of travel. Between rolls the angle to the rotation-minimising frame is a RollSpline; that of a closed track without a
 // roll at its start runs through the seam. Stops have the spins with which the track follows it best. A closed track
 // also gets a stop after its lap, with the angle there. Without rolls no stop has an `up`; with them every one does.
-std::vector<Stop> stops_of(std::span<const Bezier> pieces, bool closed, std::vector<ElementRoll> rolls);
+std::vector<KnotPosition> stops_of(std::span<const Bezier> pieces, bool closed, std::vector<ElementRoll> rolls);
 inline constexpr double kRollError = 0.25;    // degrees, of the track between printed rolls
 inline constexpr double kSplineError = 0.05;  // degrees, the same, read as NoLimits 2 does
 inline constexpr double kRollStep = 0.15;     // m, the shortest distance of printed rolls within a segment
@@ -127,6 +127,6 @@ inline constexpr double kRollStep = 0.15;     // m, the shortest distance of pri
 // as many as keep the track's frame within kSplineError of the RollSpline through them, and within kRollError of two
 // other interpretations: the angle to the rotation-minimising frame linear, or `up` interpolated between neighbours.
 // Rolls closer than kRollStep are not added.
-std::vector<double> roll_places(const sim::Derived& derived);
+std::vector<double> roll_places(const sim::DerivedTrack& derived);
 
 }  // namespace coaster::exchange

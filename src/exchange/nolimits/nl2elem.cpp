@@ -121,7 +121,7 @@ std::size_t short_handles(const std::vector<Bezier>& segments) {
   return count;
 }
 
-void append_knots(const std::vector<Bezier>& segments, const std::vector<Stop>& stops, bool closed,
+void append_knots(const std::vector<Bezier>& segments, const std::vector<KnotPosition>& stops, bool closed,
                   world::Document& document) {
   for (std::size_t i = 0; i < segments.size() + (closed ? 0 : 1); ++i) {
     const Bezier& after = segments[std::min(i, segments.size() - 1)];
@@ -142,8 +142,8 @@ void append_knots(const std::vector<Bezier>& segments, const std::vector<Stop>& 
 }
 
 // Adds the whole turns that the smallest twist between the knots' `up` omits.
-void set_turns(const std::vector<Stop>& stops, world::Document& document) {
-  const sim::Derived derived = sim::shapes_of(document);
+void set_turns(const std::vector<KnotPosition>& stops, world::Document& document) {
+  const sim::DerivedTrack derived = sim::shapes_of(document);
   for (std::size_t i = 0; i < derived.order.size(); ++i) {
     const double wanted = stops[i + 1].angle - stops[i].angle;
     const double turns = std::round((wanted - derived.shape(derived.order[i]).roll.twist) / (2 * base::kPi));
@@ -160,7 +160,7 @@ struct RollAlong {
 RollAlong measure(const world::Document& document, const std::vector<Bezier>& segments, const ElementFile& file,
                   ImportReport& report) {
   report.knots = static_cast<int>(document.track.knots.size());
-  const sim::Derived derived = sim::shapes_of(document);
+  const sim::DerivedTrack derived = sim::shapes_of(document);
   sim::MeanSquare distances, angles;
   for (std::size_t i = 0; i < segments.size(); ++i)
     for (int k = 0; k <= 16; ++k) {
@@ -191,7 +191,7 @@ bool make_track(ElementReader& r) {
   std::vector<Bezier> curves;
   ImportReport& report = r.loaded.import.emplace();
   if (!make_curves(r, curves)) return false;
-  const std::vector<Stop> stops = stops_of(curves, file.closed, file.rolls);
+  const std::vector<KnotPosition> stops = stops_of(curves, file.closed, file.rolls);
   if (stops.size() > world::kMaxKnots)
     return r.fail_at(0, fmt::format("vertices and rolls for at most {} knots", world::kMaxKnots),
                      std::to_string(stops.size()));
@@ -474,7 +474,7 @@ base::Status check_nl2elem(const world::Document& document) {
 
 std::string print_nl2elem(const world::Document& document) {
   COASTER_CHECK(check_nl2elem(document).ok(), "callers check the track first");
-  const sim::Derived derived = sim::shapes_of(document);
+  const sim::DerivedTrack derived = sim::shapes_of(document);
   std::string out = "<?xml version=\"1.0\" encoding=\"UTF-8\" standalone=\"no\" ?>\r\n<root>\r\n\t<element>\r\n";
   print_line(out, 2, "description", "coaster");
   for (const world::Entity e : derived.order) {

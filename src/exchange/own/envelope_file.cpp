@@ -10,7 +10,7 @@
 namespace coaster::exchange {
 namespace {
 
-bool read_head(Fields& fields, LoadedEnvelope& to) {
+bool read_head(Fields& fields, LoadedForceLimits& to) {
   std::string note;
   if (!fields.head(kEnvelopeFormat, kEnvelopeVersion) || (fields.has("note") && !fields.text("note", note)) ||
       !fields.text("name", to.name))
@@ -22,7 +22,7 @@ bool read_head(Fields& fields, LoadedEnvelope& to) {
 }
 
 bool read_point(Fields& fields, sim::EnvelopeCurve& curve, std::vector<std::string>& warnings) {
-  sim::EnvelopePoint point{0, 0};
+  sim::ForceLimitPoint point{0, 0};
   if (!fields.number("seconds", point.seconds, 0, kMaxEnvelopeSeconds) ||
       !fields.number("g", point.g, 0, kMaxEnvelopeG))
     return false;
@@ -34,7 +34,7 @@ bool read_point(Fields& fields, sim::EnvelopeCurve& curve, std::vector<std::stri
   return true;
 }
 
-bool read_envelope(Fields& fields, LoadedEnvelope& to) {
+bool read_envelope(Fields& fields, LoadedForceLimits& to) {
   if (!read_head(fields, to)) return false;
   for (std::size_t axis = 0; axis < sim::kForceAxes; ++axis)
     if (!fields.each(base::name_of(static_cast<sim::ForceAxis>(axis)), kMaxEnvelopePoints,
@@ -46,13 +46,13 @@ bool read_envelope(Fields& fields, LoadedEnvelope& to) {
 
 }  // namespace
 
-base::Result<LoadedEnvelope> parse_envelope(std::string_view text, std::string_view name) {
-  base::Result<LoadedEnvelope> loaded = read_object<LoadedEnvelope>(text, name, read_envelope);
+base::Result<LoadedForceLimits> parse_envelope(std::string_view text, std::string_view name) {
+  base::Result<LoadedForceLimits> loaded = read_object<LoadedForceLimits>(text, name, read_envelope);
   if (loaded) name_ignored(loaded->warnings, name);
   return loaded;
 }
 
-std::string print_envelope(const sim::Envelope& envelope, std::string_view name) {
+std::string print_envelope(const sim::ForceLimitCurves& envelope, std::string_view name) {
   std::string out = fmt::format(
       "{{\n  \"format\": {},\n  \"version\": {},\n  \"name\": {},\n  \"note\": {},\n  \"shortest\": {},\n  \"cutoff\": "
       "{}",
@@ -61,7 +61,7 @@ std::string print_envelope(const sim::Envelope& envelope, std::string_view name)
   for (std::size_t axis = 0; axis < sim::kForceAxes; ++axis) {
     out += fmt::format(",\n  {}: [", json_string(base::name_of(static_cast<sim::ForceAxis>(axis))));
     const char* before = "\n";
-    for (const sim::EnvelopePoint& point : envelope.curves[axis]) {
+    for (const sim::ForceLimitPoint& point : envelope.curves[axis]) {
       out += fmt::format("{}    {{\"seconds\": {}, \"g\": {}}}", before, base::to_text(point.seconds),
                          base::to_text(point.g));
       before = ",\n";
@@ -71,7 +71,7 @@ std::string print_envelope(const sim::Envelope& envelope, std::string_view name)
   return out + "\n}\n";
 }
 
-base::Result<LoadedEnvelope> load_envelope(base::Files& files, const std::filesystem::path& path) {
+base::Result<LoadedForceLimits> load_envelope(base::Files& files, const std::filesystem::path& path) {
   const base::Result<std::string> text = read_json_file(files, path);
   if (!text) return text.status();
   return parse_envelope(*text, path.string());

@@ -21,8 +21,8 @@ inline constexpr double kMaxEnvelopeSeconds = 3600, kMaxEnvelopeG = 100;
 inline constexpr double kMinCutoff = 0.1, kMaxCutoff = 25;  // Hz; forces are sampled 60 times a second
 inline constexpr double kMaxShortest = 10;                  // s
 
-struct LoadedEnvelope {
-  sim::Envelope envelope;
+struct LoadedForceLimits {
+  sim::ForceLimitCurves envelope;
   std::string name;                   // as in the file
   std::vector<std::string> warnings;  // one line each: unknown members
 };
@@ -31,13 +31,13 @@ struct LoadedEnvelope {
 // and "NAME: error: down[3].g: expected ..., found ..." for everything else. Rejects a wrong format or newer version,
 // missing or duplicate members, numbers beyond the limits above, and durations that do not ascend. A curve without
 // points sets no limit.
-base::Result<LoadedEnvelope> parse_envelope(std::string_view text, std::string_view name);
+base::Result<LoadedForceLimits> parse_envelope(std::string_view text, std::string_view name);
 
 // Returns the text of an envelope: one point per line, shortest exact numbers; ends with a newline. parse_envelope()
 // gives the same envelope back.
-std::string print_envelope(const sim::Envelope& envelope, std::string_view name);
+std::string print_envelope(const sim::ForceLimitCurves& envelope, std::string_view name);
 
 // Loads a file with the extension ".json".
-base::Result<LoadedEnvelope> load_envelope(base::Files& files, const std::filesystem::path& path);
+base::Result<LoadedForceLimits> load_envelope(base::Files& files, const std::filesystem::path& path);
 
 }  // namespace coaster::exchange

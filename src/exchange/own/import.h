@@ -34,8 +34,8 @@ inline constexpr double kFar = 10'000;  // m: further from the origin, float pos
 
 // Returns the way that rows are moved by to the origin: the middle to x = z = 0, the lowest point to 2 m, by whole mm.
 // place(row): its position, m, Y up.
-template <class Rows, class Place>
-glm::dvec3 way_to_origin(const Rows& rows, Place place) {
+template <class Rows, class JsonLocation>
+glm::dvec3 way_to_origin(const Rows& rows, JsonLocation place) {
   glm::dvec3 low = std::invoke(place, rows.front()), high = low;
   for (const auto& row : rows)
     low = glm::min(low, std::invoke(place, row)), high = glm::max(high, std::invoke(place, row));

@@ -211,9 +211,9 @@ std::string describe(const Json& value) {
   return clipped(value.dump(-1, ' ', true, Json::error_handler_t::replace), kClip);
 }
 
-std::string Place::text() const { return list.empty() ? std::string() : fmt::format("{}[{}]", list, index); }
+std::string JsonLocation::text() const { return list.empty() ? std::string() : fmt::format("{}[{}]", list, index); }
 
-Fields::Fields(const Json& value, Place place, std::string& error) : place_(place), error_(error) {
+Fields::Fields(const Json& value, JsonLocation place, std::string& error) : place_(place), error_(error) {
   constexpr std::size_t kUsual = 8;
   known_.reserve(kUsual);
   if (value.is_object()) object_ = &value;

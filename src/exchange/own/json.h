@@ -57,7 +57,7 @@ std::string describe(const Json& value);
 inline constexpr std::size_t kAnyNumber = std::numeric_limits<std::size_t>::max();  // of entries of a list
 
 // The object within the file: "" is the file itself, otherwise entry `index` of a list: "knots[3]".
-struct Place {
+struct JsonLocation {
   std::string_view list;
   std::size_t index = 0;
   std::string text() const;
@@ -67,7 +67,7 @@ struct Place {
 // false. Members are required: test optional ones with has() first. Members that are never read are the unknown ones.
 class Fields {
  public:
-  Fields(const Json& value, Place place, std::string& error);
+  Fields(const Json& value, JsonLocation place, std::string& error);
 
   bool has(std::string_view member) const;
   bool has_object(std::string_view member) const { return has(member) && (*object_)[std::string(member)].is_object(); }
@@ -119,7 +119,7 @@ class Fields {
   bool expect(std::string_view member, const Json* found, std::string_view expected);
 
   const Json* object_ = nullptr;  // null if the value is not an object: every getter fails
-  Place place_;
+  JsonLocation place_;
   std::string& error_;
   std::vector<std::string_view> known_;
 };

@@ -19,7 +19,7 @@ bool read_value(Fields& fields, BestValue& best) {
   return best.less_is_better || better == "more" || fields.reject("better", "\"less\" or \"more\"");
 }
 
-bool read_entry(Fields& fields, Progress& progress) {
+bool read_entry(Fields& fields, PlayerProgress& progress) {
   ChallengeProgress entry;
   std::int64_t medal = 0;
   if (!fields.text("challenge", entry.challenge) || !fields.whole("medal", medal, 0, kMostMedals)) return false;
@@ -33,15 +33,15 @@ bool read_entry(Fields& fields, Progress& progress) {
 
 }  // namespace
 
-base::Result<Progress> parse_progress(std::string_view text, std::string_view name) {
-  return read_object<Progress>(text, name, [](Fields& fields, Progress& progress) {
+base::Result<PlayerProgress> parse_progress(std::string_view text, std::string_view name) {
+  return read_object<PlayerProgress>(text, name, [](Fields& fields, PlayerProgress& progress) {
     return fields.head(kProgressFormat, kProgressVersion) &&
            fields.each("challenges", kMaxProgressEntries,
                        [&](Fields& entry, auto) { return read_entry(entry, progress); });
   });
 }
 
-std::string print_progress(const Progress& progress) {
+std::string print_progress(const PlayerProgress& progress) {
   Json list = Json::array();
   for (const ChallengeProgress& entry : progress.challenges) {
     Json best = Json::array();
@@ -55,13 +55,13 @@ std::string print_progress(const Progress& progress) {
   return json_file(file);
 }
 
-const ChallengeProgress* find(const Progress& progress, std::string_view challenge) {
+const ChallengeProgress* find(const PlayerProgress& progress, std::string_view challenge) {
   const auto found = std::find_if(progress.challenges.begin(), progress.challenges.end(),
                                   [&](const ChallengeProgress& entry) { return entry.challenge == challenge; });
   return found == progress.challenges.end() ? nullptr : &*found;
 }
 
-bool merge(Progress& progress, const ChallengeProgress& success) {
+bool merge(PlayerProgress& progress, const ChallengeProgress& success) {
   const auto found = std::find_if(progress.challenges.begin(), progress.challenges.end(),
                                   [&](const ChallengeProgress& entry) { return entry.challenge == success.challenge; });
   if (found == progress.challenges.end()) {

@@ -29,20 +29,20 @@ struct ChallengeProgress {
   friend bool operator==(const ChallengeProgress&, const ChallengeProgress&) = default;
 };
 
-struct Progress {
+struct PlayerProgress {
   std::vector<ChallengeProgress> challenges;  // unique names, in the order of first success
-  friend bool operator==(const Progress&, const Progress&) = default;
+  friend bool operator==(const PlayerProgress&, const PlayerProgress&) = default;
 };
 
 // Parses a whole file's text. Code::bad_file with one line as for tracks if any part is invalid: the caller then
 // renames the file.
-base::Result<Progress> parse_progress(std::string_view text, std::string_view name);
+base::Result<PlayerProgress> parse_progress(std::string_view text, std::string_view name);
 // Returns the text; ends with a newline. parse_progress() gives the same progress back.
-std::string print_progress(const Progress& progress);
+std::string print_progress(const PlayerProgress& progress);
 
 // Returns the progress in a challenge; null if it was never passed.
-const ChallengeProgress* find(const Progress& progress, std::string_view challenge);
+const ChallengeProgress* find(const PlayerProgress& progress, std::string_view challenge);
 // Merges another success: keeps the better medal and the better of each value. Returns true if anything changed.
-bool merge(Progress& progress, const ChallengeProgress& success);
+bool merge(PlayerProgress& progress, const ChallengeProgress& success);
 
 }  // namespace coaster::exchange

@@ -72,9 +72,9 @@ std::string name_of_file(std::string_view path);
 // Keys of one channel on the clipboard: `{"force-keys": "time", "keys": [[0, 1], [20, 3.5, 0.1, 5, 8]]}`, those of
 // curvature with `"of": "curvature"`.
 struct CopiedKeys {
-  world::ForceOver over{};
+  world::ForceDomain over{};
   std::vector<world::ForceKey> keys;  // ascending, at least one
-  world::ForceOf of{};
+  world::ForceQuantity of{};
 };
 std::string print_keys(const CopiedKeys& copied);
 // Returns the keys, or the error in the text.

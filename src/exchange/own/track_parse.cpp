@@ -37,11 +37,11 @@ struct TrackParse {
   std::string error;
   int version = kTrackVersion;
   // Knots or segments read while the file was parsed: how many, and why the next one could not be read.
-  struct Taken {
+  struct StreamedItems {
     std::size_t count = 0;
     std::string error;
   };
-  Taken knots, segments;
+  StreamedItems knots, segments;
   std::array<std::unordered_map<std::uint32_t, world::Entity>, base::count_of<world::Kind>()>
       by_number;  // by world::Kind
 };
@@ -265,7 +265,7 @@ template <class Component>
 bool keep(TrackParse& parse, const Fields& fields, Entity e, Component component) {
   parse.document.entities.put(e, std::move(component));
   std::string extra = fields.unknown(parse.warnings);
-  if (!extra.empty()) parse.document.entities.put(e, world::Extra{std::move(extra)});
+  if (!extra.empty()) parse.document.entities.put(e, world::UnknownMembers{std::move(extra)});
   return true;
 }
 
@@ -349,7 +349,7 @@ bool read_sections(TrackParse& parse, Fields& fields) {
 bool read_cart(TrackParse& parse, const Json& value, std::size_t index) {
   Fields fields(value, {"carts", index}, parse.error);
   Entity e;
-  world::Cart cart;
+  world::Train cart;
   if (!create(parse, fields, Kind::cart, e) || !read_component(parse, fields, cart)) return false;
   if (cart.fraction == 1.0) return fields.fail("fraction", "expected a number below 1 (1 is the next segment's 0)");
   return keep(parse, fields, e, cart);
@@ -369,7 +369,8 @@ bool read_track_head(TrackParse& parse, Fields& fields) {
 using ReadElement = bool (*)(TrackParse& parse, const Json& value, std::size_t index);
 
 // Reads an element while the file is parsed. Its error is kept until everything before it is known.
-bool take(TrackParse& parse, TrackParse::Taken& taken, ReadElement read, const Json& element, std::size_t index) {
+bool take(TrackParse& parse, TrackParse::StreamedItems& taken, ReadElement read, const Json& element,
+          std::size_t index) {
   if (index != taken.count || !taken.error.empty()) return false;
   if (read(parse, element, index)) return ++taken.count, true;
   taken.error = std::exchange(parse.error, {});
@@ -386,7 +387,7 @@ bool take_element(TrackParse& parse, const Json& root, std::string_view list, st
 }
 
 // Reads the elements that were not taken while the file was parsed.
-bool read_rest(TrackParse& parse, const Json& list, const TrackParse::Taken& taken, ReadElement read) {
+bool read_rest(TrackParse& parse, const Json& list, const TrackParse::StreamedItems& taken, ReadElement read) {
   if (parse.error = taken.error; !parse.error.empty()) return false;
   for (std::size_t i = taken.count; i < list.size(); ++i)
     if (!read(parse, list[i], i)) return false;

@@ -77,7 +77,7 @@ std::string vector(glm::vec3 v) { return fmt::format("[{}, {}, {}]", number(v.x)
 std::string id(const Document& document, Entity e) { return json_string(world::label_of(document, e)); }
 
 // Returns the unknown members that were kept, each after `separator`.
-std::string extra_members(const world::Extra& extra, std::string_view separator) {
+std::string extra_members(const world::UnknownMembers& extra, std::string_view separator) {
   std::string text;
   if (extra.json.empty()) return text;
   const auto tree = read_json(extra.json, "extra");
@@ -113,7 +113,7 @@ std::string members(const Document& document, const T& component, std::string_vi
 
 // Returns the line of an entity with its members, each after a comma and a blank.
 std::string entity_line(const Document& document, Entity e, std::string text) {
-  if (const auto* const extra = document.entities.find<world::Extra>(e)) text += extra_members(*extra, ", ");
+  if (const auto* const extra = document.entities.find<world::UnknownMembers>(e)) text += extra_members(*extra, ", ");
   return fmt::format("{{\"id\": {}{}}}", id(document, e), text);
 }
 
@@ -153,7 +153,7 @@ void print_list(std::string& out, std::string_view key, const Document& document
 
 std::string print_keys(const CopiedKeys& copied) {
   const std::string of =
-      copied.of == world::ForceOf::forces ? "" : fmt::format("\"of\": \"{}\", ", base::name_of(copied.of));
+      copied.of == world::ForceQuantity::forces ? "" : fmt::format("\"of\": \"{}\", ", base::name_of(copied.of));
   return fmt::format("{{\"force-keys\": \"{}\", {}\"keys\": {}}}", base::name_of(copied.over), of,
                      list_text(copied.keys));
 }
@@ -165,10 +165,10 @@ std::string print_track(const Document& document) {
   print_list(out, "knots", document, document.track.knots, component_line<world::Knot>);
   print_list(out, "segments", document, document.track.segments, segment_line);
   print_list(out, "sections", document, world::sections_of(document), section_line);
-  std::vector<Entity> carts = document.entities.pool<world::Cart>().entities();
+  std::vector<Entity> carts = document.entities.pool<world::Train>().entities();
   std::sort(carts.begin(), carts.end(),
             [&](Entity a, Entity b) { return world::name_of(document, a) < world::name_of(document, b); });
-  print_list(out, "carts", document, carts, component_line<world::Cart>);
+  print_list(out, "carts", document, carts, component_line<world::Train>);
   return out + extra_members(document.extra, ",\n  ") + "\n}\n";
 }
 

@@ -30,10 +30,10 @@ struct BSplines {
 };
 
 // The normal equations of B-splines' coefficients: symmetric, each coupled with the three after it.
-struct Normal {
+struct NormalEquations {
   std::vector<std::array<double, 4>> factors;
   std::vector<dvec3> right;
-  explicit Normal(std::size_t count) : factors(count, {0, 0, 0, 0}), right(count, dvec3(0)) {}
+  explicit NormalEquations(std::size_t count) : factors(count, {0, 0, 0, 0}), right(count, dvec3(0)) {}
   // Adds a condition: coefficients from the first one on, times `row`, are to be `value`.
   void add(std::size_t first, const std::array<double, 4>& row, double weight, dvec3 value) {
     for (std::size_t m = 0; m < 4; ++m) {
@@ -72,7 +72,7 @@ std::vector<Rounded> smoothest(std::span<const Rounded> rows, double step, doubl
   std::vector<Rounded> found(rows.begin(), rows.end());
   std::vector<dvec3> sites;
   for (int round = 0; round <= kRounds && !base::interrupted(); ++round) {
-    Normal normal(parts + 3);
+    NormalEquations normal(parts + 3);
     for (std::size_t k = 0; k < parts; ++k) normal.add(k, {-1, 3, -3, 1}, change, dvec3(0));
     for (std::size_t i = 0; i < rows.size(); ++i) {
       const Rounded& row = rows[i];

@@ -19,7 +19,7 @@ constexpr double kLeastScale = 0.4;       // relative to the bounds
 constexpr double kCopyScale = 0.2;        // the same for the rows of a track that was fitted before
 
 // Returns the longest span from `first`; `usual`: the rows of the last one.
-Span longest_span(FitWork& w, std::size_t first, const RollRange& allowed, std::size_t usual) {
+Span longest_span(FitState& w, std::size_t first, const RollRange& allowed, std::size_t usual) {
   const std::size_t end = w.rows.size() - 1;
   Span good{first, first + 1, w.fit(first, first + 1, allowed), allowed};
   const auto beyond = std::lower_bound(w.distances.begin() + static_cast<std::ptrdiff_t>(first), w.distances.end(),
@@ -43,14 +43,14 @@ Span longest_span(FitWork& w, std::size_t first, const RollRange& allowed, std::
 }
 
 // Returns the rolls that a span allows the knot at its last row.
-RollRange rolls_after(const FitWork& w, std::size_t last, const SpanFit& fit) {
+RollRange rolls_after(const FitState& w, std::size_t last, const SpanFit& fit) {
   const RollRange allowed = second_rolls(fit.window);
   return allowed.low > allowed.high ? RollRange{w.row_rolls.leans[last], w.row_rolls.leans[last]} : allowed;
 }
 
 // Where `span` bends too much, ends the span before it earlier, so that neither does. Changes nothing if no row will
 // do.
-void retreat(FitWork& w, Span& span, std::size_t usual) {
+void retreat(FitState& w, Span& span, std::size_t usual) {
   Span& before = w.spans.back();
   const std::size_t rows = before.last - before.first;
   for (std::size_t back = 1; back < rows && !w.cancelled(); back += 1 + back / 2) {
@@ -67,7 +67,7 @@ void retreat(FitWork& w, Span& span, std::size_t usual) {
 
 }  // namespace
 
-void fit_spans(FitWork& w, std::size_t most_spans) {
+void fit_spans(FitState& w, std::size_t most_spans) {
   const std::size_t end = w.rows.size() - 1;
   w.spans.clear();
   const double most = w.bounds().angle, seam = w.row_rolls.leans[0];
@@ -85,7 +85,7 @@ void fit_spans(FitWork& w, std::size_t most_spans) {
   ++w.passes;
 }
 
-void even_out(FitWork& w) {
+void even_out(FitState& w) {
   if (w.spans.size() < 2 || w.rows.size() > kEvenedRows) return;
   std::vector<Span> best = w.spans;
   const std::size_t fewest = best.size();
@@ -123,7 +123,7 @@ constexpr int kMaxRounds = 12;        // rounds of halving spans that fail on th
 
 // Chooses a roll for every knot, from the last to the first, so that each span keeps its frames within the bound: that
 // of the smooth roll, or as near to it as the bound allows. Beside other rolls a short span would turn quickly.
-void choose_rolls(FitWork& w) {
+void choose_rolls(FitState& w) {
   w.rolls.assign(w.rows.size(), 0);
   if (w.spans.empty()) return;
   const auto [low, high] = second_rolls(w.spans.back().fit.window);
@@ -137,7 +137,7 @@ void choose_rolls(FitWork& w) {
   }
 }
 
-world::Knot knot_of(const FitWork& w, std::size_t at, double in, double out) {
+world::Knot knot_of(const FitState& w, std::size_t at, double in, double out) {
   const FitRow& row = w.rows[at];
   world::Knot k;
   k.position = glm::vec3(row.position);
@@ -150,7 +150,7 @@ world::Knot knot_of(const FitWork& w, std::size_t at, double in, double out) {
   return k;
 }
 
-world::Document document_of(const FitWork& w, Derived& derived) {
+world::Document document_of(const FitState& w, DerivedTrack& derived) {
   world::Document document;
   const std::size_t count = w.spans.size();
   for (std::size_t i = 0; i < count; ++i) {
@@ -178,7 +178,7 @@ world::Document document_of(const FitWork& w, Derived& derived) {
 }
 
 // Halves the span: the new knot has the smooth roll.
-void halve(FitWork& w, const Span& span, std::vector<Span>& out) {
+void halve(FitState& w, const Span& span, std::vector<Span>& out) {
   const std::size_t middle = span.first + (span.last - span.first) / 2;
   const RollRange all{-w.bounds().angle, w.bounds().angle};
   w.rolls[middle] = w.row_rolls.leans[middle];
@@ -187,9 +187,9 @@ void halve(FitWork& w, const Span& span, std::vector<Span>& out) {
 }
 
 // `given`: the rows that `filled` are between.
-FitWork prepare(std::span<const FitRow> given, const FilledRows& filled, bool closed) {
+FitState prepare(std::span<const FitRow> given, const FilledRows& filled, bool closed) {
   const std::vector<FitRow>& rows = filled.rows;
-  FitWork w;
+  FitState w;
   w.closed = closed;
   w.rows.assign(rows.begin(), rows.end());
   w.free = near_jumps(rows, closed, kInnerReach);
@@ -214,7 +214,7 @@ FitWork prepare(std::span<const FitRow> given, const FilledRows& filled, bool cl
 }
 
 // Divides the rows into spans on which riders feel at most kFeltRoot more or less on average over the ride, too.
-void fit_all(FitWork& w) {
+void fit_all(FitState& w) {
   constexpr int kTries = 4;
   constexpr double kLess = 0.95;  // of the bound that would suffice if errors scaled with it
   for (int i = 0; i < kTries && !w.cancelled(); ++i) {
@@ -229,7 +229,7 @@ void fit_all(FitWork& w) {
 }
 
 // Sets the bounds of rows that were rounded to the step. Returns the largest distance from the rows as they were, m.
-double set_step(FitWork& w, double step) {
+double set_step(FitState& w, double step) {
   constexpr double kShare = 0.6, kMost = 0.002, kKnots = 0.85;  // of the step, m, and of the knots' own rounding
   w.last_span = kLastSpan, w.least_handle = kFineHandle;
   if (step <= 0) return kFitDistance;
@@ -239,7 +239,7 @@ double set_step(FitWork& w, double step) {
   return kSteps * std::max(step, spacing);
 }
 
-Doubt worst_doubt(std::span<const FitRow> rows, bool closed, const std::vector<double>& doubts) {
+FeltUncertainty worst_doubt(std::span<const FitRow> rows, bool closed, const std::vector<double>& doubts) {
   const std::vector<char> jumps = near_jumps(rows, closed, kInnerReach);
   // Rows beside the track are no measure of its roll.
   const auto beside = [&](std::size_t i) {
@@ -248,7 +248,7 @@ Doubt worst_doubt(std::span<const FitRow> rows, bool closed, const std::vector<d
     return (!first && off_deg(rows[(i + n - 1) % n], rows[i]) > 0) ||
            (!last && off_deg(rows[i], rows[(i + 1) % n]) > 0);
   };
-  Doubt worst;
+  FeltUncertainty worst;
   for (std::size_t i = 0; i < rows.size(); ++i)
     if (!jumps[i] && doubts[i] > worst.g && !beside(i)) worst = {doubts[i], i};
   return worst;
@@ -259,7 +259,7 @@ Doubt worst_doubt(std::span<const FitRow> rows, bool closed, const std::vector<d
 FittedTrack fit_track(std::span<const FitRow> rows, bool closed, std::span<const FitRow> given, double step) {
   COASTER_CHECK(rows.size() >= (closed ? 3u : 2u), "a track needs 2 rows, a closed one 3");
   const FilledRows filled = fill_rows(rows, closed);
-  FitWork w = prepare(rows, filled, closed);
+  FitState w = prepare(rows, filled, closed);
   const double most = given.empty() ? kFitDistance : set_step(w, step);
   fit_all(w);
   if (w.cancelled()) return {};
@@ -270,9 +270,9 @@ FittedTrack fit_track(std::span<const FitRow> rows, bool closed, std::span<const
     w.spans = std::move(two);
   }
   const std::vector<char> free = near_jumps(filled.rows, closed, kJumpReach);
-  const Doubt roll_doubt = worst_doubt(
+  const FeltUncertainty roll_doubt = worst_doubt(
       rows, closed, roll_doubts(rows, closed, row_rolls(rows, closed), row_speeds(rows), world::Document{}.heartline));
-  const Doubt bend_doubt = worst_doubt(rows, closed, bend_doubts(rows, closed, row_speeds(rows)));
+  const FeltUncertainty bend_doubt = worst_doubt(rows, closed, bend_doubts(rows, closed, row_speeds(rows)));
   std::vector<FitRow> measured = filled.rows;
   std::vector<char> counted;
   for (std::size_t i = 0; i < measured.size(); ++i) {
@@ -280,7 +280,7 @@ FittedTrack fit_track(std::span<const FitRow> rows, bool closed, std::span<const
     if (filled.given(i) && !given.empty()) measured[i] = given[filled.from[i]];
   }
   FittedTrack fitted;
-  Derived derived;
+  DerivedTrack derived;
   for (int round = 0; round < kMaxRounds; ++round) {
     fitted.document = document_of(w, derived);
     std::vector<std::size_t> ends;
@@ -321,7 +321,7 @@ curve::NearestPoint nearest_from(const curve::Cubic& cubic, const curve::Coeffic
 
 }  // namespace
 
-std::vector<FitReport> measure_spans(const Derived& derived, std::span<const FitRow> rows,
+std::vector<FitReport> measure_spans(const DerivedTrack& derived, std::span<const FitRow> rows,
                                      std::span<const std::size_t> ends, std::span<const char> free,
                                      std::span<const char> given) {
   COASTER_CHECK(ends.size() == derived.order.size() + 1, "every segment covers a span of rows");

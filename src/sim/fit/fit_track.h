@@ -22,7 +22,7 @@ struct MeanSquare {
 };
 
 // What riders may feel more or less than on the track that the rows were taken from, and the row where.
-struct Doubt {
+struct FeltUncertainty {
   double g = 0;
   std::size_t row = 0;
 };
@@ -34,14 +34,14 @@ struct FitReport {
   double frame_error = 0;  // degrees, the largest angle between a row's frame and the track's, except near jumps
   double jump_error = 0;   // degrees, the same near jumps, where frames are ignored
   int knots = 0;
-  Doubt roll_doubt, bend_doubt;  // the largest of roll_doubts() and bend_doubts(), except near jumps
+  FeltUncertainty roll_doubt, bend_doubt;  // the largest of roll_doubts() and bend_doubts(), except near jumps
   MeanSquare distances, angles;  // m and degrees, of the rows that `max_error` and `frame_error` are the largest of
 };
 
 // Returns the error of each segment of a track. Segment i covers rows ends[i] to ends[i + 1] (ends.size() is the number
 // of segments + 1; the row after the last is the first). `free` says for each row whether its frame counts in
 // `jump_error`, `given` whether the row counts at all. `knots` stays 0.
-std::vector<FitReport> measure_spans(const Derived& derived, std::span<const FitRow> rows,
+std::vector<FitReport> measure_spans(const DerivedTrack& derived, std::span<const FitRow> rows,
                                      std::span<const std::size_t> ends, std::span<const char> free,
                                      std::span<const char> given);
 

@@ -25,7 +25,7 @@ struct Span {
 };
 
 // The state of a fit. On a closed track `rows` repeats the first row at the end.
-struct FitWork {
+struct FitState {
   std::vector<FitRow> rows;
   std::vector<double> distances;
   std::vector<char> free;
@@ -72,9 +72,9 @@ struct FitWork {
 
 // Divides all rows into the longest spans that fit, from the first row on. Ends early once cancelled, or with one span
 // more than `most_spans`.
-void fit_spans(FitWork& w, std::size_t most_spans = std::numeric_limits<std::size_t>::max());
+void fit_spans(FitState& w, std::size_t most_spans = std::numeric_limits<std::size_t>::max());
 
 // Tightens the bounds as far as the same number of spans allows: the longest spans leave a short one at the end.
-void even_out(FitWork& w);
+void even_out(FitState& w);
 
 }  // namespace coaster::sim

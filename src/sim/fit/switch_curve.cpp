@@ -36,7 +36,7 @@ struct Stretch {
 
 struct Switching {
   const world::Document& document;
-  const Derived& derived;
+  const DerivedTrack& derived;
   world::TrackCurve to;
   double offset;  // m, of the new curve above the former one
 
@@ -154,7 +154,7 @@ base::Status too_far(const Switching& w, const Stretch& span) {
 base::Status fit(const Switching& w, Stretch span, std::vector<Stretch>& out) {
   const Covered covered = covered_by(w, span);
   set_handles(w, covered.length, span);
-  Derived alone = shapes_of(track_of(w, span));
+  DerivedTrack alone = shapes_of(track_of(w, span));
   const double turns = std::round((covered.roll - alone.shape_at(0).roll.twist) / (2 * base::kPi));
   if (turns != 0) {
     span.turns = static_cast<std::int32_t>(std::clamp<double>(turns, -world::kMaxTurns, world::kMaxTurns));
@@ -244,9 +244,9 @@ void take_values(const Switching& w, const std::vector<Stretch>& spans, world::D
 }
 
 void move_trains(const Switching& w, SwitchedCurve& out) {
-  auto& carts = out.document.entities.pool<world::Cart>();
+  auto& carts = out.document.entities.pool<world::Train>();
   for (std::size_t i = 0; i < carts.size(); ++i) {
-    const world::Cart& former = w.document.entities.get<world::Cart>(carts.entities()[i]);
+    const world::Train& former = w.document.entities.get<world::Train>(carts.entities()[i]);
     const curve::ArcLengthMap& arc = w.derived.shape(former.segment).arc;
     const CurvePlace now = out.place(w.derived, {former.segment, arc.parameter(former.fraction * arc.length())});
     const curve::ArcLengthMap& there = out.shapes.shape(now.segment).arc;
@@ -257,14 +257,14 @@ void move_trains(const Switching& w, SwitchedCurve& out) {
 
 }  // namespace
 
-CurvePlace SwitchedCurve::place(const Derived& former, CurvePlace at) const {
+CurvePlace SwitchedCurve::place(const DerivedTrack& former, CurvePlace at) const {
   const std::vector<Piece>& all = pieces.get(at.segment);
   std::size_t k = 0;
   while (k + 1 < all.size() && all[k + 1].from <= at.t) ++k;
   return {all[k].segment, beside(former.shape(at.segment), at.t, shapes.shape(all[k].segment))};
 }
 
-base::Result<SwitchedCurve> switch_curve(const world::Document& document, const Derived& derived,
+base::Result<SwitchedCurve> switch_curve(const world::Document& document, const DerivedTrack& derived,
                                          world::TrackCurve to) {
   SwitchedCurve out;
   out.document = document;

@@ -19,12 +19,12 @@ struct CurvePlace {
 
 struct SwitchedCurve {
   world::Document document;
-  Derived shapes;        // of `document`
+  DerivedTrack shapes;   // of `document`
   double max_error = 0;  // m, largest distance of the rails
   int added = 0;         // added knots
 
   // Returns the position on the new track that corresponds to one on the track `former`.
-  CurvePlace place(const Derived& former, CurvePlace at) const;
+  CurvePlace place(const DerivedTrack& former, CurvePlace at) const;
 
   // Piece k of a former segment begins at its parameter `from` and is now a segment.
   struct Piece {
@@ -39,6 +39,7 @@ struct SwitchedCurve {
 // handles with the new curve's curvature at both ends of a segment (element_fit.h); a segment that misses the bound is
 // halved. Joints with handles of two lengths become aligned. Trains keep their positions, equipment its segments.
 // Refused, with the position, if the new curve would fold or the bound is not met. About 0.1 ms per segment.
-base::Result<SwitchedCurve> switch_curve(const world::Document& document, const Derived& derived, world::TrackCurve to);
+base::Result<SwitchedCurve> switch_curve(const world::Document& document, const DerivedTrack& derived,
+                                         world::TrackCurve to);
 
 }  // namespace coaster::sim

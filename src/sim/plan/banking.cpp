@@ -13,7 +13,7 @@ namespace {
 using glm::dvec3;
 
 // Returns the mean of the curvatures on both sides of knot i.
-dvec3 mean_bend(const Derived& derived, std::size_t i) {
+dvec3 mean_bend(const DerivedTrack& derived, std::size_t i) {
   const std::size_t count = derived.order.size();
   const auto bend_at = [&](std::size_t index, double t) {
     return curve::curvature_vector(derived.shape_at(index).key.cubic, t);
@@ -45,7 +45,7 @@ std::optional<std::size_t> passing(const SimulatedRide& simulated, const std::ve
 
 }  // namespace
 
-std::vector<glm::vec3> banked_ups(const world::Document& document, const Derived& derived,
+std::vector<glm::vec3> banked_ups(const world::Document& document, const DerivedTrack& derived,
                                   const SimulatedRide& simulated) {
   const std::vector<double> furthest = furthest_of(simulated);
   std::vector<glm::vec3> ups;
@@ -65,7 +65,7 @@ std::vector<glm::vec3> banked_ups(const world::Document& document, const Derived
   return ups;
 }
 
-int bank_knots(world::Document& document, const Derived& derived, const SimulatedRide& simulated) {
+int bank_knots(world::Document& document, const DerivedTrack& derived, const SimulatedRide& simulated) {
   const std::vector<glm::vec3> ups = banked_ups(document, derived, simulated);
   int turned = 0;
   for (std::size_t i = 0; i < ups.size(); ++i) {

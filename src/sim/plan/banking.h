@@ -13,9 +13,9 @@ namespace coaster::sim {
 // over. A knot keeps its up if the simulated ride does not reach it or less than kLeastFelt g is felt across the track.
 // At a joint where the curvature jumps, the mean of both sides counts.
 inline constexpr double kLeastFelt = 0.05;  // g
-std::vector<glm::vec3> banked_ups(const world::Document& document, const Derived& derived,
+std::vector<glm::vec3> banked_ups(const world::Document& document, const DerivedTrack& derived,
                                   const SimulatedRide& simulated);
 // Turns the knots to them; returns the number of knots that turned.
-int bank_knots(world::Document& document, const Derived& derived, const SimulatedRide& simulated);
+int bank_knots(world::Document& document, const DerivedTrack& derived, const SimulatedRide& simulated);
 
 }  // namespace coaster::sim

@@ -20,7 +20,7 @@ inline double cost_of(double length, const FeltRange& felt) {
 }
 
 // The reasons for which candidates were left out.
-struct CircuitLosses {
+struct CircuitRejections {
   int steep = 0, buried = 0, slow = 0, forced = 0;
   double least_g = 1e9;  // smallest of the largest g of those left out for too much g
 };
@@ -31,7 +31,7 @@ struct CircuitCandidates {
   std::vector<double> levels;  // m
   std::vector<TurnChoice> turns;
   std::vector<CircuitCandidate> list;  // by cost
-  CircuitLosses losses;
+  CircuitRejections losses;
   double arrival = 0;   // m/s at the first knot, approximately
   std::string refusal;  // why none is possible; empty: see `list`
 

@@ -84,7 +84,7 @@ struct CircuitTask {
   double from_slope = 0, home_slope = 0;  // rad/m^2, of the roll's rate just before `from` and just after `home`
   double speed = 10;                      // m/s at the open end
   bool coasts = true;                     // the speed follows from the energy; false: it is constant
-  world::Resistance losses;               // of that train
+  world::Losses losses;                   // of that train
   double rails = 0, riders = 0;           // m above the curve
   friend bool operator==(const CircuitTask&, const CircuitTask&) = default;
 };

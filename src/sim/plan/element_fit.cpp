@@ -26,7 +26,7 @@ constexpr double kShortest = 0.1, kLongest = 0.8;  // handles, relative to a spa
 // Removes the curvature error that torsion leaves at an end. The tangent there is fixed, so the next knot moves
 // sideways, by at most `most` m from the ideal curve. A shift changes the far handle by about 1.5 times as much,
 // because the next tangent turns with it.
-void shift_second(curve::SpanNodes& n, const ElementCurve& curve, std::span<const std::size_t> at, bool last,
+void shift_second(curve::SpanKnots& n, const ElementCurve& curve, std::span<const std::size_t> at, bool last,
                   double most) {
   const std::size_t count = n.place.size(), end = last ? count - 1 : 0, next = last ? count - 2 : 1;
   if (count < 4) return;
@@ -41,7 +41,7 @@ void shift_second(curve::SpanNodes& n, const ElementCurve& curve, std::span<cons
 }
 
 std::vector<world::Knot> knots_of(const ElementCurve& curve, std::span<const std::size_t> at,
-                                  const curve::SpanNodes& n) {
+                                  const curve::SpanKnots& n) {
   std::vector<world::Knot> knots;
   for (std::size_t k = 0; k < at.size(); ++k) {
     world::Knot knot;
@@ -133,7 +133,7 @@ Spans make_spans(const ElementCurve& curve, std::span<const std::size_t> at, dou
     const ElementPoint& p = curve.points[i];
     ends.push_back({p.s, p.position, p.tangent, p.curvature});
   }
-  curve::SpanNodes n = curve::span_nodes(ends);
+  curve::SpanKnots n = curve::span_nodes(ends);
   for (int round = 0; round < kRounds; ++round) {
     shift_second(n, curve, at, false, most_shift), shift_second(n, curve, at, true, most_shift);
     if (curve::turn_tangents(n) < kDone) break;
@@ -158,7 +158,7 @@ Spans make_spans(const ElementCurve& curve, std::span<const std::size_t> at, dou
 namespace {
 
 constexpr double kTurnOfSpan = 1.6;  // rad, largest turn of an initial span
-constexpr int kMostRounds = 60, kMostSpans = 2000, kEvenings = 4;
+constexpr int kMostRounds = 60, kMostSpans = 2000, kRemovalRounds = 4;
 constexpr std::size_t kMostThinning = 400'000;  // points times knots: beyond it no knots are removed
 constexpr double kFarFromExact = 1e-9;
 constexpr double kOfG2 = 0.6;  // of the largest jump that is G2
@@ -385,7 +385,7 @@ ElementFit fit_element(const ElementCurve& curve) {
       rate(fewer);
       return fewer;
     };
-    curve::remove_spans(trial, kEvenings, attempt, [](Trial&) { return false; });
+    curve::remove_spans(trial, kRemovalRounds, attempt, [](Trial&) { return false; });
   }
   return fit_of(std::move(trial), within);
 }

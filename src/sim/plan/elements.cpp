@@ -166,7 +166,7 @@ ElementPlan plan_element(const world::Element& element, const world::Document& d
     plan.refusal = world::kClosedTrack;
     return plan;
   }
-  const world::Cart* const cart = document.entities.find<world::Cart>(world::first_cart(document));
+  const world::Train* const cart = document.entities.find<world::Train>(world::first_cart(document));
   plan_forces(train_at(document, *end, speed), cart ? cart->behind() : 0, plan);
   if (!plan.refusal.empty()) return plan;
   if (!speed) plan.lines.push_back(assumed_text());

@@ -35,7 +35,7 @@ constexpr double kMostHold = 20;        // s
 constexpr double kMostTilt = 0.1;       // vertical component of a direction, if an element needs a level or upright end
 
 // The input of an element's program.
-struct ForceMaker {
+struct ForceElementInput {
   const world::Element& element;
   ForceTask task;    // its program is empty: 0 s long
   double behind;     // m
@@ -87,7 +87,7 @@ struct ForcePull {
 
 using ForcePrograms = std::function<world::ForceProgram(double strength)>;
 // Returns the strength with which a program ends at that pitch, rad; nothing if there is none.
-std::optional<double> strength_for(const ForceMaker& maker, double pitch, const ForcePrograms& program) {
+std::optional<double> strength_for(const ForceElementInput& maker, double pitch, const ForcePrograms& program) {
   base::Equation equation;
   equation.value = [&](const std::vector<double>& x) -> std::optional<double> {
     const auto there = maker.walk(program(x.front()));
@@ -101,7 +101,7 @@ std::optional<double> strength_for(const ForceMaker& maker, double pitch, const 
 
 // Rolls by `turns` to the element's side: a quarter of the time to the full rate, a quarter from it. Rails at a
 // distance from the riders' path wind about it, and so need slightly more or less than one turn to be upright again.
-void add_roll(const ForceMaker& maker, ForceProgram& program, double from, double seconds, double turns) {
+void add_roll(const ForceElementInput& maker, ForceProgram& program, double from, double seconds, double turns) {
   const double rate = (maker.element.right ? 360 : -360) * turns / (0.75 * seconds), quarter = seconds / 4;
   program.keys(ForceChannel::roll) = {
       {from, 0}, {from + quarter, rate}, {from + 3 * quarter, rate}, {from + seconds, 0}};
@@ -127,7 +127,7 @@ struct Turn {
     double lift = 0, tilt = 0;  // g and rad, additional during the roll-in
     double roll_out = 0;        // rad, additional to the roll-in
   };
-  const ForceMaker& maker;
+  const ForceElementInput& maker;
   double g, side;      // side: 1 to the right, -1 to the left
   double roll;         // s, duration of the roll-in and of the roll-out
   double angle, bank;  // rad
@@ -167,7 +167,7 @@ struct Turn {
 // A loop during the search for its unknowns: the time at full g, lateral g to the side and back, and the roll that
 // keeps it upright, in degrees per second.
 struct Loop {
-  const ForceMaker& maker;
+  const ForceElementInput& maker;
   double g;
 
   ForceProgram program(double hold, double away, double back, double rate) const {
@@ -181,7 +181,7 @@ struct Loop {
   }
 };
 
-ForceElement force_turn(const ForceMaker& maker) {
+ForceElement force_turn(const ForceElementInput& maker) {
   constexpr double kLevel = 0.1, kBankRate = 45, kShortestRoll = 0.8, kShortestHold = 0.1;
   if (std::abs(maker.slope) > kLevel)
     return no_element(
@@ -225,7 +225,7 @@ ForceElement force_turn(const ForceMaker& maker) {
 
 // A straight path: riders feel only gravity, in the axes of their turning seats, and a small addition `more`, up and to
 // the left of the path, that keeps the path straight while the rails wind about it.
-ForceElement force_heartline(const ForceMaker& maker) {
+ForceElement force_heartline(const ForceElementInput& maker) {
   constexpr int kKeys = 16;  // between them the cubics are within 0.002 g of sine and cosine
   const double seconds = maker.value("seconds"), whole = (maker.element.right ? 2 : -2) * base::kPi;
   const auto program_of = [&](double turns, glm::dvec2 more) {
@@ -252,7 +252,7 @@ ForceElement force_heartline(const ForceMaker& maker) {
   return made(program_of((*found)[0], {(*found)[1], (*found)[2]}));
 }
 
-ForceElement force_loop(const ForceMaker& maker) {
+ForceElement force_loop(const ForceElementInput& maker) {
   const Loop loop{maker, maker.value("g")};
   const double pitch = maker.slope + 2 * base::kPi, side = maker.element.right ? -1 : 1;  // the shift is to the left
   const auto plane = strength_for(maker, pitch, [&](double hold) { return loop.program(hold + kForceHold, 0, 0, 0); });
@@ -273,7 +273,7 @@ ForceElement force_loop(const ForceMaker& maker) {
 
 // Returns why there is no float of that duration: either the train still rises in the middle of it with the least pull,
 // or no pull is enough.
-std::string why_no_float(const ForceMaker& maker, const ForcePrograms& half) {
+std::string why_no_float(const ForceElementInput& maker, const ForcePrograms& half) {
   const std::string seconds = base::to_text(maker.value("seconds"));
   const auto flattest = maker.walk(half(0));
   if (flattest && flattest->pitch > 0)
@@ -283,7 +283,7 @@ std::string why_no_float(const ForceMaker& maker, const ForcePrograms& half) {
 }
 
 // Makes a pull, a float with a level or nearly level middle, and the pull again so that it ends level.
-ForceElement hill(const ForceMaker& maker, double crest, bool falls, bool rolls) {
+ForceElement hill(const ForceElementInput& maker, double crest, bool falls, bool rolls) {
   const double seconds = maker.value("seconds");
   const ForcePull pull{crest, maker.value("pull")};
   const auto rise = [&](double strength, double until, ForceProgram& program) {
@@ -335,7 +335,7 @@ ForceElement hill(const ForceMaker& maker, double crest, bool falls, bool rolls)
   return made(whole((*found)[0], (*found)[1], (*found)[2]), std::move(lines));
 }
 
-ForceElement valley(const ForceMaker& maker) {
+ForceElement valley(const ForceElementInput& maker) {
   const double to = radians(maker.value("slope")), straight = base::sin_cos(maker.slope).cos;
   const ForcePull pull{straight, maker.value("g")};
   const std::string g = fmt::format("{:.6g} g", pull.most);
@@ -360,13 +360,13 @@ ForceElement valley(const ForceMaker& maker) {
   return made(whole(*strength), std::move(lines));
 }
 
-ForceElement brakes(const ForceMaker& maker) {
+ForceElement brakes(const ForceElementInput& maker) {
   const double speed = maker.task.program.speed, to = maker.value("speed"), brake = maker.value("acceleration");
   if (speed <= to)
     return no_element(fmt::format("the train is slower than {} m/s already: {:.1f} m/s", base::to_text(to), speed));
   ForceElement element;
   element.program = maker.task.program;
-  element.program.over = world::ForceOver::distance;
+  element.program.over = world::ForceDomain::distance;
   const double length = std::ceil((speed * speed - to * to) / (2 * brake) + maker.behind) + 2;
   if (length > world::kLongestForce_m)
     return no_element(fmt::format("the brakes would be {:.0f} m long, and the limit is {} m: ask for more deceleration",
@@ -380,11 +380,11 @@ ForceElement brakes(const ForceMaker& maker) {
 }
 
 // In the order of world::force_elements().
-constexpr ForceElement (*kForceElements[])(const ForceMaker&) = {
-    [](const ForceMaker& maker) { return hill(maker, maker.value("g"), maker.value("ends") > 0, false); },
+constexpr ForceElement (*kForceElements[])(const ForceElementInput&) = {
+    [](const ForceElementInput& maker) { return hill(maker, maker.value("g"), maker.value("ends") > 0, false); },
     valley,
     force_turn,
-    [](const ForceMaker& maker) { return hill(maker, 0, false, true); },
+    [](const ForceElementInput& maker) { return hill(maker, 0, false, true); },
     force_heartline,
     force_loop,
     brakes};
@@ -394,9 +394,9 @@ static_assert(std::size(kForceElements) == world::force_elements().size());
 
 ForceElement force_element(const world::Element& element, const ForceTask& start, double behind) {
   const auto of_forces = static_cast<std::size_t>(element.kind) - world::elements().size();
-  ForceMaker maker{element, start, behind};
+  ForceElementInput maker{element, start, behind};
   maker.task.program = {};
-  maker.task.program.over = world::ForceOver::time, maker.task.program.speed = start.program.speed;
+  maker.task.program.over = world::ForceDomain::time, maker.task.program.speed = start.program.speed;
   const glm::dvec3 forward = start.end.forward, up = start.end.up;
   maker.left = glm::cross(up, forward);
   maker.slope = base::arc_tangent(forward.y, std::sqrt(forward.x * forward.x + forward.z * forward.z));

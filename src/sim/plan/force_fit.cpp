@@ -30,7 +30,7 @@ struct SpanError {
 // Returns the squared speed at which curvature is judged at a point of the path, m^2/s^2: that of the train, or on a
 // section of curvature that of world::kCurvatureSpeed.
 double judged_square(const ForceTask& task, const ForcePoint& point) {
-  const bool at_any = task.program.of == world::ForceOf::curvature;
+  const bool at_any = task.program.of == world::ForceQuantity::curvature;
   return at_any ? world::kCurvatureSpeed * world::kCurvatureSpeed : point.square;
 }
 
@@ -38,14 +38,14 @@ constexpr double kNoSpan = 1e9;  // g: the span does not follow the path
 
 // How the spans are judged at a point of the path: by what riders feel there. On a section of curvature, which has to
 // be the same at any speed, by what they would feel on the curve itself at world::kCurvatureSpeed.
-struct Judged {
+struct FeltReference {
   double square, along, riders;  // m^2/s^2, m/s^2, m above the curve
   double up, side;               // g felt on the path
 };
-Judged judged_at(const ForceTask& task, const ForcePath& path, std::size_t i) {
+FeltReference judged_at(const ForceTask& task, const ForcePath& path, std::size_t i) {
   const ForcePoint& point = path.points[i];
   const double square = judged_square(task, point);
-  if (task.program.of == world::ForceOf::forces) return {square, point.along, task.riders, point.up, point.side};
+  if (task.program.of == world::ForceQuantity::forces) return {square, point.along, task.riders, point.up, point.side};
   const ElementPoint& on = path.curve.points[i];
   const FeltG felt = felt_on({on.position, on.tangent, on.up, square}, {on.curvature}, 0);
   return {square, 0, 0, felt.up, felt.side};
@@ -65,7 +65,7 @@ SpanError span_error(const ForceTask& task, const ForcePath& path, std::size_t f
     const double s = points[i].s - points.front().s;
     curve::Frame frame = places[i].frame;
     frame.up = curve::rotate(frame.up, frame.forward, roll.angle(s));
-    const Judged asked = judged_at(task, path, first + i);
+    const FeltReference asked = judged_at(task, path, first + i);
     const double t = places[i].t;
     const dvec3 first_derivative = c.derivative(t);
     const dvec3 curvature = c.second_derivative(t) / glm::dot(first_derivative, first_derivative);

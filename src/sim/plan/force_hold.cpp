@@ -48,7 +48,7 @@ struct CubicRoll {
 };
 
 // A place of the curve: the train there, what a program that leads along it wants, and where that is on the keys' axis.
-struct Place {
+struct BridgePoint {
   ForceState state;
   dvec3 curvature{0};
   std::array<double, 3> has{};  // of what a program wants
@@ -56,16 +56,16 @@ struct Place {
 };
 
 // Returns places half a metre apart with frames of least rotation; none where the curve has a cusp.
-std::vector<Place> places_of(const Quintic& curve, const TrackEnd& from, double size) {
+std::vector<BridgePoint> places_of(const Quintic& curve, const TrackEnd& from, double size) {
   constexpr double kStep = 0.5;  // m
   const auto steps = static_cast<std::size_t>(std::ceil(size / kStep)) + 1;
-  std::vector<Place> places;
+  std::vector<BridgePoint> places;
   for (std::size_t i = 0; i <= steps; ++i) {
     const double u = static_cast<double>(i) / static_cast<double>(steps);
     const dvec3 rate = curve.rate(u);
     const double square = glm::dot(rate, rate);
     if (!(square > 1e-6)) return {};
-    Place here;
+    BridgePoint here;
     ForceState& state = here.state;
     state.position = curve.at(u), state.tangent = rate / std::sqrt(square);
     here.curvature = curve::across(curve.second(u), state.tangent) / square;
@@ -80,7 +80,7 @@ std::vector<Place> places_of(const Quintic& curve, const TrackEnd& from, double 
 }
 
 // Rolls the frames and rides along; false where the train is too slow.
-bool ride(const ForceTask& task, const ForceLaw& law, const CubicRoll& roll, std::vector<Place>& places) {
+bool ride(const ForceTask& task, const ForceLaw& law, const CubicRoll& roll, std::vector<BridgePoint>& places) {
   for (std::size_t i = 0; i < places.size(); ++i) {
     ForceState& state = places[i].state;
     const ForceState& before = i > 0 ? places[i - 1].state : state;
@@ -94,7 +94,7 @@ bool ride(const ForceTask& task, const ForceLaw& law, const CubicRoll& roll, std
     ForceRates track{places[i].curvature, roll.spin(s), roll.slope(s)};
     track.along = law.along(state);
     places[i].has = law.has(state, track);
-    places[i].at = task.program.over == world::ForceOver::distance ? s : state.time;
+    places[i].at = task.program.over == world::ForceDomain::distance ? s : state.time;
   }
   return true;
 }
@@ -113,7 +113,7 @@ std::optional<ForceBridge> force_bridge(const ForceTask& task, std::size_t parts
   const TrackEnd& to = *task.held;
   const std::optional<double> size = size_between(task.end, to);
   if (!size) return std::nullopt;
-  std::vector<Place> places = places_of(Quintic(task.end, to, *size), task.end, *size);
+  std::vector<BridgePoint> places = places_of(Quintic(task.end, to, *size), task.end, *size);
   if (places.empty()) return std::nullopt;
   const ForceState& last = places.back().state;
   const double twist = curve::signed_angle(last.up, curve::perpendicular(last.tangent, to.up), last.tangent);
@@ -162,11 +162,11 @@ std::optional<dvec3> turn_between(const TrackEnd& from, const ForceState& to) {
 }
 
 double metres_per_unit(const world::ForceProgram& program) {
-  return program.over == world::ForceOver::distance ? 1.0 : program.speed;
+  return program.over == world::ForceDomain::distance ? 1.0 : program.speed;
 }
 // Returns by channel what counts as much as 1 g.
 std::array<double, 3> units_of(const world::ForceProgram& program) {
-  const double one = program.of == world::ForceOf::curvature ? kCurvaturePerG : 1.0;
+  const double one = program.of == world::ForceQuantity::curvature ? kCurvaturePerG : 1.0;
   return {one, one, kRollPerG * metres_per_unit(program)};
 }
 
@@ -176,9 +176,9 @@ struct Additions {
   double length = 0;          // m or s
 };
 
-class Holding {
+class HeldEndSolver {
  public:
-  explicit Holding(const ForceTask& task)
+  explicit HeldEndSolver(const ForceTask& task)
       : task_(task), metres_(metres_per_unit(task.program)), units_(units_of(task.program)) {
     const double length = task.program.length * metres_;
     nodes_ = std::clamp(static_cast<std::size_t>(length / kNodeGap), kFewestNodes, kMostNodes);
@@ -378,6 +378,6 @@ class Holding {
 
 }  // namespace
 
-std::optional<ForceTask> hold_end(const ForceTask& task) { return Holding(task).run(); }
+std::optional<ForceTask> hold_end(const ForceTask& task) { return HeldEndSolver(task).run(); }
 
 }  // namespace coaster::sim

@@ -100,7 +100,7 @@ void insert_on_curve(world::ForceProgram& program, ForceChannel channel, double 
 namespace {
 
 using glm::dvec3;
-using world::ForceChannel, world::ForceOver;
+using world::ForceChannel, world::ForceDomain;
 
 ForceState moved(const ForceState& s, const ForceState& rate, double by) {
   return {s.position + by * rate.position,
@@ -118,7 +118,7 @@ ForceLaw::ForceLaw(const ForceTask& task)
     : task_(task),
       curves_{ForceCurve(task.program, ForceChannel::vertical), ForceCurve(task.program, ForceChannel::lateral),
               ForceCurve(task.program, ForceChannel::roll)},
-      of_curvature_(task.program.of == world::ForceOf::curvature),
+      of_curvature_(task.program.of == world::ForceQuantity::curvature),
       needs_speed_(world::needs_speed(task.program)) {
   for (const ForceChannel channel : {ForceChannel::vertical, ForceChannel::lateral, ForceChannel::roll})
     if (task.added) added_.emplace_back(*task.added, channel);
@@ -149,7 +149,7 @@ std::vector<double> ForceLaw::breaks() const {
 }
 
 double ForceLaw::metres_per_unit(const ForceState& s) const {
-  return task_.program.over == ForceOver::distance ? 1.0 : std::sqrt(std::max(s.square, 1e-6));
+  return task_.program.over == ForceDomain::distance ? 1.0 : std::sqrt(std::max(s.square, 1e-6));
 }
 
 double ForceLaw::along(const ForceState& s) const {
@@ -237,7 +237,7 @@ ForceRates ForceLaw::rates_for(const ForceWanted& wanted, const ForceState& s) c
   ForceRates r;
   r.along = along(s);
   r.spin = base::radians(wanted.roll.value), r.spin_slope = base::radians(wanted.roll.slope);
-  if (task_.program.over == ForceOver::time) {
+  if (task_.program.over == ForceDomain::time) {
     const double speed = std::sqrt(square);
     r.spin /= speed;
     r.spin_slope = (r.spin_slope / speed - r.spin * r.along / speed) / speed;
@@ -293,7 +293,7 @@ void ForceLaw::set_ramp() {
   constexpr double kPerSwing = 0.8;
   constexpr double kMetresPerDegree = 0.4;  // of an angle
   constexpr double kSame = 1e-9;
-  const bool by_time = task_.program.over == ForceOver::time;
+  const bool by_time = task_.program.over == ForceDomain::time;
   const TrackEnd& end = task_.end;
   const ForceState s = start();
   const double square = std::max(s.square, 1e-6), speed = std::sqrt(square);
@@ -343,7 +343,7 @@ class Integration {
     const ForceWanted wanted = law_.wanted(x);
     const ForceRates r = law_.rates_for(wanted, s);
     FeltG felt{wanted.up.value, wanted.side.value};
-    if (task_.program.of == world::ForceOf::curvature) felt = felt_on(s, r, task_.riders);
+    if (task_.program.of == world::ForceQuantity::curvature) felt = felt_on(s, r, task_.riders);
     path.curve.points.push_back({s.length, s.position, s.tangent, r.curvature, s.up, r.spin});
     path.points.push_back({x, s.time, s.square, r.along, felt.up, felt.side, wanted.asked, wanted.added});
   }

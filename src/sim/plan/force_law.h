@@ -41,7 +41,7 @@ void insert_on_curve(world::ForceProgram& program, world::ForceChannel channel, 
 struct ForceTask {
   TrackEnd end;
   world::ForceProgram program;                     // within its limits (world::broken)
-  world::Resistance losses;                        // of that train
+  world::Losses losses;                            // of that train
   double rails = 0, riders = 0;                    // m above the curve
   std::optional<TrackEnd> held = {};               // where it must end
   std::optional<world::Equipment> equipment = {};  // of all of the section

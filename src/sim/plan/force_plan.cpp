@@ -16,7 +16,7 @@
 namespace coaster::sim {
 namespace {
 
-using world::ForceOver;
+using world::ForceDomain;
 
 constexpr double kShortestPlan = 1;  // m
 
@@ -48,7 +48,7 @@ ForcePlan plan_force(const ForceTask& task) {
   std::optional<ForceTask> held;
   if (task.held && !(held = hold_end(task))) {
     plan.refusal = fmt::format("its ends stay, and no {} near those of its keys lead from the one to the other",
-                               task.program.of == world::ForceOf::forces ? "forces" : "curvatures");
+                               task.program.of == world::ForceQuantity::forces ? "forces" : "curvatures");
     return plan;
   }
   const ForceTask& as = held ? *held : task;
@@ -124,14 +124,14 @@ ForceTask force_task(const world::Document& document, const world::SectionRun& r
 
 ForceTask force_task(const world::Document& document, const TrackEnd& end, const world::ForceProgram& program) {
   ForceTask task{end, program, document.resistance, world::rails_height(document), world::riders_height(document)};
-  if (const world::Cart* const cart = document.entities.find<world::Cart>(world::first_cart(document)))
+  if (const world::Train* const cart = document.entities.find<world::Train>(world::first_cart(document)))
     task.losses = resistance_of(document, cart->mass), task.cars = cart->cars, task.spacing = cart->spacing;
   return task;
 }
 
 std::string unmet_text(const ForcePlan& plan) {
   const world::ForceProgram& program = plan.task.program;
-  const bool bends = program.of == world::ForceOf::curvature;
+  const bool bends = program.of == world::ForceQuantity::curvature;
   if (plan.unmet < 0.005 * (bends ? kCurvaturePerG : 1.0)) return {};
   const std::array<double, 3>& added = plan.path.points[plan.point_at(plan.unmet_at)].added;
   const auto channel =
@@ -143,8 +143,9 @@ std::string unmet_text(const ForcePlan& plan) {
 }
 
 std::string judged_text(const world::ForceProgram& program) {
-  return program.of == world::ForceOf::curvature ? fmt::format(" at {} m/s", base::to_text(world::kCurvatureSpeed))
-                                                 : "";
+  return program.of == world::ForceQuantity::curvature
+             ? fmt::format(" at {} m/s", base::to_text(world::kCurvatureSpeed))
+             : "";
 }
 
 std::string missed_text(const ForcePlan& plan) {
@@ -178,13 +179,13 @@ const ForcePlan& ForceCache::plan(const ForceTask& task) {
 
 namespace {
 
-using world::ForceKey, world::ForceOf, world::ForceOver, world::ForceProgram;
+using world::ForceKey, world::ForceQuantity, world::ForceDomain, world::ForceProgram;
 
 double speed_at(const ForcePoint& point) {
   return std::sqrt(std::max(point.square, world::kSlowestForce * world::kSlowestForce));
 }
 bool is_rate(const ForceProgram& program, std::size_t channel) {
-  return program.of == ForceOf::forces && static_cast<world::ForceChannel>(channel) == world::ForceChannel::roll;
+  return program.of == ForceQuantity::forces && static_cast<world::ForceChannel>(channel) == world::ForceChannel::roll;
 }
 
 // Values at the plan's points.
@@ -199,7 +200,7 @@ struct Samples {
   }
 };
 
-Samples samples_of(const ForcePlan& plan, ForceOf of, std::size_t channel) {
+Samples samples_of(const ForcePlan& plan, ForceQuantity of, std::size_t channel) {
   Samples samples;
   double angle = 0;
   for (std::size_t i = 0; i < plan.path.points.size(); ++i) {
@@ -209,10 +210,10 @@ Samples samples_of(const ForcePlan& plan, ForceOf of, std::size_t channel) {
       const ElementPoint& before = plan.path.curve.points[i - 1];
       angle += base::degrees((before.spin + on.spin) / 2 * (on.s - before.s));
     }
-    const double rate = base::degrees(on.spin) * (plan.task.program.over == ForceOver::time ? speed_at(point) : 1.0);
+    const double rate = base::degrees(on.spin) * (plan.task.program.over == ForceDomain::time ? speed_at(point) : 1.0);
     const std::array<double, 3> forces{point.up, point.side, rate},
         bends{glm::dot(on.curvature, on.up), glm::dot(on.curvature, glm::cross(on.up, on.tangent)), angle};
-    samples.at.push_back(point.at), samples.values.push_back((of == ForceOf::forces ? forces : bends)[channel]);
+    samples.at.push_back(point.at), samples.values.push_back((of == ForceQuantity::forces ? forces : bends)[channel]);
   }
   for (std::size_t i = 0; i < samples.at.size(); ++i) {
     const std::size_t low = i == 0 ? 0 : i - 1, high = std::min(i + 1, samples.at.size() - 1);
@@ -262,8 +263,8 @@ void put_keys(const ForcePlan& plan, const Samples& samples, world::ForceChannel
 world::ForceProgram over_other_axis(const ForcePlan& plan) {
   const world::ForceProgram& from = plan.task.program;
   world::ForceProgram to = from;
-  const bool by_time = from.over == ForceOver::distance;
-  to.over = by_time ? ForceOver::time : ForceOver::distance;
+  const bool by_time = from.over == ForceDomain::distance;
+  to.over = by_time ? ForceDomain::time : ForceDomain::distance;
   const ForcePoint& last = plan.path.points.back();
   const auto speed = [&](double at) {
     return between_points(plan, at, [&](std::size_t i) { return speed_at(plan.path.points[i]); });
@@ -291,21 +292,21 @@ ForceProgram of_other_quantity(const ForcePlan& plan) {
   constexpr double kUnits[] = {0.005, 0.005, 0.01};  // g, g, degrees per metre
   constexpr double kAngle = 0.1;                     // degrees
   ForceProgram to = plan.task.program;
-  const bool bends = to.of == ForceOf::forces;
-  to.of = bends ? ForceOf::curvature : ForceOf::forces;
+  const bool bends = to.of == ForceQuantity::forces;
+  to.of = bends ? ForceQuantity::curvature : ForceQuantity::forces;
   to.length = plan.task.length();
   for (std::size_t c = 0; c < to.channels.size(); ++c) {
     const bool roll = c == 2;
     double unit = kUnits[c];
     if (bends) unit = roll ? kAngle : unit * kCurvaturePerG;
-    else if (roll && to.over == ForceOver::time) unit *= plan.task.program.speed;
+    else if (roll && to.over == ForceDomain::time) unit *= plan.task.program.speed;
     std::erase_if(to.channels[c], [&](const ForceKey& key) { return key.at > plan.path.points.back().at; });
     put_keys(plan, samples_of(plan, to.of, c), static_cast<world::ForceChannel>(c), unit, to);
   }
   return to;
 }
 
-std::array<double, 3> curvature_at(const Derived& derived, std::size_t first, double distance) {
+std::array<double, 3> curvature_at(const DerivedTrack& derived, std::size_t first, double distance) {
   const TrackPlace place = place_at(derived, std::min(distance, std::nextafter(derived.length, 0.0)));
   const SegmentShape& shape = derived.shape_at(place.index);
   const double t = shape.arc.parameter(place.s);

@@ -107,6 +107,6 @@ world::ForceProgram of_other_quantity(const ForcePlan& plan);
 
 // Returns by channel, in the units of keys of curvature, what the track has at a distance (m) from its start, which
 // lies on the segment with index `first` or behind it: roll counts from that segment's start.
-std::array<double, 3> curvature_at(const Derived& derived, std::size_t first, double distance);
+std::array<double, 3> curvature_at(const DerivedTrack& derived, std::size_t first, double distance);
 
 }  // namespace coaster::sim

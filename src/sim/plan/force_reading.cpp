@@ -36,9 +36,9 @@ std::vector<double*> unknowns_of(ForceTask& task) {
   return unknowns;
 }
 
-class LeastSquares {
+class KeySolver {
  public:
-  LeastSquares(const ForceTask& task, const ForceGoal& goal) : task_(task), goal_(goal) {
+  KeySolver(const ForceTask& task, const ForceGoal& goal) : task_(task), goal_(goal) {
     with_slopes(task_);
     first_ = values();
     for (std::size_t c = 0; c < 3; ++c)
@@ -193,7 +193,7 @@ void with_slopes(ForceTask& task) {
 }
 
 std::optional<ForceTask> solve_forces(const ForceTask& task, const ForceGoal& goal, double& way_error) {
-  return LeastSquares(task, goal).run(way_error);
+  return KeySolver(task, goal).run(way_error);
 }
 
 ForceTrace trace_force(const ForceTask& task) {
@@ -357,10 +357,10 @@ bool ends_there(const ForcePlan& plan, const ElementPoint& end) {
 
 }  // namespace
 
-ForceReading read_forces(const TrackRun& run, const ForceTask& start) {
-  ForceReading best;
+RunForcePlan read_forces(const TrackRun& run, const ForceTask& start) {
+  RunForcePlan best;
   ForceTask task = start;
-  task.program.over = world::ForceOver::distance, task.program.length = run.length();
+  task.program.over = world::ForceDomain::distance, task.program.length = run.length();
   for (auto& keys : task.program.channels) keys.clear();
   if (const auto wrong = world::broken(task.program)) best.refusal = *wrong;
   const Readings readings = best.refusal.empty() ? readings_of(run, task) : Readings{};

@@ -39,7 +39,7 @@ ForceTrace trace_force(const ForceTask& task);
 
 // A run of segments whose shape is to be kept.
 struct TrackRun {
-  const Derived& derived;
+  const DerivedTrack& derived;
   std::size_t first = 0, count = 0;  // segments
   double length() const { return derived.starts[first + count] - derived.starts[first]; }
   // Returns the point s m from its start. Spin is that of the roll against the rotation-minimising frame.
@@ -48,7 +48,7 @@ struct TrackRun {
 
 inline constexpr double kKeptShape = 0.01;  // m
 
-struct ForceReading {
+struct RunForcePlan {
   ForcePlan plan;       // plan of the keys; it ends where the run does, with its direction, curvature, roll and spin
   double error = 0;     // m, the largest distance of its spans from the run
   double error_at = 0;  // m from its start, position of that error
@@ -58,7 +58,7 @@ struct ForceReading {
 // Returns a program over distance whose plan keeps the run's shape, with few keys. `start` is the start of the run,
 // with the train's speed there and the wanted tolerance (reduced if spans would leave the shape); its keys and length
 // are not used. Takes about a second for 200 m.
-ForceReading read_forces(const TrackRun& run, const ForceTask& start);
+RunForcePlan read_forces(const TrackRun& run, const ForceTask& start);
 
 // Returns the largest distance of spans from the run, each measured at 16 points.
 struct OffRun {

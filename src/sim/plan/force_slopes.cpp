@@ -19,7 +19,7 @@ constexpr double kChange = 1e-6;    // rad, g, degrees; of the square: as a frac
 constexpr std::size_t kInputs = 4;  // vertical, lateral, roll and its slope
 
 // The change of the rates with something: of the turn of the frame in the world, and of the squared speed.
-struct Change {
+struct RateChange {
   dvec3 turn{0};
   double square = 0;
 };
@@ -28,15 +28,15 @@ struct Row {
   dvec3 place{0}, turn{0};
   double square = 0;
 };
-double times(const Row& row, const Change& change) {
+double times(const Row& row, const RateChange& change) {
   return glm::dot(row.turn, change.turn) + row.square * change.square;
 }
 
 struct Sample {
   dvec3 tangent{0};
   double metres = 0, metres_by_square = 0;
-  Change by_x, by_z, by_square;  // by turns about two axes of the world
-  std::array<Change, kInputs> by_input;
+  RateChange by_x, by_z, by_square;  // by turns about two axes of the world
+  std::array<RateChange, kInputs> by_input;
 };
 
 // Per unit of the axis: the turn about tangent, up and left, and the change of the squared speed.
@@ -71,7 +71,7 @@ Sample sample_at(const ForceLaw& law, double x, const ForceState& s) {
   const dvec3 left = glm::cross(s.up, s.tangent);
   const auto change = [&](const Body& less, const Body& more, double by) {
     const dvec3 turn = (more.turn - less.turn) / (2 * by);
-    return Change{turn.x * s.tangent + turn.y * s.up + turn.z * left, (more.square - less.square) / (2 * by)};
+    return RateChange{turn.x * s.tangent + turn.y * s.up + turn.z * left, (more.square - less.square) / (2 * by)};
   };
   const auto by_state = [&](const ForceState& less, const ForceState& more, double by) {
     return change(body_of(law, wanted, less), body_of(law, wanted, more), by);

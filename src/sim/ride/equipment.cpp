@@ -17,17 +17,17 @@ constexpr double kReached = 1e-10;    // m/s from a speed that counts as reached
 constexpr double kBorder = 1e-8;      // m from a border that counts as past it
 constexpr double kNarrow = 0.005;     // m/s, the hysteresis below which a brake holds its lower speed
 
-double car_place(const Rails& rails, const TrainPlace& train, int car) {
+double car_place(const TrackExtent& rails, const TrainPlace& train, int car) {
   return within_lap(train.front - car * train.spacing, rails.length, rails.closed);
 }
 
 bool inside(const EquipmentSpan& span, double at) { return at >= span.from && at < span.to; }
 
 // What a kind does besides what is its own.
-struct Acts {
+struct KindEffects {
   bool stops = false, brakes = false;  // at its end; while a train is too fast
 };
-Acts acts_of(EquipmentKind kind) {
+KindEffects acts_of(EquipmentKind kind) {
   switch (kind) {
     case EquipmentKind::station: return {.stops = true};
     case EquipmentKind::lift:
@@ -148,7 +148,7 @@ Role role_of(const Contact& contact, double speed, bool way_free, const ControlS
 
 }  // namespace
 
-std::vector<EquipmentSpan> equipment_spans(const world::Document& document, const Derived& derived) {
+std::vector<EquipmentSpan> equipment_spans(const world::Document& document, const DerivedTrack& derived) {
   std::vector<EquipmentSpan> spans;
   if (document.entities.pool<world::Equipment>().size() == 0) return spans;
   world::Entity station;  // the section of the previous segment, if that is a station
@@ -164,7 +164,8 @@ std::vector<EquipmentSpan> equipment_spans(const world::Document& document, cons
   return spans;
 }
 
-Contacts contacts_of(std::span<const EquipmentSpan> spans, const Rails& rails, const TrainPlace& train, bool back) {
+Contacts contacts_of(std::span<const EquipmentSpan> spans, const TrackExtent& rails, const TrainPlace& train,
+                     bool back) {
   constexpr double kNever = std::numeric_limits<double>::infinity();
   const double border = back ? -kBorder : kBorder;
   Contacts contacts{{}, kNever, kNever, back};
@@ -189,8 +190,8 @@ Contacts contacts_of(std::span<const EquipmentSpan> spans, const Rails& rails, c
   return contacts;
 }
 
-const Contacts& TrainContacts::update(std::span<const EquipmentSpan> spans, const Rails& rails, const TrainPlace& train,
-                                      double at, bool back) {
+const Contacts& TrainContacts::update(std::span<const EquipmentSpan> spans, const TrackExtent& rails,
+                                      const TrainPlace& train, double at, bool back) {
   const bool past = at > ahead() - 0.5 * kBorder || at < behind() + 0.5 * kBorder;
   if (past || back != contacts_.back) contacts_ = contacts_of(spans, rails, train, back), at_ = at;
   return contacts_;
@@ -227,8 +228,8 @@ void count_down(bool way_free, ControlState& state) {
   else if (state.dwell == 1 && way_free) state.dwell = -1;
 }
 
-std::string deadlock_text(const world::Document& document, const Derived& derived) {
-  const std::size_t trains = document.entities.pool<world::Cart>().size();
+std::string deadlock_text(const world::Document& document, const DerivedTrack& derived) {
+  const std::size_t trains = document.entities.pool<world::Train>().size();
   if (trains < 2 || !derived.closed) return {};
   const std::vector<EquipmentSpan> spans = equipment_spans(document, derived);
   const auto sections = static_cast<std::size_t>(std::count_if(spans.begin(), spans.end(), stops));
@@ -236,7 +237,7 @@ std::string deadlock_text(const world::Document& document, const Derived& derive
   return fmt::format("{} trains need {} block sections, the track has {}", trains, trains + 1, sections);
 }
 
-bool section_free(std::span<const EquipmentSpan> spans, const Rails& rails, const TrainPlace& train,
+bool section_free(std::span<const EquipmentSpan> spans, const TrackExtent& rails, const TrainPlace& train,
                   std::span<const TrainPlace> others) {
   const double front = car_place(rails, train, 0);
   const auto here = std::find_if(spans.begin(), spans.end(), [&](const EquipmentSpan& span) {
@@ -257,7 +258,7 @@ bool section_free(std::span<const EquipmentSpan> spans, const Rails& rails, cons
   return true;
 }
 
-bool collide(const Rails& rails, const TrainPlace& a, const TrainPlace& b) {
+bool collide(const TrackExtent& rails, const TrainPlace& a, const TrainPlace& b) {
   const double clear = 0.5 * (a.length + b.length);
   for (int i = 0; i < a.cars; ++i)
     for (int j = 0; j < b.cars; ++j) {
@@ -268,7 +269,7 @@ bool collide(const Rails& rails, const TrainPlace& a, const TrainPlace& b) {
   return false;
 }
 
-std::optional<std::size_t> first_collision(const Rails& rails, std::span<const TrainPlace> trains,
+std::optional<std::size_t> first_collision(const TrackExtent& rails, std::span<const TrainPlace> trains,
                                            std::span<const char> left_out) {
   constexpr double kMargin = 1e-3;  // m, for rounding
   struct Reach {

@@ -22,7 +22,7 @@ struct EquipmentSpan {
 };
 // Returns the spans in track order. Neighbouring segments of one section that are equal stations form one span, at
 // whose end trains stop once.
-std::vector<EquipmentSpan> equipment_spans(const world::Document& document, const Derived& derived);
+std::vector<EquipmentSpan> equipment_spans(const world::Document& document, const DerivedTrack& derived);
 
 // The data of a train that equipment uses.
 struct TrainPlace {
@@ -32,14 +32,14 @@ struct TrainPlace {
   double length = world::kCarLength;  // m, of a car
 };
 
-// The control state of a train between ticks (members of world::CartMotion).
+// The control state of a train between ticks (members of world::TrainMotion).
 struct ControlState {
   std::int32_t dwell = 0;  // ticks left to wait; -1: dispatched
   bool braking = false;
   friend bool operator==(const ControlState&, const ControlState&) = default;
 };
 
-struct Rails {
+struct TrackExtent {
   double length = 0;  // m
   bool closed = false;
 };
@@ -57,13 +57,14 @@ struct Contacts {
   double behind = 0, ahead = 0;
   bool back = false;  // the train moves backwards
 };
-Contacts contacts_of(std::span<const EquipmentSpan> spans, const Rails& rails, const TrainPlace& train, bool back);
+Contacts contacts_of(std::span<const EquipmentSpan> spans, const TrackExtent& rails, const TrainPlace& train,
+                     bool back);
 
 // The contacts of a moving train, updated when they change. `at` is how far it has moved from any point, m.
 class TrainContacts {
  public:
-  const Contacts& update(std::span<const EquipmentSpan> spans, const Rails& rails, const TrainPlace& train, double at,
-                         bool back);
+  const Contacts& update(std::span<const EquipmentSpan> spans, const TrackExtent& rails, const TrainPlace& train,
+                         double at, bool back);
   // Return where they change next, as `at`.
   double ahead() const { return at_ + contacts_.ahead; }
   double behind() const { return at_ - contacts_.behind; }
@@ -103,19 +104,19 @@ void count_down(bool way_free, ControlState& state);
 
 // True if no other train is between the end of the station or block that `train` is on and the end of the next one;
 // also true if it is on none.
-bool section_free(std::span<const EquipmentSpan> spans, const Rails& rails, const TrainPlace& train,
+bool section_free(std::span<const EquipmentSpan> spans, const TrackExtent& rails, const TrainPlace& train,
                   std::span<const TrainPlace> others);
 
 // Returns a warning if a closed track has no more block sections, one for each station and block, than trains, so that
 // all will wait for ever; empty if it has more, or no blocks, or one train.
-std::string deadlock_text(const world::Document& document, const Derived& derived);
+std::string deadlock_text(const world::Document& document, const DerivedTrack& derived);
 
 // True if two trains overlap: the bodies of any two of their cars.
-bool collide(const Rails& rails, const TrainPlace& a, const TrainPlace& b);
+bool collide(const TrackExtent& rails, const TrainPlace& a, const TrainPlace& b);
 
 // Returns the lowest index of a train that overlaps one with a higher index; nothing if none do. Trains whose entry in
 // `left_out` is not zero do not count. Sorts them along the track: n log n for n trains.
-std::optional<std::size_t> first_collision(const Rails& rails, std::span<const TrainPlace> trains,
+std::optional<std::size_t> first_collision(const TrackExtent& rails, std::span<const TrainPlace> trains,
                                            std::span<const char> left_out);
 
 }  // namespace coaster::sim

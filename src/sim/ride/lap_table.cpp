@@ -94,21 +94,21 @@ double LapTable::phase_at(double along) const {
   return base::bisect({0, period_}, 80, [&](double phase) { return look_up(*this, phase).along < along; }).high;
 }
 
-LapCart lap_cart(const LapTable& table, double phase) {
+LapTrain lap_cart(const LapTable& table, double phase) {
   const LapEntry place = look_up(table, std::clamp(phase, 0.0, table.period()));
   return {phase, place.along, place.speed, 0};
 }
 
-void LapCarts::add(const LapCart& cart) {
+void LapTrains::add(const LapTrain& cart) {
   phase.push_back(cart.phase), along.push_back(cart.along), speed.push_back(cart.speed), laps.push_back(cart.laps);
 }
 
-void advance(const LapTable& table, LapCart& cart) {
+void advance(const LapTable& table, LapTrain& cart) {
   COASTER_CHECK(table.valid(), "the table covers a whole lap");
   advance_block(table, 1, {&cart.phase, &cart.along, &cart.speed, &cart.laps});
 }
 
-void advance(const LapTable& table, LapCarts& carts) {
+void advance(const LapTable& table, LapTrains& carts) {
   COASTER_CHECK(table.valid(), "the table covers a whole lap");
   for (std::size_t i = 0; i < carts.size(); i += kBlock)
     advance_block(table, std::min(kBlock, carts.size() - i),

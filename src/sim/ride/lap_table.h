@@ -39,27 +39,27 @@ class LapTable {
 };
 
 // A train on a table.
-struct LapCart {
+struct LapTrain {
   double phase = 0;  // ticks into the lap, [0, period)
   double along = 0;  // m into the lap
   double speed = 0;  // m/s
   double laps = 0;   // completed laps, a whole number: the distance so far is laps * length + along - start
-  friend bool operator==(const LapCart&, const LapCart&) = default;
+  friend bool operator==(const LapTrain&, const LapTrain&) = default;
 };
 // Returns a train at a phase in [0, period], with no lap completed.
-LapCart lap_cart(const LapTable& table, double phase);
+LapTrain lap_cart(const LapTable& table, double phase);
 
 // Many trains, member by member: 32 bytes per train, so that ten thousand fit into the second-level cache.
-struct LapCarts {
+struct LapTrains {
   std::vector<double> phase, along, speed, laps;
   std::size_t size() const { return phase.size(); }
-  void add(const LapCart& cart);
-  LapCart at(std::size_t i) const { return {phase[i], along[i], speed[i], laps[i]}; }
+  void add(const LapTrain& cart);
+  LapTrain at(std::size_t i) const { return {phase[i], along[i], speed[i], laps[i]}; }
 };
 
 // Advance by one tick; the table must be valid. A train's bits depend only on its own state, not on the number of
 // trains.
-void advance(const LapTable& table, LapCart& cart);
-void advance(const LapTable& table, LapCarts& carts);
+void advance(const LapTable& table, LapTrain& cart);
+void advance(const LapTable& table, LapTrains& carts);
 
 }  // namespace coaster::sim

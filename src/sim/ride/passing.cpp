@@ -7,7 +7,7 @@ namespace coaster::sim {
 namespace {
 
 // Between two moments with speeds v0 and v1, and accelerations a0 and a1, `way` m apart: the cubic of v^2 at `gone` m.
-Passing between(double v0, double a0, double v1, double a1, double way, double gone) {
+PassingState between(double v0, double a0, double v1, double a1, double way, double gone) {
   if (way == 0) return {v1, a1};
   const double u = gone / way, u_left = 1 - u;
   const double square_gained = v1 * v1 - v0 * v0, slope_before = 2 * a0 * way, slope_after = 2 * a1 * way;  // m^2/s^2
@@ -27,7 +27,7 @@ bool runs_backwards(const SimulatedRide& ride) {
   return -least > most;
 }
 
-Passings::Passings(const SimulatedRide& ride) : ride_(ride), backwards_(runs_backwards(ride)) {
+PassingLookup::PassingLookup(const SimulatedRide& ride) : ride_(ride), backwards_(runs_backwards(ride)) {
   furthest_.reserve(ride.samples.size());
   for (const RideSample& sample : ride.samples) {
     const double far = backwards_ ? -sample.travelled : sample.travelled;
@@ -35,7 +35,7 @@ Passings::Passings(const SimulatedRide& ride) : ride_(ride), backwards_(runs_bac
   }
 }
 
-std::optional<Passing> Passings::at(double distance, double back) const {
+std::optional<PassingState> PassingLookup::at(double distance, double back) const {
   const double sign = backwards_ ? -1 : 1;
   double way = sign * (distance + back - ride_.start.front);
   if (ride_.closed && way < 0) way += ride_.track_length;
@@ -44,7 +44,7 @@ std::optional<Passing> Passings::at(double distance, double back) const {
   if (way < 0 || found == furthest_.end()) return std::nullopt;
   const auto i = static_cast<std::size_t>(found - furthest_.begin());
   const RideSample& to = ride_.samples[i];
-  if (i == 0) return Passing{to.speed, to.acceleration};
+  if (i == 0) return PassingState{to.speed, to.acceleration};
   const RideSample& from = ride_.samples[i - 1];
   RideSwitch before{i - 1, from.travelled, from.speed, from.acceleration, from.acceleration},
       after{i, to.travelled, to.speed, to.acceleration, to.acceleration};

@@ -14,9 +14,9 @@ namespace coaster::sim {
 namespace {
 
 // Returns the positions of a moving train's cars, first to last.
-std::vector<TrackPlace> places_of(const world::Document& document, const Derived& derived, world::Entity entity,
-                                  const world::CartMotion& motion) {
-  const world::Cart* const design = document.entities.find<world::Cart>(entity);
+std::vector<TrackPlace> places_of(const world::Document& document, const DerivedTrack& derived, world::Entity entity,
+                                  const world::TrainMotion& motion) {
+  const world::Train* const design = document.entities.find<world::Train>(entity);
   std::vector<TrackPlace> places;
   place_cars(derived, front_place(derived, motion), design ? cars_on(derived, *design) : 1,
              design ? design->spacing : 1.0, places);
@@ -24,10 +24,10 @@ std::vector<TrackPlace> places_of(const world::Document& document, const Derived
 }
 
 // Returns a train's acceleration along the rails, m/s^2, with losses and the last tick's equipment.
-double along_rails(const world::Document& document, const Derived& derived, world::Entity entity,
-                   const world::CartMotion& cart, std::span<const TrackPlace> places) {
-  const world::Cart* const design = document.entities.find<world::Cart>(entity);
-  const world::Resistance resistance = resistance_of(document, design ? design->mass : world::kCarMass);
+double along_rails(const world::Document& document, const DerivedTrack& derived, world::Entity entity,
+                   const world::TrainMotion& cart, std::span<const TrackPlace> places) {
+  const world::Train* const design = document.entities.find<world::Train>(entity);
+  const world::Losses resistance = resistance_of(document, design ? design->mass : world::kCarMass);
   return acceleration_of({derived, places, 0, 0, resistance, 0, cart.drive}, cart.speed);
 }
 
@@ -68,8 +68,8 @@ void take(const Pose& here, Pose& pose) {
 }
 
 // Makes the poses of the cars nearest to the eye exact.
-void refine_nearest(const Derived& derived, const std::vector<TrackPlace>& places, glm::dvec3 eye, std::size_t exact,
-                    std::vector<Pose>& poses) {
+void refine_nearest(const DerivedTrack& derived, const std::vector<TrackPlace>& places, glm::dvec3 eye,
+                    std::size_t exact, std::vector<Pose>& poses) {
   std::vector<double> away(poses.size());  // m^2
   for (std::size_t i = 0; i < poses.size(); ++i) {
     const glm::dvec3 way = poses[i].position - eye;
@@ -84,14 +84,14 @@ void refine_nearest(const Derived& derived, const std::vector<TrackPlace>& place
   }
 }
 
-double mean_height(const world::Document& document, const Derived& derived, world::Entity entity,
-                   const world::CartMotion& cart) {
+double mean_height(const world::Document& document, const DerivedTrack& derived, world::Entity entity,
+                   const world::TrainMotion& cart) {
   const std::vector<TrackPlace> places = places_of(document, derived, entity, cart);
   return TrainContext{derived, places}.height(0.0);
 }
 
-void set_reference(const world::Document& document, const Derived& derived, world::Entity entity,
-                   world::CartMotion& cart) {
+void set_reference(const world::Document& document, const DerivedTrack& derived, world::Entity entity,
+                   world::TrainMotion& cart) {
   cart.reference_energy = energy(document, derived, entity, cart);
   cart.work = 0;
   cart.peak_kinetic = 0.5 * cart.speed * cart.speed;
@@ -100,7 +100,7 @@ void set_reference(const world::Document& document, const Derived& derived, worl
 // The index of each segment in the order of travel. For many trains it is a table.
 class Order {
  public:
-  Order(const Derived& derived, std::size_t trains) : derived_(derived) {
+  Order(const DerivedTrack& derived, std::size_t trains) : derived_(derived) {
     constexpr std::size_t kFew = 4;
     if (trains <= kFew) return;
     for (std::size_t i = 0; i < derived.order.size(); ++i) {
@@ -116,13 +116,13 @@ class Order {
   }
 
  private:
-  const Derived& derived_;
+  const DerivedTrack& derived_;
   std::vector<std::size_t> table_;  // by entity index
 };
 
-world::CartMotion begin(const world::Document& document, const Derived& derived, const Order& order,
-                        world::Entity entity, const world::Cart& design) {
-  world::CartMotion motion;
+world::TrainMotion begin(const world::Document& document, const DerivedTrack& derived, const Order& order,
+                         world::Entity entity, const world::Train& design) {
+  world::TrainMotion motion;
   const auto index = order.of(design.segment);
   COASTER_CHECK(index, "a train starts on a segment of the track");
   settle_on(derived, {*index, design.fraction * derived.shape(design.segment).arc.length()}, motion);
@@ -132,8 +132,8 @@ world::CartMotion begin(const world::Document& document, const Derived& derived,
 }
 
 // Updates a moving train after an edit: the same segment and fraction, else the same distance along the track.
-void follow_edit(const world::Document& document, const Derived& derived, const Order& order, world::Entity entity,
-                 world::CartMotion& cart) {
+void follow_edit(const world::Document& document, const DerivedTrack& derived, const Order& order, world::Entity entity,
+                 world::TrainMotion& cart) {
   if (const auto index = order.of(cart.segment)) {
     const double length = derived.shape(cart.segment).arc.length();
     const bool scales = length != cart.segment_length && cart.segment_length > 0;
@@ -154,7 +154,7 @@ double acceleration_of(TrainContext context, double speed) {
   return context.gravity(0.0) + context.others(speed);
 }
 
-Pose pose(const Derived& derived, TrackPlace place, world::FrameMethod method) {
+Pose pose(const DerivedTrack& derived, TrackPlace place, world::FrameMethod method) {
   const SegmentShape& shape = derived.shape_at(place.index);
   const double length = shape.arc.length(), s = std::fmin(std::fmax(place.s, 0.0), length);
   const TrackFrame at = track_frame(derived, method, place.index, s);
@@ -162,14 +162,14 @@ Pose pose(const Derived& derived, TrackPlace place, world::FrameMethod method) {
   return {rails_at(shape, s) + (place.s - s) * at.frame.forward, at.frame, at.defined};
 }
 
-Pose pose(const Derived& derived, const world::CartMotion& cart, world::FrameMethod method) {
+Pose pose(const DerivedTrack& derived, const world::TrainMotion& cart, world::FrameMethod method) {
   return pose(derived, front_place(derived, cart), method);
 }
 
-std::vector<Pose> car_poses(const world::Document& document, const Derived& derived, world::Entity entity,
-                            const world::CartMotion& motion, world::FrameMethod method) {
+std::vector<Pose> car_poses(const world::Document& document, const DerivedTrack& derived, world::Entity entity,
+                            const world::TrainMotion& motion, world::FrameMethod method) {
   std::vector<Pose> poses;
-  const world::Cart* const design = document.entities.find<world::Cart>(entity);
+  const world::Train* const design = document.entities.find<world::Train>(entity);
   for (const TrackPlace& place : places_of(document, derived, entity, motion)) {
     poses.push_back(pose(derived, place, method));
     poses.back().leads = poses.size() == 1;
@@ -178,8 +178,8 @@ std::vector<Pose> car_poses(const world::Document& document, const Derived& deri
   return poses;
 }
 
-Felt felt(const world::Document& document, const Derived& derived, world::Entity entity, const world::CartMotion& cart,
-          int car) {
+FeltAcceleration felt(const world::Document& document, const DerivedTrack& derived, world::Entity entity,
+                      const world::TrainMotion& cart, int car) {
   const std::vector<TrackPlace> places = places_of(document, derived, entity, cart);
   COASTER_CHECK(car >= 0 && static_cast<std::size_t>(car) < places.size(), "the train has this car");
   const TrackPlace place = places[static_cast<std::size_t>(car)];
@@ -193,8 +193,8 @@ Felt felt(const world::Document& document, const Derived& derived, world::Entity
   return {g.x, g.y, g.z};
 }
 
-Rolling rolling(const world::Document& document, const Derived& derived, world::Entity entity,
-                const world::CartMotion& cart, int car) {
+CarRoll rolling(const world::Document& document, const DerivedTrack& derived, world::Entity entity,
+                const world::TrainMotion& cart, int car) {
   const std::vector<TrackPlace> places = places_of(document, derived, entity, cart);
   COASTER_CHECK(car >= 0 && static_cast<std::size_t>(car) < places.size(), "the train has this car");
   const TrackPlace place = places[static_cast<std::size_t>(car)];
@@ -204,14 +204,14 @@ Rolling rolling(const world::Document& document, const Derived& derived, world::
   return {spin * v, shape.roll.slope(place.s) * v * v + spin * along_rails(document, derived, entity, cart, places)};
 }
 
-std::vector<Pose> shown_cars(const world::Document& document, const Derived& derived, const world::Motion& motion,
+std::vector<Pose> shown_cars(const world::Document& document, const DerivedTrack& derived, const world::Motion& motion,
                              world::FrameMethod method, glm::dvec3 eye, std::size_t exact) {
   std::vector<Pose> poses;
   if (derived.order.empty()) return poses;
   std::vector<TrackPlace> places, train;
   places.reserve(motion.carts.size()), poses.reserve(motion.carts.size());
   for (std::size_t i = 0; i < motion.carts.size(); ++i) {
-    const world::Cart& design = document.entities.get<world::Cart>(motion.carts.entities()[i]);
+    const world::Train& design = document.entities.get<world::Train>(motion.carts.entities()[i]);
     place_cars(derived, front_place(derived, motion.carts.items()[i]), cars_on(derived, design), design.spacing, train);
     for (std::size_t car = 0; car < train.size(); ++car) {
       places.push_back(train[car]);
@@ -227,18 +227,18 @@ std::vector<Pose> shown_cars(const world::Document& document, const Derived& der
   return poses;
 }
 
-TrackPlace front_place(const Derived& derived, const world::CartMotion& cart) {
+TrackPlace front_place(const DerivedTrack& derived, const world::TrainMotion& cart) {
   const std::size_t index = index_of_segment(derived, cart.segment, cart.track_distance);
   COASTER_CHECK(index < derived.order.size(), "a train is on a segment of the track");
   return {index, cart.s};
 }
 
-void halt(world::CartMotion& cart) {
+void halt(world::TrainMotion& cart) {
   cart.work -= 0.5 * cart.speed * cart.speed;
   cart.speed = 0;
 }
 
-void settle_on(const Derived& derived, TrackPlace front, world::CartMotion& cart) {
+void settle_on(const DerivedTrack& derived, TrackPlace front, world::TrainMotion& cart) {
   const SegmentShape& shape = derived.shape_at(front.index);
   cart.segment = derived.order[front.index];
   cart.segment_length = shape.arc.length();
@@ -246,22 +246,22 @@ void settle_on(const Derived& derived, TrackPlace front, world::CartMotion& cart
   cart.track_distance = derived.starts[front.index] + cart.s;
 }
 
-void reset(const world::Document& document, const Derived& derived, world::Motion& motion) {
-  motion.carts.keep_those_of(world::Pool<world::Cart>{});  // empties it and keeps its memory
+void reset(const world::Document& document, const DerivedTrack& derived, world::Motion& motion) {
+  motion.carts.keep_those_of(world::Pool<world::Train>{});  // empties it and keeps its memory
   motion = {.carts = std::move(motion.carts)};
-  const auto& pool = document.entities.pool<world::Cart>();
+  const auto& pool = document.entities.pool<world::Train>();
   const Order order(derived, pool.size());
   for (std::size_t i = 0; i < pool.size(); ++i)
     motion.carts.put(pool.entities()[i], begin(document, derived, order, pool.entities()[i], pool.items()[i]));
 }
 
-void reconcile(const world::Document& document, const Derived& derived, world::Motion& motion) {
-  const auto& designed = document.entities.pool<world::Cart>();
+void reconcile(const world::Document& document, const DerivedTrack& derived, world::Motion& motion) {
+  const auto& designed = document.entities.pool<world::Train>();
   motion.carts.keep_those_of(designed);
   const Order order(derived, designed.size());
   for (std::size_t i = 0; i < designed.size(); ++i) {
     const world::Entity e = designed.entities()[i];
-    world::CartMotion* const cart = motion.carts.find(e);
+    world::TrainMotion* const cart = motion.carts.find(e);
     if (!cart) motion.carts.put(e, begin(document, derived, order, e, designed.items()[i]));
     else if (motion.state == world::RideState::stopped)
       *cart =
@@ -271,23 +271,23 @@ void reconcile(const world::Document& document, const Derived& derived, world::M
   if (motion.carts.size() == 0) motion.state = world::RideState::stopped, motion.failure = {};
 }
 
-void step(const world::Document& document, const Derived& derived, world::IntegratorId integrator, int ticks,
+void step(const world::Document& document, const DerivedTrack& derived, world::IntegratorId integrator, int ticks,
           RideCache& cache, world::Motion& motion) {
   if (motion.state != world::RideState::running || derived.order.empty()) return;
   const Integrator& row = base::row_of(integrator);
   const std::vector<EquipmentSpan> equipment = equipment_spans(document, derived);
   const RideInput input{document, derived, equipment};
   if (row.kind == IntegratorKind::timetable && step_by_timetable(input, ticks, cache, motion)) return;
-  for (world::CartMotion& cart : motion.carts.items()) cart.timetable = {};
+  for (world::TrainMotion& cart : motion.carts.items()) cart.timetable = {};
   if (row.kind != IntegratorKind::vertices)
-    for (world::CartMotion& cart : motion.carts.items()) cart.carry = 0;
+    for (world::TrainMotion& cart : motion.carts.items()) cart.carry = 0;
   const bool stepped = row.kind != IntegratorKind::timetable;
   step_trains(input, stepped ? row : base::row_of(world::IntegratorId{}), ticks, motion);
 }
 
-void seek(const world::Document& document, const Derived& derived, world::Entity entity, double distance,
+void seek(const world::Document& document, const DerivedTrack& derived, world::Entity entity, double distance,
           world::Motion& motion) {
-  world::CartMotion& cart = motion.carts.get(entity);
+  world::TrainMotion& cart = motion.carts.get(entity);
   const double sign = cart.speed < 0 ? -1.0 : 1.0, total = cart.reference_energy + cart.work;
   settle_on(derived, place_at(derived, distance), cart);
   const double kinetic = total - world::kGravity * (mean_height(document, derived, entity, cart) - document.datum);
@@ -297,14 +297,14 @@ void seek(const world::Document& document, const Derived& derived, world::Entity
   set_reference(document, derived, entity, cart);
 }
 
-double energy(const world::Document& document, const Derived& derived, world::Entity entity,
-              const world::CartMotion& cart) {
+double energy(const world::Document& document, const DerivedTrack& derived, world::Entity entity,
+              const world::TrainMotion& cart) {
   return 0.5 * cart.speed * cart.speed +
          world::kGravity * (mean_height(document, derived, entity, cart) - document.datum);
 }
 
-double energy_drift(const world::Document& document, const Derived& derived, world::Entity entity,
-                    const world::CartMotion& cart) {
+double energy_drift(const world::Document& document, const DerivedTrack& derived, world::Entity entity,
+                    const world::TrainMotion& cart) {
   if (!(cart.peak_kinetic > 0)) return 0.0;
   return std::abs(energy(document, derived, entity, cart) - cart.work - cart.reference_energy) / cart.peak_kinetic;
 }

@@ -35,32 +35,32 @@ struct Integrator {
 std::span<const Integrator> integrators();
 
 // Puts every train of the document at its start with the start speed, stopped.
-void reset(const world::Document& document, const Derived& derived, world::Motion& motion);
+void reset(const world::Document& document, const DerivedTrack& derived, world::Motion& motion);
 
 // Updates the motion after edits: adds new trains and removes deleted ones. A train keeps its segment, fraction and
 // speed, with a new reference energy if its segment's length or heights changed; if its segment is gone it keeps its
 // distance along the track.
-void reconcile(const world::Document& document, const Derived& derived, world::Motion& motion);
+void reconcile(const world::Document& document, const DerivedTrack& derived, world::Motion& motion);
 
 // Advances a running ride by whole ticks, split at joints, where the force has a kink. Trains on an open track stop at
 // its ends (speed 0); when all have, the state is ended. Stalls, rollbacks and collisions end the ride at once: the
 // state is failed and motion.failure holds the reason (off_end for a train that ran off an open end). `cache` caches
 // the timetables of the integrator `precomputed`.
-void step(const world::Document& document, const Derived& derived, world::IntegratorId integrator, int ticks,
+void step(const world::Document& document, const DerivedTrack& derived, world::IntegratorId integrator, int ticks,
           RideCache& cache, world::Motion& motion);
 
 // Moves one train to `distance` from the start, with the speed that keeps its energy (0 if it does not reach that
 // height).
-void seek(const world::Document& document, const Derived& derived, world::Entity cart, double distance,
+void seek(const world::Document& document, const DerivedTrack& derived, world::Entity cart, double distance,
           world::Motion& motion);
 
 // Return the energy E = v^2/2 + g (y - datum), J/kg, with y the cars' mean height, and its drift |E - work - reference|
 // / peak kinetic energy (0 if nothing moved). Work includes losses and equipment, so the drift is the integrator's
 // error alone.
-double energy(const world::Document& document, const Derived& derived, world::Entity entity,
-              const world::CartMotion& cart);
-double energy_drift(const world::Document& document, const Derived& derived, world::Entity entity,
-                    const world::CartMotion& cart);
+double energy(const world::Document& document, const DerivedTrack& derived, world::Entity entity,
+              const world::TrainMotion& cart);
+double energy_drift(const world::Document& document, const DerivedTrack& derived, world::Entity entity,
+                    const world::TrainMotion& cart);
 
 // Position on the rails and orientation of a car, by one of the methods of sim/shape/frame_methods.h; where the method
 // is undefined another frame is used and `defined` is false.
@@ -71,30 +71,30 @@ struct Pose {
   double length = world::kCarLength;  // m, of the car
   bool leads = true;                  // the first car of its train
 };
-Pose pose(const Derived& derived, const world::CartMotion& cart, world::FrameMethod method);
+Pose pose(const DerivedTrack& derived, const world::TrainMotion& cart, world::FrameMethod method);
 // Return the pose at a position on the track, and of all cars of a train, first to last.
-Pose pose(const Derived& derived, TrackPlace place, world::FrameMethod method);
-std::vector<Pose> car_poses(const world::Document& document, const Derived& derived, world::Entity cart,
-                            const world::CartMotion& motion, world::FrameMethod method);
+Pose pose(const DerivedTrack& derived, TrackPlace place, world::FrameMethod method);
+std::vector<Pose> car_poses(const world::Document& document, const DerivedTrack& derived, world::Entity cart,
+                            const world::TrainMotion& motion, world::FrameMethod method);
 
 // Felt acceleration in g of riders on the document's heartline, in one car of a train, on the seat's axes: +1 up at
 // rest on level track. Includes losses and equipment of the last tick.
-Felt felt(const world::Document& document, const Derived& derived, world::Entity entity, const world::CartMotion& cart,
-          int car = 0);
+FeltAcceleration felt(const world::Document& document, const DerivedTrack& derived, world::Entity entity,
+                      const world::TrainMotion& cart, int car = 0);
 
 // Roll of a car about the rails against the rotation-minimising frame, positive to the right: spin times speed, and its
 // derivative by time within a segment.
-struct Rolling {
+struct CarRoll {
   double rate = 0;          // rad/s
   double acceleration = 0;  // rad/s^2
 };
-Rolling rolling(const world::Document& document, const Derived& derived, world::Entity entity,
-                const world::CartMotion& cart, int car = 0);
+CarRoll rolling(const world::Document& document, const DerivedTrack& derived, world::Entity entity,
+                const world::TrainMotion& cart, int car = 0);
 
 // Returns the poses of the cars of all trains, each as car_poses() does. Beyond the `exact` cars nearest to the eye and
 // by the frame method `knots`, they are approximate, at a tenth of the cost: at most max |B''| / 8192 m from their
 // place on the curve B, and turned by less than a 32nd of the segment's turn.
-std::vector<Pose> shown_cars(const world::Document& document, const Derived& derived, const world::Motion& motion,
+std::vector<Pose> shown_cars(const world::Document& document, const DerivedTrack& derived, const world::Motion& motion,
                              world::FrameMethod method, glm::dvec3 eye, std::size_t exact);
 
 }  // namespace coaster::sim

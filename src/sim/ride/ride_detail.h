@@ -10,17 +10,17 @@ namespace coaster::sim {
 
 struct RideInput {
   const world::Document& document;
-  const Derived& derived;
+  const DerivedTrack& derived;
   std::span<const EquipmentSpan> equipment;
 };
 
-TrackPlace front_place(const Derived& derived, const world::CartMotion& cart);
+TrackPlace front_place(const DerivedTrack& derived, const world::TrainMotion& cart);
 // Returns a train's acceleration along the rails at x = 0 and this speed.
 double acceleration_of(TrainContext context, double speed);
 // Stops a train at its position; the energy removed counts as work.
-void halt(world::CartMotion& cart);
+void halt(world::TrainMotion& cart);
 // Writes position, length and distance to the motion.
-void settle_on(const Derived& derived, TrackPlace front, world::CartMotion& cart);
+void settle_on(const DerivedTrack& derived, TrackPlace front, world::TrainMotion& cart);
 
 // Advances all trains by whole ticks while the ride is running, by a stepped row or by vertices.
 void step_trains(const RideInput& input, const Integrator& row, int ticks, world::Motion& motion);

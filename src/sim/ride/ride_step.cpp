@@ -69,8 +69,8 @@ struct Control {
 struct TickContext {
   const RideInput& input;
   const Integrator& row;
-  world::Resistance resistance;  // of the current train
-  TrainPlace train;              // its cars
+  world::Losses resistance;  // of the current train
+  TrainPlace train;          // its cars
   Control& control;
 };
 
@@ -88,7 +88,7 @@ TrainState advance(const TickContext& tick, const TrainContext& context, const T
   return {x, v, state.work + 0.5 * (v * v - state.speed * state.speed) + world::kGravity * climb};
 }
 
-double distance_of(const Derived& derived, TrackPlace place) { return derived.starts[place.index] + place.s; }
+double distance_of(const DerivedTrack& derived, TrackPlace place) { return derived.starts[place.index] + place.s; }
 
 // Returns the drive from a moment within a part of a tick on. Updates `control`.
 Drive drive_at(const TickContext& tick, const TrainContext& context, const Contacts& contacts, const TrainState& state,
@@ -105,7 +105,7 @@ Drive drive_at(const TickContext& tick, const TrainContext& context, const Conta
 
 // Moves the cars by x; those that reach the joint at `reached` cross it. Returns false if the first car reaches an open
 // end.
-bool move_cars(const Derived& derived, double x, bool forward, bool at_joint, std::vector<TrackPlace>& places,
+bool move_cars(const DerivedTrack& derived, double x, bool forward, bool at_joint, std::vector<TrackPlace>& places,
                std::int64_t& laps) {
   constexpr double kReached = 1e-12;  // m
   const std::size_t count = derived.order.size();
@@ -142,12 +142,12 @@ bool stays_at_rest(const TrainContext& context, double speed) {
 
 // Advances a train by `dt` in one step across joints. Returns false and changes nothing if that is not possible: at
 // open ends, and where losses stop it.
-bool advance_across(const TickContext& tick, double dt, std::vector<TrackPlace>& places, world::CartMotion& cart) {
-  const Derived& derived = tick.input.derived;
+bool advance_across(const TickContext& tick, double dt, std::vector<TrackPlace>& places, world::TrainMotion& cart) {
+  const DerivedTrack& derived = tick.input.derived;
   const world::Document& document = tick.input.document;
   TrainContext context{derived, places, document.datum, cart.reference_energy, tick.resistance, 0.0, 0.0, true};
   context.direction = direction_of(context, cart.speed);
-  const bool losses = !(tick.resistance == world::Resistance{});
+  const bool losses = !(tick.resistance == world::Losses{});
   if (losses && stays_at_rest(context, cart.speed)) return false;
   const TrainState next = tick.row.advance(context, {0.0, cart.speed, cart.work}, dt);
   if (losses && next.speed * context.direction < 0) return false;
@@ -167,7 +167,7 @@ bool advance_across(const TickContext& tick, double dt, std::vector<TrackPlace>&
 }
 
 // Returns true if a step of a tick may reach equipment.
-bool near_equipment(const TickContext& tick, const Contacts& contacts, const world::CartMotion& cart) {
+bool near_equipment(const TickContext& tick, const Contacts& contacts, const world::TrainMotion& cart) {
   constexpr double kMargin = 1;  // m
   const double reach = std::abs(cart.speed) * world::kTick + kMargin;
   const TrainContacts& next = tick.control.contacts;
@@ -175,9 +175,9 @@ bool near_equipment(const TickContext& tick, const Contacts& contacts, const wor
 }
 
 // Updates the drive of a train in its present state. Returns the equipment that it is on.
-const Contacts& update_drive(const TickContext& tick, const TrainContext& context, const world::CartMotion& cart) {
+const Contacts& update_drive(const TickContext& tick, const TrainContext& context, const world::TrainMotion& cart) {
   Control& control = tick.control;
-  const Rails rails{tick.input.derived.length, tick.input.derived.closed};
+  const TrackExtent rails{tick.input.derived.length, tick.input.derived.closed};
   TrainPlace train = tick.train;
   train.front = distance_of(tick.input.derived, context.cars.front());
   const Contacts& contacts =
@@ -188,10 +188,10 @@ const Contacts& update_drive(const TickContext& tick, const TrainContext& contex
 
 // Advances a train by `dt` in parts that end at joints, where equipment switches and where losses stop it. Returns
 // false at an open end.
-bool advance_stepped(const TickContext& tick, double dt, std::vector<TrackPlace>& places, world::CartMotion& cart) {
-  const Derived& derived = tick.input.derived;
+bool advance_stepped(const TickContext& tick, double dt, std::vector<TrackPlace>& places, world::TrainMotion& cart) {
+  const DerivedTrack& derived = tick.input.derived;
   const world::Document& document = tick.input.document;
-  const bool losses = !(tick.resistance == world::Resistance{});
+  const bool losses = !(tick.resistance == world::Losses{});
   const int most_parts = kMaxJointsPerTick * static_cast<int>(places.size());
   for (int part = 0, switched = 0; dt > 0 && part < most_parts; ++part) {
     TrainContext context{derived, places, document.datum, cart.reference_energy, tick.resistance};
@@ -240,14 +240,14 @@ bool advance_stepped(const TickContext& tick, double dt, std::vector<TrackPlace>
 // The data of a train for integrators without a TrainContext.
 struct TrainLoad {
   int cars = 1;
-  double spacing = 3;            // m
-  world::Resistance resistance;  // for this train's mass
-  double drive = 0;              // m/s^2 by equipment
+  double spacing = 3;        // m
+  world::Losses resistance;  // for this train's mass
+  double drive = 0;          // m/s^2 by equipment
 };
 
 // Returns the speed by the energy, with the first car at height `height` m (of a vertex: not exactly on the curve) and
 // the others behind it on the curve.
-double speed_at(const RideInput& input, const TrainLoad& load, const world::CartMotion& cart, TrackPlace front,
+double speed_at(const RideInput& input, const TrainLoad& load, const world::TrainMotion& cart, TrackPlace front,
                 double height) {
   if (load.cars > 1) {
     std::vector<TrackPlace> places;
@@ -263,8 +263,8 @@ double speed_at(const RideInput& input, const TrainLoad& load, const world::Cart
 // Advances by the paper's conclusion: from vertex to vertex of the polyline, each chord / speed after the last. The
 // speed follows from the energy at the vertex, with the cars' mean height, losses and equipment. A train at rest stays,
 // as in the paper, unless equipment pushes it. The remaining time is kept in cart.carry. Returns false at an open end.
-bool advance_by_vertices(const RideInput& input, const TrainLoad& load, double dt, world::CartMotion& cart) {
-  const Derived& derived = input.derived;
+bool advance_by_vertices(const RideInput& input, const TrainLoad& load, double dt, world::TrainMotion& cart) {
+  const DerivedTrack& derived = input.derived;
   constexpr int kMostVertices = 100'000;  // per tick
   double time = cart.carry + dt;
   const bool forward = cart.speed > 0 || (cart.speed == 0 && load.drive >= 0);
@@ -313,46 +313,46 @@ bool advance_by_vertices(const RideInput& input, const TrainLoad& load, double d
 }
 
 bool way_free(const RideInput& input, std::span<const TrainPlace> trains, std::size_t train) {
-  const Rails rails{input.derived.length, input.derived.closed};
+  const TrackExtent rails{input.derived.length, input.derived.closed};
   return section_free(input.equipment, rails, trains[train], trains.first(train)) &&
          section_free(input.equipment, rails, trains[train], trains.subspan(train + 1));
 }
 
 // Returns whether a train ran off an open end with this speed. One that never moved was pulled out at its start.
-world::FailureKind end_of_track(double arrival, world::CartMotion& cart) {
+world::FailureKind end_of_track(double arrival, world::TrainMotion& cart) {
   cart.furthest = std::max(cart.furthest, cart.travelled);
   return std::abs(arrival) > kStillSpeed || cart.travelled == 0 ? world::FailureKind::off_end
                                                                 : world::FailureKind::none;
 }
 
-bool at_open_end(const Derived& derived, const world::CartMotion& cart) {
+bool at_open_end(const DerivedTrack& derived, const world::TrainMotion& cart) {
   const bool first = cart.segment == derived.order.front(), last = cart.segment == derived.order.back();
   return !derived.closed && cart.speed == 0 && ((first && cart.s <= 0) || (last && cart.s >= cart.segment_length));
 }
 
-struct Train {
+struct TickTrain {
   world::Entity entity;
-  world::CartMotion* motion;
+  world::TrainMotion* motion;
   int cars;
   double spacing, length;
-  world::Resistance resistance;
+  world::Losses resistance;
   std::vector<TrackPlace> places;
   Control control{};
 };
 
-std::vector<Train> trains_of(const RideInput& input, world::Motion& motion) {
-  std::vector<Train> trains;
+std::vector<TickTrain> trains_of(const RideInput& input, world::Motion& motion) {
+  std::vector<TickTrain> trains;
   for (std::size_t i = 0; i < motion.carts.size(); ++i) {
     const world::Entity entity = motion.carts.entities()[i];
-    const world::Cart& design = input.document.entities.get<world::Cart>(entity);
-    Train train{entity,
-                &motion.carts.items()[i],
-                cars_on(input.derived, design),
-                design.spacing,
-                design.body(),
-                resistance_of(input.document, design.mass),
-                {},
-                {}};
+    const world::Train& design = input.document.entities.get<world::Train>(entity);
+    TickTrain train{entity,
+                    &motion.carts.items()[i],
+                    cars_on(input.derived, design),
+                    design.spacing,
+                    design.body(),
+                    resistance_of(input.document, design.mass),
+                    {},
+                    {}};
     train.control.state = {train.motion->dwell, train.motion->braking};
     place_cars(input.derived, front_place(input.derived, *train.motion), train.cars, train.spacing, train.places);
     trains.push_back(std::move(train));
@@ -361,7 +361,7 @@ std::vector<Train> trains_of(const RideInput& input, world::Motion& motion) {
 }
 
 // Returns the acceleration by equipment alone, m/s^2.
-double drive_force(const TickContext& tick, const Train& train) {
+double drive_force(const TickContext& tick, const TickTrain& train) {
   const Drive& drive = tick.control.drive;
   if (!drive.net) return drive.acceleration;
   return drive.acceleration -
@@ -369,9 +369,9 @@ double drive_force(const TickContext& tick, const Train& train) {
 }
 
 // Advances one train by one tick. Returns false if it is at an open end.
-bool advance_train(const TickContext& tick, Train& train) {
-  world::CartMotion& cart = *train.motion;
-  const Derived& derived = tick.input.derived;
+bool advance_train(const TickContext& tick, TickTrain& train) {
+  world::TrainMotion& cart = *train.motion;
+  const DerivedTrack& derived = tick.input.derived;
   Control& control = tick.control;
   count_down(control.way_free, control.state);
   update_drive(tick, {derived, train.places, 0, 0, train.resistance}, cart);
@@ -402,11 +402,11 @@ bool advance_train(const TickContext& tick, Train& train) {
 std::span<const Integrator> integrators() { return kIntegrators; }
 
 void step_trains(const RideInput& input, const Integrator& row, int ticks, world::Motion& motion) {
-  std::vector<Train> trains = trains_of(input, motion);
-  const Rails rails{input.derived.length, input.derived.closed};
+  std::vector<TickTrain> trains = trains_of(input, motion);
+  const TrackExtent rails{input.derived.length, input.derived.closed};
   std::vector<TrainPlace> places(trains.size());
   std::vector<char> left(trains.size());  // 1: at an open end
-  const auto fail = [&](world::FailureKind kind, const Train& train, double speed) {
+  const auto fail = [&](world::FailureKind kind, const TickTrain& train, double speed) {
     motion.failure = {kind, train.entity, train.motion->track_distance, speed};
     if (kind != world::FailureKind::off_end) motion.state = world::RideState::failed;
   };
@@ -414,10 +414,10 @@ void step_trains(const RideInput& input, const Integrator& row, int ticks, world
     for (std::size_t i = 0; i < trains.size(); ++i)
       places[i] = {trains[i].motion->track_distance, trains[i].cars, trains[i].spacing, trains[i].length};
     bool any = false;
-    const Train* waiting = nullptr;  // the first for a block, while all wait
+    const TickTrain* waiting = nullptr;  // the first for a block, while all wait
     bool all_wait = true;
     for (std::size_t i = 0; i < trains.size() && motion.state == world::RideState::running; ++i) {
-      world::CartMotion& cart = *trains[i].motion;
+      world::TrainMotion& cart = *trains[i].motion;
       Control& control = trains[i].control;
       const TickContext tick{input, row, trains[i].resistance, places[i], control};
       const bool waits = control.state.dwell == 1;

@@ -43,7 +43,7 @@ struct Accounts {
 };
 
 void add_tick(std::size_t count, double length, const double* __restrict before_along,
-              const double* __restrict before_laps, const LapCarts& on, Accounts& accounts) {
+              const double* __restrict before_laps, const LapTrains& on, Accounts& accounts) {
   const double *const along = on.along.data(), *const laps = on.laps.data(), *const speed = on.speed.data();
   for (std::size_t i = 0; i < count; ++i) {
     accounts.travelled[i] += (laps[i] - before_laps[i]) * length + (along[i] - before_along[i]);
@@ -54,15 +54,15 @@ void add_tick(std::size_t count, double length, const double* __restrict before_
 
 // Runs all ticks of at most kBlock trains on one table. `on` is kept for its capacity.
 void follow_block(const RideInput& input, const LapTable& table, std::span<const std::size_t> trains, int ticks,
-                  std::vector<world::CartMotion>& carts, LapCarts& on) {
+                  std::vector<world::TrainMotion>& carts, LapTrains& on) {
   const std::size_t count = trains.size();
   const double length = table.length();
   Accounts accounts;
   std::array<double, kBlock> before_along, before_laps, rounds;
   for (std::vector<double>* column : {&on.phase, &on.along, &on.speed, &on.laps}) column->clear();
   for (std::size_t i = 0; i < count; ++i) {
-    const world::CartMotion& cart = carts[trains[i]];
-    const LapCart start = lap_cart(table, cart.timetable.phase);
+    const world::TrainMotion& cart = carts[trains[i]];
+    const LapTrain start = lap_cart(table, cart.timetable.phase);
     on.add(start);
     rounds[i] = std::floor((cart.timetable.front + start.along) / length);
     accounts.travelled[i] = cart.travelled, accounts.furthest[i] = cart.furthest;
@@ -75,7 +75,7 @@ void follow_block(const RideInput& input, const LapTable& table, std::span<const
     add_tick(count, length, before_along.data(), before_laps.data(), on, accounts);
   }
   for (std::size_t i = 0; i < count; ++i) {
-    world::CartMotion& cart = carts[trains[i]];
+    world::TrainMotion& cart = carts[trains[i]];
     const double at = cart.timetable.front + on.along[i];
     cart.travelled = accounts.travelled[i], cart.furthest = accounts.furthest[i];
     cart.peak_kinetic = accounts.peak_kinetic[i];
@@ -87,12 +87,12 @@ void follow_block(const RideInput& input, const LapTable& table, std::span<const
 }
 
 // Returns the start of a train's timetable at its present motion.
-world::TimetablePlace timetable_from(const world::CartMotion& cart) {
+world::TimetablePlace timetable_from(const world::TrainMotion& cart) {
   return {true, cart.track_distance, cart.speed, cart.dwell, cart.braking, 0, 0};
 }
 
 TrainStart start_of(const RideInput& input, world::Entity entity, const world::TimetablePlace& table) {
-  return start_at(input.derived, input.document.entities.get<world::Cart>(entity), table.front, table.speed,
+  return start_at(input.derived, input.document.entities.get<world::Train>(entity), table.front, table.speed,
                   {table.dwell, table.braking});
 }
 
@@ -108,7 +108,7 @@ class LapTables {
     return *tables_.back().second;
   }
   // Returns that of each train, in the order of the items.
-  std::vector<const LapTable*> of(const world::Pool<world::CartMotion>& carts) {
+  std::vector<const LapTable*> of(const world::Pool<world::TrainMotion>& carts) {
     std::vector<const LapTable*> tables(carts.size());
     for (std::size_t i = 0; i < carts.size(); ++i) tables[i] = &of(carts.entities()[i], carts.items()[i].timetable);
     return tables;
@@ -124,17 +124,16 @@ class LapTables {
 // if a train may not complete a lap.
 bool share_timetables(const RideInput& input, RideCache& cache, world::Motion& motion) {
   constexpr double kSame = 1e-8;  // of the energy
-  if (!input.derived.closed || !input.equipment.empty() || input.document.resistance != world::Resistance{})
-    return false;
+  if (!input.derived.closed || !input.equipment.empty() || input.document.resistance != world::Losses{}) return false;
   auto& carts = motion.carts;
   if (std::all_of(carts.items().begin(), carts.items().end(),
-                  [](const world::CartMotion& cart) { return cart.timetable.valid; }))
+                  [](const world::TrainMotion& cart) { return cart.timetable.valid; }))
     return true;
   const double least = energy_of_laps(input);
   std::vector<Family> families;
   std::vector<std::size_t> family_of(carts.size());
   for (std::size_t i = 0; i < carts.size(); ++i) {
-    const world::CartMotion& cart = carts.items()[i];
+    const world::TrainMotion& cart = carts.items()[i];
     const world::Entity entity = carts.entities()[i];
     Family own{{}, entity, {}, energy(input.document, input.derived, entity, cart)};
     own.place = timetable_from(cart);
@@ -149,7 +148,7 @@ bool share_timetables(const RideInput& input, RideCache& cache, world::Motion& m
   }
   LapTables tables(input, cache);
   for (std::size_t i = 0; i < carts.size(); ++i) {
-    world::CartMotion& cart = carts.items()[i];
+    world::TrainMotion& cart = carts.items()[i];
     const Family& family = families[family_of[i]];
     const LapTable& table = tables.of(family.first, family.place);
     if (!table.valid()) return false;
@@ -161,8 +160,8 @@ bool share_timetables(const RideInput& input, RideCache& cache, world::Motion& m
 
 // Runs all ticks of those `trains` (indices of `carts` and of their tables) whose laps repeat.
 void follow_laps(const RideInput& input, std::span<const LapTable* const> table_of, std::span<const std::size_t> trains,
-                 int ticks, std::vector<world::CartMotion>& carts) {
-  LapCarts on;
+                 int ticks, std::vector<world::TrainMotion>& carts) {
+  LapTrains on;
   for (std::size_t from = 0, to = 0; from < trains.size(); from = to) {
     const LapTable& table = *table_of[trains[from]];
     while (to < trains.size() && to - from < kBlock && table_of[trains[to]] == &table) ++to;
@@ -171,7 +170,7 @@ void follow_laps(const RideInput& input, std::span<const LapTable* const> table_
 }
 
 // Applies the next tick's entry. Returns false if the timetable ends the ride.
-bool follow_timetable(const RideInput& input, RideCache& cache, world::Entity entity, world::CartMotion& cart,
+bool follow_timetable(const RideInput& input, RideCache& cache, world::Entity entity, world::TrainMotion& cart,
                       world::FailureKind& failure) {
   const SimulatedRide* simulated = &cache.from(input.document, input.derived, start_of(input, entity, cart.timetable));
   const auto last = static_cast<std::int64_t>(simulated->samples.size()) - 1;
@@ -201,7 +200,7 @@ bool follow_timetable(const RideInput& input, RideCache& cache, world::Entity en
 }
 
 bool begin_timetables(world::Motion& motion) {
-  for (world::CartMotion& cart : motion.carts.items())
+  for (world::TrainMotion& cart : motion.carts.items())
     if (!cart.timetable.valid) cart.timetable = timetable_from(cart);
   return true;
 }
@@ -220,7 +219,7 @@ bool step_by_timetable(const RideInput& input, int ticks, RideCache& cache, worl
   for (; done < ticks && motion.state == world::RideState::running && (done == 0 || !others.empty()); ++done) {
     bool any = !rounds.empty();
     for (const std::size_t i : others) {
-      world::CartMotion& cart = motion.carts.items()[i];
+      world::TrainMotion& cart = motion.carts.items()[i];
       world::FailureKind failure = world::FailureKind::none;
       const double arrival = cart.speed;
       if (motion.state != world::RideState::running ||

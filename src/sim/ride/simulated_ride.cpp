@@ -20,7 +20,7 @@ class SimulatedTrain {
  public:
   // Refers to its arguments.
   SimulatedTrain(const RailTables& tables, std::span<const SegmentTable* const> segments,
-                 std::span<const EquipmentSpan> equipment, const world::Resistance& resistance, const TrainStart& start)
+                 std::span<const EquipmentSpan> equipment, const world::Losses& resistance, const TrainStart& start)
       : equipment_(equipment),
         resistance_(resistance),
         landscape_(tables, segments, start.cars, start.spacing),
@@ -28,7 +28,7 @@ class SimulatedTrain {
         control_(start.control),
         place_{start.front, start.cars, start.spacing, start.length},
         moving_{start.front, start.speed, 0},
-        losses_(!(resistance == world::Resistance{})) {
+        losses_(!(resistance == world::Losses{})) {
     settle();
   }
 
@@ -149,9 +149,9 @@ class SimulatedTrain {
   }
 
   std::span<const EquipmentSpan> equipment_;
-  world::Resistance resistance_;
-  Landscape landscape_;
-  Rails rails_;
+  world::Losses resistance_;
+  MeanSlopeTable landscape_;
+  TrackExtent rails_;
   ControlState control_;
   TrainPlace place_;
   TrainContacts near_;
@@ -170,13 +170,15 @@ std::vector<const SegmentTable*> segments_of(const RailTables& tables) {
   return segments;
 }
 
-Felt force_of(glm::dvec3 g) { return {static_cast<float>(g.x), static_cast<float>(g.y), static_cast<float>(g.z)}; }
+FeltAcceleration force_of(glm::dvec3 g) {
+  return {static_cast<float>(g.x), static_cast<float>(g.y), static_cast<float>(g.z)};
+}
 
-glm::dvec3 seat_vector(const Felt& force) { return {force.forward, force.left, force.up}; }
+glm::dvec3 seat_vector(const FeltAcceleration& force) { return {force.forward, force.left, force.up}; }
 
 // Returns the passage from the end of one segment's entries to the start of the next's, or backwards.
-Passage passage(std::span<const FeltEntry> from, std::span<const FeltEntry> to, bool back, double speed,
-                double acceleration) {
+JointPassage passage(std::span<const FeltEntry> from, std::span<const FeltEntry> to, bool back, double speed,
+                     double acceleration) {
   const FeltEntry &before = back ? from.front() : from.back(), &after = back ? to.back() : to.front();
   const glm::dvec3 along(after.along - before.along), bend(after.bend - before.bend);
   const auto a = static_cast<float>(acceleration / world::kGravity),
@@ -285,7 +287,7 @@ class Simulation {
     const std::size_t count = segments_.size(), entry = simulated.forces.size() / cars_.size() - 1;
     const auto speed = [&](double share) { return std::lerp(then.speed, now.speed, share); };
     const auto acceleration = [&](double share) { return std::lerp(then.acceleration, now.acceleration, share); };
-    const Felt* const felt = &simulated.forces[entry * cars_.size() + static_cast<std::size_t>(car)];
+    const FeltAcceleration* const felt = &simulated.forces[entry * cars_.size() + static_cast<std::size_t>(car)];
     glm::dvec3 missed = -0.5 * time * (seat_vector(felt[0]) + seat_vector(*(felt - cars_.size())));
     double done = 0;  // of the way between the entries
     // Adds the integral of felt g on one segment's part of the way, from `done` on, by Simpson's rule.
@@ -308,7 +310,7 @@ class Simulation {
       const double share = share_to(knot, at, moved);
       simulated.passages.push_back(
           passage(segments_[from]->felt, segments_[next]->felt, back, speed(share), acceleration(share)));
-      Passage& passed = simulated.passages.back();
+      JointPassage& passed = simulated.passages.back();
       passed.knot = knot, passed.car = car, passed.entry = entry;
       passed.time = (static_cast<double>(entry) - 1) * kForceEvery * world::kTick + share * time;
       ride_to(share, from);
@@ -332,7 +334,7 @@ class Simulation {
                      &then = simulated.samples[simulated.samples.size() - 1 - between_];
     const double moved = now.travelled - then.travelled;
     const std::size_t count = segments_.size(), entry = simulated.forces.size() / cars_.size() - 1;
-    TightWay way{then, now, static_cast<double>(between_) * world::kTick};
+    TightBendMotion way{then, now, static_cast<double>(between_) * world::kTick};
     const bool joint = from != to;
     for (double done = 0; moved != 0;) {
       const std::size_t next = (from + (moved < 0 ? count - 1 : 1)) % count;
@@ -344,13 +346,13 @@ class Simulation {
       if (from == to) break;
       from = next;
     }
-    const Felt* const felt = &simulated.forces[entry * cars_.size() + static_cast<std::size_t>(car)];
+    const FeltAcceleration* const felt = &simulated.forces[entry * cars_.size() + static_cast<std::size_t>(car)];
     if (!way.is_needed(seat_vector(*(felt - cars_.size())), seat_vector(felt[0]), joint)) return;
     for (auto it = simulated.passages.rbegin(); it != simulated.passages.rend() && it->car == car && it->entry == entry;
          ++it)
       it->missed = {0, 0, 0};  // the integrals are whole
     simulated.bends.push_back(way.passage());
-    Passage& passed = simulated.bends.back().peak;
+    JointPassage& passed = simulated.bends.back().peak;
     passed.car = car, passed.entry = entry;
     passed.time += (static_cast<double>(entry) - 1) * kForceEvery * world::kTick;
   }
@@ -361,7 +363,7 @@ class Simulation {
   TrainStart start_;
   std::vector<const SegmentTable*> segments_;
   SimulatedTrain train_;
-  Rails rails_;
+  TrackExtent rails_;
   double furthest_ = 0;
   std::int32_t still_ = 0;
   std::size_t between_ = kForceEvery;  // ticks, of the last two entries of the forces
@@ -395,24 +397,25 @@ SimulatedRide simulate(const RailTables& tables, std::span<const EquipmentSpan> 
   return Simulation(tables, equipment, document, start).run(limits, std::move(memory));
 }
 
-TrainStart start_at(const Derived& derived, const world::Cart& design, double front, double speed,
+TrainStart start_at(const DerivedTrack& derived, const world::Train& design, double front, double speed,
                     ControlState control) {
   return {front, speed, cars_on(derived, design), design.spacing, control, design.body(), design.mass};
 }
 
-TrainStart start_of(const world::Document& document, const Derived& derived, const world::Cart& design) {
+TrainStart start_of(const world::Document& document, const DerivedTrack& derived, const world::Train& design) {
   TrainStart start = start_at(derived, design, 0, document.start_speed, {});
   if (const auto index = world::index_of(derived.order, design.segment))
     start.front = derived.starts[*index] + design.fraction * derived.shape(design.segment).arc.length();
   return start;
 }
 
-const RailTables& RideCache::tables(const world::Document& document, const Derived& derived) {
+const RailTables& RideCache::tables(const world::Document& document, const DerivedTrack& derived) {
   tables_.update(derived, world::riders_height(document));
   return tables_;
 }
 
-RideCache::Entry& RideCache::find(const world::Document& document, const Derived& derived, const TrainStart& start) {
+RideCache::Entry& RideCache::find(const world::Document& document, const DerivedTrack& derived,
+                                  const TrainStart& start) {
   tables(document, derived);
   Key key{tables_.serial(), start, document.resistance, document.rollback_fails, equipment_spans(document, derived)};
   ++clock_;
@@ -430,20 +433,21 @@ RideCache::Entry& RideCache::find(const world::Document& document, const Derived
   return entry;
 }
 
-const SimulatedRide* RideCache::ride(const world::Document& document, const Derived& derived, world::Entity cart) {
-  const world::Cart* const design = document.entities.find<world::Cart>(cart);
+const SimulatedRide* RideCache::ride(const world::Document& document, const DerivedTrack& derived, world::Entity cart) {
+  const world::Train* const design = document.entities.find<world::Train>(cart);
   if (!design || derived.order.empty()) return nullptr;
   return &find(document, derived, start_of(document, derived, *design)).simulated;
 }
 
-const SimulatedRide& RideCache::from(const world::Document& document, const Derived& derived, const TrainStart& start) {
+const SimulatedRide& RideCache::from(const world::Document& document, const DerivedTrack& derived,
+                                     const TrainStart& start) {
   return find(document, derived, start).simulated;
 }
 
-const LapTable& RideCache::lap(const world::Document& document, const Derived& derived, const TrainStart& start) {
+const LapTable& RideCache::lap(const world::Document& document, const DerivedTrack& derived, const TrainStart& start) {
   Entry& entry = find(document, derived, start);
   if (!entry.has_lap) {
-    const bool repeats = entry.key.resistance == world::Resistance{} && entry.key.equipment.empty();
+    const bool repeats = entry.key.resistance == world::Losses{} && entry.key.equipment.empty();
     entry.lap = repeats ? LapTable(entry.simulated) : LapTable();
     entry.has_lap = true;
   }
@@ -457,7 +461,7 @@ std::optional<double> completing_speed(world::Document document) {
   if (!cart.valid()) return std::nullopt;
   world::Settings settings;
   settings.evaluation->steps = 1;  // polylines are not needed
-  Derived derived;
+  DerivedTrack derived;
   derive(document, settings, {}, derived);
   RideCache cache;
   const auto enough = [&](int speed) {

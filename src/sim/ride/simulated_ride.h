@@ -43,7 +43,7 @@ struct RideSwitch {
 };
 
 // Felt acceleration in g on the seat's axes, for riders on the heartline.
-struct Felt {
+struct FeltAcceleration {
   float forward = 0, left = 0, up = 1;
 };
 // Ticks between two entries of SimulatedRide::forces: 60 a second. The last one may be nearer to the one before.
@@ -52,18 +52,18 @@ inline constexpr int kForceEvery = 2;
 // A car's passage of a joint: the sudden changes caused by the jumps of curvature and roll there, on the seat's axes.
 // Both follow from the ends of the tables next to the joint: for riders on h(s), the velocity steps by s' (h'(s+) -
 // h'(s-)), felt g by (s'' (h'(s+) - h'(s-)) + s'^2 (h''(s+) - h''(s-))) / g.
-struct Passage {
+struct JointPassage {
   std::size_t knot = 0;  // index in the track
   int car = 0;
-  std::size_t entry = 0;  // the first of the forces after it, per car
-  double time = 0;        // s since the start
-  double speed = 0;       // m/s there
-  Felt impulse{0, 0, 0};  // g s: the step of velocity by g
-  Felt before{0, 0, 0};   // g, felt just before it
-  Felt step{0, 0, 0};     // g
+  std::size_t entry = 0;              // the first of the forces after it, per car
+  double time = 0;                    // s since the start
+  double speed = 0;                   // m/s there
+  FeltAcceleration impulse{0, 0, 0};  // g s: the step of velocity by g
+  FeltAcceleration before{0, 0, 0};   // g, felt just before it
+  FeltAcceleration step{0, 0, 0};     // g
   // g s: the integral of felt g from the entry before to that after it, without impulses, less the mean of both entries
   // over that time: what happens between them. Of several passages between the same entries the last has it.
-  Felt missed{0, 0, 0};
+  FeltAcceleration missed{0, 0, 0};
 };
 
 // A car's way through a tight bend or a reversal (FeltCell) from the entry before to that of `peak`: instead of the two
@@ -71,8 +71,8 @@ struct Passage {
 // near it is. The impulse, 0 unless the sharpest place is passed, is what the bend adds within kSharpSeconds to a
 // straight line between felt g at both ends of that time; it is part of the integrals.
 struct BendPassage {
-  Passage peak;  // of the sharpest place; no knot
-  Felt for_before{0, 0, 0}, for_entry{0, 0, 0};
+  JointPassage peak;  // of the sharpest place; no knot
+  FeltAcceleration for_before{0, 0, 0}, for_entry{0, 0, 0};
 };
 inline constexpr double kSharpSeconds = 0.05;
 
@@ -83,8 +83,8 @@ struct SimulatedRide {
   double heartline = 0;                               // m, of the riders above the rails
   std::vector<RideSample> samples;                    // one per tick of 1/120 s, the first at the start
   std::vector<RideSwitch> switches;                   // in order
-  std::vector<Felt> forces;                           // entry k of car c at [k * cars + c], at sample_of(k)
-  std::vector<Passage> passages;                      // of all cars over all joints, in order
+  std::vector<FeltAcceleration> forces;               // entry k of car c at [k * cars + c], at sample_of(k)
+  std::vector<JointPassage> passages;                 // of all cars over all joints, in order
   std::vector<BendPassage> bends;                     // of all cars, in order
   world::FailureKind end = world::FailureKind::none;  // none: a whole lap, or the time limit was reached
   bool lap = false;                                   // completed a lap
@@ -94,7 +94,7 @@ struct SimulatedRide {
   double seconds() const { return samples.empty() ? 0.0 : static_cast<double>(samples.size() - 1) * world::kTick; }
   // Returns the number of entries of the forces, of each car, and what its riders feel at one.
   std::size_t entries() const { return forces.size() / static_cast<std::size_t>(start.cars); }
-  const Felt& felt(std::size_t entry, int car) const {
+  const FeltAcceleration& felt(std::size_t entry, int car) const {
     return forces[entry * static_cast<std::size_t>(start.cars) + static_cast<std::size_t>(car)];
   }
   // Returns the time of a sample, s since the start.
@@ -128,25 +128,25 @@ SimulatedRide simulate(const RailTables& tables, std::span<const EquipmentSpan> 
                        SimulatedRide memory = {});
 
 // Return the start of a designed train: with its present motion, and at its start position.
-TrainStart start_at(const Derived& derived, const world::Cart& design, double front, double speed,
+TrainStart start_at(const DerivedTrack& derived, const world::Train& design, double front, double speed,
                     ControlState control);
-TrainStart start_of(const world::Document& document, const Derived& derived, const world::Cart& design);
+TrainStart start_of(const world::Document& document, const DerivedTrack& derived, const world::Train& design);
 
 // Caches the tables and the simulated rides of a document's trains, and simulates on demand after changes. A result
 // stays valid until kMostEntries other rides have been requested.
 class RideCache {
  public:
   // Returns the ride of a designed train from its start; null if there is no such train or no track.
-  const SimulatedRide* ride(const world::Document& document, const Derived& derived, world::Entity cart);
+  const SimulatedRide* ride(const world::Document& document, const DerivedTrack& derived, world::Entity cart);
   // Returns a ride from any start: the timetable of a moving train.
-  const SimulatedRide& from(const world::Document& document, const Derived& derived, const TrainStart& start);
+  const SimulatedRide& from(const world::Document& document, const DerivedTrack& derived, const TrainStart& start);
   // Returns the same ride as a table of one lap, valid as long as from()'s result. The table is invalid if laps do not
   // repeat (with losses or equipment) or none is completed.
-  const LapTable& lap(const world::Document& document, const Derived& derived, const TrainStart& start);
+  const LapTable& lap(const world::Document& document, const DerivedTrack& derived, const TrainStart& start);
   // Caches at least as many rides (up to kMostEntries * 16), so that many trains do not evict each other's.
   void keep(std::size_t rides);
   // Returns the tables, up to date.
-  const RailTables& tables(const world::Document& document, const Derived& derived);
+  const RailTables& tables(const world::Document& document, const DerivedTrack& derived);
   // Returns the number of simulations, for tests.
   std::uint64_t simulations() const { return simulations_; }
 
@@ -155,7 +155,7 @@ class RideCache {
   struct Key {
     std::uint64_t tables = 0;  // their serial
     TrainStart start;
-    world::Resistance resistance;
+    world::Losses resistance;
     bool rollback_fails = false;
     std::vector<EquipmentSpan> equipment;
     friend bool operator==(const Key&, const Key&) = default;
@@ -167,7 +167,7 @@ class RideCache {
     bool has_lap = false;  // `lap` is up to date with the simulated ride
     LapTable lap;
   };
-  Entry& find(const world::Document& document, const Derived& derived, const TrainStart& start);
+  Entry& find(const world::Document& document, const DerivedTrack& derived, const TrainStart& start);
 
   RailTables tables_;
   std::deque<Entry> entries_;  // at most most_; the least recently used is evicted
@@ -176,7 +176,7 @@ class RideCache {
   std::size_t most_ = kMostEntries;
 };
 
-struct Passing {
+struct PassingState {
   double speed = 0, along = 0;  // m/s, negative backwards; m/s^2 along the track
 };
 
@@ -184,13 +184,13 @@ struct Passing {
 bool runs_backwards(const SimulatedRide& ride);
 
 // Looks up many positions of one ride. Valid as long as the simulated ride.
-class Passings {
+class PassingLookup {
  public:
-  explicit Passings(const SimulatedRide& ride);
+  explicit PassingLookup(const SimulatedRide& ride);
   // Returns the state when the point `back` m behind the first car first passes `distance` m from the track's start;
   // nothing if it does not. v^2 between two samples, or a sample and an instant where equipment switches, is the cubic
   // of the way with their speeds and accelerations: within 2e-6 m/s of the energy's.
-  std::optional<Passing> at(double distance, double back = 0) const;
+  std::optional<PassingState> at(double distance, double back = 0) const;
 
  private:
   const SimulatedRide& ride_;
@@ -199,8 +199,8 @@ class Passings {
 };
 
 // Returns the state at the first car's first pass; nothing if the ride does not reach the position.
-inline std::optional<Passing> passing(const SimulatedRide& ride, double distance) {
-  return Passings(ride).at(distance);
+inline std::optional<PassingState> passing(const SimulatedRide& ride, double distance) {
+  return PassingLookup(ride).at(distance);
 }
 
 // Returns a start speed (m/s) with which the first train completes its lap, or reaches the end of an open track: the

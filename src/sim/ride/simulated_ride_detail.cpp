@@ -7,7 +7,8 @@
 
 namespace coaster::sim {
 
-Landscape::Landscape(const RailTables& tables, std::span<const SegmentTable* const> segments, int cars, double spacing)
+MeanSlopeTable::MeanSlopeTable(const RailTables& tables, std::span<const SegmentTable* const> segments, int cars,
+                               double spacing)
     : tables_(tables), segments_(segments), closed_(tables.closed()), length_(tables.length()) {
   const auto cells = static_cast<std::size_t>(std::max(4.0, std::ceil(length_ / tables.largest_step())));
   step_ = length_ / static_cast<double>(cells), per_metre_ = 1.0 / step_;
@@ -19,7 +20,7 @@ Landscape::Landscape(const RailTables& tables, std::span<const SegmentTable* con
   blocks_.resize((cells + kBlock - 1) / kBlock), last_ = static_cast<std::int64_t>(cells) - 1;
 }
 
-void Landscape::fill(std::size_t block) {
+void MeanSlopeTable::fill(std::size_t block) {
   const std::size_t from = block * kBlock, count = std::min(kBlock, static_cast<std::size_t>(last_) + 1 - from);
   std::array<RailPoint, kBlock + 1> sums;
   sums.fill(RailPoint{0, 0});
@@ -34,12 +35,12 @@ void Landscape::fill(std::size_t block) {
   }
 }
 
-bool Landscape::is_past(const Car& car, std::size_t k, std::size_t point) const {
+bool MeanSlopeTable::is_past(const Car& car, std::size_t k, std::size_t point) const {
   const bool more = closed_ ? k < 2 * segments_.size() : car.first + k + 1 < segments_.size();
   return more && step_ * static_cast<double>(point) + car.offsets[k] > length_of(segment(car, k));
 }
 
-void Landscape::add_car(Car& car, std::size_t point, std::span<RailPoint> sums) const {
+void MeanSlopeTable::add_car(Car& car, std::size_t point, std::span<RailPoint> sums) const {
   std::vector<double>& offsets = car.offsets;
   const auto go_on = [&](std::size_t at) {
     while (is_past(car, offsets.size() - 1, at))
@@ -62,7 +63,9 @@ namespace {
 
 using glm::dvec3;
 
-Felt force_from(dvec3 g) { return {static_cast<float>(g.x), static_cast<float>(g.y), static_cast<float>(g.z)}; }
+FeltAcceleration force_from(dvec3 g) {
+  return {static_cast<float>(g.x), static_cast<float>(g.y), static_cast<float>(g.z)};
+}
 
 // A piece of the rails in or between cells, or half of one around a Gauss node.
 struct FeltPiece {
@@ -105,11 +108,11 @@ bool for_pieces(const SegmentTable& table, double low, double high, const Visit&
 
 }  // namespace
 
-TightWay::Moment TightWay::at(double share) const {
+TightBendMotion::Moment TightBendMotion::at(double share) const {
   return {std::lerp(then_.speed, now_.speed, share), std::lerp(then_.acceleration, now_.acceleration, share)};
 }
 
-void TightWay::add(const SegmentTable& table, double s0, double s1, double u0, double u1) {
+void TightBendMotion::add(const SegmentTable& table, double s0, double s1, double u0, double u1) {
   if (s0 == s1) return;
   const double per_metre = (u1 - u0) / (s1 - s0), low = std::min(s0, s1), high = std::max(s0, s1);
   const auto share_of = [&](double s) { return u0 + per_metre * (s - s0); };
@@ -124,7 +127,7 @@ void TightWay::add(const SegmentTable& table, double s0, double s1, double u0, d
     if (tight && peak >= low && peak < high) take_peak(table, peak, share_of(peak));
 }
 
-void TightWay::take_peak(const SegmentTable& table, double peak, double share) {
+void TightBendMotion::take_peak(const SegmentTable& table, double peak, double share) {
   const Moment moment = at(share);
   const double speed = std::abs(moment.speed), reach = 0.5 * kSharpSeconds * speed;
   const double low = std::max(0.0, peak - reach),
@@ -141,7 +144,7 @@ void TightWay::take_peak(const SegmentTable& table, double peak, double share) {
   if (glm::length(sum) > glm::length(impulse_)) impulse_ = sum, peak_share_ = share;
 }
 
-bool TightWay::is_needed(const dvec3& before, const dvec3& after, bool joint) const {
+bool TightBendMotion::is_needed(const dvec3& before, const dvec3& after, bool joint) const {
   constexpr double kNoise = 1e-4;  // g s: 1.2 mg low-passed
   const dvec3 missed_before = before_ - seconds_ * (before / 3.0 + after / 6.0),
               missed_after = after_ - seconds_ * (before / 6.0 + after / 3.0);
@@ -149,7 +152,7 @@ bool TightWay::is_needed(const dvec3& before, const dvec3& after, bool joint) co
          (joint || glm::length(missed_before) + glm::length(missed_after) > kNoise || glm::length(impulse_) > kNoise);
 }
 
-BendPassage TightWay::passage() const {
+BendPassage TightBendMotion::passage() const {
   return {{.time = seconds_ * peak_share_, .speed = at(peak_share_).speed, .impulse = force_from(impulse_)},
           force_from(before_),
           force_from(after_)};

@@ -15,9 +15,9 @@ namespace coaster::sim {
 // The train's mean slope as a function of its first car's position, on a uniform grid. Within a cell the slope is the
 // derivative of a cubic Hermite height, so that the ride's gains and losses of energy add up to the heights. Cells are
 // computed in blocks when first needed: a ride on a very long track reaches few of them. Refers to its arguments.
-class Landscape {
+class MeanSlopeTable {
  public:
-  Landscape(const RailTables& tables, std::span<const SegmentTable* const> segments, int cars, double spacing);
+  MeanSlopeTable(const RailTables& tables, std::span<const SegmentTable* const> segments, int cars, double spacing);
 
   // On a closed track `at` may be up to one lap outside.
   double slope(double at) {
@@ -77,7 +77,7 @@ inline Float4 felt_lanes(const FeltEntry& entry, Float4 a, Float4 v2) {
 }
 
 // Returns felt_at(), bit for bit, in less time: a lap with 8 cars takes 75,000 of them.
-inline Felt force_at(const SegmentTable& table, double s, Float4 a, Float4 v2) {
+inline FeltAcceleration force_at(const SegmentTable& table, double s, Float4 a, Float4 v2) {
   Float4 felt;
   if (table.step > 0) {
     const auto last = static_cast<std::int64_t>(table.felt.size()) - 1;
@@ -92,10 +92,11 @@ inline Felt force_at(const SegmentTable& table, double s, Float4 a, Float4 v2) {
   return {felt[0], felt[1], felt[2]};
 }
 
-class TightWay {
+class TightBendMotion {
  public:
   // Speed and acceleration of the train change linearly from `then` to `now`.
-  TightWay(const RideSample& then, const RideSample& now, double seconds) : then_(then), now_(now), seconds_(seconds) {}
+  TightBendMotion(const RideSample& then, const RideSample& now, double seconds)
+      : then_(then), now_(now), seconds_(seconds) {}
 
   // Adds the part of the way within one segment, from s0 to s1 m along it: shares u0 to u1 of the time.
   void add(const SegmentTable& table, double s0, double s1, double u0, double u1);

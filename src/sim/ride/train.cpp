@@ -6,7 +6,7 @@
 namespace coaster::sim {
 namespace {
 
-double length_of(const Derived& derived, std::size_t index) { return derived.shape_at(index).arc.length(); }
+double length_of(const DerivedTrack& derived, std::size_t index) { return derived.shape_at(index).arc.length(); }
 
 double sum_over_cars(const TrainContext& train, double x, double RailPoint::*value) {
   double sum = 0;
@@ -29,19 +29,19 @@ RailPoint rail_point(const SegmentShape& shape, double s) {
   return {height, slope};
 }
 
-int cars_on(const Derived& derived, const world::Cart& design) {
+int cars_on(const DerivedTrack& derived, const world::Train& design) {
   if (!derived.closed) return design.cars;
   const double room = derived.length / design.spacing;
   return std::clamp(static_cast<int>(std::min(room, 1e6)), 1, static_cast<int>(design.cars));
 }
 
-world::Resistance resistance_of(const world::Document& document, double car_mass) {
-  world::Resistance felt = document.resistance;
+world::Losses resistance_of(const world::Document& document, double car_mass) {
+  world::Losses felt = document.resistance;
   if (car_mass != world::kCarMass) felt.drag = static_cast<float>(felt.drag * world::kCarMass / car_mass);
   return felt;
 }
 
-TrackPlace behind(const Derived& derived, TrackPlace place, double back) {
+TrackPlace behind(const DerivedTrack& derived, TrackPlace place, double back) {
   const std::size_t count = derived.order.size();
   place.s -= back;
   // A track of only zero-length segments has no point farther back.
@@ -61,7 +61,8 @@ TrackPlace behind(const Derived& derived, TrackPlace place, double back) {
   return {place.index, 0.0};
 }
 
-void place_cars(const Derived& derived, TrackPlace front, int cars, double spacing, std::vector<TrackPlace>& places) {
+void place_cars(const DerivedTrack& derived, TrackPlace front, int cars, double spacing,
+                std::vector<TrackPlace>& places) {
   places.resize(static_cast<std::size_t>(cars));
   places[0] = front;
   for (std::size_t i = 1; i < places.size(); ++i) places[i] = behind(derived, places[i - 1], spacing);

@@ -17,14 +17,14 @@ inline constexpr double kStillSpeed = 0.01;  // m/s, slower is at rest
 inline constexpr int kStillTicks = 2 * world::kTicksPerSecond;  // at rest, not held, until a train is stalled
 
 // Returns the deceleration by friction and drag, m/s^2.
-inline double loss(const world::Resistance& resistance, double speed) {
+inline double loss(const world::Losses& resistance, double speed) {
   return world::kGravity * resistance.rolling + resistance.drag * speed * speed;
 }
 
 // Returns the sign of the motion that losses oppose. At rest friction opposes pull(), the acceleration by gravity and
 // equipment, up to its limit.
 template <class Pull>
-double direction_of(double speed, const world::Resistance& resistance, const Pull& pull) {
+double direction_of(double speed, const world::Losses& resistance, const Pull& pull) {
   if (speed != 0) return speed > 0 ? 1.0 : -1.0;
   const double acceleration = pull();
   if (std::abs(acceleration) <= world::kGravity * resistance.rolling) return 0.0;
@@ -46,17 +46,18 @@ RailPoint rail_point(const SegmentShape& shape, double s);
 
 // Returns how many of a designed train's cars fit on the track: all, but on a closed track no more than its length
 // allows.
-int cars_on(const Derived& derived, const world::Cart& design);
+int cars_on(const DerivedTrack& derived, const world::Train& design);
 
 // Returns the position `back` metres behind another (negative: ahead), across any number of joints.
-TrackPlace behind(const Derived& derived, TrackPlace place, double back);
+TrackPlace behind(const DerivedTrack& derived, TrackPlace place, double back);
 
 // Returns a document's losses for one train: drag per kilogram is proportional to 1 / mass.
-world::Resistance resistance_of(const world::Document& document, double car_mass);
+world::Losses resistance_of(const world::Document& document, double car_mass);
 
 // Writes the positions of the middles of a train's cars, first to last, from that of its first car. Cars beyond the end
 // of an open track have s outside [0, length] of its first or last segment.
-void place_cars(const Derived& derived, TrackPlace front, int cars, double spacing, std::vector<TrackPlace>& places);
+void place_cars(const DerivedTrack& derived, TrackPlace front, int cars, double spacing,
+                std::vector<TrackPlace>& places);
 
 // The state of a train during a part of a tick in which no car crosses a joint. x is the distance moved since the part
 // began, m.
@@ -103,11 +104,11 @@ double time_of(const TrainState& state, double dt, const Advance& advance, const
 }
 
 struct TrainContext {
-  const Derived& derived;
+  const DerivedTrack& derived;
   std::span<const TrackPlace> cars;  // at x = 0
   double datum = 0;                  // m
   double reference_energy = 0;       // J/kg, including the work so far
-  world::Resistance resistance;
+  world::Losses resistance;
   double direction = 0;  // sign of the motion that losses oppose: +1, -1, or 0 at rest
   double drive = 0;      // m/s^2 by equipment, constant during a tick
   bool across = false;   // x may cross joints; else the rails continue straight there

@@ -61,14 +61,14 @@ void work_on(const world::Evaluation& evaluation, const Clock& clock, Polyline& 
 
 // True if every segment must be compared or rebuilt.
 bool all_anew(const world::Document& document, const world::Evaluation& evaluation, bool moved,
-              const Derived& derived) {
+              const DerivedTrack& derived) {
   return moved || derived.made.knots.size() != document.track.knots.size() ||
          !(derived.made.evaluation == evaluation) || derived.made.rails != world::rails_height(document);
 }
 
 // Calls visit(i) for each knot that differs from made.knots[i], and copies it there. If the pool has the knots in the
 // track's order, as after loading, skips blocks that are equal bit by bit.
-void take_knots(const world::Document& document, Derived& derived, const auto& visit) {
+void take_knots(const world::Document& document, DerivedTrack& derived, const auto& visit) {
   constexpr std::size_t kBlock = 64;
   const auto& pool = document.entities.pool<world::Knot>();
   const std::vector<world::Entity>& order = document.track.knots;
@@ -90,8 +90,8 @@ void take_knots(const world::Document& document, Derived& derived, const auto& v
 }
 
 // Records the inputs of the segments. Returns the indices of those whose inputs changed, ascending.
-std::vector<std::size_t> take_changes(const world::Document& document, bool all, Derived& derived) {
-  Derived::Made& made = derived.made;
+std::vector<std::size_t> take_changes(const world::Document& document, bool all, DerivedTrack& derived) {
+  DerivedTrack::Made& made = derived.made;
   const std::size_t count = derived.order.size();
   std::vector<std::size_t> changed;
   take_knots(document, derived, [&](std::size_t i) {
@@ -126,7 +126,7 @@ std::vector<std::size_t> take_changes(const world::Document& document, bool all,
 
 // Returns the work to be done; the shapes stay at their addresses.
 std::vector<Job> jobs_of(const world::Document& document, std::span<const std::size_t> changed,
-                         const world::Evaluation& evaluation, Derived& derived) {
+                         const world::Evaluation& evaluation, DerivedTrack& derived) {
   const bool on_processor = base::row_of(evaluation.evaluator).evaluated_by == curve::EvaluatedBy::processor;
   const PolylineKey polyline{evaluation.evaluator, evaluation.steps};
   std::vector<Job> jobs;
@@ -147,9 +147,9 @@ std::vector<Job> jobs_of(const world::Document& document, std::span<const std::s
 }
 
 // Numbers the rebuilds and sums over the segments in the track's order, independent of the order of the work.
-void gather(std::span<const Job> jobs, Derived& derived) {
+void gather(std::span<const Job> jobs, DerivedTrack& derived) {
   const std::size_t count = derived.order.size();
-  Derived::Made& made = derived.made;
+  DerivedTrack::Made& made = derived.made;
   for (auto* const column : {&made.lengths, &made.twists, &made.measured_lengths, &made.deviations})
     column->resize(count);
   for (const Job& job : jobs) {
@@ -181,7 +181,7 @@ void gather(std::span<const Job> jobs, Derived& derived) {
 }
 
 // Refits the tree to new cubics. Rebuilds it if segments were added, removed or reordered, or most of them moved.
-void update_tree(bool reordered, std::span<const Job> reshaped, Derived& derived) {
+void update_tree(bool reordered, std::span<const Job> reshaped, DerivedTrack& derived) {
   if (!reordered && reshaped.empty()) return;
   if (reordered || reshaped.size() > derived.order.size() / 2) {
     std::vector<curve::Cubic> cubics;
@@ -204,13 +204,13 @@ void evaluate_polyline(const SegmentShape& shape, Polyline& polyline) {
   base::row_of(shape.polyline_key.evaluator).polyline(shape.curve, polyline.points, polyline.tangents);
 }
 
-std::optional<std::span<const ShapeChange>> Derived::changes_since(std::uint64_t build) const {
+std::optional<std::span<const ShapeChange>> DerivedTrack::changes_since(std::uint64_t build) const {
   if (build < made.known_since || build > last_build) return std::nullopt;
   const auto first = std::ranges::upper_bound(made.changes, build, {}, &ShapeChange::build);
   return std::span(made.changes).subspan(static_cast<std::size_t>(first - made.changes.begin()));
 }
 
-void derive(const world::Document& document, const world::Settings& settings, const Clock& clock, Derived& derived,
+void derive(const world::Document& document, const world::Settings& settings, const Clock& clock, DerivedTrack& derived,
             unsigned workers) {
   const world::Evaluation& evaluation = *settings.evaluation;
   const bool reordered = !base::same_bits(derived.order, document.track.segments);
@@ -250,10 +250,10 @@ Roll roll_of(const world::Document& document, world::Entity segment) {
   return shape.roll;
 }
 
-Derived shapes_of(const world::Document& document) {
+DerivedTrack shapes_of(const world::Document& document) {
   world::Settings settings;
   settings.evaluation->steps = 1;
-  Derived derived;
+  DerivedTrack derived;
   derive(document, settings, {}, derived);
   return derived;
 }
@@ -317,7 +317,7 @@ void build_frames(SegmentShape& shape) {
   }
 }
 
-TrackPlace place_at(const Derived& derived, double distance) {
+TrackPlace place_at(const DerivedTrack& derived, double distance) {
   COASTER_CHECK(!derived.order.empty(), "a place needs a segment");
   distance = within_lap(distance, derived.length, derived.closed);
   if (derived.closed && distance >= derived.length) distance = 0;
@@ -330,7 +330,7 @@ TrackPlace place_at(const Derived& derived, double distance) {
 
 bool has_cusp(const SegmentShape& shape) { return shape.tight != 0 && curve::cusps(shape.key.cubic).count > 0; }
 
-bool has_cusp(const Derived& derived) {
+bool has_cusp(const DerivedTrack& derived) {
   return std::ranges::any_of(derived.order, [&](world::Entity e) { return has_cusp(derived.shape(e)); });
 }
 

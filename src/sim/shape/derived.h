@@ -85,7 +85,7 @@ struct ShapeChange {
   std::size_t index = 0;
 };
 
-struct Derived {
+struct DerivedTrack {
   world::Pool<SegmentShape> segments;  // by segment entity of the document
   std::vector<world::Entity> order;    // in the order of document.track.segments
   std::vector<double> starts;  // m, distance of segment i's start along the track; size order.size()+1, back() = length
@@ -134,11 +134,11 @@ using Clock = std::function<double()>;
 
 // Updates `derived`. Costs one comparison per knot and segment, and a rebuild for each segment that changed. The result
 // has the same bits with any number of `workers`, which are threads.
-void derive(const world::Document& document, const world::Settings& settings, const Clock& clock, Derived& derived,
+void derive(const world::Document& document, const world::Settings& settings, const Clock& clock, DerivedTrack& derived,
             unsigned workers = base::cores());
 
 // Returns curves and frames only, without polylines.
-Derived shapes_of(const world::Document& document);
+DerivedTrack shapes_of(const world::Document& document);
 
 // Returns `distance` (m) minus whole laps of `length` on a closed track, in [0, length] (rounding can reach the end).
 inline double within_lap(double distance, double length, bool closed) {
@@ -151,7 +151,7 @@ struct TrackPlace {
 };
 // Returns the position by distance from the track's start; wraps on a closed track, clamps on an open one. Needs a
 // segment.
-TrackPlace place_at(const Derived& derived, double distance);
+TrackPlace place_at(const DerivedTrack& derived, double distance);
 
 // A point of the rails, as integrators use it.
 struct RailPoint {
@@ -162,7 +162,7 @@ struct RailPoint {
 // True if a segment has a cusp or turns back on itself inside. There the frame makes a half turn about `up`, so that no
 // rotation-minimising frame leads from knot to knot, and roll.twist is no twist.
 bool has_cusp(const SegmentShape& shape);
-bool has_cusp(const Derived& derived);  // in any segment
+bool has_cusp(const DerivedTrack& derived);  // in any segment
 
 // Returns the frame at arc length s of a segment (rotation-minimising from the first knot's up to curve::kFrameBound,
 // turned by the roll); forward is exactly the unit tangent.

@@ -9,7 +9,7 @@
 
 namespace coaster::sim {
 
-Detail detail_of(const Derived& derived) {
+Detail detail_of(const DerivedTrack& derived) {
   Detail detail;
   detail.parts = derived.length <= kMaxDetailedLength;
   const std::size_t segments = derived.order.size();
@@ -37,13 +37,13 @@ constexpr float kEyeOff = 14;   // m, how far the eye is from the nearest step a
 
 }  // namespace
 
-void NearTrack::look_from(const Surroundings& around) {
+void NearSegments::look_from(const Surroundings& around) {
   const Surroundings stepped{kEyeStep * glm::round(around.eye / kEyeStep), around.reach};
   stale_ = stale_ || !(stepped == around_);
   around_ = stepped;
 }
 
-void NearTrack::update(const Derived& derived) {
+void NearSegments::update(const DerivedTrack& derived) {
   if (!std::exchange(stale_, false) && build_ == derived.last_build) return;
   build_ = derived.last_build;
   everywhere_ = derived.order.size() <= kMostFitted && derived.length <= kMaxNearLength && detail_of(derived).parts;
@@ -55,7 +55,7 @@ void NearTrack::update(const Derived& derived) {
 }
 
 // Returns false if more is within reach than may be near.
-bool NearTrack::gather(const Derived& derived, float reach) {
+bool NearSegments::gather(const DerivedTrack& derived, float reach) {
   const float most = reach + kEyeOff;
   const curve::Box box{around_.eye - most, around_.eye + most};
   double length = 0;
@@ -69,7 +69,7 @@ bool NearTrack::gather(const Derived& derived, float reach) {
   });
 }
 
-Detail NearTrack::detail(Detail detail) const {
+Detail NearSegments::detail(Detail detail) const {
   if (everywhere_ || indices_.empty()) return detail;
   detail.parts = true;
   detail.most_rings = std::max(detail.most_rings, kNearRings);

@@ -24,7 +24,7 @@ struct Detail {
   double table_step = kTableStep;  // m
   friend bool operator==(const Detail&, const Detail&) = default;
 };
-Detail detail_of(const Derived& derived);
+Detail detail_of(const DerivedTrack& derived);
 
 // Returns what is coarse, for a notice; empty if nothing is.
 std::string detail_text(const Detail& detail);
@@ -44,13 +44,13 @@ struct Surroundings {
 
 // Which segments of a very long track are near the eye: they alone have ties, equipment and supports. A track that is
 // not very long has them everywhere.
-class NearTrack {
+class NearSegments {
  public:
   void look_from(const Surroundings& around);
   // Finds what is within reach of an eye that moves in steps of 16 m: the reach is shortened by quarters until that is
   // at most kMaxNearLength of track. Costs a comparison if neither track nor eye changed, else some time for each near
   // segment, none for the others.
-  void update(const Derived& derived);
+  void update(const DerivedTrack& derived);
 
   bool everywhere() const { return everywhere_; }
   // Indices into derived.order, ascending; none if everything is near.
@@ -59,7 +59,7 @@ class NearTrack {
   Detail detail(Detail detail) const;
 
  private:
-  bool gather(const Derived& derived, float reach);
+  bool gather(const DerivedTrack& derived, float reach);
 
   Surroundings around_;
   std::vector<std::size_t> indices_;

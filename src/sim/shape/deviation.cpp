@@ -138,7 +138,7 @@ double chord_error(const curve::Cubic& cubic, int steps, double known) {
   return std::max(known, std::sqrt(search.worst));
 }
 
-double chord_error(const Derived& derived) {
+double chord_error(const DerivedTrack& derived) {
   double worst = 0;
   for (const world::Entity segment : derived.order)
     worst = chord_error(derived.shape(segment).key.cubic, derived.steps, worst);

@@ -18,6 +18,6 @@ double deviation_of(const curve::Cubic& cubic, std::span<const glm::vec3> points
 // far: about 1 us for 1 to 4096 steps, 0.1 us where `known` is larger.
 double chord_error(const curve::Cubic& cubic, int steps, double known = 0);
 // Returns the largest chord error of all segments.
-double chord_error(const Derived& derived);
+double chord_error(const DerivedTrack& derived);
 
 }  // namespace coaster::sim

@@ -107,7 +107,7 @@ void append(const std::vector<Fold>& found, double start, std::vector<Fold>& all
 
 }  // namespace
 
-std::vector<Fold> folds_of(const Derived& derived, double height) {
+std::vector<Fold> folds_of(const DerivedTrack& derived, double height) {
   std::vector<Fold> all;
   for (std::size_t i = 0; i < derived.order.size(); ++i)
     append(folds_of(derived.shape_at(i), height), derived.starts[i], all);
@@ -121,7 +121,7 @@ std::string fold_text(const Fold& fold, double height) {
 
 std::vector<Fold> rail_folds(const SegmentShape& shape) { return folds_of(shape, shape.key.rails); }
 
-const std::vector<Fold>& Folds::update(const Derived& derived) {
+const std::vector<Fold>& Folds::update(const DerivedTrack& derived) {
   if (last_build_ == derived.last_build && base::same_bits(order_, derived.order)) return all_;
   const auto changes = derived.changes_since(std::exchange(last_build_, derived.last_build));
   if (!changes && !base::same_bits(order_, derived.order)) {
@@ -162,7 +162,7 @@ std::vector<TightBend> tight_bends_of(const SegmentShape& shape) {
   return bends;
 }
 
-std::vector<TightBend> tight_bends_of(const Derived& derived) { return Folds(tight_bends_of).update(derived); }
+std::vector<TightBend> tight_bends_of(const DerivedTrack& derived) { return Folds(tight_bends_of).update(derived); }
 
 const TightBend& tightest(std::span<const TightBend> bends) {
   return *std::min_element(bends.begin(), bends.end(),
@@ -177,7 +177,7 @@ std::string tight_text(std::span<const TightBend> bends) {
   return fmt::format("{} tight bend{}: {} at {:.1f} m", bends.size(), bends.size() == 1 ? "" : "s", what, worst.at);
 }
 
-double least_radius(const Derived& derived) {
+double least_radius(const DerivedTrack& derived) {
   double least = std::numeric_limits<double>::infinity();
   for (const world::Entity segment : derived.order)
     for (const curve::TightPlace& place : curve::tight_places(derived.shape(segment).key.cubic, least))

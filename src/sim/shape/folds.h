@@ -20,7 +20,7 @@ struct Fold {
 
 // Returns the folds of the line `height` metres above the curve along `up`, in track order; none for height 0. About
 // 10 us per segment, more where it nearly folds.
-std::vector<Fold> folds_of(const Derived& derived, double height);
+std::vector<Fold> folds_of(const DerivedTrack& derived, double height);
 
 // Returns "at 12.3 m, where the curve's radius of 0.80 m is below the height of 1.10 m".
 std::string fold_text(const Fold& fold, double height);
@@ -34,7 +34,7 @@ class Folds {
  public:
   using Find = std::vector<Fold>(const SegmentShape&);
   explicit Folds(Find* find = rail_folds) : find_(find) {}
-  const std::vector<Fold>& update(const Derived& derived);
+  const std::vector<Fold>& update(const DerivedTrack& derived);
 
  private:
   struct Entry {
@@ -58,7 +58,7 @@ using TightBend = Fold;
 // Returns the tight bends of a segment, m along it, and of a track, in order: all of them, to rounding
 // (curve/tight_places.h). About 0.1 us for a gentle segment.
 std::vector<TightBend> tight_bends_of(const SegmentShape& shape);
-std::vector<TightBend> tight_bends_of(const Derived& derived);
+std::vector<TightBend> tight_bends_of(const DerivedTrack& derived);
 
 // Returns the first one with the least radius, of one or more.
 const TightBend& tightest(std::span<const TightBend> bends);
@@ -67,6 +67,6 @@ const TightBend& tightest(std::span<const TightBend> bends);
 std::string tight_text(std::span<const TightBend> bends);
 
 // Returns the least radius of the curve, m; infinite for straights and an empty track.
-double least_radius(const Derived& derived);
+double least_radius(const DerivedTrack& derived);
 
 }  // namespace coaster::sim

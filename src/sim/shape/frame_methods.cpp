@@ -16,7 +16,7 @@ namespace {
 using glm::dvec3;
 
 // Returns the rotation of the knots' frames since the track's start, relative to rotation-minimising frames.
-double turned(const Derived& derived, std::size_t index, double s) {
+double turned(const DerivedTrack& derived, std::size_t index, double s) {
   const SegmentShape& shape = derived.shape_at(index);
   return derived.twists[index] + shape.roll.angle(std::clamp(s, 0.0, shape.roll.length));
 }
@@ -26,11 +26,11 @@ curve::Frame rolled(curve::Frame frame, double radians) {
   return frame;
 }
 
-TrackFrame by_knots(const Derived& derived, std::size_t index, double s) {
+TrackFrame by_knots(const DerivedTrack& derived, std::size_t index, double s) {
   return {frame_at(derived.shape_at(index), s)};
 }
 
-TrackFrame minimising(const Derived& derived, std::size_t index, double s) {
+TrackFrame minimising(const DerivedTrack& derived, std::size_t index, double s) {
   // Double reflection turns a vector rigidly with the frame, so the knots' frame gives all carried frames.
   const double spread = derived.length > 0 ? loop_twist(derived) * (derived.starts[index] + s) / derived.length : 0.0;
   return {rolled(frame_at(derived.shape_at(index), s), spread - turned(derived, index, s))};
@@ -40,7 +40,7 @@ TrackFrame minimising(const Derived& derived, std::size_t index, double s) {
 struct LastNormal {
   double angle, turned;
 };
-std::optional<LastNormal> last_normal(const Derived& derived, std::size_t index, double before) {
+std::optional<LastNormal> last_normal(const DerivedTrack& derived, std::size_t index, double before) {
   const std::size_t count = derived.order.size();
   double whole_laps = 0;
   for (std::size_t back = 0; back <= std::min<std::size_t>(kFrenetReach, count); ++back) {
@@ -64,7 +64,7 @@ std::optional<LastNormal> last_normal(const Derived& derived, std::size_t index,
   return std::nullopt;
 }
 
-TrackFrame frenet_serret(const Derived& derived, std::size_t index, double s) {
+TrackFrame frenet_serret(const DerivedTrack& derived, std::size_t index, double s) {
   const SegmentShape& shape = derived.shape_at(index);
   const double t = shape.arc.parameter(s);
   if (const auto found = curve::frenet(shape.key.cubic, t)) return {{found->tangent, found->normal}};
@@ -74,7 +74,7 @@ TrackFrame frenet_serret(const Derived& derived, std::size_t index, double s) {
   return {rolled(frame, last->angle + last->turned - turned(derived, index, s)), false};
 }
 
-TrackFrame world_up(const Derived& derived, std::size_t index, double s) {
+TrackFrame world_up(const DerivedTrack& derived, std::size_t index, double s) {
   const SegmentShape& shape = derived.shape_at(index);
   const dvec3 forward = curve::unit_tangent(shape.key.cubic, shape.arc.parameter(s));
   const bool vertical = forward.x * forward.x + forward.z * forward.z < 1e-12;
@@ -144,7 +144,7 @@ EndNormal end_normal(const curve::Cubic& cubic, bool at_start) {
 
 // Adds the joint before segment `index`, at t = 0 of that segment. Next to a span without normals it is part of the
 // span.
-void add_joint(const Derived& derived, std::size_t index, std::vector<FrenetBreak>& found) {
+void add_joint(const DerivedTrack& derived, std::size_t index, std::vector<FrenetBreak>& found) {
   if (index == 0 && !derived.closed) return;
   const std::size_t before = index == 0 ? derived.order.size() - 1 : index - 1;
   const world::Entity segment = derived.order[index];
@@ -160,12 +160,12 @@ void add_joint(const Derived& derived, std::size_t index, std::vector<FrenetBrea
 
 std::span<const FrameMethodRow> frame_methods() { return kFrameMethods; }
 
-TrackFrame track_frame(const Derived& derived, world::FrameMethod method, std::size_t index, double s) {
+TrackFrame track_frame(const DerivedTrack& derived, world::FrameMethod method, std::size_t index, double s) {
   COASTER_CHECK(index < derived.order.size(), "frames exist only on segments of the track");
   return base::row_of(method).frame(derived, index, s);
 }
 
-std::size_t index_of_segment(const Derived& derived, world::Entity segment, double near) {
+std::size_t index_of_segment(const DerivedTrack& derived, world::Entity segment, double near) {
   if (!derived.order.empty()) {
     const std::size_t guess = place_at(derived, near).index;
     if (derived.order[guess] == segment) return guess;
@@ -174,7 +174,7 @@ std::size_t index_of_segment(const Derived& derived, world::Entity segment, doub
                                   derived.order.begin());
 }
 
-double loop_twist(const Derived& derived) {
+double loop_twist(const DerivedTrack& derived) {
   if (!derived.closed || derived.twists.empty()) return 0.0;
   const double twist = std::remainder(derived.twists.back(), 2.0 * base::kPi);
   return twist <= -base::kPi ? base::kPi : twist;
@@ -198,9 +198,9 @@ std::vector<FrenetBreak> frenet_breaks(const SegmentShape& shape, world::Entity 
   return found;
 }
 
-std::vector<FrenetBreak> frenet_breaks(const Derived& derived) { return FrenetBreaks().update(derived); }
+std::vector<FrenetBreak> frenet_breaks(const DerivedTrack& derived) { return FrenetBreaks().update(derived); }
 
-const std::vector<FrenetBreak>& FrenetBreaks::update(const Derived& derived) {
+const std::vector<FrenetBreak>& FrenetBreaks::update(const DerivedTrack& derived) {
   if (last_build_ == derived.last_build && closed_ == derived.closed && order_ == derived.order) return all_;
   last_build_ = derived.last_build;
   closed_ = derived.closed;

@@ -22,7 +22,7 @@ struct FrameMethodRow {
   std::string_view label;    // "Rotation-minimising"
   std::string_view formula;  // one line of help
   // Returns the frame at arc length s of segment `index` of derived.order.
-  TrackFrame (*frame)(const Derived& derived, std::size_t index, double s);
+  TrackFrame (*frame)(const DerivedTrack& derived, std::size_t index, double s);
 };
 
 // Rows in the order of world::FrameMethod:
@@ -38,15 +38,15 @@ struct FrameMethodRow {
 std::span<const FrameMethodRow> frame_methods();
 inline constexpr int kFrenetReach = 64;
 
-TrackFrame track_frame(const Derived& derived, world::FrameMethod method, std::size_t index, double s);
+TrackFrame track_frame(const DerivedTrack& derived, world::FrameMethod method, std::size_t index, double s);
 
 // Returns the index of a segment in derived.order; tries the track distance `near` first (a cart's track_distance),
 // then searches linearly. Returns order.size() if it is missing.
-std::size_t index_of_segment(const Derived& derived, world::Entity segment, double near);
+std::size_t index_of_segment(const DerivedTrack& derived, world::Entity segment, double near);
 
 // Returns the twist in radians, (-pi, pi], about the tangent from the rotation-minimising frame carried once around a
 // closed track to the first frame; 0 on an open track.
-double loop_twist(const Derived& derived);
+double loop_twist(const DerivedTrack& derived);
 
 // A place where the Frenet-Serret normal fails.
 struct FrenetBreak {
@@ -63,12 +63,12 @@ struct FrenetBreak {
 std::vector<FrenetBreak> frenet_breaks(const SegmentShape& shape, world::Entity segment);
 // Returns the breaks of the whole track in order, joints included. About 1 us per segment; for a picture use
 // FrenetBreaks.
-std::vector<FrenetBreak> frenet_breaks(const Derived& derived);
+std::vector<FrenetBreak> frenet_breaks(const DerivedTrack& derived);
 
 // Caches the breaks: update() checks only segments with a new shape_build, and nothing if there are none.
 class FrenetBreaks {
  public:
-  const std::vector<FrenetBreak>& update(const Derived& derived);
+  const std::vector<FrenetBreak>& update(const DerivedTrack& derived);
 
  private:
   struct Entry {

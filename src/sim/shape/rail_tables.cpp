@@ -171,7 +171,7 @@ FeltEntry felt_entry(const SegmentShape& shape, double s, double t, const curve:
   return entry;
 }
 
-void RailTables::update(const Derived& derived, double heartline) {
+void RailTables::update(const DerivedTrack& derived, double heartline) {
   const double largest_step = detail_of(derived).table_step;
   auto changes = derived.changes_since(std::exchange(last_build_, derived.last_build));
   if (largest_step_ != largest_step || heartline_ != heartline) changes.reset();

@@ -54,7 +54,7 @@ class RailTables {
  public:
   // Refills the parts that changed since the last update from the same Derived: about 1 us per entry of a changed
   // segment.
-  void update(const Derived& derived, double heartline);
+  void update(const DerivedTrack& derived, double heartline);
 
   // Returns a segment's table by index in derived.order.
   const SegmentTable& segment(std::size_t index) const { return tables_.get(order_[index]); }

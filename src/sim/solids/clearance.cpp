@@ -22,7 +22,7 @@ double nearest_place(dvec3 p, dvec3 a, dvec3 d) {
 
 // Returns the distance in metres along the rails from the held position to one of another segment, the shorter way
 // round.
-double along_rails(const Derived& derived, TrackPlace held, std::size_t index, float along) {
+double along_rails(const DerivedTrack& derived, TrackPlace held, std::size_t index, float along) {
   const double start = derived.starts[index],
                ring = start + static_cast<double>(along) * (derived.starts[index + 1] - start);
   const double onward = ring - derived.starts[held.index] - held.s;
@@ -36,7 +36,7 @@ Ring between(const Ring& a, const Ring& b, double share) {
           0};
 }
 
-struct Question {
+struct BarClearance {
   dvec3 from, to;
   double radius;
   bool keeps(double room, const Ring& a, const Ring& b, double left, double up) const {
@@ -44,7 +44,7 @@ struct Question {
   }
 };
 
-bool clear_of_piece(const Question& bar, const Ring& a, const Ring& b, bool held) {
+bool clear_of_piece(const BarClearance& bar, const Ring& a, const Ring& b, bool held) {
   if (!held) return bar.keeps(kEnvelopeRadius, a, b, 0, kEnvelopeLift);
   return bar.keeps(kRiderRadius, a, b, 0, kRiderLift) && bar.keeps(kWheelRoom, a, b, 0.5 * kGauge, 0) &&
          bar.keeps(kWheelRoom, a, b, -0.5 * kGauge, 0);
@@ -52,7 +52,7 @@ bool clear_of_piece(const Question& bar, const Ring& a, const Ring& b, bool held
 
 // Tests a chord from `from` to `to` metres along the rails from the held position, split into the pieces within its
 // reach and those outside.
-bool clear_of_chord(const Question& bar, const Ring& a, const Ring& b, double from, double to) {
+bool clear_of_chord(const BarClearance& bar, const Ring& a, const Ring& b, double from, double to) {
   std::array<double, 4> ends{from, std::clamp(-kHeldReach, std::min(from, to), std::max(from, to)),
                              std::clamp(kHeldReach, std::min(from, to), std::max(from, to)), to};
   if (from > to) std::swap(ends[1], ends[2]);
@@ -90,15 +90,16 @@ bool meet(const curve::Box& a, const curve::Box& b) {
 
 curve::Box widened(curve::Box box, float by) { return {box.low - by, box.high + by}; }
 
-bool is_clear(const Derived& derived, std::span<const Lane* const> lanes, const Bar& bar, TrackPlace held) {
-  const Question question{dvec3(bar.from), dvec3(bar.to),
-                          static_cast<double>(std::max(bar.from_radius, bar.to_radius))};
+bool is_clear(const DerivedTrack& derived, std::span<const SegmentClearance* const> lanes, const Bar& bar,
+              TrackPlace held) {
+  const BarClearance question{dvec3(bar.from), dvec3(bar.to),
+                              static_cast<double>(std::max(bar.from_radius, bar.to_radius))};
   const double reach = kEnvelopeRadius + kEnvelopeLift + question.radius + 0.1;
   const curve::Box box = widened({glm::min(bar.from, bar.to), glm::max(bar.from, bar.to)}, static_cast<float>(reach));
   const auto off_curve = static_cast<float>(std::abs(derived.shape_at(held.index).key.rails));
   return all_near(derived.tree, widened(box, off_curve), [&](std::size_t i) {
     if (lanes[i] == nullptr || !meet(lanes[i]->box, box)) return true;
-    const Lane& lane = *lanes[i];
+    const SegmentClearance& lane = *lanes[i];
     for (std::size_t k = 0; k + 1 < lane.rings.size(); ++k) {
       const Ring &a = lane.rings[k], &b = lane.rings[k + 1];
       if (!clear_of_chord(question, a, b, along_rails(derived, held, i, a.along),

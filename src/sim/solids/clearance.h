@@ -25,7 +25,7 @@ struct Bar {
 };
 
 // The data of one segment for clearance.
-struct Lane {
+struct SegmentClearance {
   std::vector<Ring> rings;  // as rings_of()
   curve::Box box;           // about the rails
 };
@@ -33,7 +33,8 @@ struct Lane {
 // Returns true if the bar stays outside the clearance envelope; `held` is the position whose support it belongs to.
 // `lanes` has one entry per segment of derived.order, which is null for track that is certainly far. Costs the
 // logarithm of the segments plus about a microsecond for each one near the bar.
-bool is_clear(const Derived& derived, std::span<const Lane* const> lanes, const Bar& bar, TrackPlace held);
+bool is_clear(const DerivedTrack& derived, std::span<const SegmentClearance* const> lanes, const Bar& bar,
+              TrackPlace held);
 
 // Returns the smallest distance of two line segments, m. Points are segments of zero length.
 double distance_between(glm::dvec3 a, glm::dvec3 b, glm::dvec3 c, glm::dvec3 d);

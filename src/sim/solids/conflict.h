@@ -18,13 +18,13 @@ struct Conflict {
 };
 
 // A part of a planned line that is too close to track or to an earlier part of the line.
-struct Narrow {
+struct LineConflict {
   double from = 0, to = 0;  // m along the line
   double missing = 0;       // m, as in a conflict
   double other = -1;        // m along the track, narrowest position; below 0: an earlier part of the line
 };
 
 // Returns the largest missing clearance, m; 0 if there is none.
-double worst(std::span<const Narrow> parts);
+double worst(std::span<const LineConflict> parts);
 
 }  // namespace coaster::sim

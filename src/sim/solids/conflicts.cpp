@@ -18,7 +18,7 @@ constexpr double kReach = kNeeded + kTrainLift + kTrackDrop;  // m: rails farthe
 
 // Returns the shorter distance along the rails from the end of one stretch to the start of another, m; negative if they
 // overlap.
-double between_stretches(const Derived& derived, double from, double to, double other_from, double other_to) {
+double between_stretches(const DerivedTrack& derived, double from, double to, double other_from, double other_to) {
   const double onward = other_from - to;
   return derived.closed ? std::min(onward, from + derived.length - other_to) : onward;
 }
@@ -88,7 +88,7 @@ void Conflicts::Entry::take(const SegmentShape& shape) {
 }
 
 // Takes the order of the track. Returns the segments that are new or have new neighbours.
-std::vector<std::size_t> Conflicts::take_order(const Derived& derived) {
+std::vector<std::size_t> Conflicts::take_order(const DerivedTrack& derived) {
   std::vector<std::size_t> changed = rearranged(order_, derived.order);
   entries_.keep_those_of(derived.segments);
   entries_.reserve(derived.order.size());
@@ -102,7 +102,7 @@ std::vector<std::size_t> Conflicts::take_order(const Derived& derived) {
 }
 
 // Begins a search of the changed segments, and of those that the last one did not reach.
-void Conflicts::take_changes(const Derived& derived) {
+void Conflicts::take_changes(const DerivedTrack& derived) {
   std::vector<world::Entity> left;
   for (; next_ < waiting_.size(); ++next_) left.push_back(order_[waiting_[next_]]);
   std::vector<std::size_t> changed;
@@ -128,7 +128,7 @@ void Conflicts::wait_for(std::size_t index) {
 }
 
 // Adds the segments whose verdict may change: whether two positions are one stretch depends on everything between them.
-void Conflicts::spread(const Derived& derived, std::span<const std::size_t> changed) {
+void Conflicts::spread(const DerivedTrack& derived, std::span<const std::size_t> changed) {
   const std::size_t count = derived.order.size();
   std::vector<bool> is_changed(count);
   for (const std::size_t i : changed) is_changed[i] = true, wait_for(i);
@@ -147,14 +147,14 @@ void Conflicts::spread(const Derived& derived, std::span<const std::size_t> chan
 }
 
 // Returns the entry of a segment, up to date.
-const Conflicts::Entry& Conflicts::entry(const Derived& derived, std::size_t index) {
+const Conflicts::Entry& Conflicts::entry(const DerivedTrack& derived, std::size_t index) {
   Entry& entry = entries_.get(derived.order[index]);
   if (const SegmentShape& shape = derived.shape_at(index); entry.build != shape.shape_build) entry.take(shape);
   return entry;
 }
 
 // Checks two segments, a not after b in the track; adds at most `most` hits and returns their number.
-std::size_t Conflicts::look_at(const Derived& derived, world::Entity a, world::Entity b, std::size_t most) {
+std::size_t Conflicts::look_at(const DerivedTrack& derived, world::Entity a, world::Entity b, std::size_t most) {
   const Entry &first = entries_.get(a), &second = entries_.get(b);
   const double first_start = derived.starts[first.index], second_start = derived.starts[second.index];
   std::size_t count = 0;
@@ -178,7 +178,7 @@ std::size_t Conflicts::look_at(const Derived& derived, world::Entity a, world::E
   return count;
 }
 
-void Conflicts::look_around(const Derived& derived, std::size_t index) {
+void Conflicts::look_around(const DerivedTrack& derived, std::size_t index) {
   const world::Entity segment = derived.order[index];
   const curve::Box box = widened(entry(derived, index).box, static_cast<float>(kReach));
   const auto off_curve = static_cast<float>(std::abs(derived.shape(segment).key.rails));
@@ -193,7 +193,7 @@ void Conflicts::look_around(const Derived& derived, std::size_t index) {
 }
 
 // Consecutive hits on both stretches are one conflict.
-void Conflicts::gather(const Derived& derived) {
+void Conflicts::gather(const DerivedTrack& derived) {
   found_.clear();
   const auto place = [&](world::Entity segment, std::size_t i) -> const LinePoint& {
     return entries_.get(segment).places[i];
@@ -234,7 +234,7 @@ void Conflicts::gather(const Derived& derived) {
   }
 }
 
-const std::vector<Conflict>& Conflicts::update(const Derived& derived, std::size_t most) {
+const std::vector<Conflict>& Conflicts::update(const DerivedTrack& derived, std::size_t most) {
   looked_at_ = 0;
   const bool changed = last_build_ != derived.last_build || !base::same_bits(order_, derived.order);
   if (changed) take_changes(derived);
@@ -248,14 +248,14 @@ const std::vector<Conflict>& Conflicts::update(const Derived& derived, std::size
   return found_;
 }
 
-std::vector<Narrow> Conflicts::against(const Derived& derived, std::span<const LinePoint> line,
-                                       const LineTerms& terms) const {
-  std::vector<Narrow> out;
+std::vector<LineConflict> Conflicts::against(const DerivedTrack& derived, std::span<const LinePoint> line,
+                                             const LineConditions& terms) const {
+  std::vector<LineConflict> out;
   const double reach = kReach + terms.margin, whole = line.empty() ? 0.0 : double{line.back().s};
   for (std::size_t i = 0; i + 1 < line.size(); ++i) {
     const LinePoint &p = line[i], &q = line[i + 1];
     const double length = length_of(p, q);
-    Narrow narrow{double{p.s}, double{q.s}, 0};
+    LineConflict narrow{double{p.s}, double{q.s}, 0};
     const auto compare = [&](const LinePoint& r, const LinePoint& t, double at) {
       const double missing = missing_between(r, t, p, q) + terms.margin;
       if (missing > narrow.missing) narrow.missing = missing, narrow.other = at;
@@ -284,16 +284,16 @@ std::vector<Narrow> Conflicts::against(const Derived& derived, std::span<const L
       out.push_back(narrow);
       continue;
     }
-    Narrow& last = out.back();
+    LineConflict& last = out.back();
     last.to = narrow.to;
     if (narrow.missing > last.missing) last.missing = narrow.missing, last.other = narrow.other;
   }
   return out;
 }
 
-double worst(std::span<const Narrow> parts) {
+double worst(std::span<const LineConflict> parts) {
   double most = 0;
-  for (const Narrow& part : parts) most = std::max(most, part.missing);
+  for (const LineConflict& part : parts) most = std::max(most, part.missing);
   return most;
 }
 

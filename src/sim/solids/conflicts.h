@@ -26,7 +26,7 @@ struct LinePoint {
 };
 
 // The conditions for a planned line: the track that it continues, and the required margin.
-struct LineTerms {
+struct LineConditions {
   bool comes_home = false;  // it ends at the track's first knot
   double margin = 0;        // m of additional clearance
 };
@@ -39,15 +39,15 @@ class Conflicts {
   // Updates the conflicts from the same Derived as before and returns all of them in track order. If nothing changed,
   // it costs a comparison of the orders; else a few microseconds for each changed segment and those within kSameStretch
   // of it. On tracks with very many conflicts not all are found: at most kMostHits per chord of a segment.
-  const std::vector<Conflict>& update(const Derived& derived) { return update(derived, derived.order.size()); }
+  const std::vector<Conflict>& update(const DerivedTrack& derived) { return update(derived, derived.order.size()); }
   // The same, but checks at most `most` segments: returns the conflicts found so far, and later calls find the others.
-  const std::vector<Conflict>& update(const Derived& derived, std::size_t most);
+  const std::vector<Conflict>& update(const DerivedTrack& derived, std::size_t most);
   // True if the last update found all.
   bool is_complete() const { return next_ == waiting_.size(); }
   // Returns where the line of rails would conflict with the track as of the last update, or with itself, if it
   // continued the track's open end.
-  std::vector<Narrow> against(const Derived& derived, std::span<const LinePoint> line,
-                              const LineTerms& terms = {}) const;
+  std::vector<LineConflict> against(const DerivedTrack& derived, std::span<const LinePoint> line,
+                                    const LineConditions& terms = {}) const;
   int looked_at() const { return looked_at_; }  // segments checked in the last update
 
  private:
@@ -66,14 +66,14 @@ class Conflicts {
     double missing = 0;
   };
   static constexpr std::size_t kMostHits = 16;
-  void take_changes(const Derived& derived);
-  std::vector<std::size_t> take_order(const Derived& derived);
+  void take_changes(const DerivedTrack& derived);
+  std::vector<std::size_t> take_order(const DerivedTrack& derived);
   void wait_for(std::size_t index);
-  void spread(const Derived& derived, std::span<const std::size_t> changed);
-  const Entry& entry(const Derived& derived, std::size_t index);
-  void look_around(const Derived& derived, std::size_t index);
-  std::size_t look_at(const Derived& derived, world::Entity a, world::Entity b, std::size_t most);
-  void gather(const Derived& derived);
+  void spread(const DerivedTrack& derived, std::span<const std::size_t> changed);
+  const Entry& entry(const DerivedTrack& derived, std::size_t index);
+  void look_around(const DerivedTrack& derived, std::size_t index);
+  std::size_t look_at(const DerivedTrack& derived, world::Entity a, world::Entity b, std::size_t most);
+  void gather(const DerivedTrack& derived);
 
   world::Pool<Entry> entries_;
   std::vector<Hit> hits_;

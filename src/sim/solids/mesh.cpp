@@ -14,7 +14,7 @@ using Indices = std::vector<std::uint32_t>;
 
 std::uint32_t next_vertex(const Mesh& mesh) { return static_cast<std::uint32_t>(mesh.vertices.size()); }
 
-void add_vertex(dvec3 position, dvec3 normal, Part part, float along, Mesh& mesh) {
+void add_vertex(dvec3 position, dvec3 normal, Material part, float along, Mesh& mesh) {
   mesh.vertices.push_back({glm::vec3(position), glm::vec3(normal), static_cast<float>(part), along});
 }
 
@@ -64,7 +64,7 @@ void add_tube(std::span<const Ring> rings, const Tube& tube, Mesh& mesh) {
   add_sides(every_other, sides, sides / static_cast<std::uint32_t>(tube.coarse_sides), tube.caps, mesh.coarse);
 }
 
-void add_face(std::span<const dvec3> corners, Part part, float along, bool from_afar, Mesh& mesh) {
+void add_face(std::span<const dvec3> corners, Material part, float along, bool from_afar, Mesh& mesh) {
   dvec3 area(0);
   for (std::size_t i = 1; i + 1 < corners.size(); ++i)
     area += glm::cross(corners[i] - corners[0], corners[i + 1] - corners[0]);
@@ -76,7 +76,8 @@ void add_face(std::span<const dvec3> corners, Part part, float along, bool from_
     mesh.add_triangles({first, first + i, first + i + 1}, from_afar);
 }
 
-void add_extrusion(std::span<const Ring> rings, std::span<const dvec2> outline, Part part, bool from_afar, Mesh& mesh) {
+void add_extrusion(std::span<const Ring> rings, std::span<const dvec2> outline, Material part, bool from_afar,
+                   Mesh& mesh) {
   const auto place = [&](const Ring& ring, std::size_t k) { return ring.place(outline[k % outline.size()]); };
   for (std::size_t k = 0; k < outline.size(); ++k) {
     const dvec2 side = outline[(k + 1) % outline.size()] - outline[k], out = glm::normalize(dvec2(side.y, -side.x));
@@ -97,11 +98,11 @@ void add_extrusion(std::span<const Ring> rings, std::span<const dvec2> outline, 
   add_face(end, part, rings.front().along, from_afar, mesh);
 }
 
-void add_beam(std::span<const Ring> rings, dvec2 low, dvec2 high, Part part, bool from_afar, Mesh& mesh) {
+void add_beam(std::span<const Ring> rings, dvec2 low, dvec2 high, Material part, bool from_afar, Mesh& mesh) {
   add_extrusion(rings, std::array{low, dvec2(high.x, low.y), high, dvec2(low.x, high.y)}, part, from_afar, mesh);
 }
 
-void add_prism(const std::array<dvec3, 4>& near, const std::array<dvec3, 4>& far, Part part, float along,
+void add_prism(const std::array<dvec3, 4>& near, const std::array<dvec3, 4>& far, Material part, float along,
                bool from_afar, Mesh& mesh) {
   for (std::size_t k = 0; k < 4; ++k) {
     const std::size_t next = (k + 1) % 4;
@@ -111,7 +112,8 @@ void add_prism(const std::array<dvec3, 4>& near, const std::array<dvec3, 4>& far
   add_face(std::array{far[3], far[2], far[1], far[0]}, part, along, from_afar, mesh);
 }
 
-void add_box(dvec3 middle, const curve::Frame& frame, dvec3 half, Part part, float along, bool from_afar, Mesh& mesh) {
+void add_box(dvec3 middle, const curve::Frame& frame, dvec3 half, Material part, float along, bool from_afar,
+             Mesh& mesh) {
   const auto corner = [&](double f, double u, double l) {
     return middle + f * half.x * frame.forward + u * half.y * frame.up + l * half.z * frame.left();
   };
@@ -119,7 +121,7 @@ void add_box(dvec3 middle, const curve::Frame& frame, dvec3 half, Part part, flo
             {corner(-1, -1, -1), corner(-1, -1, 1), corner(-1, 1, 1), corner(-1, 1, -1)}, part, along, from_afar, mesh);
 }
 
-void add_bar(dvec3 from, dvec3 to, double from_radius, double to_radius, int sides, Part part, float along,
+void add_bar(dvec3 from, dvec3 to, double from_radius, double to_radius, int sides, Material part, float along,
              bool from_afar, Mesh& mesh) {
   const double length = glm::length(to - from);
   if (!(length > 1e-6)) return;

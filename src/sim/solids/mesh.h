@@ -13,7 +13,7 @@
 namespace coaster::sim {
 
 // The material of a triangle: a row of the table of paints in shaders/mesh.frag, in the same order.
-enum class Part : std::uint8_t {
+enum class Material : std::uint8_t {
   rail,
   spine,
   tie,
@@ -75,32 +75,32 @@ struct Tube {
   glm::dvec2 offset{0};
   double radius = 0.1;
   int sides = 8, coarse_sides = 4;
-  Part part{};
+  Material part{};
   Caps caps{};
 };
 void add_tube(std::span<const Ring> rings, const Tube& tube, Mesh& mesh);
 
 // Adds a convex outline (left, up), counter-clockwise when looking against the direction of travel, swept along the
 // rings: flat sides and ends.
-void add_extrusion(std::span<const Ring> rings, std::span<const glm::dvec2> outline, Part part, bool from_afar,
+void add_extrusion(std::span<const Ring> rings, std::span<const glm::dvec2> outline, Material part, bool from_afar,
                    Mesh& mesh);
 // Adds the swept rectangle between two corners.
-void add_beam(std::span<const Ring> rings, glm::dvec2 low, glm::dvec2 high, Part part, bool from_afar, Mesh& mesh);
+void add_beam(std::span<const Ring> rings, glm::dvec2 low, glm::dvec2 high, Material part, bool from_afar, Mesh& mesh);
 
 // Adds a flat convex face, counter-clockwise as seen from outside. The normal of a face of zero area is up.
-void add_face(std::span<const glm::dvec3> corners, Part part, float along, bool from_afar, Mesh& mesh);
+void add_face(std::span<const glm::dvec3> corners, Material part, float along, bool from_afar, Mesh& mesh);
 
 // Adds six flat faces around eight corners: four of one end, counter-clockwise as seen from outside, and the matching
 // ones of the other end.
-void add_prism(const std::array<glm::dvec3, 4>& near, const std::array<glm::dvec3, 4>& far, Part part, float along,
+void add_prism(const std::array<glm::dvec3, 4>& near, const std::array<glm::dvec3, 4>& far, Material part, float along,
                bool from_afar, Mesh& mesh);
 // Adds a box with half sides `half` along the frame's forward, up and left.
-void add_box(glm::dvec3 middle, const curve::Frame& frame, glm::dvec3 half, Part part, float along, bool from_afar,
+void add_box(glm::dvec3 middle, const curve::Frame& frame, glm::dvec3 half, Material part, float along, bool from_afar,
              Mesh& mesh);
 
 // Adds a round bar from one point to another, with a radius at each; smooth sides, flat ends. Adds nothing for equal
 // points.
-void add_bar(glm::dvec3 from, glm::dvec3 to, double from_radius, double to_radius, int sides, Part part, float along,
-             bool from_afar, Mesh& mesh);
+void add_bar(glm::dvec3 from, glm::dvec3 to, double from_radius, double to_radius, int sides, Material part,
+             float along, bool from_afar, Mesh& mesh);
 
 }  // namespace coaster::sim

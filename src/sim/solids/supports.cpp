@@ -94,15 +94,15 @@ void add_footing(dvec3 at, double radius, Mesh& mesh) {
   constexpr double kHeight = 0.22, kPlate = 0.05;
   const double wide = 1.7 * radius + 0.16, plate = 1.25 * radius + 0.06;
   const dvec3 top = at + dvec3(0, kHeight, 0);
-  add_bar(at, top, 1.06 * wide, wide, kSides, Part::concrete, 0, false, mesh);
-  add_bar(top, top + dvec3(0, kPlate, 0), plate, plate, kSides, Part::support, 0, false, mesh);
+  add_bar(at, top, 1.06 * wide, wide, kSides, Material::concrete, 0, false, mesh);
+  add_bar(top, top + dvec3(0, kPlate, 0), plate, plate, kSides, Material::support, 0, false, mesh);
 }
 
 void add_collar(const Ring& hold, Mesh& mesh) {
   constexpr double kHalf = 0.10, kThick = 0.05;
   Ring ends[2] = {hold, hold};
   ends[0].position -= kHalf * hold.frame.forward, ends[1].position += kHalf * hold.frame.forward;
-  add_tube(ends, {{0, -kSpineDrop}, kSpineRadius + kThick, kSpineSides, kSpineSides / 3, Part::tie}, mesh);
+  add_tube(ends, {{0, -kSpineDrop}, kSpineRadius + kThick, kSpineSides, kSpineSides / 3, Material::tie}, mesh);
 }
 
 // Returns the desired spacing of supports on a segment.
@@ -171,8 +171,8 @@ void build_support_mesh(const SegmentSupports& supports, Mesh& mesh) {
     const auto from_radius = static_cast<double>(bar.from_radius), to_radius = static_cast<double>(bar.to_radius);
     // At another bar it ends slightly farther on, so that there is no notch. A leaning leg ends inside its footing.
     const double length = glm::length(to - from), over = bar.grounded ? -0.15 : 0.5 * to_radius;
-    add_bar(from, length > 0.2 ? to + over / length * (to - from) : to, from_radius, to_radius, kSides, Part::support,
-            0, true, mesh);
+    add_bar(from, length > 0.2 ? to + over / length * (to - from) : to, from_radius, to_radius, kSides,
+            Material::support, 0, true, mesh);
     if (bar.grounded) add_footing(to, to_radius, mesh);
   }
   for (const Ring& hold : supports.holds) add_collar(hold, mesh);
@@ -192,7 +192,7 @@ SupportRow support_row(const SegmentShape& shape) {
 
 // Finds the segments near enough to be met by supports of near ones: all, if everything is near. Returns whether they
 // are others than before, or have other indices.
-bool Supports::gather(const Derived& derived, const NearTrack& near) {
+bool Supports::gather(const DerivedTrack& derived, const NearSegments& near) {
   if (near.everywhere()) {
     if (near_.empty() && order_ == derived.order) return false;
     near_.clear(), order_ = derived.order;
@@ -221,7 +221,7 @@ bool Supports::gather(const Derived& derived, const NearTrack& near) {
 }
 
 // Notes the track that moved; track that only came near or went away has not.
-void Supports::take_shapes(const Derived& derived) {
+void Supports::take_shapes(const DerivedTrack& derived) {
   ++stamp_;
   const bool still = std::exchange(build_, derived.last_build) == derived.last_build;
   for (std::size_t k = 0; k < order_.size(); ++k) {
@@ -241,7 +241,7 @@ void Supports::take_shapes(const Derived& derived) {
   }
 }
 
-void Supports::drop_others(const Derived& derived) {
+void Supports::drop_others(const DerivedTrack& derived) {
   std::vector<world::Entity> others;
   for (std::size_t i = 0; i < entries_.size(); ++i) {
     if (entries_.items()[i].stamp == stamp_) continue;
@@ -278,7 +278,7 @@ void Supports::mark_disturbed() {
                                              [&](const curve::Box& box) { return meet(entry.reach, box); });
 }
 
-void Supports::find_if_stale(const Derived& derived, std::size_t index) {
+void Supports::find_if_stale(const DerivedTrack& derived, std::size_t index) {
   Entry& entry = entries_.get(derived.order[index]);
   if (!std::exchange(entry.stale, false)) return;
   ++rebuilds_;
@@ -305,7 +305,7 @@ void Supports::find_if_stale(const Derived& derived, std::size_t index) {
   entry.found = std::move(found);
 }
 
-void Supports::update(const Derived& derived, const NearTrack& near) {
+void Supports::update(const DerivedTrack& derived, const NearSegments& near) {
   rebuilds_ = 0;
   moved_.clear(), lanes_.clear();
   if (const Detail detail = near.detail(detail_of(derived)); !(detail == detail_)) {

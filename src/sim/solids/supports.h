@@ -38,7 +38,7 @@ class Supports {
   // Updates the supports of near segments, and forgets the others; of all without `near`. If nothing changed, costs one
   // comparison per segment near them. Else recomputes the supports of changed segments and of those that they came near
   // to or left, about 10 microseconds per support.
-  void update(const Derived& derived, const NearTrack& near = {});
+  void update(const DerivedTrack& derived, const NearSegments& near = {});
 
   // Returns those of a near segment.
   const SegmentSupports* of(world::Entity segment) const;
@@ -51,26 +51,27 @@ class Supports {
   struct Entry {
     std::uint64_t shape_build = 0, stamp = 0;  // stamp: of the last update
     bool stale = true;
-    Lane lane;
+    SegmentClearance lane;
     curve::Box reach;  // contains all possible positions of bars
     SupportRow row;
     int count = -1;  // number wanted at its index in the track
     SegmentSupports found;
   };
-  bool gather(const Derived& derived, const NearTrack& near);
-  void take_shapes(const Derived& derived);
-  void drop_others(const Derived& derived);
+  bool gather(const DerivedTrack& derived, const NearSegments& near);
+  void take_shapes(const DerivedTrack& derived);
+  void drop_others(const DerivedTrack& derived);
   void forget_far();
   void take_turns();
   void mark_disturbed();
-  void find_if_stale(const Derived& derived, std::size_t index);
+  void find_if_stale(const DerivedTrack& derived, std::size_t index);
 
   world::Pool<Entry> entries_;
   std::vector<world::Entity> order_;
   std::vector<std::size_t> places_;  // their indices in the track
   std::vector<std::size_t> near_;    // those that are near; none if all are
   std::vector<curve::Box> moved_;    // present and former boxes of moved track, in the current update
-  std::vector<const Lane*> lanes_;   // by index in the track, in the current update; empty until one is needed
+  std::vector<const SegmentClearance*>
+      lanes_;  // by index in the track, in the current update; empty until one is needed
   std::uint64_t last_build_ = 0, build_ = 0, stamp_ = 0;  // build_: of the track
   Detail detail_;                                         // without parts there are no supports
   bool closed_ = false;

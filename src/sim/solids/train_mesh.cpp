@@ -14,12 +14,12 @@ using glm::dvec3;
 
 constexpr curve::Frame kAhead{{1, 0, 0}, {0, 1, 0}};
 
-void add_block(dvec3 low, dvec3 high, Part part, Mesh& mesh) {
+void add_block(dvec3 low, dvec3 high, Material part, Mesh& mesh) {
   add_box(0.5 * (low + high), kAhead, 0.5 * (high - low), part, 0, true, mesh);
 }
 
 // Adds a block whose upper face is shifted by `lean` along X.
-void add_leaning(dvec3 low, dvec3 high, double lean, Part part, Mesh& mesh) {
+void add_leaning(dvec3 low, dvec3 high, double lean, Material part, Mesh& mesh) {
   const auto face = [&](double x) {
     return std::array{dvec3(x, low.y, high.z), dvec3(x, low.y, low.z), dvec3(x + lean, high.y, low.z),
                       dvec3(x + lean, high.y, high.z)};
@@ -58,7 +58,7 @@ std::vector<dvec3> outline(const BodySection& s) {
 
 // Adds a solid through sections of equally many corners, back to front, counter-clockwise as seen from the front;
 // smooth except at both ends. parts[k] is the strip between corners k and k + 1.
-void add_loft(std::span<const std::vector<dvec3>> sections, std::span<const Part> parts, Mesh& mesh) {
+void add_loft(std::span<const std::vector<dvec3>> sections, std::span<const Material> parts, Mesh& mesh) {
   const std::size_t count = parts.size(), rows = sections.size();
   // Normals of corners: the area-weighted sum of the adjacent faces' normals.
   std::vector<dvec3> normals(rows * count, dvec3(0));
@@ -92,16 +92,17 @@ void add_body(std::span<const BodySection> sections, Mesh& mesh) {
   constexpr std::size_t kArc = kCorner + 1;
   std::vector<std::vector<dvec3>> rows;
   for (const BodySection& section : sections) rows.push_back(outline(section));
-  std::vector<Part> parts(rows[0].size(), Part::body);
-  parts[kArc] = parts[2 * kArc + 2] = parts[3 * kArc + 4] = Part::stripe;
+  std::vector<Material> parts(rows[0].size(), Material::body);
+  parts[kArc] = parts[2 * kArc + 2] = parts[3 * kArc + 4] = Material::stripe;
   add_loft(rows, parts, mesh);
 }
 
 // Adds a wheel about an axis along Z or Y, with a hub on the outside.
 void add_wheel(dvec3 middle, dvec3 half_axis, double radius, Mesh& mesh) {
   constexpr int kWheelSides = 16;
-  add_bar(middle - half_axis, middle + half_axis, radius, radius, kWheelSides, Part::wheel, 0, true, mesh);
-  add_bar(middle + half_axis, middle + 1.12 * half_axis, 0.5 * radius, 0.45 * radius, 10, Part::fin, 0, false, mesh);
+  add_bar(middle - half_axis, middle + half_axis, radius, radius, kWheelSides, Material::wheel, 0, true, mesh);
+  add_bar(middle + half_axis, middle + 1.12 * half_axis, 0.5 * radius, 0.45 * radius, 10, Material::fin, 0, false,
+          mesh);
 }
 
 // Adds wheels above, next to and below one rail, and their bogie.
@@ -116,36 +117,36 @@ void add_bogie(double x, double side, Mesh& mesh) {
   }
   add_wheel(at(0, -kRailRadius - kUnder, rail), outward, kUnder, mesh);
   const double axle = kRailRadius + kRoad;
-  add_box(at(0, 0.5 * (axle - 0.26), kPlate - 0.015), kAhead, {0.07, 0.5 * (axle + 0.26) - 0.02, 0.018}, Part::tie, 0,
-          true, mesh);
-  add_box(at(0, axle + 0.01, kPlate - 0.015), kAhead, {0.22, 0.032, 0.02}, Part::tie, 0, true, mesh);
+  add_box(at(0, 0.5 * (axle - 0.26), kPlate - 0.015), kAhead, {0.07, 0.5 * (axle + 0.26) - 0.02, 0.018}, Material::tie,
+          0, true, mesh);
+  add_box(at(0, axle + 0.01, kPlate - 0.015), kAhead, {0.22, 0.032, 0.02}, Material::tie, 0, true, mesh);
   for (const double along : {-0.17, 0.17})
-    add_bar(at(along, axle, 0.3), at(along, axle, kPlate), 0.03, 0.03, 8, Part::tie, 0, true, mesh);
-  add_bar(at(0, -kRailRadius - kUnder, rail), at(0, -kRailRadius - kUnder, kPlate), 0.025, 0.025, 8, Part::tie, 0,
+    add_bar(at(along, axle, 0.3), at(along, axle, kPlate), 0.03, 0.03, 8, Material::tie, 0, true, mesh);
+  add_bar(at(0, -kRailRadius - kUnder, rail), at(0, -kRailRadius - kUnder, kPlate), 0.025, 0.025, 8, Material::tie, 0,
           false, mesh);
 }
 
 void add_seat(double x, double z, Mesh& mesh) {
-  add_leaning({x - 0.22, 0.62, z - 0.21}, {x - 0.10, 1.08, z + 0.21}, -0.09, Part::seat, mesh);
-  add_leaning({x - 0.32, 1.06, z - 0.13}, {x - 0.21, 1.28, z + 0.13}, -0.03, Part::seat, mesh);
-  add_bar({x + 0.30, 0.62, z}, {x + 0.25, 0.86, z}, 0.028, 0.028, 8, Part::chain, 0, true, mesh);
-  add_bar({x + 0.25, 0.86, z - 0.21}, {x + 0.25, 0.86, z + 0.21}, 0.032, 0.032, 8, Part::chain, 0, true, mesh);
+  add_leaning({x - 0.22, 0.62, z - 0.21}, {x - 0.10, 1.08, z + 0.21}, -0.09, Material::seat, mesh);
+  add_leaning({x - 0.32, 1.06, z - 0.13}, {x - 0.21, 1.28, z + 0.13}, -0.03, Material::seat, mesh);
+  add_bar({x + 0.30, 0.62, z}, {x + 0.25, 0.86, z}, 0.028, 0.028, 8, Material::chain, 0, true, mesh);
+  add_bar({x + 0.25, 0.86, z - 0.21}, {x + 0.25, 0.86, z + 0.21}, 0.032, 0.032, 8, Material::chain, 0, true, mesh);
 }
 
 // Adds a rider whose hip is at `hip`, looking along +X, with hands on the bar.
-void add_rider(dvec3 hip, Part shirt, Part trousers, Mesh& mesh) {
+void add_rider(dvec3 hip, Material shirt, Material trousers, Mesh& mesh) {
   const dvec3 chest = hip + dvec3(-0.05, 0.26, 0), head = hip + dvec3(-0.07, 0.66, 0);
   add_ball(chest, {0.125, 0.31, 0.19}, 12, shirt, mesh);
-  add_bar(hip + dvec3(-0.06, 0.50, 0), head, 0.05, 0.05, 8, Part::skin, 0, false, mesh);
-  add_ball(head, {0.105, 0.125, 0.09}, 16, Part::skin, mesh);
-  add_ball(head + dvec3(-0.022, 0.03, 0), {0.105, 0.112, 0.098}, 16, Part::hair, mesh);
+  add_bar(hip + dvec3(-0.06, 0.50, 0), head, 0.05, 0.05, 8, Material::skin, 0, false, mesh);
+  add_ball(head, {0.105, 0.125, 0.09}, 16, Material::skin, mesh);
+  add_ball(head + dvec3(-0.022, 0.03, 0), {0.105, 0.112, 0.098}, 16, Material::hair, mesh);
   for (const double side : {-1.0, 1.0}) {
     const dvec3 shoulder = hip + dvec3(-0.05, 0.45, 0.17 * side), elbow = hip + dvec3(0.06, 0.20, 0.235 * side),
                 hand = hip + dvec3(0.24, 0.24, 0.12 * side);
     add_ball(shoulder, {0.07, 0.07, 0.07}, 8, shirt, mesh);
     add_bar(shoulder, elbow, 0.06, 0.048, 8, shirt, 0, false, mesh);
-    add_bar(elbow, hand, 0.045, 0.035, 8, Part::skin, 0, false, mesh);
-    add_ball(hand, {0.045, 0.045, 0.04}, 8, Part::skin, mesh);
+    add_bar(elbow, hand, 0.045, 0.035, 8, Material::skin, 0, false, mesh);
+    add_ball(hand, {0.045, 0.045, 0.04}, 8, Material::skin, mesh);
     const dvec3 knee = hip + dvec3(0.36, 0.06, 0.10 * side);
     add_bar(hip + dvec3(-0.02, 0.03, 0.09 * side), knee, 0.09, 0.07, 8, trousers, 0, false, mesh);
     add_ball(knee, {0.07, 0.07, 0.07}, 8, trousers, mesh);
@@ -155,7 +156,7 @@ void add_rider(dvec3 hip, Part shirt, Part trousers, Mesh& mesh) {
 
 }  // namespace
 
-void add_ball(dvec3 middle, dvec3 half, int sides, Part part, Mesh& mesh) {
+void add_ball(dvec3 middle, dvec3 half, int sides, Material part, Mesh& mesh) {
   const int rows = sides / 2;
   const auto first = static_cast<std::uint32_t>(mesh.vertices.size()), count = static_cast<std::uint32_t>(sides);
   for (int row = 0; row <= rows; ++row) {
@@ -191,12 +192,12 @@ Mesh car_mesh(bool leading) {
   else body.insert(body.end(), std::begin(plain), std::end(plain));
   add_body(body, mesh);
   // The floor of the seats, and the chassis below the body.
-  add_block({-0.98, 0.66, -0.44}, {leading ? 0.36 : 0.62, 0.69, 0.44}, Part::seat, mesh);
-  add_block({-1.02, 0.14, -0.34}, {leading ? 0.98 : 1.02, 0.25, 0.34}, Part::tie, mesh);
+  add_block({-0.98, 0.66, -0.44}, {leading ? 0.36 : 0.62, 0.69, 0.44}, Material::seat, mesh);
+  add_block({-1.02, 0.14, -0.34}, {leading ? 0.98 : 1.02, 0.25, 0.34}, Material::tie, mesh);
   for (const double x : {-0.66, 0.66})
     for (const double side : {-1.0, 1.0}) add_bogie(x, side, mesh);
-  const Part shirts[] = {Part::teal, Part::sand, Part::linen, Part::plum},
-             trousers[] = {Part::hair, Part::tie, Part::tie, Part::hair};
+  const Material shirts[] = {Material::teal, Material::sand, Material::linen, Material::plum},
+                 trousers[] = {Material::hair, Material::tie, Material::tie, Material::hair};
   int rider = 0;
   for (const double x : {-0.06, -0.74})
     for (const double z : {-0.265, 0.265}) {
@@ -210,13 +211,13 @@ Mesh car_mesh(bool leading) {
 
 Mesh distant_car_mesh() {
   Mesh mesh;
-  add_block({-1.10, 0.23, -0.575}, {1.10, 0.68, 0.575}, Part::body, mesh);
+  add_block({-1.10, 0.23, -0.575}, {1.10, 0.68, 0.575}, Material::body, mesh);
   return mesh;
 }
 
 Mesh coupling_mesh() {
   Mesh mesh;
-  add_bar({0, 0, 0}, {1, 0, 0}, 0.055, 0.055, 10, Part::tie, 0, true, mesh);
+  add_bar({0, 0, 0}, {1, 0, 0}, 0.055, 0.055, 10, Material::tie, 0, true, mesh);
   return mesh;
 }
 

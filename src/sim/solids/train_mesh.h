@@ -19,6 +19,6 @@ Mesh distant_car_mesh();
 Mesh coupling_mesh();
 
 // Adds an ellipsoid with half axes along x, y, z.
-void add_ball(glm::dvec3 middle, glm::dvec3 half, int sides, Part part, Mesh& mesh);
+void add_ball(glm::dvec3 middle, glm::dvec3 half, int sides, Material part, Mesh& mesh);
 
 }  // namespace coaster::sim

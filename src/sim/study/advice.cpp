@@ -10,26 +10,26 @@ namespace {
 
 // Returns by how much a ride exceeds the envelope near the span: g times seconds of excess of all spans of its car and
 // axis that overlap its part of the track.
-double excess(const SimulatedRide& simulated, const Envelope& envelope, const RedSpan& span) {
+double excess(const SimulatedRide& simulated, const ForceLimitCurves& envelope, const Overload& span) {
   constexpr double kNear = 10;  // m on each side
-  const auto touches = [&](const RedSpan& other) {
+  const auto touches = [&](const Overload& other) {
     if (other.car != span.car || other.axis != span.axis) return false;
     return other.from_distance <= span.to_distance + kNear && other.to_distance >= span.from_distance - kNear;
   };
   double sum = 0;
-  for (const RedSpan& other : red_spans(simulated, envelope))
+  for (const Overload& other : red_spans(simulated, envelope))
     if (touches(other)) sum += (other.worst - other.allowed) * (1.0 + other.to - other.from);
   return sum;
 }
 
 }  // namespace
 
-std::optional<Advice> advise(const world::Document& document, world::Entity cart, const Envelope& envelope,
-                             const RedSpan& span) {
+std::optional<Advice> advise(const world::Document& document, world::Entity cart, const ForceLimitCurves& envelope,
+                             const Overload& span) {
   if (document.track.segments.empty()) return std::nullopt;
   world::Settings settings;
   settings.evaluation->steps = 1;  // polylines are not needed
-  Derived derived;
+  DerivedTrack derived;
   RideCache cache;
   const auto excess_of = [&](const world::Document& tried) {
     derive(tried, settings, {}, derived);

@@ -18,7 +18,7 @@ inline constexpr int kAdviceReach = 3;       // knots to try on each side of the
 
 // Tries the knots from kAdviceReach before the span to as many after it, each along +-x, +-y and +-z. Returns the move
 // that reduces the span's excess most; nothing if none does. Cost: about 40 rides, 2 ms each for a circuit of 1 km.
-std::optional<Advice> advise(const world::Document& document, world::Entity cart, const Envelope& envelope,
-                             const RedSpan& span);
+std::optional<Advice> advise(const world::Document& document, world::Entity cart, const ForceLimitCurves& envelope,
+                             const Overload& span);
 
 }  // namespace coaster::sim

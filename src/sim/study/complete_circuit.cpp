@@ -39,9 +39,9 @@ struct Obstacles {
   };
   std::map<int, Place> places;  // by tens of metres along the track; below 0: the section itself
   int count = 0;
-  void add(std::span<const Narrow> parts) {
-    const Narrow& worst = *std::max_element(parts.begin(), parts.end(),
-                                            [](const Narrow& a, const Narrow& b) { return a.missing < b.missing; });
+  void add(std::span<const LineConflict> parts) {
+    const LineConflict& worst = *std::max_element(
+        parts.begin(), parts.end(), [](const LineConflict& a, const LineConflict& b) { return a.missing < b.missing; });
     Place& place = places[worst.other < 0 ? -1 : static_cast<int>(worst.other / 10)];
     ++place.count, place.sum += worst.other, ++count;
   }
@@ -89,8 +89,8 @@ ElementPlan plan_of(ElementCurve curve) {
   return plan;
 }
 
-struct SearchTerms {
-  const Derived& derived;
+struct ProposalSearchOptions {
+  const DerivedTrack& derived;
   const Conflicts& conflicts;
   std::size_t most_found;
   int most_tried;
@@ -107,7 +107,7 @@ struct SearchTerms {
 // One search: its proposals and the reasons for rejections.
 struct Search {
   const CircuitCandidates& candidates;
-  const SearchTerms& terms;
+  const ProposalSearchOptions& terms;
   CircuitProposals found = {};
   std::vector<CircuitCandidate> rougher = {};
   int tried = 0, rough_ones = 0;
@@ -118,7 +118,7 @@ struct Search {
   // Returns true if it has approximate clearance.
   bool has_room(const CircuitCandidate& candidate) {
     const ClosingCurve closing = candidates.rough(candidate);
-    const std::vector<Narrow> narrow = terms.conflicts.against(
+    const std::vector<LineConflict> narrow = terms.conflicts.against(
         terms.derived, rough_points(rough_line(candidates.task, closing, kRoughStep), closing.out.length),
         {true, kRoughMargin});
     if (!narrow.empty()) obstacles.add(narrow);
@@ -147,7 +147,7 @@ struct Search {
       ++buried_ones;
       return;
     }
-    const std::vector<Narrow> narrow =
+    const std::vector<LineConflict> narrow =
         terms.conflicts.against(terms.derived, line_of(plan.ideal, task.rails), {true, kMargin});
     if (!narrow.empty()) return obstacles.add(narrow);
     plan.fit = terms.lengths.empty() ? fit_element(plan.ideal) : fit_element(plan.ideal, terms.lengths);
@@ -180,7 +180,7 @@ struct Search {
   }
 
   std::string why_not() const {
-    const CircuitLosses& losses = candidates.losses;
+    const CircuitRejections& losses = candidates.losses;
     if (obstacles.count > 0) return obstacles.refusal();
     if (forced > 0 || losses.forced > 0) {
       const double least = std::min(least_g, losses.least_g);
@@ -197,7 +197,7 @@ struct Search {
   }
 };
 
-CircuitProposals searched(const CircuitCandidates& candidates, const SearchTerms& terms) {
+CircuitProposals searched(const CircuitCandidates& candidates, const ProposalSearchOptions& terms) {
   Search search{candidates, terms};
   search.found.speed = candidates.task.speed, search.found.assumed = !candidates.task.coasts;
   if (candidates.refusal.empty()) search.run();
@@ -207,7 +207,7 @@ CircuitProposals searched(const CircuitCandidates& candidates, const SearchTerms
 }
 
 // Returns the square of the train's speed at the section's start, m^2/s^2; too little if it does not get there.
-double square_at_start(const ClosingChange& change) {
+double square_at_start(const ClosingReplanTask& change) {
   const world::ClosingPlan& closing = change.former;
   return closing.speed * closing.speed - (closing.coasts ? 2 * world::kGravity * change.risen : 0.0);
 }
@@ -219,7 +219,7 @@ std::string out_of_reach(double risen) {
 
 }  // namespace
 
-std::optional<CircuitTask> circuit_task(const world::Document& document, const Derived& derived,
+std::optional<CircuitTask> circuit_task(const world::Document& document, const DerivedTrack& derived,
                                         const SimulatedRide* ride) {
   const std::optional<TrackEnd> end = open_end(document);
   if (!end || document.track.segments.empty()) return std::nullopt;
@@ -244,13 +244,13 @@ std::optional<CircuitTask> circuit_task(const world::Document& document, const D
   return task;
 }
 
-CircuitProposals complete_again(const FormerClosing& former, const CircuitTask& task, const Derived& derived,
+CircuitProposals complete_again(const FormerClosing& former, const CircuitTask& task, const DerivedTrack& derived,
                                 const Conflicts& conflicts) {
   return searched(candidates_like(former.closing, task),
                   {derived, conflicts, 1, kMostTriedAgain, kMostSide, former.lengths});
 }
 
-CircuitProposals complete_circuit(const CircuitTask& task, const Derived& derived, const Conflicts& conflicts) {
+CircuitProposals complete_circuit(const CircuitTask& task, const DerivedTrack& derived, const Conflicts& conflicts) {
   CircuitProposals found =
       searched(circuit_candidates(task), {derived, conflicts, kMostProposals, kMostTried, kGentleSide, {}});
   std::stable_sort(found.list.begin(), found.list.end(), [](const CircuitProposal& a, const CircuitProposal& b) {
@@ -281,7 +281,7 @@ void OpenedTrack::update(const world::Document& opened) {
   conflicts.update(derived);
 }
 
-const CircuitProposals& ProposalCache::update(const world::Document& document, const Derived& derived,
+const CircuitProposals& ProposalCache::update(const world::Document& document, const DerivedTrack& derived,
                                               const Conflicts& conflicts, const SimulatedRide* ride) {
   const std::optional<CircuitTask> task = circuit_task(document, derived, ride);
   if (!task) {
@@ -317,7 +317,7 @@ double ClosingJolts::worst(const CircuitProposals& found, std::size_t index, con
   });
 }
 
-ChangedClosing changed_closing(const ClosingChange& change, OpenedTrack& opened) {
+ClosingReplanResult changed_closing(const ClosingReplanTask& change, OpenedTrack& opened) {
   const double square = square_at_start(change), former_square = change.former.speed * change.former.speed;
   if (square < std::min(1.0, former_square)) return {.refusal = out_of_reach(change.risen)};
   opened.update(change.opened);

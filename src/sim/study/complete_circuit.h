@@ -31,12 +31,12 @@ struct CircuitProposals {
 
 // Returns the task of completing the track: `ride` is the train's simulated ride on the open track, null without a
 // train. `derived` must be the document's. Nothing for a closed track and one without a segment.
-std::optional<CircuitTask> circuit_task(const world::Document& document, const Derived& derived,
+std::optional<CircuitTask> circuit_task(const world::Document& document, const DerivedTrack& derived,
                                         const SimulatedRide* ride);
 
 // Returns the proposals. `conflicts` and `derived` must be up to date for the open track. Tries at most kMostTried
 // candidates: below 1 s. Reports progress; once it is cancelled, ends soon with any result.
-CircuitProposals complete_circuit(const CircuitTask& task, const Derived& derived, const Conflicts& conflicts);
+CircuitProposals complete_circuit(const CircuitTask& task, const DerivedTrack& derived, const Conflicts& conflicts);
 inline constexpr int kMostTried = 1200;
 // An existing closing section, with the lengths of its spans, m.
 struct FormerClosing {
@@ -45,7 +45,7 @@ struct FormerClosing {
 };
 // Returns at most one closing section: the one most similar to a former one, in spans of about the same lengths. Tries
 // at most kMostTriedAgain candidates: about 10 ms, and 50 ms if all fail.
-CircuitProposals complete_again(const FormerClosing& former, const CircuitTask& task, const Derived& derived,
+CircuitProposals complete_again(const FormerClosing& former, const CircuitTask& task, const DerivedTrack& derived,
                                 const Conflicts& conflicts);
 inline constexpr int kMostTriedAgain = 12;
 
@@ -55,7 +55,7 @@ std::optional<world::Entity> close_by(world::Document& document, const CircuitPr
 
 // The track of a circuit without the section that completes it, from that section's end to its start.
 struct OpenedTrack {
-  Derived derived;
+  DerivedTrack derived;
   Conflicts conflicts;
   void update(const world::Document& opened);
 };
@@ -64,8 +64,8 @@ struct OpenedTrack {
 class ProposalCache {
  public:
   // Returns the proposals, updated; refused for a track that cannot be completed.
-  const CircuitProposals& update(const world::Document& document, const Derived& derived, const Conflicts& conflicts,
-                                 const SimulatedRide* ride);
+  const CircuitProposals& update(const world::Document& document, const DerivedTrack& derived,
+                                 const Conflicts& conflicts, const SimulatedRide* ride);
   const CircuitProposals& found() const { return found_; }  // of the last update, for tests
 
  private:
@@ -86,8 +86,8 @@ class ClosingJolts {
 
  private:
   using Key = std::tuple<std::uint64_t, std::uint64_t, world::Entity, double>;
-  std::array<base::Kept<Key, double>, kMostProposals> kept_;
-  Derived closed_;
+  std::array<base::CachedValue<Key, double>, kMostProposals> kept_;
+  DerivedTrack closed_;
   RideCache rides_;
 };
 

@@ -14,8 +14,8 @@ std::vector<LinePoint> line_of(const ElementCurve& curve, double rails) {
   return line;
 }
 
-const std::vector<Narrow>& ElementRoom::update(const ElementPlan& plan, const Conflicts& conflicts,
-                                               const Derived& derived, double rails) {
+const std::vector<LineConflict>& ElementClearance::update(const ElementPlan& plan, const Conflicts& conflicts,
+                                                          const DerivedTrack& derived, double rails) {
   if (plan_ == plan.serial && build_ == derived.last_build && order_ == derived.order && rails_ == rails) return found_;
   plan_ = plan.serial, build_ = derived.last_build, order_ = derived.order, rails_ = rails;
   found_.clear();

@@ -14,17 +14,17 @@ std::vector<LinePoint> line_of(const ElementCurve& curve, double rails);
 
 // The parts of a plan whose rails, on or below its ideal curve, conflict with track or with themselves; cached while
 // plan and track are unchanged.
-class ElementRoom {
+class ElementClearance {
  public:
   // `conflicts` must be up to date with `derived`; `rails` as world::rails_height().
-  const std::vector<Narrow>& update(const ElementPlan& plan, const Conflicts& conflicts, const Derived& derived,
-                                    double rails);
+  const std::vector<LineConflict>& update(const ElementPlan& plan, const Conflicts& conflicts,
+                                          const DerivedTrack& derived, double rails);
 
  private:
   std::uint64_t plan_ = 0, build_ = 0;
   double rails_ = 0;
   std::vector<world::Entity> order_;
-  std::vector<Narrow> found_;
+  std::vector<LineConflict> found_;
 };
 
 }  // namespace coaster::sim

@@ -11,9 +11,9 @@ namespace {
 constexpr double kForceRate = static_cast<double>(world::kTicksPerSecond) / kForceEvery;
 
 // A second-order section, by the bilinear transform of 1 / (p^2 + p/q + 1) with the cutoff preserved.
-struct Section {
+struct FilterSection {
   double b, a1, a2;  // (b, 2b, b) over (1, a1, a2)
-  Section(double rate, double cutoff, double q) {
+  FilterSection(double rate, double cutoff, double q) {
     const double k = std::tan(base::kPi * std::min(cutoff, 0.45 * rate) / rate), norm = 1.0 / (1.0 + k / q + k * k);
     b = k * k * norm, a1 = 2.0 * (k * k - 1.0) * norm, a2 = (1.0 - k / q + k * k) * norm;
   }
@@ -28,15 +28,15 @@ struct Section {
 };
 
 // Returns the seat's axis of a limit.
-float Felt::*seat_axis(ForceAxis axis) {
+float FeltAcceleration::*seat_axis(ForceAxis axis) {
   switch (axis) {
     case ForceAxis::down:
-    case ForceAxis::lift: return &Felt::up;
-    case ForceAxis::side: return &Felt::left;
+    case ForceAxis::lift: return &FeltAcceleration::up;
+    case ForceAxis::side: return &FeltAcceleration::left;
     case ForceAxis::forward:
-    case ForceAxis::back: return &Felt::forward;
+    case ForceAxis::back: return &FeltAcceleration::forward;
   }
-  return &Felt::up;
+  return &FeltAcceleration::up;
 }
 
 // For each entry the longest run around it with no value below its own: [first, last].
@@ -59,8 +59,8 @@ std::vector<Run> runs_at_least(std::span<const float> values) {
   return runs;
 }
 
-void find_spans(const SimulatedRide& simulated, const Envelope& envelope, int car, ForceAxis axis,
-                std::vector<RedSpan>& out) {
+void find_spans(const SimulatedRide& simulated, const ForceLimitCurves& envelope, int car, ForceAxis axis,
+                std::vector<Overload>& out) {
   const std::vector<float> values = pressed(simulated, car, axis, envelope.cutoff);
   if (values.size() < 2) return;
   const EnvelopeCurve& curve = envelope.curves[static_cast<std::size_t>(axis)];
@@ -99,8 +99,8 @@ void find_spans(const SimulatedRide& simulated, const Envelope& envelope, int ca
 
 // Returns low-passed felt g of a car that passes tight bends: what happens between two entries counts when it happens,
 // at kFiner times their rate. An entry shows the peak next to it, if there is one.
-std::vector<float> low_passed_finely(const SimulatedRide& simulated, int car, float Felt::*axis, double cutoff,
-                                     std::span<const float> entries) {
+std::vector<float> low_passed_finely(const SimulatedRide& simulated, int car, float FeltAcceleration::*axis,
+                                     double cutoff, std::span<const float> entries) {
   constexpr std::size_t kFiner = 8;
   constexpr double kRate = kFiner * kForceRate;
   const std::size_t last = kFiner * (entries.size() - 1);
@@ -112,7 +112,7 @@ std::vector<float> low_passed_finely(const SimulatedRide& simulated, int car, fl
     fine[i] += static_cast<float>((1 - share) * value), fine[i + 1] += static_cast<float>(share * value);
   };
   std::vector<bool> whole(entries.size(), false);  // the passage has all of what happens before the entry
-  for (const Passage& passage : simulated.passages)
+  for (const JointPassage& passage : simulated.passages)
     if (passage.car == car)
       add(passage.time * kForceRate, kRate * (double{passage.impulse.*axis} + double{passage.missed.*axis}));
   for (const BendPassage& bend : simulated.bends) {
@@ -147,8 +147,8 @@ std::vector<float> low_passed_finely(const SimulatedRide& simulated, int car, fl
 
 }  // namespace
 
-const Envelope& default_envelope() {
-  static const Envelope kDefault{
+const ForceLimitCurves& default_envelope() {
+  static const ForceLimitCurves kDefault{
       {EnvelopeCurve{{0.2, 6}, {1, 6}, {2, 4}, {4, 4}, {5, 3}, {11.8, 3}, {12, 2}},
        EnvelopeCurve{{0.2, 2}, {0.5, 1.5}, {4, 1.5}, {7, 1.1}}, EnvelopeCurve{{0.2, 3}, {1, 3}, {2, 2}},
        EnvelopeCurve{{0.2, 6}, {1, 6}, {2, 4}, {4, 4}, {5, 3}, {11.8, 3}, {12, 2.5}},
@@ -172,17 +172,17 @@ double limit(const EnvelopeCurve& curve, double seconds) {
 void low_pass(std::span<float> values, double rate, double cutoff) {
   if (values.empty()) return;
   // The two pole pairs of a fourth-order Butterworth filter.
-  Section(rate, cutoff, 0.54119610014619698).run(values);
-  Section(rate, cutoff, 1.30656296487637652).run(values);
+  FilterSection(rate, cutoff, 0.54119610014619698).run(values);
+  FilterSection(rate, cutoff, 1.30656296487637652).run(values);
 }
 
-std::vector<float> low_passed_g(const SimulatedRide& simulated, int car, float Felt::*axis, double cutoff) {
+std::vector<float> low_passed_g(const SimulatedRide& simulated, int car, float FeltAcceleration::*axis, double cutoff) {
   std::vector<float> values(simulated.entries());
   for (std::size_t k = 0; k < values.size(); ++k) values[k] = simulated.felt(k, car).*axis;
   if (values.size() > 1 &&
       std::ranges::any_of(simulated.bends, [&](const BendPassage& bend) { return bend.peak.car == car; }))
     return low_passed_finely(simulated, car, axis, cutoff, values);
-  for (const Passage& passage : simulated.passages) {
+  for (const JointPassage& passage : simulated.passages) {
     if (passage.car != car) continue;
     values[passage.entry] += passage.impulse.*axis * static_cast<float>(kForceRate);
     // The nearer of two entries takes more of what both missed. The first stays: the filter starts with it.
@@ -205,8 +205,8 @@ std::vector<float> pressed(const SimulatedRide& simulated, int car, ForceAxis ax
   return values;
 }
 
-std::vector<RedSpan> red_spans(const SimulatedRide& simulated, const Envelope& envelope) {
-  std::vector<RedSpan> spans;
+std::vector<Overload> red_spans(const SimulatedRide& simulated, const ForceLimitCurves& envelope) {
+  std::vector<Overload> spans;
   for (int car = 0; car < simulated.start.cars; ++car)
     for (std::size_t axis = 0; axis < kForceAxes; ++axis)
       find_spans(simulated, envelope, car, static_cast<ForceAxis>(axis), spans);

@@ -49,7 +49,7 @@ const Responses& responses() {
   return kResponses;
 }
 
-glm::vec3 vector_of(const Felt& force) { return {force.forward, force.left, force.up}; }
+glm::vec3 vector_of(const FeltAcceleration& force) { return {force.forward, force.left, force.up}; }
 
 // Updates `found` with the larger of each value.
 void take(const Jolt& one, Jolt& found) {
@@ -67,7 +67,7 @@ class Largest {
     most_ = glm::max(most_, glm::abs(felt));
     square_ = std::max(square_, glm::dot(felt, felt));
   }
-  Jolt jolt(const Passage& passage) const {
+  Jolt jolt(const JointPassage& passage) const {
     return {most_.x, most_.y, most_.z, std::sqrt(square_), passage.car, passage.speed, std::abs(passage.speed)};
   }
 
@@ -78,7 +78,7 @@ class Largest {
 
 // Returns the difference that some consecutive passages of a car make together, with the change of felt g between them,
 // as a jolt of `passage`.
-Jolt together(std::span<const Passage* const> passed, const Passage& passage, double cutoff) {
+Jolt together(std::span<const JointPassage* const> passed, const JointPassage& passage, double cutoff) {
   const Responses& r = responses();
   const double start = passed.front()->time, whole = passed.back()->time - start;
   const auto entries = [&](double time) { return static_cast<float>(time * cutoff * kEntriesPerCutoff); };
@@ -86,12 +86,12 @@ Jolt together(std::span<const Passage* const> passed, const Passage& passage, do
   for (float x = 0; x < static_cast<float>(Responses::kCount) + entries(whole); ++x) {
     glm::vec3 felt(0);
     for (std::size_t i = 0; i < passed.size(); ++i) {
-      const Passage& here = *passed[i];
+      const JointPassage& here = *passed[i];
       const float since = x - entries(here.time - start);
       felt += r.impulse_at(since) * static_cast<float>(cutoff) * vector_of(here.impulse) +
               r.step_at(since) * vector_of(here.step);
       if (i + 1 == passed.size()) break;
-      const Passage& next = *passed[i + 1];
+      const JointPassage& next = *passed[i + 1];
       const glm::vec3 change = vector_of(next.before) - vector_of(here.before) - vector_of(here.step);
       const auto took = static_cast<float>((next.time - here.time) * cutoff);
       if (took > 0) felt += (r.ramp_at(since) - r.ramp_at(since - took * kEntriesPerCutoff)) / took * change;
@@ -106,7 +106,7 @@ Jolt together(std::span<const Passage* const> passed, const Passage& passage, do
 struct Beside {
   std::size_t first, last;
 };
-Beside beside(std::span<const Passage* const> passed, std::size_t i, double cutoff) {
+Beside beside(std::span<const JointPassage* const> passed, std::size_t i, double cutoff) {
   constexpr std::size_t kMostBeside = 3;  // on either side
   const auto near = [&](std::size_t k) { return std::abs(passed[k]->time - passed[i]->time) <= 0.5 / cutoff; };
   const glm::vec3 step = vector_of(passed[i]->step);
@@ -123,7 +123,7 @@ Beside beside(std::span<const Passage* const> passed, std::size_t i, double cuto
 
 }  // namespace
 
-Jolt jolt_of(const Passage& passage, double cutoff) {
+Jolt jolt_of(const JointPassage& passage, double cutoff) {
   const Responses& r = responses();
   const glm::vec3 impulse = static_cast<float>(cutoff) * vector_of(passage.impulse), step = vector_of(passage.step);
   Largest largest;
@@ -132,16 +132,16 @@ Jolt jolt_of(const Passage& passage, double cutoff) {
 }
 
 std::vector<Jolt> passage_jolts(const SimulatedRide& simulated, double cutoff) {
-  std::vector<std::vector<const Passage*>> cars(static_cast<std::size_t>(simulated.start.cars));
+  std::vector<std::vector<const JointPassage*>> cars(static_cast<std::size_t>(simulated.start.cars));
   std::vector<Jolt> found;
   std::vector<std::size_t> places;  // of each passage among its car's
-  for (const Passage& passage : simulated.passages) {
-    std::vector<const Passage*>& passed = cars[static_cast<std::size_t>(passage.car)];
+  for (const JointPassage& passage : simulated.passages) {
+    std::vector<const JointPassage*>& passed = cars[static_cast<std::size_t>(passage.car)];
     places.push_back(passed.size()), passed.push_back(&passage), found.push_back(jolt_of(passage, cutoff));
   }
   for (std::size_t n = 0; n < found.size(); ++n) {
-    const Passage& passage = simulated.passages[n];
-    const std::span<const Passage* const> passed = cars[static_cast<std::size_t>(passage.car)];
+    const JointPassage& passage = simulated.passages[n];
+    const std::span<const JointPassage* const> passed = cars[static_cast<std::size_t>(passage.car)];
     const Beside near = beside(passed, places[n], cutoff);
     for (std::size_t first = near.first; first <= places[n]; ++first)
       for (std::size_t last = std::max(first + 1, places[n]); last <= near.last; ++last)

@@ -25,7 +25,7 @@ struct Jolt {
 
 // Returns the jolt of one passage: cutoff (Hz) impulse r'(cutoff t) + step r(cutoff t), r being the response of the
 // low-pass of 1 Hz to a unit step. Within 0.1 % of the continuous filter.
-Jolt jolt_of(const Passage& passage, double cutoff);
+Jolt jolt_of(const JointPassage& passage, double cutoff);
 
 // Returns the jolts of the simulated ride's passages of joints, in their order. Where a joint that the car passes at
 // most 1 / (2 cutoff) before or after steps the other way, as where a roll begins within half a metre, consecutive

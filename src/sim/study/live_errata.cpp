@@ -25,7 +25,7 @@ double steepest_place(const SegmentShape& shape) {
 
 // Returns the distance in m that a cart moves in kFrozenTicks from rest at `from` on segment `index`, by an integrator;
 // it stops at the segment's ends.
-double way_from_rest(const Derived& derived, std::size_t index, double from, const Integrator& row) {
+double way_from_rest(const DerivedTrack& derived, std::size_t index, double from, const Integrator& row) {
   const SegmentShape& shape = derived.shape_at(index);
   const std::array<TrackPlace, 1> car{TrackPlace{index, from}};
   const TrainContext context{derived, car, 0.0, world::kGravity * rail_point(shape, from).height, {}, 0.0, 0.0};
@@ -37,7 +37,7 @@ double way_from_rest(const Derived& derived, std::size_t index, double from, con
   return std::abs(std::clamp(from + state.x, 0.0, shape.arc.length()) - from);
 }
 
-Erratum frozen(const Derived& derived, std::size_t index) {
+Erratum frozen(const DerivedTrack& derived, std::size_t index) {
   const auto named = [](std::string_view name) -> const Integrator& {
     return base::row_of(*base::value_named<world::IntegratorId>(name));
   };
@@ -53,7 +53,7 @@ Erratum frozen(const Derived& derived, std::size_t index) {
 }
 
 // Returns the larger curvature jump of the segment's two joints.
-double curvature_jump(const Derived& derived, std::size_t index) {
+double curvature_jump(const DerivedTrack& derived, std::size_t index) {
   const std::size_t count = derived.order.size();
   double jump = 0;
   for (const std::size_t at : {index, index + 1}) {
@@ -83,7 +83,8 @@ Erratum flip(const curve::Cubic& cubic) {
 
 double g_step(double jump, double speed) { return speed * speed * jump / world::kGravity; }
 
-std::array<Erratum, kErrata.size()> errata(const Derived& derived, world::Entity segment, double speed, int steps) {
+std::array<Erratum, kErrata.size()> errata(const DerivedTrack& derived, world::Entity segment, double speed,
+                                           int steps) {
   const auto at = std::find(derived.order.begin(), derived.order.end(), segment);
   COASTER_CHECK(at != derived.order.end(), "errata need a segment of the track");
   const SegmentShape& shape = derived.shape(segment);
@@ -112,7 +113,7 @@ std::array<Erratum, kErrata.size()> errata(const Derived& derived, world::Entity
         "closed polygon."}}};
 }
 
-std::optional<Erratum> erratum(const Derived& derived, world::Entity segment, double speed, int steps,
+std::optional<Erratum> erratum(const DerivedTrack& derived, world::Entity segment, double speed, int steps,
                                std::string_view name) {
   for (const Erratum& one : errata(derived, segment, speed, steps))
     if (one.name == name) return one;

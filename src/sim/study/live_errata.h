@@ -32,10 +32,10 @@ inline constexpr int kFrozenTicks = 60;  // half a second
 
 // Returns the six errata of one segment, in the order of kErrata; takes under 1 ms. `speed` in m/s (for g_step),
 // `steps` of the polyline (for line). The segment must be in derived.order.
-std::array<Erratum, kErrata.size()> errata(const Derived& derived, world::Entity segment, double speed, int steps);
+std::array<Erratum, kErrata.size()> errata(const DerivedTrack& derived, world::Entity segment, double speed, int steps);
 
 // Returns one erratum; nothing for an unknown name.
-std::optional<Erratum> erratum(const Derived& derived, world::Entity segment, double speed, int steps,
+std::optional<Erratum> erratum(const DerivedTrack& derived, world::Entity segment, double speed, int steps,
                                std::string_view name);
 
 // Returns v^2 |dK| / g: the jump in g of the force on a rider who passes a jump of the curvature vector of `jump` 1/m

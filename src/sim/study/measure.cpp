@@ -77,7 +77,7 @@ bool find_errors(Measurement& m, std::size_t column, std::span<glm::vec3> points
 
 }  // namespace
 
-Measurement start_measurement(const Derived& derived) {
+Measurement start_measurement(const DerivedTrack& derived) {
   Measurement m;
   if (derived.order.empty()) return m;
   for (const world::Entity segment : derived.order) m.curves.push_back(derived.shape(segment).curve);

@@ -44,7 +44,7 @@ struct Measurement {
 };
 
 // Starts a measurement on the curves of a track; without a segment nothing runs.
-Measurement start_measurement(const Derived& derived);
+Measurement start_measurement(const DerivedTrack& derived);
 
 // Runs the next part: in the first round the errors of the next segments, and after the last of them, as in each other
 // round, every row's time once at one number of steps, in an order that rotates with the round. About kMeasuredPoints

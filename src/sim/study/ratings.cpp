@@ -28,7 +28,7 @@ constexpr double kMostChordsInAll = 2e5;  // longer tracks have longer chords
 constexpr double kSpineDrop = 0.3;        // m below the rails
 
 // A chord of track or a bar of a support.
-struct Thing {
+struct NearMissObject {
   dvec3 from, to;
   double reach;       // m, from its axis to a head that it nearly misses
   double begin, end;  // m along the track; of a bar: of the segment that it holds
@@ -37,10 +37,10 @@ struct Thing {
 
 // Things by the cells that they touch: chords in space, since track may be as high as it is long; bars, which are as
 // high as the track that they hold, in plan.
-class ThingCells {
+class NearMissGrid {
  public:
-  explicit ThingCells(double width) : width_(width) {}
-  void add(const Thing& thing) {
+  explicit NearMissGrid(double width) : width_(width) {}
+  void add(const NearMissObject& thing) {
     const dvec3 low = glm::min(thing.from, thing.to) - thing.reach, high = glm::max(thing.from, thing.to) + thing.reach;
     const int bottom = thing.support ? kAllHeights : cell(low.y), top = thing.support ? kAllHeights : cell(high.y);
     for (int x = cell(low.x); x <= cell(high.x); ++x)
@@ -63,12 +63,12 @@ class ThingCells {
   static constexpr int kAllHeights = std::numeric_limits<int>::min();
   int cell(double v) const { return static_cast<int>(std::floor(v / width_)); }
   double width_;  // m
-  std::vector<Thing> things_;
+  std::vector<NearMissObject> things_;
   std::vector<Entry> entries_;
 };
 
-ThingCells cells_of(const Derived& derived, const Supports* supports, double step) {
-  ThingCells cells(std::max(kLeastCell, step));
+NearMissGrid cells_of(const DerivedTrack& derived, const Supports* supports, double step) {
+  NearMissGrid cells(std::max(kLeastCell, step));
   for (std::size_t i = 0; i < derived.order.size(); ++i) {
     const SegmentShape& shape = derived.shape_at(i);
     const double length = shape.arc.length();
@@ -125,7 +125,7 @@ void take_wheels(const SimulatedRide& simulated, double cutoff, Ratings& r) {
                              side = pressed(simulated, car, ForceAxis::side, cutoff),
                              forward = pressed(simulated, car, ForceAxis::forward, cutoff);
     for (std::size_t i = 0; i < up.size(); ++i) {
-      const Wheels all = wheel_loads(Felt{forward[i], side[i], up[i]}, body).of(WheelSet::car);
+      const LoadsByWheelKind all = wheel_loads(FeltAcceleration{forward[i], side[i], up[i]}, body).of(WheelSet::car);
       const bool first = car == 0 && i == 0;
       take(r.road_most, all.road, first, true, simulated.sample_of(i), car, simulated);
       take(r.up_stop_most, all.up_stop, first, true, simulated.sample_of(i), car, simulated);
@@ -135,7 +135,7 @@ void take_wheels(const SimulatedRide& simulated, double cutoff, Ratings& r) {
 }
 
 void take_jolts(const SimulatedRide& simulated, double cutoff, Ratings& r) {
-  const auto add = [&](const Passage& passage, const Jolt& jolt) {
+  const auto add = [&](const JointPassage& passage, const Jolt& jolt) {
     take(r.jolt_most, jolt.total, false, true, simulated.sample_of(passage.entry), passage.car, simulated);
   };
   const std::vector<Jolt> found = passage_jolts(simulated, cutoff);
@@ -191,7 +191,7 @@ void add(std::string& out, fmt::format_string<Values...> format, Values&&... val
   fmt::format_to(std::back_inserter(out), format, std::forward<Values>(values)...);
 }
 
-void add_extreme(std::string& out, const Figure& figure) {
+void add_extreme(std::string& out, const ReportRow& figure) {
   const Extreme& e = figure.at;
   add(out, "  {:<22} {:>8} {:<4} at {:7.1f} m, {:6.2f} s, car {}\n", figure.name,
       base::figure_text(e.value, 2, figure.unit), figure.unit, e.distance, e.seconds, e.car + 1);
@@ -199,12 +199,12 @@ void add_extreme(std::string& out, const Figure& figure) {
 
 }  // namespace
 
-NearMisses near_misses(const SimulatedRide& simulated, const Derived& derived, const Supports* supports) {
+NearMisses near_misses(const SimulatedRide& simulated, const DerivedTrack& derived, const Supports* supports) {
   NearMisses found;
   if (derived.order.empty() || simulated.samples.empty()) return found;
   const double step = std::max(kStep, derived.length / kMostChordsInAll);
-  const ThingCells cells = cells_of(derived, supports, step);
-  const auto apart = [&](const Thing& thing, double at) {
+  const NearMissGrid cells = cells_of(derived, supports, step);
+  const auto apart = [&](const NearMissObject& thing, double at) {
     const double gap = std::max({0.0, thing.begin - at, at - thing.end});
     return derived.closed ? std::min({gap, thing.begin + derived.length - at, at + derived.length - thing.end}) : gap;
   };
@@ -220,7 +220,7 @@ NearMisses near_misses(const SimulatedRide& simulated, const Derived& derived, c
     const TrackPlace place = place_at(derived, at);
     const dvec3 head = ring_at(derived.shape_at(place.index), place.s).place(0, kHead);
     bool by_track = false, by_support = false;
-    cells.visit(head, [&](const Thing& thing) {
+    cells.visit(head, [&](const NearMissObject& thing) {
       bool& near = thing.support ? by_support : by_track;
       near =
           near || (apart(thing, at) > kMissApart && distance_between(thing.from, thing.to, head, head) < thing.reach);
@@ -242,7 +242,7 @@ double excitement_of(const Ratings& r) {
   return std::min(10.0, thrill / (1 + pain));
 }
 
-Ratings rate(const SimulatedRide& simulated, const RailTables& tables, double cutoff, const RideMarks& marks) {
+Ratings rate(const SimulatedRide& simulated, const RailTables& tables, double cutoff, const RideIncidents& marks) {
   Ratings r;
   r.complete = simulated.lap || simulated.end == world::FailureKind::off_end;
   r.seconds = simulated.lap ? simulated.lap_time : simulated.seconds();
@@ -260,7 +260,7 @@ Ratings rate(const SimulatedRide& simulated, const RailTables& tables, double cu
   const auto g = [](const Extreme& extreme) { return base::limited_figure(extreme.value, "g"); };
   const double p = g(r.up_most), n = g(r.up_least), l = g(r.side_most), d = r.drops, h = r.highest_drop;
   r.near_misses = marks.near_misses;
-  for (const RedSpan& span : marks.overloads)
+  for (const Overload& span : marks.overloads)
     r.overload += span.allowed > 0 ? std::max(0.0, span.worst / span.allowed - 1) : 1.0;
   r.excitement = excitement_of(r);
   r.intensity = 0.8 * p + 0.8 * (1 - n) + l + 0.14 * d + 0.0098 * h;
@@ -268,7 +268,7 @@ Ratings rate(const SimulatedRide& simulated, const RailTables& tables, double cu
   return r;
 }
 
-std::vector<Figure> report_figures(const Ratings& r, std::span<const Rider> riders) {
+std::vector<ReportRow> report_figures(const Ratings& r, std::span<const Rider> riders) {
   return {{"top speed", "m/s", r.top_speed},
           {"highest", "m", r.highest},
           {"lowest", "m", r.lowest},
@@ -287,7 +287,7 @@ std::vector<Figure> report_figures(const Ratings& r, std::span<const Rider> ride
 }
 
 std::string report_text(const SimulatedRide& simulated, const Ratings& r, std::span<const Rider> riders,
-                        std::span<const RedSpan> red, const std::string& track_name) {
+                        std::span<const Overload> red, const std::string& track_name) {
   std::string out = track_name + "\n";
   add(out, "  {:<22} {:8.2f} m\n", "length", r.length);
   add(out, "  {:<22} {:8.2f} s{}\n", simulated.lap ? "lap" : "time", r.seconds,
@@ -297,7 +297,7 @@ std::string report_text(const SimulatedRide& simulated, const Ratings& r, std::s
         simulated.distance(simulated.samples.size() - 1));
   add(out, "  {:<22} {:8}, {} m apart\n", "cars", simulated.start.cars,
       static_cast<int>(std::lround(simulated.start.spacing)));
-  for (const Figure& figure : report_figures(r, riders)) {
+  for (const ReportRow& figure : report_figures(r, riders)) {
     const std::string_view name = figure.name;
     if (name == "most vertical" && !riders.empty())
       add(out, "  {:<22} low-passed at {:.3g} Hz, of all cars\n", "felt g", riders.front().cutoff);
@@ -310,7 +310,7 @@ std::string report_text(const SimulatedRide& simulated, const Ratings& r, std::s
   add(out, "  {:<22} {:8.2f}, intensity {:.2f}, nausea {:.2f} (docs/ride.md)\n", "excitement", r.excitement,
       r.intensity, r.nausea);
   add(out, "  {:<22} {:8} (force limits by duration; not a compliance check)\n", "overloads", red.size());
-  for (const RedSpan& span : red)
+  for (const Overload& span : red)
     add(out, "    car {:2}, {:<22} {:>6} g, limit {:.2f} g, {:.2f}..{:.2f} s, {:.1f}..{:.1f} m\n", span.car + 1,
         base::row_of(span.axis).label, base::figure_text(signed_g(span.axis, span.worst), 2, "g"),
         signed_g(span.axis, span.allowed), span.from, span.to, span.from_distance, span.to_distance);
@@ -333,9 +333,9 @@ std::string report_csv(const SimulatedRide& simulated, std::span<const Rider> ri
     add(out, "{:.6f},{:.4f},{:.4f},{:.4f},{:.4f}", SimulatedRide::time_of(sample), simulated.distance(sample),
         simulated.samples[sample].speed, riders[0].samples[k].height, simulated.samples[sample].acceleration);
     for (int car = 0; car < simulated.start.cars; ++car) {
-      const Felt& f = simulated.felt(k, car);
+      const FeltAcceleration& f = simulated.felt(k, car);
       const WheelLoads loads = wheel_loads(simulated, k, car);
-      const Wheels front = loads.of(WheelSet::front), rear = loads.of(WheelSet::rear);
+      const LoadsByWheelKind front = loads.of(WheelSet::front), rear = loads.of(WheelSet::rear);
       for (const double g : {f.up, f.left, f.forward}) add(out, ",{:.4f}", base::limited_figure(g, "g"));
       for (const double load : {front.road, rear.road, front.up_stop, rear.up_stop, loads.of(WheelSet::left).side,
                                 loads.of(WheelSet::right).side})

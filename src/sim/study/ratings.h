@@ -39,30 +39,30 @@ inline constexpr double kDrop = 3.0;  // m
 double excitement_of(const Ratings& ratings);
 
 // Properties of a ride that its simulated ride does not contain: near misses and overloads.
-struct RideMarks {
+struct RideIncidents {
   int near_misses = 0;
-  std::span<const RedSpan> overloads = {};
+  std::span<const Overload> overloads = {};
 };
 
 // Returns the ratings of a simulated ride on these tables; `cutoff` in Hz is that of the forces' low-pass. An inversion
 // counts where the riders' up, that is the rotation-minimising frame with its banking, points below the horizon by more
 // than 0.2 and then above it again. Takes about 1 ms for a lap of a minute with one car.
-Ratings rate(const SimulatedRide& simulated, const RailTables& tables, double cutoff, const RideMarks& marks = {});
+Ratings rate(const SimulatedRide& simulated, const RailTables& tables, double cutoff, const RideIncidents& marks = {});
 
 // Return a readable report, and the ride by time as CSV (one line per kForceEvery ticks and one at the end,
 // units in the heading, named by the car whose forces it has).
 // `riders`: all cars, first to last.
 std::string report_text(const SimulatedRide& simulated, const Ratings& ratings, std::span<const Rider> riders,
-                        std::span<const RedSpan> red, const std::string& track_name);
+                        std::span<const Overload> red, const std::string& track_name);
 std::string report_csv(const SimulatedRide& simulated, std::span<const Rider> riders);
 
 // An extreme value of the report: "top speed", in m/s.
-struct Figure {
+struct ReportRow {
   const char *name, *unit;
   Extreme at;
 };
 // Returns the report's extreme values, in its order; `riders`: all cars, first to last.
-std::vector<Figure> report_figures(const Ratings& ratings, std::span<const Rider> riders);
+std::vector<ReportRow> report_figures(const Ratings& ratings, std::span<const Rider> riders);
 
 struct NearMisses {
   int track = 0, supports = 0;
@@ -78,6 +78,6 @@ inline constexpr double kMissApart =
 
 // Counts the near misses of the first lap, for the first car's riders; without `supports` only those of track. About a
 // microsecond per metre of track and of ride.
-NearMisses near_misses(const SimulatedRide& simulated, const Derived& derived, const Supports* supports);
+NearMisses near_misses(const SimulatedRide& simulated, const DerivedTrack& derived, const Supports* supports);
 
 }  // namespace coaster::sim

@@ -16,12 +16,12 @@ namespace {
 constexpr double kRate = static_cast<double>(world::kTicksPerSecond) / kForceEvery;  // entries per second
 constexpr double kDegrees = 180.0 / base::kPi;
 
-double magnitude(const Felt& force) {
+double magnitude(const FeltAcceleration& force) {
   const double up = force.up, left = force.left, forward = force.forward;
   return std::sqrt(up * up + left * left + forward * forward);
 }
 
-void fill_jerk(const SimulatedRide& simulated, int car, float Felt::*axis, double cutoff,
+void fill_jerk(const SimulatedRide& simulated, int car, float FeltAcceleration::*axis, double cutoff,
                std::vector<RiderSample>& samples) {
   const std::vector<float> felt = low_passed_g(simulated, car, axis, cutoff);
   for (std::size_t k = 0; k < felt.size(); ++k) {
@@ -32,8 +32,8 @@ void fill_jerk(const SimulatedRide& simulated, int car, float Felt::*axis, doubl
   }
 }
 
-void fill_roll_and_height(const SimulatedRide& simulated, int car, const RailTables& tables, const Derived& derived,
-                          std::vector<RiderSample>& samples) {
+void fill_roll_and_height(const SimulatedRide& simulated, int car, const RailTables& tables,
+                          const DerivedTrack& derived, std::vector<RiderSample>& samples) {
   std::size_t hint = 0;
   for (std::size_t k = 0; k < samples.size(); ++k) {
     const RideSample& moving = simulated.samples[simulated.sample_of(k)];
@@ -120,7 +120,7 @@ void fill(std::size_t riders, std::size_t count, const Of& of, SeatCurves& curve
 }  // namespace
 
 double Rider::value(std::size_t k, RideValue value) const {
-  const Felt& force = simulated->felt(k, car);
+  const FeltAcceleration& force = simulated->felt(k, car);
   switch (value) {
     case RideValue::vertical: return force.up;
     case RideValue::lateral: return force.left;
@@ -137,8 +137,8 @@ double Rider::value(std::size_t k, RideValue value) const {
   return 0;
 }
 
-void Riders::update(const SimulatedRide& simulated, const RailTables& tables, const Derived& derived, double cutoff,
-                    CarRange cars) {
+void Riders::update(const SimulatedRide& simulated, const RailTables& tables, const DerivedTrack& derived,
+                    double cutoff, CarRange cars) {
   if (serial_ != simulated.serial || cutoff_ != cutoff) samples_.clear();
   simulated_ = &simulated, serial_ = simulated.serial, cutoff_ = cutoff;
   samples_.resize(static_cast<std::size_t>(simulated.start.cars));
@@ -146,7 +146,8 @@ void Riders::update(const SimulatedRide& simulated, const RailTables& tables, co
     std::vector<RiderSample>& samples = samples_[static_cast<std::size_t>(car)];
     if (!samples.empty()) continue;
     samples.resize(Rider{&simulated}.entries());
-    for (float Felt::*const axis : {&Felt::up, &Felt::left, &Felt::forward})
+    for (float FeltAcceleration::*const axis :
+         {&FeltAcceleration::up, &FeltAcceleration::left, &FeltAcceleration::forward})
       fill_jerk(simulated, car, axis, cutoff, samples);
     fill_roll_and_height(simulated, car, tables, derived, samples);
   }
@@ -210,7 +211,7 @@ SeatCurves curves_by_time(std::span<const Rider> riders) {
 
 std::optional<double> value_at(const Rider& rider, double distance, RideValue value) {
   if (value == RideValue::speed) {
-    const auto passing = Passings(*rider.simulated).at(distance, rider.car * rider.simulated->start.spacing);
+    const auto passing = PassingLookup(*rider.simulated).at(distance, rider.car * rider.simulated->start.spacing);
     return passing ? std::optional(passing->speed) : std::nullopt;
   }
   const Passages passages(rider);

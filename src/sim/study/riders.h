@@ -52,10 +52,10 @@ constexpr std::span<const RideValueRow> rows_of(RideValue) { return kRideValues;
 inline constexpr std::size_t kRideValueCount = std::size(kRideValues);
 
 struct RiderSample {
-  Felt jerk{0, 0, 0};           // g/s on the seat's axes
-  float roll_rate = 0;          // deg/s
-  float roll_acceleration = 0;  // deg/s^2
-  float height = 0;             // m, of the rails
+  FeltAcceleration jerk{0, 0, 0};  // g/s on the seat's axes
+  float roll_rate = 0;             // deg/s
+  float roll_acceleration = 0;     // deg/s^2
+  float height = 0;                // m, of the rails
 };
 
 // True for values that need samples; the others are the simulated ride's own.
@@ -92,7 +92,7 @@ struct CarRange {
 class Riders {
  public:
   // Computes the samples of the cars. About 0.5 ms for a minute of one car.
-  void update(const SimulatedRide& simulated, const RailTables& tables, const Derived& derived, double cutoff,
+  void update(const SimulatedRide& simulated, const RailTables& tables, const DerivedTrack& derived, double cutoff,
               CarRange cars);
   // Returns a car requested in the last update() or earlier in the same ride.
   Rider car(int index) const;

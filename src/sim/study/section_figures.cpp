@@ -36,20 +36,20 @@ class AlongRide {
 
   // Returns the index of the first point at or after a position, and the position as the curves count it; nothing if
   // the riders do not reach it.
-  struct Found {
+  struct CurvePosition {
     std::size_t index;
     double place;
   };
-  std::optional<Found> find(double place) const {
+  std::optional<CurvePosition> find(double place) const {
     const std::vector<double>& places = curves_.place;
     for (const double here : {place, place + lap_, place - lap_})
       if (!places.empty() && here >= places.front() && here <= places.back())
-        return Found{static_cast<std::size_t>(std::lower_bound(places.begin(), places.end(), here) - places.begin()),
-                     here};
+        return CurvePosition{
+            static_cast<std::size_t>(std::lower_bound(places.begin(), places.end(), here) - places.begin()), here};
     return std::nullopt;
   }
   // Returns a curve's value there, linear between points.
-  double value(const std::vector<double>& curve, const Found& at) const {
+  double value(const std::vector<double>& curve, const CurvePosition& at) const {
     if (at.index == 0) return curve[0];
     const double from = curves_.place[at.index - 1], to = curves_.place[at.index];
     return curve[at.index - 1] + (at.place - from) / (to - from) * (curve[at.index] - curve[at.index - 1]);
@@ -67,7 +67,7 @@ class AlongRide {
 };
 
 // Returns the largest speed of the riders' cars where they pass a position, m/s.
-std::optional<double> speed_of(std::span<const Rider> riders, const Passings& passings, double distance) {
+std::optional<double> speed_of(std::span<const Rider> riders, const PassingLookup& passings, double distance) {
   std::optional<double> most;
   for (const Rider& rider : riders)
     if (const auto passing = passings.at(distance, rider.car * rider.simulated->start.spacing))
@@ -110,11 +110,11 @@ const SectionFigures& SectionTable::of(const world::SectionRun& run) const {
   return *found;
 }
 
-std::vector<SectionFigures> section_figures(const world::Document& document, const Derived& derived,
+std::vector<SectionFigures> section_figures(const world::Document& document, const DerivedTrack& derived,
                                             std::span<const Rider> riders) {
   std::vector<SectionFigures> all;
   std::optional<SeatCurves> curves;
-  std::optional<Passings> passings;
+  std::optional<PassingLookup> passings;
   if (!riders.empty()) curves = curves_by_place(riders), passings.emplace(*riders.front().simulated);
   const std::vector<world::Entity>& knots = document.track.knots;
   const auto height = [&](std::size_t i) { return double{world::knot(document, knots[i % knots.size()]).position.y}; };

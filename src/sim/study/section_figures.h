@@ -27,7 +27,7 @@ struct SectionTable {
 };
 
 // Returns the figures of all sections. `riders`: of the seat; none without a ride. Linear in segments and entries.
-std::vector<SectionFigures> section_figures(const world::Document& document, const Derived& derived,
+std::vector<SectionFigures> section_figures(const world::Document& document, const DerivedTrack& derived,
                                             std::span<const Rider> riders);
 
 }  // namespace coaster::sim

@@ -55,7 +55,7 @@ double value_of(const Rider& rider, std::size_t entry, Colouring colouring) {
 // Distributes the ride's values over the positions that the car passes.
 class Spread {
  public:
-  Spread(const Derived& derived, double rest, std::vector<float>& out)
+  Spread(const DerivedTrack& derived, double rest, std::vector<float>& out)
       : rest_(rest), length_(derived.length), closed_(derived.closed), out_(out) {
     places_.reserve(out.size());
     for (std::size_t i = 0; i < derived.order.size(); ++i)
@@ -86,7 +86,7 @@ class Spread {
   std::vector<float>& out_;
 };
 
-void fill_ride(const Derived& derived, const Rider& rider, Colouring colouring, std::vector<float>& out) {
+void fill_ride(const DerivedTrack& derived, const Rider& rider, Colouring colouring, std::vector<float>& out) {
   Spread spread(derived, colouring == Colouring::vertical ? 1.0 : 0.0, out);
   for (std::size_t k = 0; k + 1 < rider.entries(); ++k)
     spread.add(rider.place(k), value_of(rider, k, colouring), rider.place(k + 1), value_of(rider, k + 1, colouring));
@@ -114,7 +114,7 @@ void round_range(TrackValues& values) {
 
 }  // namespace
 
-void TrackValueCache::fill_segments(const Derived& derived, const world::Settings& settings) {
+void TrackValueCache::fill_segments(const DerivedTrack& derived, const world::Settings& settings) {
   for (std::size_t i = 0; i < derived.order.size(); ++i) {
     const SegmentShape& shape = derived.shape_at(i);
     Entry& entry = entries_.obtain(derived.order[i]);
@@ -144,7 +144,7 @@ std::optional<RideValue> ride_value_of(Colouring colouring) {
   }
 }
 
-const TrackValues& TrackValueCache::update(const Derived& derived, const world::Settings& settings,
+const TrackValues& TrackValueCache::update(const DerivedTrack& derived, const world::Settings& settings,
                                            const std::optional<Rider>& rider) {
   const Colouring colouring = settings.lab->colouring;
   const bool of_ride = base::row_of(colouring).of_ride, of_evaluator = colouring == Colouring::error;

@@ -33,7 +33,8 @@ class TrackValueCache {
   // values: of that car's riders; if it passes several times, the value that differs most from rest. Height and
   // curvature: only changed segments are recomputed, 10 us each. Error: sim::error_profile() of
   // settings.evaluation->evaluator, the largest near each position. Plain: nothing.
-  const TrackValues& update(const Derived& derived, const world::Settings& settings, const std::optional<Rider>& rider);
+  const TrackValues& update(const DerivedTrack& derived, const world::Settings& settings,
+                            const std::optional<Rider>& rider);
 
  private:
   using Samples = std::array<float, kValuesPerSegment>;
@@ -50,7 +51,7 @@ class TrackValueCache {
     std::uint64_t build = 0;
     Samples samples{};
   };
-  void fill_segments(const Derived& derived, const world::Settings& settings);
+  void fill_segments(const DerivedTrack& derived, const world::Settings& settings);
 
   Key key_;
   std::vector<world::Entity> order_;

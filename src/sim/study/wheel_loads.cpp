@@ -6,10 +6,10 @@
 
 namespace coaster::sim {
 
-Wheels WheelLoads::of(WheelSet set) const {
+LoadsByWheelKind WheelLoads::of(WheelSet set) const {
   constexpr std::array<unsigned, base::count_of<WheelSet>()> kMembers{0b1111, 0b0011, 0b1100, 0b0101, 0b1010,
                                                                       0b0001, 0b0010, 0b0100, 0b1000};
-  Wheels sum;
+  LoadsByWheelKind sum;
   for (std::size_t i = 0; i < corners.size(); ++i) {
     if ((kMembers[static_cast<std::size_t>(set)] >> i & 1u) == 0) continue;
     sum.road += corners[i].road, sum.up_stop += corners[i].up_stop, sum.side += corners[i].side;
@@ -17,7 +17,7 @@ Wheels WheelLoads::of(WheelSet set) const {
   return sum;
 }
 
-WheelLoads wheel_loads(const Felt& felt, const CarBody& car) {
+WheelLoads wheel_loads(const FeltAcceleration& felt, const CarBody& car) {
   const double weight = 1e-3 * car.mass * world::kGravity;                      // kN per g
   const double pitch = felt.forward * car.height / (kBogieShare * car.length),  // g from front to rear,
       roll = felt.left * car.height / kGauge;                                   // from left to right
@@ -30,9 +30,9 @@ WheelLoads wheel_loads(const Felt& felt, const CarBody& car) {
   return loads;
 }
 
-WheelLoads wheel_loads(const world::Document& document, const Derived& derived, world::Entity train,
-                       const world::CartMotion& motion) {
-  const world::Cart& design = document.entities.get<world::Cart>(train);
+WheelLoads wheel_loads(const world::Document& document, const DerivedTrack& derived, world::Entity train,
+                       const world::TrainMotion& motion) {
+  const world::Train& design = document.entities.get<world::Train>(train);
   return wheel_loads(felt(document, derived, train, motion), {design.mass, design.body(), document.heartline});
 }
 

@@ -20,7 +20,7 @@ struct CarBody {
 };
 
 // Loads in kN, never negative: the rails push road wheels up, up-stop wheels down, side wheels outwards.
-struct Wheels {
+struct LoadsByWheelKind {
   double road = 0, up_stop = 0, side = 0;
 };
 
@@ -38,18 +38,18 @@ inline constexpr base::NameRow kWheelSets[] = {{"car", "Car"},
 constexpr std::span<const base::NameRow> rows_of(WheelSet) { return kWheelSets; }
 
 struct WheelLoads {
-  std::array<Wheels, 4> corners;  // front left, front right, rear left, rear right
+  std::array<LoadsByWheelKind, 4> corners;  // front left, front right, rear left, rear right
   // Returns the sum over a set.
-  Wheels of(WheelSet set) const;
+  LoadsByWheelKind of(WheelSet set) const;
 };
 
 // Returns the loads of a car: forces sum to mass times felt g up and to the left, and all moments about the centre of
 // mass vanish. Forces along the track act at the height of the rails. Both bogies take half of the lateral force.
-WheelLoads wheel_loads(const Felt& felt, const CarBody& car);
+WheelLoads wheel_loads(const FeltAcceleration& felt, const CarBody& car);
 // Return the loads of a train's first car in its present motion, and of a simulated ride's car at an entry of
 // SimulatedRide::forces.
-WheelLoads wheel_loads(const world::Document& document, const Derived& derived, world::Entity train,
-                       const world::CartMotion& motion);
+WheelLoads wheel_loads(const world::Document& document, const DerivedTrack& derived, world::Entity train,
+                       const world::TrainMotion& motion);
 WheelLoads wheel_loads(const SimulatedRide& simulated, std::size_t entry, int car);
 
 }  // namespace coaster::sim

@@ -37,74 +37,75 @@ namespace {
 
 using platform::Key;
 
-constexpr Condition kSectionSelected{[](const Act& act) { return selected_is(act, world::Kind::section); },
+constexpr Condition kSectionSelected{[](const ActionContext& act) { return selected_is(act, world::Kind::section); },
                                      "Select a section first."};
 
-template <Want::Kind kind>
-void want(Act& act) {
+template <ScreenRequest::Kind kind>
+void want(ActionContext& act) {
   act.ui.want = {kind};
 }
 template <class Command>
-void emit(Act& act) {
+void emit(ActionContext& act) {
   act.ui.emit(Command{});
 }
-void start_empty(Act& act) { act.ui.replace(edit::NewTrack{}); }
-template <PhotoWish wish>
-void photo(Act& act) {
+void start_empty(ActionContext& act) { act.ui.replace(edit::NewTrack{}); }
+template <PictureRequest wish>
+void photo(ActionContext& act) {
   act.ui.out.photo = wish;
 }
-constexpr Condition kInChallenge{[](const Act& act) { return act.ui.session().game.challenge.has_value(); },
+constexpr Condition kInChallenge{[](const ActionContext& act) { return act.ui.session().game.challenge.has_value(); },
                                  "No challenge is open."};
 // Shares the track as a link, or as a file if it is too large for a link.
-void share(Act& act) {
+void share(ActionContext& act) {
   act.ui.emit(edit::Share{});
-  if (edit::link_of(act.ui.session()).size() > exchange::kMaxLinkBytes) act.ui.want = {Want::Kind::save_as};
+  if (edit::link_of(act.ui.session()).size() > exchange::kMaxLinkBytes) act.ui.want = {ScreenRequest::Kind::save_as};
 }
-bool filming(const Act& act) { return act.ui.state.movie != nullptr; }
-constexpr Condition kFilmable{[](const Act& act) { return filming(act) || kRideable.holds(act); }, kRideable.otherwise};
-void record_movie(Act& act) { act.ui.out.movie = filming(act) ? MovieWish::stop : MovieWish::start; }
+bool filming(const ActionContext& act) { return act.ui.state.movie != nullptr; }
+constexpr Condition kFilmable{[](const ActionContext& act) { return filming(act) || kRideable.holds(act); },
+                              kRideable.otherwise};
+void record_movie(ActionContext& act) { act.ui.out.movie = filming(act) ? MovieWish::stop : MovieWish::start; }
 
 constexpr Action kFileActions[] = {
     {"New", "File", ctrl(Key::n), kOnStart, "Start an empty track.", start_empty},
-    {"Open", "File", ctrl(Key::o), kOnStart, "Choose a track file to open.", want<Want::Kind::browse>},
-    {"Save", "File", ctrl(Key::s), 0, "Save the track to its file.", want<Want::Kind::save>},
+    {"Open", "File", ctrl(Key::o), kOnStart, "Choose a track file to open.", want<ScreenRequest::Kind::browse>},
+    {"Save", "File", ctrl(Key::s), 0, "Save the track to its file.", want<ScreenRequest::Kind::save>},
     {"Save as", "File", ctrl_shift(Key::s), 0, "Save to another file or export. The file extension selects the format.",
-     want<Want::Kind::save_as>},
+     want<ScreenRequest::Kind::save_as>},
     {"Share", "File", ctrl_shift(Key::l), 0,
      "Copy a link that opens this track in this view. It holds the whole track.", share},
     {"Save sections", "File", kNoKey, 0, "Save the selected sections to a file of their own.",
-     want<Want::Kind::save_sections>, kSectionSelected},
+     want<ScreenRequest::Kind::save_sections>, kSectionSelected},
     {"Add sections", "File", kNoKey, 0, "Add the sections of a file at the open end of the track.",
-     want<Want::Kind::open_sections>},
+     want<ScreenRequest::Kind::open_sections>},
     {"Start screen", "File", kNoKey, 0, "Recent tracks, samples, challenges and the tutorial.",
-     want<Want::Kind::start_screen>},
+     want<ScreenRequest::Kind::start_screen>},
     {"Tutorial", "File", kNoKey, kOnStart, "Build and ride your first coaster, step by step.",
-     want<Want::Kind::tutorial>},
+     want<ScreenRequest::Kind::tutorial>},
     {"Challenges", "File", ctrl(Key::h), kOnStart, "Choose a challenge with a goal and three medals.",
-     want<Want::Kind::challenges>},
+     want<ScreenRequest::Kind::challenges>},
     {"Leave challenge", "File", kNoKey, 0, "Leave the challenge. The track stays as it is.", emit<edit::LeaveChallenge>,
      kInChallenge},
     {"Settings", "File", ctrl(Key::comma), kOnStart, "Scale, theme, sound, autosave and keys.",
-     want<Want::Kind::settings>},
+     want<ScreenRequest::Kind::settings>},
     {"Screenshot", "File", key(Key::f12), kInDrag, "Save a picture of the scene, without panels and selection.",
-     photo<PhotoWish::scene>},
+     photo<PictureRequest::scene>},
     {"Screenshot with panels", "File", ctrl(Key::f12), kInDrag, "Save a picture of the whole window.",
-     photo<PhotoWish::window>},
+     photo<PictureRequest::window>},
     {"Record movie", "File", shift(Key::f12), kInDrag,
      "Record one lap as pictures and, where ffmpeg is installed, as a movie. Again to stop.", record_movie, kFilmable,
      filming},
-    {"Quit", "File", ctrl(Key::q), kOnStart, "Quit coaster.", want<Want::Kind::quit>},
+    {"Quit", "File", ctrl(Key::q), kOnStart, "Quit coaster.", want<ScreenRequest::Kind::quit>},
 };
 
-bool running(const Act& act) { return act.ui.session().motion.state == world::RideState::running; }
-void play_pause(Act& act) { running(act) ? act.ui.emit(edit::RidePause{}) : act.ui.emit(edit::RideStart{}); }
-void single_step(Act& act) {
+bool running(const ActionContext& act) { return act.ui.session().motion.state == world::RideState::running; }
+void play_pause(ActionContext& act) { running(act) ? act.ui.emit(edit::RidePause{}) : act.ui.emit(edit::RideStart{}); }
+void single_step(ActionContext& act) {
   if (running(act)) act.ui.emit(edit::RidePause{});
   act.ui.emit(edit::RideStep{1});
 }
-constexpr Condition kFailed{[](const Act& act) { return failed_place(act.ui.session()).has_value(); },
+constexpr Condition kFailed{[](const ActionContext& act) { return failed_place(act.ui.session()).has_value(); },
                             "No ride has failed."};
-void show_failed_place(Act& act) { show_place(act.ui, *failed_place(act.ui.session())); }
+void show_failed_place(ActionContext& act) { show_place(act.ui, *failed_place(act.ui.session())); }
 
 constexpr Action kRideActions[] = {
     {"Play or pause", "Ride", key(Key::space), kInDrag, "Start or pause the ride.", play_pause, kRideable},
@@ -120,7 +121,7 @@ using world::Entity;
 using world::EquipmentKind;
 
 // Returns the section under the cursor, else that of the selected knot or segment; kNone without one.
-Entity section_here(const Act& act) {
+Entity section_here(const ActionContext& act) {
   const edit::Session& session = act.ui.session();
   if (const Entity under = section_under(session, act.hovered); under.valid()) return under;
   const Entity selected = session.settings.selected;
@@ -128,17 +129,18 @@ Entity section_here(const Act& act) {
   const bool knot = session.document.entities.find<world::Knot>(selected) != nullptr;
   return knot ? world::section_of_knot(session.document, selected) : world::kNone;
 }
-constexpr Condition kInSection{[](const Act& act) { return section_here(act).valid(); },
+constexpr Condition kInSection{[](const ActionContext& act) { return section_here(act).valid(); },
                                "Point at the track, or select a knot or a segment first."};
-void select_section(Act& act) {
+void select_section(ActionContext& act) {
   act.ui.emit(edit::Select{{world::name_of(act.ui.session().document, section_here(act))}});
 }
 
-constexpr Condition kHasSections{[](const Act& act) { return !act.ui.session().document.track.segments.empty(); },
-                                 "The track has no sections."};
+constexpr Condition kHasSections{
+    [](const ActionContext& act) { return !act.ui.session().document.track.segments.empty(); },
+    "The track has no sections."};
 // Steps from the active section, else from the one with something selected; without one to the first or the last. A
 // closed track goes on at its other end.
-void step_section(Act& act, bool on, bool adds) {
+void step_section(ActionContext& act, bool on, bool adds) {
   const edit::Session& session = act.ui.session();
   const std::vector<world::SectionRun> runs = world::sections_of(session.document);
   Entity from = session.settings.selected;
@@ -160,38 +162,38 @@ void step_section(Act& act, bool on, bool adds) {
   act.ui.out.commands.push_back(selection_of(session.document, sections));
 }
 template <bool on, bool adds>
-void step(Act& act) {
+void step(ActionContext& act) {
   step_section(act, on, adds);
 }
 
 // Emits a command for each selected section, as one step of undo.
 template <class Make>
-void for_each_section(Act& act, const Make& make) {
+void for_each_section(ActionContext& act, const Make& make) {
   const edit::Session& session = act.ui.session();
   act.ui.emit_each(world::selected_sections(session.document, session.settings),
                    [&](Entity e) { act.ui.emit(make(world::name_of(session.document, e))); });
 }
 template <class Command>
-void each(Act& act) {
+void each(ActionContext& act) {
   for_each_section(act, [](world::Name name) { return Command{{name}}; });
 }
 template <EquipmentKind kind>
-void equip(Act& act) {
+void equip(ActionContext& act) {
   for_each_section(act, [](world::Name name) { return edit::EquipSection{{name}, {kind}}; });
 }
 template <edit::Neighbour to>
-void move(Act& act) {
+void move(ActionContext& act) {
   act.ui.emit(edit::MoveSection{{*selected(act)}, to});
 }
-void join(Act& act) { act.ui.emit(edit::JoinSections{{*selected(act)}}); }
-void copy(Act& act) { act.ui.out.commands.push_back(copying(act.ui.session())); }
-void paste(Act& act) { act.ui.out.wants_paste = true; }
+void join(ActionContext& act) { act.ui.emit(edit::JoinSections{{*selected(act)}}); }
+void copy(ActionContext& act) { act.ui.out.commands.push_back(copying(act.ui.session())); }
+void paste(ActionContext& act) { act.ui.out.wants_paste = true; }
 
 // Gives the keyboard to the first number field of Build; Tab moves to the next.
 constexpr Condition kHasValues{
-    [](const Act& act) { return selected(act) != nullptr || on<&world::Aids::show_element>(act); },
+    [](const ActionContext& act) { return selected(act) != nullptr || on<&world::Aids::show_element>(act); },
     "Choose an element or select something first."};
-void edit_values(Act& act) {
+void edit_values(ActionContext& act) {
   Ui& ui = act.ui;
   if (is<&world::Panels::workspace, world::Workspace::build>(act) && !ui.drawers.parameters.open)
     ui.drawers.parameters.toggle();
@@ -201,7 +203,7 @@ void edit_values(Act& act) {
                                                               : "Inspector";
 }
 
-constexpr Condition kOpenTrack{[](const Act& act) {
+constexpr Condition kOpenTrack{[](const ActionContext& act) {
                                  const world::Track& track = act.ui.session().document.track;
                                  return !track.closed && !track.segments.empty();
                                },
@@ -211,7 +213,7 @@ constexpr Action kSectionActions[] = {
     {"Edit values", "Edit", key(Key::p), 0,
      "Type the first value of the chosen element or the selection. Tab: the next.", edit_values, kHasValues},
     {"Add force section", "Edit", kNoKey, 0, "Add a section at the open end whose forces you draw in the force graph.",
-     emit<edit::AddForce>, kOpenTrack},
+     emit<edit::AddForceSection>, kOpenTrack},
     {"Select section", "Edit/Select", ctrl_shift(Key::a), 0, "Select the section of the track under the cursor.",
      select_section, kInSection},
     {"Next section", "Edit/Select", key(Key::page_down), kRepeats, "Select the next section of the track.",
@@ -249,23 +251,26 @@ using world::Aids;
 using world::Kind;
 
 constexpr Condition kRemovable{
-    [](const Act& act) { return selected(act) != nullptr && !selected_is(act, Kind::segment); },
+    [](const ActionContext& act) { return selected(act) != nullptr && !selected_is(act, Kind::segment); },
     "Select a knot, a section or a train first."};
-constexpr Condition kKnotSelected{[](const Act& act) { return selected_is(act, Kind::knot); }, "Select a knot first."};
-constexpr Condition kAnyKnots{[](const Act& act) { return !act.ui.session().document.track.knots.empty(); },
+constexpr Condition kKnotSelected{[](const ActionContext& act) { return selected_is(act, Kind::knot); },
+                                  "Select a knot first."};
+constexpr Condition kAnyKnots{[](const ActionContext& act) { return !act.ui.session().document.track.knots.empty(); },
                               "The track has no knots."};
-constexpr Condition kCanUndo{
-    [](const Act& act) { return !act.ui.session().history.undo.empty() || act.ui.session().history.in_gesture; },
-    "There is nothing to undo."};
-constexpr Condition kCanRedo{[](const Act& act) { return !act.ui.session().history.redo.empty(); },
+constexpr Condition kCanUndo{[](const ActionContext& act) {
+                               return !act.ui.session().history.undo.empty() || act.ui.session().history.in_gesture;
+                             },
+                             "There is nothing to undo."};
+constexpr Condition kCanRedo{[](const ActionContext& act) { return !act.ui.session().history.redo.empty(); },
                              "There is nothing to redo."};
 
-constexpr Condition kInsertable{
-    [](const Act& act) { return act.hovered.kind == view::PickKind::curve || selected_is(act, Kind::segment); },
-    "Point at the track or select a segment first."};
+constexpr Condition kInsertable{[](const ActionContext& act) {
+                                  return act.hovered.kind == view::PickKind::curve || selected_is(act, Kind::segment);
+                                },
+                                "Point at the track or select a segment first."};
 
 // Cancels a drag in the viewport or in a number field. Returns false if no drag changes the document.
-bool cancel_drags(Act& act) {
+bool cancel_drags(ActionContext& act) {
   if (act.tool.cancel(act.ui)) return true;
   if (!act.ui.gesture.open) return false;
   act.ui.emit(edit::CancelGesture{});
@@ -274,36 +279,37 @@ bool cancel_drags(Act& act) {
   return true;
 }
 
-void undo(Act& act) {
+void undo(ActionContext& act) {
   if (!cancel_drags(act)) act.ui.emit(edit::Undo{});
 }
-void remove(Act& act) {
+void remove(ActionContext& act) {
   const edit::Session& session = act.ui.session();
   const std::vector<world::Entity> knots = world::selected_knots(session.document, session.settings);
   if (selected_is(act, Kind::section)) return each<edit::DeleteSection>(act);
-  if (knots.size() < 2) return act.ui.emit(edit::RemoveKnot{{*selected(act)}});
-  act.ui.emit_each(knots, [&](Entity e) { act.ui.emit(edit::RemoveKnot{{world::name_of(session.document, e)}}); });
+  if (knots.size() < 2) return act.ui.emit(edit::RemoveKnotOrTrain{{*selected(act)}});
+  act.ui.emit_each(knots,
+                   [&](Entity e) { act.ui.emit(edit::RemoveKnotOrTrain{{world::name_of(session.document, e)}}); });
 }
 // Shows the panel in Build, or where every panel shows.
-void set_goal(Act& act) {
+void set_goal(ActionContext& act) {
   if (!is<&world::Panels::workspace, world::Workspace::all>(act)) choose_workspace(act.ui, world::Workspace::build);
   if (!act.ui.drawers.parameters.open) act.ui.drawers.parameters.wanted = true;
   act.ui.inputs.panel_to_open = "Goal";
 }
-void select_all(Act& act) { act.ui.emit(edit::SelectKnots{edit::Knots::Which::all}); }
-void box_select(Act& act) { act.tool.wait_for_box(); }
+void select_all(ActionContext& act) { act.ui.emit(edit::SelectKnots{edit::Knots::Which::all}); }
+void box_select(ActionContext& act) { act.tool.wait_for_box(); }
 template <TransformKind kind>
-void transform(Act& act) {
+void transform(ActionContext& act) {
   act.tool.transform().begin(act.ui, kind, {}, std::nullopt);
 }
 
-bool snapping(const Act& act) { return act.ui.session().settings.snapping.to != world::SnapTo::off; }
-void next_snapping(Act& act) {
+bool snapping(const ActionContext& act) { return act.ui.session().settings.snapping.to != world::SnapTo::off; }
+void next_snapping(ActionContext& act) {
   const world::Snapping& s = act.ui.session().settings.snapping;
   act.ui.emit(edit::SetSnapping{base::next_of(s.to), s.step, s.angle});
 }
 
-void escape(Act& act) {
+void escape(ActionContext& act) {
   if (cancel_drags(act) || act.ui.state.job.progress) return;  // the job's card takes it
   if (card_shows(act.ui.session())) act.ui.emit(edit::CloseCard{});
   else if (on<&Aids::append_mode>(act)) toggle<&Aids::append_mode>(act);
@@ -312,7 +318,7 @@ void escape(Act& act) {
   else if (selected(act) != nullptr) act.ui.emit(edit::Select{});
 }
 
-void insert_point(Act& act) {
+void insert_point(ActionContext& act) {
   const edit::Session& session = act.ui.session();
   if (act.hovered.kind == view::PickKind::curve && session.document.entities.alive(act.hovered.entity))
     act.ui.emit(edit::SplitSegment{{world::name_of(session.document, act.hovered.entity)}, act.hovered.t});
@@ -321,34 +327,34 @@ void insert_point(Act& act) {
 }
 
 // True if the preview of the palette's element or of a closing section shows.
-bool preview_shows(const Act& act) {
+bool preview_shows(const ActionContext& act) {
   return on<&Aids::show_element>(act) || act.ui.session().settings.aids->circuit > 0;
 }
 
 // True if a cell of the table of sections can be edited and no preview waits to be placed.
-bool has_cell(const Act& act) {
+bool has_cell(const ActionContext& act) {
   const bool shows = is<&world::Panels::workspace, world::Workspace::build>(act) && act.ui.drawers.table;
   return shows && act.ui.drawers.graph.open && !preview_shows(act) && selected_is(act, Kind::section);
 }
 // What does not fit is refused with the reason.
-constexpr Condition kPlaceable{[](const Act& act) { return preview_shows(act) || has_cell(act); },
+constexpr Condition kPlaceable{[](const ActionContext& act) { return preview_shows(act) || has_cell(act); },
                                "Choose an element first."};
-void place_element(Act& act) {
+void place_element(ActionContext& act) {
   if (has_cell(act)) act.ui.inputs.cell = EditedCell{*selected(act), {}};
   else if (act.ui.session().settings.aids->circuit > 0) place_proposal(act.ui);
   else place_shown_element(act.ui);
 }
 
-constexpr Condition kAppendable{[](const Act& act) { return append_mode_switches(act.ui.session()); },
+constexpr Condition kAppendable{[](const ActionContext& act) { return append_mode_switches(act.ui.session()); },
                                 world::kClosedTrack};
 
-constexpr Condition kCompletable{[](const Act& act) { return completable(act.ui.session().document); },
+constexpr Condition kCompletable{[](const ActionContext& act) { return completable(act.ui.session().document); },
                                  "Only an open track with a segment can be completed."};
-void complete_circuit(Act& act) { show_proposals(act.ui); }
+void complete_circuit(ActionContext& act) { show_proposals(act.ui); }
 
 // Steps among the shapes or among the force elements. The first press shows the preview of the present one, on an empty
 // track that of a straight, where a ride begins.
-void step_element(Act& act, bool forwards) {
+void step_element(ActionContext& act, bool forwards) {
   if (act.ui.session().settings.aids->circuit > 0) act.ui.emit(edit::Set<&Aids::circuit>{0});
   const auto kind = act.ui.session().settings.element.kind;
   if (!on<&Aids::show_element>(act))
@@ -359,8 +365,8 @@ void step_element(Act& act, bool forwards) {
   const std::size_t next = first + (static_cast<std::size_t>(kind) - first + (forwards ? 1 : count - 1)) % count;
   choose_element(act.ui, static_cast<world::ElementKind>(next));
 }
-void next_element(Act& act) { step_element(act, true); }
-void previous_element(Act& act) { step_element(act, false); }
+void next_element(ActionContext& act) { step_element(act, true); }
+void previous_element(ActionContext& act) { step_element(act, false); }
 
 constexpr Action kEditActions[] = {
     {"Undo", "Edit", ctrl(Key::z), kRepeats | kInDrag, "Undo the last step. Cancels a drag in progress.", undo,
@@ -414,12 +420,12 @@ constexpr Action kEditActions[] = {
 using platform::Chord;
 using world::CameraMode;
 
-const world::Name* selected(const Act& act) {
+const world::Name* selected(const ActionContext& act) {
   const edit::Session& session = act.ui.session();
   return session.document.entities.find<world::Name>(session.settings.selected);
 }
 
-bool selected_is(const Act& act, world::Kind kind) {
+bool selected_is(const ActionContext& act, world::Kind kind) {
   const world::Name* const name = selected(act);
   return name != nullptr && name->kind == kind;
 }
@@ -442,7 +448,7 @@ std::vector<KeyRow> key_rows() {
   return rows;
 }
 
-void run_transform_keys(Act& act, const platform::Events& events) {
+void run_transform_keys(ActionContext& act, const platform::Events& events) {
   platform::Events others;
   for (const platform::Event& event : events) {
     const auto* const press = std::get_if<platform::KeyPress>(&event);
@@ -452,7 +458,7 @@ void run_transform_keys(Act& act, const platform::Events& events) {
   run_keys(act, others);
 }
 
-void run_keys(Act& act, const platform::Events& events, unsigned only) {
+void run_keys(ActionContext& act, const platform::Events& events, unsigned only) {
   for (const platform::Event& event : events) {
     const auto* press = std::get_if<platform::KeyPress>(&event);
     if (press == nullptr || !press->down || press->key == Key::unknown) continue;

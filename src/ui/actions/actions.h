@@ -12,7 +12,7 @@ namespace coaster::ui {
 struct CommandPalette;
 
 // The context of an action.
-struct Act {
+struct ActionContext {
   Ui& ui;
   ViewportTool& tool;
   const view::Viewport& scene;
@@ -23,10 +23,10 @@ struct Act {
 
 // When an action can run, and the sentence shown when it cannot.
 struct Condition {
-  bool (*holds)(const Act& act);
+  bool (*holds)(const ActionContext& act);
   std::string_view otherwise;
 };
-inline constexpr Condition kAlways{[](const Act&) { return true; }, ""};
+inline constexpr Condition kAlways{[](const ActionContext&) { return true; }, ""};
 
 struct Action {
   std::string_view name;  // shown in the menu
@@ -36,10 +36,10 @@ struct Action {
   // screen, too.
   unsigned keys;
   std::string_view help;
-  void (*run)(Act& act);
+  void (*run)(ActionContext& act);
   Condition enabled = kAlways;
-  bool (*checked)(const Act& act) = nullptr;  // null: no mark
-  platform::Chord other = {};                 // a second default key
+  bool (*checked)(const ActionContext& act) = nullptr;  // null: no mark
+  platform::Chord other = {};                           // a second default key
 };
 inline constexpr unsigned kRepeats = 1, kInDrag = 2, kOnStart = 4;
 
@@ -49,9 +49,9 @@ std::vector<KeyRow> key_rows();
 
 // Runs the actions of the pressed keys, of those with all flags of `only`. Do not call it while a text field has the
 // keyboard.
-void run_keys(Act& act, const platform::Events& events, unsigned only = 0);
+void run_keys(ActionContext& act, const platform::Events& events, unsigned only = 0);
 // Runs the keys of an active transform, and those of actions that may interrupt it (undo, Escape).
-void run_transform_keys(Act& act, const platform::Events& events);
-void build_menu(Act& act);
+void run_transform_keys(ActionContext& act, const platform::Events& events);
+void build_menu(ActionContext& act);
 
 }  // namespace coaster::ui

@@ -23,28 +23,28 @@ constexpr platform::Chord ctrl_shift(platform::Key k) { return {k, {.shift = tru
 inline constexpr platform::Chord kNoKey{};
 
 // The name of the active knot, segment, section or cart; null without one.
-const world::Name* selected(const Act& act);
-inline constexpr Condition kAnySelected{[](const Act& act) { return selected(act) != nullptr; },
+const world::Name* selected(const ActionContext& act);
+inline constexpr Condition kAnySelected{[](const ActionContext& act) { return selected(act) != nullptr; },
                                         "Select something first."};
-bool selected_is(const Act& act, world::Kind kind);
-inline constexpr Condition kRideable{[](const Act& act) { return rideable(act.ui.session()); },
+bool selected_is(const ActionContext& act, world::Kind kind);
+inline constexpr Condition kRideable{[](const ActionContext& act) { return rideable(act.ui.session()); },
                                      "A ride needs a track and a train."};
 
 // Functions of actions that turn a setting on or off, or select one of its values, and the rows of such actions.
 template <auto Member>
-bool on(const Act& act) {
+bool on(const ActionContext& act) {
   return world::value_in<Member>(act.ui.session().settings);
 }
 template <auto Member>
-void toggle(Act& act) {
+void toggle(ActionContext& act) {
   act.ui.emit(edit::Set<Member>{!on<Member>(act)});
 }
 template <auto Member, world::ValueOf<Member> value>
-bool is(const Act& act) {
+bool is(const ActionContext& act) {
   return world::value_in<Member>(act.ui.session().settings) == value;
 }
 template <auto Member, world::ValueOf<Member> value>
-void set(Act& act) {
+void set(ActionContext& act) {
   act.ui.emit(edit::Set<Member>{value});
 }
 template <auto Member>

@@ -14,10 +14,10 @@ namespace {
 
 using platform::Key;
 using world::Aids;
+using world::Appearance;
 using world::CameraFeel;
 using world::CameraMode;
 using world::Layer;
-using world::Look;
 using world::Panels;
 using world::Projection;
 using world::Style;
@@ -27,11 +27,11 @@ using world::Workspace;
 constexpr auto kCamera = &world::Settings::camera_mode;
 
 template <Layer layer>
-bool layer_shown(const Act& act) {
+bool layer_shown(const ActionContext& act) {
   return act.ui.session().settings.lab->layers.has(layer);
 }
 template <Layer layer>
-void show_or_hide(Act& act) {
+void show_or_hide(ActionContext& act) {
   act.ui.emit(edit::ShowLayer{layer, !layer_shown<layer>(act)});
 }
 template <Layer layer>
@@ -39,35 +39,35 @@ constexpr Action showing(std::string_view name, std::string_view help) {
   return {name, "View/Show", kNoKey, kInDrag, help, show_or_hide<layer>, kAlways, layer_shown<layer>};
 }
 
-constexpr Condition kInConflict{[](const Act& act) { return !act.ui.find.conflicts_so_far().empty(); },
+constexpr Condition kInConflict{[](const ActionContext& act) { return !act.ui.find.conflicts_so_far().empty(); },
                                 "The track has no conflicts."};
-void next_conflict(Act& act) { show_next_conflict(act.ui); }
-constexpr Condition kRidden{[](const Act& act) { return !act.ui.find.jolts().empty(); },
+void next_conflict(ActionContext& act) { show_next_conflict(act.ui); }
+constexpr Condition kRidden{[](const ActionContext& act) { return !act.ui.find.jolts().empty(); },
                             "A ride needs a track and a train."};
-void worst_jolt(Act& act) { show_worst_jolt(act.ui); }
-void fill_screen(Act& act) { act.ui.out.toggles_full_screen = true; }
-void open_palette(Act& act) { toggle_palette(act.palette); }
+void worst_jolt(ActionContext& act) { show_worst_jolt(act.ui); }
+void fill_screen(ActionContext& act) { act.ui.out.toggles_full_screen = true; }
+void open_palette(ActionContext& act) { toggle_palette(act.palette); }
 
 // Frames with the orbit camera.
-void frame(Act& act, const world::Camera& camera) {
+void frame(ActionContext& act, const world::Camera& camera) {
   act.ui.emit(edit::set_camera(camera));
   if (!is<kCamera, CameraMode::orbit>(act)) set<kCamera, CameraMode::orbit>(act);
 }
 // Includes the palette's preview, if it shows.
-void frame_with_preview(Act& act, const world::Camera& camera) {
+void frame_with_preview(ActionContext& act, const world::Camera& camera) {
   frame(act, view::kept_in_view(camera, preview_points(act.ui), act.scene, act.free));
 }
-void frame_all(Act& act) { frame_with_preview(act, framed_all(act.ui.session(), act.scene, act.free)); }
-void frame_selection(Act& act) {
+void frame_all(ActionContext& act) { frame_with_preview(act, framed_all(act.ui.session(), act.scene, act.free)); }
+void frame_selection(ActionContext& act) {
   const edit::Session& session = act.ui.session();
   frame_with_preview(
       act, view::frame_entity(session.settings.camera, session.document, session.settings.selected, act.scene));
 }
 
-constexpr Condition kProbing{[](const Act& act) { return selected_is(act, world::Kind::segment); },
+constexpr Condition kProbing{[](const ActionContext& act) { return selected_is(act, world::Kind::segment); },
                              "Select a segment first."};
 // Moves along the selected segment, and at its end to the next one, if there is one.
-void step_probe(Act& act, double by) {
+void step_probe(ActionContext& act, double by) {
   const edit::Session& session = act.ui.session();
   const world::Track& track = session.document.track;
   const double from = session.settings.selected_t, end = by > 0 ? 1 : 0;
@@ -81,61 +81,61 @@ void step_probe(Act& act, double by) {
   act.ui.emit(edit::Select{{world::name_of(session.document, segment)}, 1 - end});
 }
 constexpr double kProbeStep = 1.0 / 64;
-void probe_back(Act& act) { step_probe(act, -kProbeStep); }
-void probe_on(Act& act) { step_probe(act, kProbeStep); }
+void probe_back(ActionContext& act) { step_probe(act, -kProbeStep); }
+void probe_on(ActionContext& act) { step_probe(act, kProbeStep); }
 
-void panels_or_next_way(Act& act) {
+void panels_or_next_way(ActionContext& act) {
   if (act.ui.session().settings.aids->circuit > 0) next_proposal(act.ui);
   else toggle<&Panels::show_panels>(act);
 }
 
-bool coloured(const Act& act) { return !is<&world::LabView::colouring, world::Colouring::plain>(act); }
-void next_colouring(Act& act) {
+bool coloured(const ActionContext& act) { return !is<&world::LabView::colouring, world::Colouring::plain>(act); }
+void next_colouring(ActionContext& act) {
   act.ui.emit(edit::Set<&world::LabView::colouring>{base::next_of(act.ui.session().settings.lab->colouring)});
 }
 
 template <CameraMode mode>
 constexpr Action camera(std::string_view name, platform::Key k, std::string_view help, Condition enabled = kAlways) {
-  const auto choose = [](Act& act) { choose_camera(act.ui, mode); };
+  const auto choose = [](ActionContext& act) { choose_camera(act.ui, mode); };
   return {name, "View/Camera", key(k), kInDrag, help, choose, enabled, is<kCamera, mode>};
 }
 // Sets a projection of the orbit camera.
 template <world::Projection projection>
 constexpr Action project(std::string_view name, platform::Key k, platform::Key with_ctrl, std::string_view help) {
-  const auto choose = [](Act& act) {
+  const auto choose = [](ActionContext& act) {
     act.ui.emit(edit::Set<&world::Camera::projection>{projection});
     if (!is<kCamera, CameraMode::orbit>(act)) set<kCamera, CameraMode::orbit>(act);
   };
-  const auto chosen = [](const Act& act) {
+  const auto chosen = [](const ActionContext& act) {
     return is<&world::Camera::projection, projection>(act) && is<kCamera, CameraMode::orbit>(act);
   };
   return {name, "View/Camera", key(k), kInDrag, help, choose, kAlways, chosen, ctrl(with_ctrl)};
 }
-void next_camera(Act& act) { choose_camera(act.ui, base::next_of(act.ui.session().settings.camera_mode)); }
+void next_camera(ActionContext& act) { choose_camera(act.ui, base::next_of(act.ui.session().settings.camera_mode)); }
 
 constexpr auto kWorkspace = &Panels::workspace;
 template <Workspace workspace>
 constexpr Action go_to(std::string_view name, platform::Chord chord, std::string_view help) {
-  const auto choose = [](Act& act) { choose_workspace(act.ui, workspace); };
+  const auto choose = [](ActionContext& act) { choose_workspace(act.ui, workspace); };
   return {name, "Window", chord, kInDrag, help, choose, kAlways, is<kWorkspace, workspace>};
 }
 
-constexpr Condition kBuilding{[](const Act& act) { return is<kWorkspace, Workspace::build>(act); },
+constexpr Condition kBuilding{[](const ActionContext& act) { return is<kWorkspace, Workspace::build>(act); },
                               "Go to the workspace Build first."};
-void fold_parameters(Act& act) { act.ui.drawers.parameters.toggle(); }
-bool parameters_show(const Act& act) { return act.ui.drawers.parameters.open; }
+void fold_parameters(ActionContext& act) { act.ui.drawers.parameters.toggle(); }
+bool parameters_show(const ActionContext& act) { return act.ui.drawers.parameters.open; }
 // Opens the force graph or the table of sections, or folds the open one.
 template <bool table>
-void press_graph(Act& act) {
+void press_graph(ActionContext& act) {
   act.ui.drawers.press(table);
 }
 template <bool table>
-bool graph_shows(const Act& act) {
+bool graph_shows(const ActionContext& act) {
   return act.ui.drawers.graph.open && act.ui.drawers.table == table;
 }
 
 // Selects the next evaluator that is available here.
-void next_evaluator(Act& act) {
+void next_evaluator(ActionContext& act) {
   const auto count = curve::evaluators().size();
   const auto now = static_cast<std::size_t>(act.ui.session().settings.evaluation->evaluator);
   for (std::size_t i = 1; i < count; ++i) {
@@ -145,18 +145,18 @@ void next_evaluator(Act& act) {
     return act.ui.emit(edit::Set<&world::Evaluation::evaluator>{static_cast<curve::EvaluatorId>(next)});
   }
 }
-void set_steps(Act& act, int steps) {
+void set_steps(ActionContext& act, int steps) {
   act.ui.emit(edit::Set<&world::Evaluation::steps>{std::clamp(steps, curve::kMinSteps, curve::kMaxSteps)});
 }
-void more_steps(Act& act) { set_steps(act, 2 * act.ui.session().settings.evaluation->steps); }
-void fewer_steps(Act& act) { set_steps(act, act.ui.session().settings.evaluation->steps / 2); }
+void more_steps(ActionContext& act) { set_steps(act, 2 * act.ui.session().settings.evaluation->steps); }
+void fewer_steps(ActionContext& act) { set_steps(act, act.ui.session().settings.evaluation->steps / 2); }
 
 // Opens or closes the pages, or first switches to a workspace that has them.
-bool has_laboratory(const Act& act) {
+bool has_laboratory(const ActionContext& act) {
   return is<kWorkspace, Workspace::laboratory>(act) || is<kWorkspace, Workspace::all>(act);
 }
-bool laboratory_shows(const Act& act) { return has_laboratory(act) && on<&Panels::show_laboratory>(act); }
-void laboratory(Act& act) {
+bool laboratory_shows(const ActionContext& act) { return has_laboratory(act) && on<&Panels::show_laboratory>(act); }
+void laboratory(ActionContext& act) {
   if (!has_laboratory(act)) choose_workspace(act.ui, Workspace::laboratory);
   else toggle<&Panels::show_laboratory>(act);
 }
@@ -201,14 +201,14 @@ constexpr Action kViewActions[] = {
     showing<Layer::conflicts>("Conflicts", "Show or hide places without clearance."),
     showing<Layer::legend>("Legend", "Show or hide the numbers of the track's colours."),
     toggling<&Aids::show_hints>("First steps", "View/Show", "Show or hide the first steps.", key(Key::f1)),
-    choosing<&Look::theme, Theme::dark>("Dark theme", "View/Appearance", "Light on dark."),
-    choosing<&Look::theme, Theme::light>("Light theme", "View/Appearance", "Dark on light."),
-    choosing<&Look::theme, Theme::high_contrast>("High-contrast theme", "View/Appearance",
-                                                 "White and bright colours on black, with outlines."),
-    choosing<&Look::style, Style::day>("Day", "View/Appearance", "High sun, clear sky."),
-    choosing<&Look::style, Style::dusk>("Dusk", "View/Appearance", "Low sun, long shadows."),
-    choosing<&Look::style, Style::blueprint>("Blueprint", "View/Appearance",
-                                             "Lines on blue, for the laboratory and for print."),
+    choosing<&Appearance::theme, Theme::dark>("Dark theme", "View/Appearance", "Light on dark."),
+    choosing<&Appearance::theme, Theme::light>("Light theme", "View/Appearance", "Dark on light."),
+    choosing<&Appearance::theme, Theme::high_contrast>("High-contrast theme", "View/Appearance",
+                                                       "White and bright colours on black, with outlines."),
+    choosing<&Appearance::style, Style::day>("Day", "View/Appearance", "High sun, clear sky."),
+    choosing<&Appearance::style, Style::dusk>("Dusk", "View/Appearance", "Low sun, long shadows."),
+    choosing<&Appearance::style, Style::blueprint>("Blueprint", "View/Appearance",
+                                                   "Lines on blue, for the laboratory and for print."),
     {"Next track colours", "View", key(Key::k), 0,
      "Colour the track by speed, height, g, jerk, roll, curvature, error, or not at all.", next_colouring, kAlways,
      coloured},

@@ -68,7 +68,7 @@ std::string wrong_in(const char* line, std::string_view command) {
 
 // Returns the entries that miss the least of the words, best first: what can run now, then the grey ones. A name typed
 // in full is first in any case, to say why it cannot run.
-std::vector<PaletteLine> entries(Act& act, const char* words) {
+std::vector<PaletteLine> entries(ActionContext& act, const char* words) {
   std::vector<PaletteLine> list;
   for (const Action& action : actions())
     if (action.name != "Command palette") {
@@ -107,7 +107,7 @@ void run_command(Ui& ui, const edit::Command& command) {
   else ui.out.commands.push_back(command);
 }
 
-void choose(Act& act, CommandPalette& palette, const PaletteLine& entry) {
+void choose(ActionContext& act, CommandPalette& palette, const PaletteLine& entry) {
   if (!entry.enabled) {
     act.ui.warn(base::sentence(std::string(entry.help)));
     palette.filled = true;
@@ -181,7 +181,7 @@ void toggle_palette(CommandPalette& palette) {
   palette.open = palette.appearing = open;
 }
 
-void build_palette(Act& act, CommandPalette& palette) {
+void build_palette(ActionContext& act, CommandPalette& palette) {
   if (!palette.open) return;
   Ui& ui = act.ui;
   const float width = std::floor(std::min(620 * ui.scale, ImGui::GetIO().DisplaySize.x - 20)),

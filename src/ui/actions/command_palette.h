@@ -15,7 +15,7 @@ struct CommandPalette {
 };
 
 void toggle_palette(CommandPalette& palette);
-void build_palette(Act& act, CommandPalette& palette);
+void build_palette(ActionContext& act, CommandPalette& palette);
 
 // How well words match an entry.
 struct Match {

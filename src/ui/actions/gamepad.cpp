@@ -33,7 +33,7 @@ float shaped_trigger(float trigger) {
   return part * part;
 }
 
-std::string_view action_of(platform::PadButton button, const Act& act) {
+std::string_view action_of(platform::PadButton button, const ActionContext& act) {
   switch (button) {
     case platform::PadButton::a: return "Play or pause";
     case platform::PadButton::y: return "Next camera";
@@ -80,7 +80,7 @@ void Gamepad::move(Ui& ui, const view::Viewport& scene, double seconds) const {
   }
 }
 
-void Gamepad::work(Act& act, const platform::Events& events, bool asking) {
+void Gamepad::work(ActionContext& act, const platform::Events& events, bool asking) {
   double seconds = 0;
   for (const platform::Event& event : events) {
     if (const auto* const tick = std::get_if<platform::Tick>(&event)) seconds += tick->dt;

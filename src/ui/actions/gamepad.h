@@ -15,7 +15,7 @@ class Gamepad {
  public:
   // Runs once a frame: moves the current camera by sticks and triggers over the time of the events' ticks, and runs the
   // actions of pressed buttons. `asking`: a dialog is open; input is ignored.
-  void work(Act& act, const platform::Events& events, bool asking);
+  void work(ActionContext& act, const platform::Events& events, bool asking);
 
  private:
   void move(Ui& ui, const view::Viewport& scene, double seconds) const;
@@ -25,6 +25,6 @@ class Gamepad {
 
 // Returns the action of a button: "Play or pause" for A, "Next camera" for Y, for B "Cancel" if there is something to
 // cancel and "Reset" otherwise, "" for X.
-std::string_view action_of(platform::PadButton button, const Act& act);
+std::string_view action_of(platform::PadButton button, const ActionContext& act);
 
 }  // namespace coaster::ui

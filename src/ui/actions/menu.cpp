@@ -20,7 +20,7 @@ namespace coaster::ui {
 namespace {
 
 // The recently used files in the menu File.
-void build_recent(Act& act) {
+void build_recent(ActionContext& act) {
   const UserState* const kept = act.ui.state.kept;
   const bool any = kept != nullptr && !kept->settings.recent.empty();
   const ImVec2 low = ImGui::GetCursorScreenPos();
@@ -44,10 +44,10 @@ void build_recent(Act& act) {
        any, open ? "open" : "closed", low, high);
 }
 
-void build_items(Act& act, std::string_view menu);
+void build_items(ActionContext& act, std::string_view menu);
 
 // A menu of the bar, or one inside another: its title, and its items while it is open.
-void build_one(Act& act, std::string_view menu) {
+void build_one(ActionContext& act, std::string_view menu) {
   const std::size_t slash = menu.rfind('/');
   const bool inner = slash != std::string_view::npos;
   const std::string title(inner ? menu.substr(slash + 1) : menu);
@@ -63,7 +63,7 @@ void build_one(Act& act, std::string_view menu) {
   note(act.ui, menu, "menu", open ? "" : "Open the menu.", true, open ? "open" : "closed", low, high);
 }
 
-void build_item(Act& act, const Action& action) {
+void build_item(ActionContext& act, const Action& action) {
   const bool enabled = action.enabled.holds(act);
   const bool checked = action.checked != nullptr && action.checked(act);
   const std::string label(action.name), keys = act.ui.keys.shown(action.name);
@@ -75,7 +75,7 @@ void build_item(Act& act, const Action& action) {
 }
 
 // Each menu inside takes the place of its first item.
-void build_items(Act& act, std::string_view menu) {
+void build_items(ActionContext& act, std::string_view menu) {
   std::vector<std::string_view> inside;
   for (const Action& action : actions()) {
     if (action.menu == menu) {
@@ -88,7 +88,7 @@ void build_items(Act& act, std::string_view menu) {
   }
 }
 
-void build_menus(Act& act) {
+void build_menus(ActionContext& act) {
   constexpr const char* kMenus[] = {"File", "Edit", "View", "Ride", "Window"};
   constexpr int kCount = std::size(kMenus);
   const int popups = open_popups();
@@ -146,7 +146,7 @@ void build_file_mark(Ui& ui) {
 
 }  // namespace
 
-void build_menu(Act& act) {
+void build_menu(ActionContext& act) {
   if (!ImGui::BeginMainMenuBar()) return;
   act.ui.panel = "Menu";
   build_menus(act);

@@ -15,7 +15,7 @@
 namespace coaster::ui {
 
 enum class MovieWish { none, start, stop };
-enum class PhotoWish { none, scene, window };
+enum class PictureRequest { none, scene, window };
 enum class Recovery { recover, discard, later };  // later: offered again at the next start
 struct SystemDialogRequest {
   bool save = false;
@@ -23,7 +23,7 @@ struct SystemDialogRequest {
 };
 
 // The section, channel and position at which copied force keys are pasted.
-struct KeysPlace {
+struct ForceKeyPlace {
   world::Name section;
   world::ForceChannel channel{};
   double at = 0;  // m or s, the unit of the section's program
@@ -37,11 +37,11 @@ struct Output {
   bool quit = false;
   bool wants_paste = false;  // paste sections or a link from the clipboard, or else the sections copied last
   // Where force keys are pasted instead, if the clipboard holds some or they were copied last.
-  std::optional<KeysPlace> keys_to = {};
+  std::optional<ForceKeyPlace> keys_to = {};
   bool wants_link = false;  // of the clipboard, if that is one
   bool toggles_full_screen = false;
   bool takes_text = false;  // what is typed goes to a text
-  PhotoWish photo = PhotoWish::none;
+  PictureRequest photo = PictureRequest::none;
   bool cancel_job = false;
   MovieWish movie = MovieWish::none;
   std::optional<exchange::UserSettings> settings;  // new settings to keep

@@ -14,7 +14,7 @@ namespace {
 std::optional<query::Value> value_of(const Ui& ui, std::string_view name, std::string_view argument) {
   const query::Query* row = query::find_query(name);
   if (row == nullptr) return std::nullopt;
-  const query::Context context{ui.find, ui.state.stats, {}, ui.session().document.name};
+  const query::QueryContext context{ui.find, ui.state.stats, {}, ui.session().document.name};
   auto result = row->evaluate(context, argument);
   if (!result || query::is_none(*result)) return std::nullopt;
   return *result;

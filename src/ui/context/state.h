@@ -38,8 +38,8 @@ struct UserState {
   std::vector<RecoveryOffer> recoveries;  // the first one is offered
   std::string holder;                     // the process that has the document's file open; empty: none
   SystemDialog system;
-  exchange::Progress progress;       // medals and results of challenges
-  std::filesystem::path challenges;  // folder of the user's own challenges; empty: none
+  exchange::PlayerProgress progress;  // medals and results of challenges
+  std::filesystem::path challenges;   // folder of the user's own challenges; empty: none
 };
 
 // A track file on the start screen.
@@ -61,12 +61,12 @@ struct MovieState {
 
 // A command that runs in a thread.
 struct JobState {
-  const base::Progress* progress = nullptr;  // null: none
-  std::string_view panel, title;             // "Import", "Fitting a track to the imported points"
+  const base::JobProgress* progress = nullptr;  // null: none
+  std::string_view panel, title;                // "Import", "Fitting a track to the imported points"
 };
 
-struct State {
-  edit::Finder find;  // the session, and the findings that a panel requests
+struct UiState {
+  edit::SessionFindings find;  // the session, and the findings that a panel requests
   const query::FrameStats& stats;
   double seconds;                        // since start, for fading notices and the cursor's blink
   bool scripted;                         // times and fps read "--"

@@ -11,7 +11,7 @@ namespace coaster::ui {
 void Ui::begin_step() { emit(edit::BeginGesture{}); }
 void Ui::end_step() { emit(edit::EndGesture{}); }
 
-void build_area(Ui& ui, const view::Viewport& area, const AreaLook& look, const std::function<void()>& content) {
+void build_area(Ui& ui, const view::Viewport& area, const WindowArea& look, const std::function<void()>& content) {
   if (area.width < 1 || area.height < 1) return;
   if (look.padding) ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, *look.padding);
   if (look.raised) ImGui::PushStyleColor(ImGuiCol_WindowBg, colour(palette().raised));

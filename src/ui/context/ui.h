@@ -24,7 +24,7 @@ namespace coaster::ui {
 struct LabCache;
 
 // A screen or another track that a panel or an action requests. Those up to `quit` ask about unsaved changes first.
-struct Want {
+struct ScreenRequest {
   enum class Kind {
     nothing,
     replace,
@@ -65,7 +65,7 @@ struct GoalInputs {
   bool together = false;
 };
 
-struct Inputs {
+struct PanelState {
   std::string file;                      // the path in Track/File
   double radius = 20;                    // m, the number in Shape/Radius
   std::string_view panel_to_open;        // the panel that an action opens when it shows next; empty: none
@@ -76,17 +76,17 @@ struct Inputs {
   std::optional<EditedCell> cell;
   GoalInputs goal;
   // Rows of the table of sections in their order on screen, by the table's serial and the sorting.
-  base::Kept<std::tuple<std::uint64_t, world::SectionColumn, bool>, std::vector<std::size_t>> section_order;
+  base::CachedValue<std::tuple<std::uint64_t, world::SectionColumn, bool>, std::vector<std::size_t>> section_order;
 };
 
 // A part of Build that folds where space is short, unless the user opened or closed it.
-struct Drawer {
+struct FoldingPart {
   std::optional<bool> wanted;  // the user's choice, if any
   bool open = true;            // state in this frame
   void toggle() { wanted = !open; }
 };
-struct Drawers {
-  Drawer parameters, graph;
+struct FoldingParts {
+  FoldingPart parameters, graph;
   bool table = false;  // true: the area shows the table of sections instead of the graph
   // Opens graph or table, or folds the open one.
   void press(bool of_table) {
@@ -97,20 +97,20 @@ struct Drawers {
 
 // Derives from WidgetFrame, so that panels can pass it to widgets.
 struct Ui : WidgetFrame {
-  const State& state;
+  const UiState& state;
   Output& out;
   LabCache& lab;
-  Inputs& inputs;
+  PanelState& inputs;
   const KeyMap& keys;
   std::string_view renderer;  // GL_RENDERER
   const view::Pick& hovered;  // under the mouse in the previous frame, in the viewport or a plot
-  Drawers& drawers;
-  Want want = {};                         // handled by the host in the same frame
+  FoldingParts& drawers;
+  ScreenRequest want = {};                // handled by the host in the same frame
   bool lesson_begins = false;             // true in the first frames of a lesson
   const Widget* lesson_widget = nullptr;  // the widget that the lesson points at, as last drawn, visible or not
   view::Pick pointed = {};                // the position on the track under the mouse in a plot
   bool finger = false;                    // the mouse is a finger on a touch screen
-  const edit::Finder& find = state.find;
+  const edit::SessionFindings& find = state.find;
 
   const edit::Session& session() const { return state.session; }
   template <class C>
@@ -118,7 +118,7 @@ struct Ui : WidgetFrame {
     out.commands.push_back(edit::Command(std::move(command)));
   }
   // Runs a command that replaces the track, or first asks about unsaved changes.
-  void replace(edit::Command command) { want = {Want::Kind::replace, std::move(command)}; }
+  void replace(edit::Command command) { want = {ScreenRequest::Kind::replace, std::move(command)}; }
   // Calls emit_one for each, as one undo step; a drag is one already.
   template <class List, class EmitOne>
   void emit_each(const List& all, const EmitOne& emit_one) {
@@ -132,7 +132,7 @@ struct Ui : WidgetFrame {
 };
 
 // A part of the window: a window over it that cannot be moved.
-struct AreaLook {
+struct WindowArea {
   const char* id;
   std::string_view panel;                        // names its widgets
   std::optional<ImVec2> padding = ImVec2(0, 0);  // px; nothing: as other windows
@@ -140,7 +140,7 @@ struct AreaLook {
   ImGuiWindowFlags more = ImGuiWindowFlags_NoScrollbar;
 };
 // Builds it, unless `area` is less than a pixel wide or high.
-void build_area(Ui& ui, const view::Viewport& area, const AreaLook& look, const std::function<void()>& content);
+void build_area(Ui& ui, const view::Viewport& area, const WindowArea& look, const std::function<void()>& content);
 
 // While it lives, widgets are greyed if the challenge locks the command, and their tooltips give the reason.
 class LockedWidgets {

@@ -72,7 +72,7 @@ bool text_has_keyboard() {
 }
 bool list_open() { return ImGui::GetCurrentContext()->OpenPopupStack.Size > 0; }
 
-view::View make_view(const State& state, const view::Viewport& scene) {
+view::View make_view(const UiState& state, const view::Viewport& scene) {
   if (state.rig) return view::view_of(state.rig->eye, scene, state.content_scale);
   view::CameraRig rig;
   view::follow(rig, {state.session.document, state.session.derived, state.session.motion, state.session.settings}, 0);
@@ -109,7 +109,7 @@ bool WaitCard::show(const platform::Events& events, const JobState& job, int wid
   WidgetList list;
   Entry entry;
   Gesture gesture;
-  Rest rest;
+  HoverTime rest;
   const std::function<void()> begin_gesture;
   const std::function<void(const std::string&)> warn;
   WidgetFrame ui{list, entry, gesture, rest, begin_gesture, warn, scale_};
@@ -125,7 +125,7 @@ bool WaitCard::show(const platform::Events& events, const JobState& job, int wid
 
 struct Host::Parts {
   const gfx::Gl& gl;
-  Letters letters;
+  PanelFonts letters;
   ImGuiContext* context = nullptr;
   std::optional<ImGuiRenderer> renderer;
   EventOrder order;
@@ -134,16 +134,16 @@ struct Host::Parts {
   WidgetList list;
   Entry entry;
   Gesture gesture;
-  Rest rest;
+  HoverTime rest;
   FieldWish wish;
-  Toasts toasts;
+  NoticeDisplay toasts;
   LabCache lab;
   Dialogs dialogs;
   StartScreen start;
-  Drawers drawers;
+  FoldingParts drawers;
   LessonGuide guide;
   KeyMap keys;
-  Inputs inputs;
+  PanelState inputs;
   std::filesystem::path file_of;  // the session's path it was taken from
   ViewportTool tool;
   FollowCamera follow_camera;
@@ -165,7 +165,7 @@ struct Host::Parts {
   }
 
   void restyle(world::Theme wanted, float scale);
-  void follow_session(const State& state);
+  void follow_session(const UiState& state);
   void settle_gesture(Ui& ui);
   void take_files(Ui& ui, const platform::Events& events);
   void take_want(Ui& ui);
@@ -179,7 +179,7 @@ void Host::Parts::restyle(world::Theme wanted, float scale) {
   apply_theme(palette_of(theme), scale);
 }
 
-void Host::Parts::follow_session(const State& state) {
+void Host::Parts::follow_session(const UiState& state) {
   toasts.update(state.session, state.seconds, state.scripted, dialogs.open());
   if (state.session.file.path != file_of) {
     file_of = state.session.file.path;
@@ -204,14 +204,14 @@ void Host::Parts::settle_gesture(Ui& ui) {
 void Host::Parts::take_files(Ui& ui, const platform::Events& events) {
   for (const platform::Event& event : events) {
     if (const auto* drop = std::get_if<platform::Drop>(&event)) dropped = drop->path;
-    if (std::holds_alternative<platform::CloseRequest>(event)) dialogs.take(ui, {Want::Kind::quit});
+    if (std::holds_alternative<platform::CloseRequest>(event)) dialogs.take(ui, {ScreenRequest::Kind::quit});
   }
-  if (!dropped.empty()) dialogs.take(ui, {Want::Kind::replace, edit::Load{std::exchange(dropped, {})}});
+  if (!dropped.empty()) dialogs.take(ui, {ScreenRequest::Kind::replace, edit::Load{std::exchange(dropped, {})}});
 }
 
 void Host::Parts::take_want(Ui& ui) {
-  const Want want = std::exchange(ui.want, {});
-  want.kind == Want::Kind::start_screen ? start.show() : dialogs.take(ui, want);
+  const ScreenRequest want = std::exchange(ui.want, {});
+  want.kind == ScreenRequest::Kind::start_screen ? start.show() : dialogs.take(ui, want);
 }
 
 void Host::Parts::lay_out(Ui& ui, const platform::Events& events, int width, int height) {
@@ -225,7 +225,7 @@ void Host::Parts::lay_out(Ui& ui, const platform::Events& events, int width, int
   if (framed) ui.emit(edit::set_camera(framed_all(session, layout.scene, beside)));
   const bool typing = text_has_keyboard(), asking = dialogs.open() || start.open(), listing = input.listing();
   take_files(ui, events);
-  Act act{ui, tool, layout.scene, beside, hovered, palette};
+  ActionContext act{ui, tool, layout.scene, beside, hovered, palette};
   if (start.open() && !dialogs.open()) run_keys(act, events, kOnStart);
   else if (!typing && !asking && !listing)
     tool.transform().active() ? run_transform_keys(act, events) : run_keys(act, without_force_keys(ui, events));
@@ -281,7 +281,7 @@ base::Result<std::unique_ptr<Host>> Host::make(const gfx::Gl& gl) {
 Host::Host(std::unique_ptr<Parts> parts) : parts_(std::move(parts)) {}
 Host::~Host() = default;
 
-Output Host::build(const platform::Events& polled, const State& state, int width, int height) {
+Output Host::build(const platform::Events& polled, const UiState& state, int width, int height) {
   COASTER_CHECK(width >= 1 && height >= 1, "the UI needs at least one pixel");
   Parts& p = *parts_;
   ImGui::SetCurrentContext(p.context);

@@ -47,7 +47,7 @@ class Host {
   Host& operator=(const Host&) = delete;
 
   // Builds one frame: feeds the events, builds menu, panels, viewport tool and status bar. width, height >= 1.
-  Output build(const platform::Events& events, const State& state, int width, int height);
+  Output build(const platform::Events& events, const UiState& state, int width, int height);
   // Draws the layout of the last build() into the bound framebuffer of that size.
   void draw(int width, int height);
 

@@ -234,7 +234,7 @@ LengthStudy study_of(const Cubic& cubic, int steps, const sim::Clock& clock) {
 }
 
 // Adds some segments to the sums; complete when all are added.
-void advance(TrackLengths& track, const sim::Derived& derived, int steps) {
+void advance(TrackLengths& track, const sim::DerivedTrack& derived, int steps) {
   constexpr std::size_t kSegmentsAFrame = 32;
   const std::size_t end = std::min(derived.order.size(), track.next + kSegmentsAFrame);
   std::vector<Cubic> cubics;
@@ -251,7 +251,7 @@ void advance(TrackLengths& track, const sim::Derived& derived, int steps) {
 // totals are known after the last one.
 const LengthStudy& kept_lengths(Ui& ui, const Probe& probe) {
   const edit::Session& session = ui.session();
-  const sim::Derived& derived = session.derived;
+  const sim::DerivedTrack& derived = session.derived;
   const int steps = session.settings.evaluation->steps;
   LabCache& lab = ui.lab;
   (void)lab.lengths.get({probe.shape->shape_build, steps}, [&] {

@@ -19,7 +19,7 @@ using Triangle = std::array<std::vector<glm::dvec3>, 4>;
 
 Triangle triangle_at(const curve::Cubic& cubic, double t) {
   const auto controls = curve::controls(cubic);
-  const curve::Construction c = curve::construction(cubic, t);
+  const curve::DeCasteljauPoints c = curve::construction(cubic, t);
   return {std::vector(controls.begin(), controls.end()),
           std::vector(c.first.begin(), c.first.end()),
           std::vector(c.second.begin(), c.second.end()),
@@ -29,7 +29,7 @@ Triangle triangle_at(const curve::Cubic& cubic, double t) {
 constexpr std::uint32_t kLevelColours[] = {kPolygonColour, kConstructionColour, 0x5AA9E6, kPointColour};
 constexpr int kTraceSamples = 96;
 
-Trace curve_on(const Sheet& sheet, const curve::Cubic& cubic) {
+Trace curve_on(const DrawingPlane& sheet, const curve::Cubic& cubic) {
   Trace trace;
   for (int i = 0; i <= kTraceSamples; ++i) trace.add(sheet.at(curve::point(cubic, double(i) / kTraceSamples)));
   return trace;
@@ -77,7 +77,7 @@ void numbers_of(Ui& ui, const Probe& probe, const Triangle& triangle) {
 
 void picture(Ui& ui, const Probe& probe, const Triangle& triangle, float height) {
   const curve::Cubic& cubic = probe.shape->key.cubic;
-  const Sheet sheet = sheet_of(triangle[0]);
+  const DrawingPlane sheet = sheet_of(triangle[0]);
   const Trace curve = curve_on(sheet, cubic);
   std::array<Trace, 3> levels;
   for (std::size_t r = 0; r < 3; ++r)
@@ -158,7 +158,7 @@ Derivative derivative_of(const Probe& probe) {
   const curve::Cubic& c = probe.shape->key.cubic;
   const glm::dvec3 p0(c.p0), p1(c.p1), p2(c.p2), p3(c.p3);
   const std::array<glm::dvec3, 4> points{glm::dvec3(0), 3.0 * (p1 - p0), 3.0 * (p2 - p1), 3.0 * (p3 - p2)};
-  const Sheet sheet = sheet_of(points);
+  const DrawingPlane sheet = sheet_of(points);
   Derivative result;
   for (int i = 0; i <= kHodographSamples; ++i) {
     const double t = double(i) / kHodographSamples;

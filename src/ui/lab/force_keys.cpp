@@ -31,8 +31,8 @@ namespace {
 
 using world::Entity;
 using world::ForceChannel;
+using world::ForceDomain;
 using world::ForceKey;
-using world::ForceOver;
 using world::ForceProgram;
 
 constexpr std::uint32_t kForceColour = 0xFF8A1F, kActualColour = 0x4C9AFF, kFeltColour = 0xB58CFF,
@@ -40,7 +40,7 @@ constexpr std::uint32_t kForceColour = 0xFF8A1F, kActualColour = 0x4C9AFF, kFelt
 
 // Beyond the end of a path that stopped early: metres per unit of the axis.
 double rate_beyond(const sim::ForcePlan& plan) {
-  return plan.task.program.over == ForceOver::distance ? 1.0 : std::max(1.0, plan.end_speed);
+  return plan.task.program.over == ForceDomain::distance ? 1.0 : std::max(1.0, plan.end_speed);
 }
 
 // Converts between a program's axis (m or s from the section's start) and the track's (m).
@@ -51,7 +51,7 @@ struct ForceAxes {
   double start;       // m along the track, where the section begins
   const ForceProgram& program() const { return plan.task.program; }
   const std::vector<ForceKey>& keys() const { return program().keys(channel); }
-  bool of_curvature() const { return program().of == world::ForceOf::curvature; }
+  bool of_curvature() const { return program().of == world::ForceQuantity::curvature; }
   // Returns the value of the ride that is felt where the channel's keys act; nothing for roll.
   std::optional<sim::RideValue> felt() const;
   double x_of(double at) const;
@@ -90,7 +90,7 @@ double ForceAxes::reach(std::size_t key, int side) const {
 }
 
 // Fills the positions and values of the target curve, and of the actual curve unless it comes from the ride.
-void fill_curves(const sim::Derived& derived, const ForceAxes& axes, ForceKeys& state) {
+void fill_curves(const sim::DerivedTrack& derived, const ForceAxes& axes, ForceKeyEditing& state) {
   state.place.clear(), state.asked.clear(), state.actual.clear();
   const sim::ForcePlan& plan = axes.plan;
   const auto channel = static_cast<std::size_t>(axes.channel);
@@ -104,7 +104,7 @@ void fill_curves(const sim::Derived& derived, const ForceAxes& axes, ForceKeys& 
     if (axes.channel != ForceChannel::roll) continue;
     const sim::TrackPlace place = sim::place_at(derived, state.place.back());
     const double spin = base::degrees(derived.shape_at(place.index).roll.spin(place.s));
-    const bool metres = axes.program().over == ForceOver::distance;
+    const bool metres = axes.program().over == ForceDomain::distance;
     state.actual.push_back(metres ? spin : spin * std::sqrt(std::max(0.0, plan.path.points[i].square)));
   }
 }
@@ -131,7 +131,7 @@ Range least_range(const ForceAxes& axes) {
 
 // Returns the ends of the axes: the section with a margin, the range of target and actual values, and at the right edge
 // that of g felt where keys are curvature.
-ForceEnds shown_ends(const ForceAxes& axes, const std::optional<RidePlots>& ride, const ForceKeys& state) {
+ForceEnds shown_ends(const ForceAxes& axes, const std::optional<RidePlots>& ride, const ForceKeyEditing& state) {
   constexpr double kMargin = 0.05;
   const double from = axes.start, to = axes.x_of(axes.end()), margin = kMargin * (to - from);
   Range own = least_range(axes), felt{-0.5, 2, 0.5};
@@ -149,7 +149,7 @@ ForceEnds shown_ends(const ForceAxes& axes, const std::optional<RidePlots>& ride
 
 // Returns the limits of g within the plot, for the shortest overloads that count and for lasting ones, at their heights
 // on the channel's axis.
-std::vector<Level> shown_limits(const sim::Envelope& envelope, const ForceAxes& axes, const ForceEnds& ends) {
+std::vector<Level> shown_limits(const sim::ForceLimitCurves& envelope, const ForceAxes& axes, const ForceEnds& ends) {
   using sim::ForceAxis;
   constexpr double kLasting = 10;  // s
   std::vector<Level> levels;
@@ -173,13 +173,13 @@ double to_step(double value, double step) {
   return per_one >= 1 ? std::round(value * per_one) / per_one : std::round(value / step) * step;
 }
 
-void copy_from(Ui& ui, const ForceKeys& state, const std::vector<world::ForceKey>& keys, bool all) {
+void copy_from(Ui& ui, const ForceKeyEditing& state, const std::vector<world::ForceKey>& keys, bool all) {
   edit::CopyForceKeys copy{{state.section}, state.channel};
   if (!all) copy.from = copy.to = keys[*state.key].at;
   ui.emit(copy);
 }
 
-void paste_into(Ui& ui, ForceKeys& state, const world::ForceProgram& program) {
+void paste_into(Ui& ui, ForceKeyEditing& state, const world::ForceProgram& program) {
   const std::vector<world::ForceKey>& keys = program.keys(state.channel);
   double at = 0;
   if (state.key) {
@@ -187,13 +187,14 @@ void paste_into(Ui& ui, ForceKeys& state, const world::ForceProgram& program) {
     at = to_step((keys[*state.key].at + next) / 2, steps_of(program, state.channel).at);
   }
   state.inserted = at;
-  ui.out.wants_paste = true, ui.out.keys_to = KeysPlace{state.section, state.channel, at};
+  ui.out.wants_paste = true, ui.out.keys_to = ForceKeyPlace{state.section, state.channel, at};
 }
 
 // Handles a key press. Ctrl+C copies the selected key, Ctrl+Shift+C all keys of the channel. Ctrl+V pastes behind the
 // selected key, half-way to the next one, or without one at the section's start; if sections were copied, it pastes
 // those. Returns true if the press was one of these.
-bool copy_or_paste(Ui& ui, ForceKeys& state, const world::ForceProgram& program, const platform::KeyPress& press) {
+bool copy_or_paste(Ui& ui, ForceKeyEditing& state, const world::ForceProgram& program,
+                   const platform::KeyPress& press) {
   const bool all = press.modifiers.shift;
   if (!press.modifiers.ctrl || press.modifiers.alt) return false;
   const std::vector<world::ForceKey>& keys = program.keys(state.channel);
@@ -217,8 +218,8 @@ Entity selected_forces(const Ui& ui) {
 }
 
 // The state of the graph; another section starts with a fresh one.
-ForceKeys& state_of(Ui& ui, Entity section) {
-  ForceKeys& state = ui.lab.keys;
+ForceKeyEditing& state_of(Ui& ui, Entity section) {
+  ForceKeyEditing& state = ui.lab.keys;
   const world::Name name = world::name_of(ui.session().document, section);
   if (state.section != name) state = {.section = name, .channel = state.channel};
   const std::vector<ForceKey>& keys = program_of(ui, section).keys(state.channel);
@@ -238,7 +239,7 @@ double between_neighbours(const ForceProgram& program, ForceChannel channel, std
   return low <= high ? std::clamp(at, low, high) : keys[key].at;
 }
 
-void move_key(Ui& ui, ForceKeys& state, const ForceProgram& program, double from, double to, double value,
+void move_key(Ui& ui, ForceKeyEditing& state, const ForceProgram& program, double from, double to, double value,
               bool from_start) {
   const double limit = world::channel_of(program.of, state.channel).limit;
   to = between_neighbours(program, state.channel, *state.key, to), value = std::clamp(value, -limit, limit);
@@ -248,7 +249,7 @@ void move_key(Ui& ui, ForceKeys& state, const ForceProgram& program, double from
 }
 
 // Without a value, the key is on the curve.
-void insert_key(Ui& ui, ForceKeys& state, const ForceProgram& program, double at, std::optional<double> value) {
+void insert_key(Ui& ui, ForceKeyEditing& state, const ForceProgram& program, double at, std::optional<double> value) {
   const std::vector<ForceKey>& keys = program.keys(state.channel);
   const double gap = world::key_gap_of(program.over);
   const auto near = [&](const ForceKey& key) { return std::abs(key.at - at) < gap; };
@@ -260,11 +261,11 @@ void insert_key(Ui& ui, ForceKeys& state, const ForceProgram& program, double at
   else ui.emit(edit::InsertForceKey{{state.section}, state.channel, at});
 }
 
-void begin_gesture(Ui& ui, ForceKeys& state) {
+void begin_gesture(Ui& ui, ForceKeyEditing& state) {
   if (!std::exchange(state.gesture, true)) ui.emit(edit::BeginGesture{});
 }
 
-void drag_key(Ui& ui, ForceKeys& state, const ForceAxes& axes, PlotDrag to) {
+void drag_key(Ui& ui, ForceKeyEditing& state, const ForceAxes& axes, PlotDrag to) {
   const ForceProgram& program = axes.program();
   const bool snaps = !ImGui::GetIO().KeyCtrl;
   const world::KeySteps steps = steps_of(program, state.channel);
@@ -289,7 +290,7 @@ struct Knobs {
   std::vector<int> sides;                    // for the knobs after the keys
   std::vector<std::array<double, 4>> lines;  // x, x, y, y: the line of a handle
 };
-Knobs knobs_of(const ForceAxes& axes, const ForceKeys& state) {
+Knobs knobs_of(const ForceAxes& axes, const ForceKeyEditing& state) {
   const ForceProgram& program = axes.program();
   const std::vector<ForceKey>& keys = program.keys(state.channel);
   const std::string unit(world::unit_of(program.over)), of(world::unit_of(program, state.channel));
@@ -314,7 +315,7 @@ Knobs knobs_of(const ForceAxes& axes, const ForceKeys& state) {
   return knobs;
 }
 
-void take_knob(ForceKeys& state, const ForceProgram& program, const Knobs& knobs, std::size_t held) {
+void take_knob(ForceKeyEditing& state, const ForceProgram& program, const Knobs& knobs, std::size_t held) {
   const std::vector<ForceKey>& keys = program.keys(state.channel);
   state.side = held < keys.size() ? 0 : knobs.sides[held - keys.size()];
   if (state.side == 0) state.key = held;
@@ -322,7 +323,7 @@ void take_knob(ForceKeys& state, const ForceProgram& program, const Knobs& knobs
 }
 
 // Handles the mouse.
-void follow_mouse(Ui& ui, ForceKeys& state, const ForceAxes& axes, const Knobs& knobs, const KnobTouch& touch) {
+void follow_mouse(Ui& ui, ForceKeyEditing& state, const ForceAxes& axes, const Knobs& knobs, const KnobTouch& touch) {
   const ForceProgram& program = axes.program();
   const auto undoes = [](const edit::Command& c) { return c.is<edit::Undo>() || c.is<edit::CancelGesture>(); };
   if (state.gesture && std::any_of(ui.out.commands.begin(), ui.out.commands.end(), undoes))
@@ -336,7 +337,7 @@ void follow_mouse(Ui& ui, ForceKeys& state, const ForceAxes& axes, const Knobs& 
 }
 
 // Returns true if the key press changed the selected key.
-bool work_key(Ui& ui, ForceKeys& state, const ForceProgram& program, const platform::KeyPress& press) {
+bool work_key(Ui& ui, ForceKeyEditing& state, const ForceProgram& program, const platform::KeyPress& press) {
   using platform::Key;
   const std::vector<ForceKey>& keys = program.keys(state.channel);
   const ForceKey key = keys[*state.key];
@@ -372,7 +373,7 @@ Entity edited_forces(const Ui& ui) {
 }
 
 void force_channels(Ui& ui, Entity section, float bar) {
-  ForceKeys& state = state_of(ui, section);
+  ForceKeyEditing& state = state_of(ui, section);
   const TabBar look{.height = bar, .pad = std::floor(12 * ui.scale) / 2, .rgb = ink(kForceColour), .least_line = 1};
   const auto rows = world::channels_of(program_of(ui, section).of);
   for (const world::ForceChannelRow& row : rows) {
@@ -384,7 +385,7 @@ void force_channels(Ui& ui, Entity section, float bar) {
 }
 
 void force_plot(Ui& ui, Entity section, const std::optional<RidePlots>& ride) {
-  ForceKeys& state = state_of(ui, section);
+  ForceKeyEditing& state = state_of(ui, section);
   const sim::ForcePlan* const plan = ui.find.force(section);
   if (plan == nullptr || plan->path.points.empty())
     return small_note(plan == nullptr || plan->refusal.empty() ? "The section has no track."
@@ -435,7 +436,7 @@ void force_plot(Ui& ui, Entity section, const std::optional<RidePlots>& ride) {
 platform::Events without_force_keys(Ui& ui, const platform::Events& events) {
   const Entity section = selected_forces(ui);
   if (!section.valid()) return events;
-  ForceKeys& state = state_of(ui, section);
+  ForceKeyEditing& state = state_of(ui, section);
   const ForceProgram& program = program_of(ui, section);
   const std::size_t count = program.keys(state.channel).size();
   platform::Events others;

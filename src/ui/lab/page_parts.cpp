@@ -40,7 +40,7 @@ world::Entity segment_for(const edit::Session& session) {
     const world::Neighbours at = world::neighbours(session.document, selected);
     return at.after.valid() ? at.after : at.before;
   }
-  const world::CartMotion* const cart = session.motion.carts.find(selected);
+  const world::TrainMotion* const cart = session.motion.carts.find(selected);
   return cart ? cart->segment : selected;
 }
 
@@ -52,7 +52,7 @@ float column_edge(const Ui& ui, ImVec2 at, float room, int i) {
 
 }  // namespace
 
-Sheet sheet_of(std::span<const glm::dvec3> points) {
+DrawingPlane sheet_of(std::span<const glm::dvec3> points) {
   const glm::dvec3 origin = points.front(), along = longest_direction(points);
   glm::dvec3 off(0);
   double largest = 0;
@@ -63,7 +63,7 @@ Sheet sheet_of(std::span<const glm::dvec3> points) {
   }
   const double reach = glm::length(off);
   const glm::dvec3 across = reach > 1e-9 * largest && reach > 0 ? off / reach : any_perpendicular(along);
-  Sheet sheet{origin, along, across};
+  DrawingPlane sheet{origin, along, across};
   if (glm::dot(points.back() - origin, along) < 0) sheet.right = -along;
   if (across.y < 0) sheet.up = -across;
   return sheet;
@@ -194,7 +194,7 @@ void small_note(std::string_view words) {
   ImGui::PopFont();
 }
 
-void choose_side(Ui& ui, bool& second, const Side& off, const Side& on) {
+void choose_side(Ui& ui, bool& second, const RadioLabel& off, const RadioLabel& on) {
   if (radio(ui, off.label, !second, off.tooltip)) second = false;
   ImGui::SameLine();
   if (radio(ui, on.label, second, on.tooltip)) second = true;

@@ -26,7 +26,7 @@
 namespace coaster::ui {
 
 // A plane to draw in: right and up are perpendicular unit vectors.
-struct Sheet {
+struct DrawingPlane {
   glm::dvec3 origin{0}, right{1, 0, 0}, up{0, 1, 0};
   glm::dvec2 at(glm::dvec3 p) const { return {glm::dot(p - origin, right), glm::dot(p - origin, up)}; }
 };
@@ -35,7 +35,7 @@ struct Sheet {
 // the two farthest points, `up` towards the point farthest from that line. The last point is right of the first, and
 // `up` does not point down in the world. Coplanar points keep their distances. Collinear or coincident points give any
 // plane that contains them.
-Sheet sheet_of(std::span<const glm::dvec3> points);
+DrawingPlane sheet_of(std::span<const glm::dvec3> points);
 
 // Points as coordinates of a plot's series.
 struct Trace {
@@ -107,11 +107,11 @@ void triple(Ui& ui, std::string_view path, std::string_view shown, std::uint32_t
 // Shows a line of small, dimmed text, wrapped.
 void small_note(std::string_view words);
 
-struct Side {
+struct RadioLabel {
   std::string_view label, tooltip;
 };
 // Shows two radio buttons side by side. `second`: the second one is on.
-void choose_side(Ui& ui, bool& second, const Side& off, const Side& on);
+void choose_side(Ui& ui, bool& second, const RadioLabel& off, const RadioLabel& on);
 
 // Draws two pictures side by side, or one below the other in a narrow area. Each function gets width and height, px.
 using Picture = std::function<void(float width, float height)>;
@@ -127,7 +127,7 @@ std::uint32_t row_colour(std::size_t row);
 struct JointRow {
   world::Entity knot;
   world::Name name;
-  curve::Joint joint;
+  curve::JointContinuity joint;
   std::optional<double> step;  // g, at the fastest passage of the whole ride; nothing without one
   double jolt = 0;             // g, in the whole ride
 };
@@ -175,7 +175,7 @@ struct ForceEnds {
 };
 
 // The edited key of a force section in the force graph, and its state during a drag.
-struct ForceKeys {
+struct ForceKeyEditing {
   world::Name section;  // the section that these choices belong to
   world::ForceChannel channel = world::ForceChannel::vertical;
   std::optional<std::size_t> key;  // selected
@@ -190,32 +190,34 @@ struct ForceKeys {
 
 struct LabCache {
   int degree = 3;  // degree of the basis functions shown
-  base::Kept<int, BasisStudy> basis;
+  base::CachedValue<int, BasisStudy> basis;
   int compared = -1;  // row of the second evaluator; -1: none
   // Keyed by the segment's build, evaluator and steps.
-  base::Kept<std::tuple<std::uint64_t, int, int>, ErrorStudy> error, other_error;
-  base::Kept<std::tuple<std::uint64_t, int>, LengthStudy> lengths;  // by the segment's build and steps
+  base::CachedValue<std::tuple<std::uint64_t, int, int>, ErrorStudy> error, other_error;
+  base::CachedValue<std::tuple<std::uint64_t, int>, LengthStudy> lengths;  // by the segment's build and steps
   // By the last build, order and steps.
-  base::Kept<std::tuple<std::uint64_t, std::vector<world::Entity>, int>, TrackLengths> track_lengths;
+  base::CachedValue<std::tuple<std::uint64_t, std::vector<world::Entity>, int>, TrackLengths> track_lengths;
   bool lengths_of_track = false;
   bool show_errors = false;  // where there is no space for both: errors instead of times
   std::string csv = "measurements.csv";
 
   // Keyed by the last build, the order of the segments, whether the track is closed, the ride's serial (0 without one)
   // and the cutoff.
-  base::Kept<std::tuple<std::uint64_t, std::vector<world::Entity>, bool, std::uint64_t, double>, JointList> joints;
+  base::CachedValue<std::tuple<std::uint64_t, std::vector<world::Entity>, bool, std::uint64_t, double>, JointList>
+      joints;
   bool joints_by_jolt = true;
   // Keyed by the segment's build, the last build of all, steps and speed (m/s).
-  base::Kept<std::tuple<std::uint64_t, std::uint64_t, int, double>, std::array<sim::Erratum, sim::kErrata.size()>>
+  base::CachedValue<std::tuple<std::uint64_t, std::uint64_t, int, double>,
+                    std::array<sim::Erratum, sim::kErrata.size()>>
       errata;
-  base::Kept<std::uint64_t, BendStudy> bend;  // by the segment's build
+  base::CachedValue<std::uint64_t, BendStudy> bend;  // by the segment's build
 
   // Keyed by the serials of ride and envelope, the first and the last car, and whether it is over time.
-  base::Kept<std::tuple<std::uint64_t, std::uint64_t, int, int, bool>, SeatStudy> seat;
+  base::CachedValue<std::tuple<std::uint64_t, std::uint64_t, int, int, bool>, SeatStudy> seat;
   std::array<sim::RideValue, 2> force_plots{sim::RideValue::vertical, sim::RideValue::speed};
   bool forces_over_time = false;
   std::array<bool, 4> graph_hidden{};  // hidden curves of the force graph
-  ForceKeys keys;
+  ForceKeyEditing keys;
   int red_chosen = -1;
   std::optional<sim::Advice> advice;  // for the selected overload
   bool advised = false;               // true once it was requested

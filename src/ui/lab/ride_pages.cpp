@@ -89,7 +89,7 @@ void advice_rows(Ui& ui) {
 }
 
 // `brief`: shows only the start of each span.
-void red_table(Ui& ui, std::span<const sim::RedSpan> red, float height, bool brief) {
+void red_table(Ui& ui, std::span<const sim::Overload> red, float height, bool brief) {
   const edit::Session& session = ui.session();
   if (ui.lab.red_chosen < static_cast<int>(red.size())) {
     if (button(ui, "Suggest a fix###What helps?",
@@ -103,7 +103,7 @@ void red_table(Ui& ui, std::span<const sim::RedSpan> red, float height, bool bri
   }
   if (!begin_table(ui, "Overloads###Red spans", kRedColumns, height)) return;
   for (std::size_t i = 0; i < red.size(); ++i) {
-    const sim::RedSpan& span = red[i];
+    const sim::Overload& span = red[i];
     const std::string from = digits(ui, span.from_distance, 1, "m"),
                       worst = digits(ui, sim::signed_g(span.axis, span.worst), 2, "g");
     const Cell cells[] = {{brief ? from : fmt::format("{}..{}", from, digits(ui, span.to_distance, 1, "m"))},
@@ -138,7 +138,7 @@ void forces_page(Ui& ui) {
   if (!need_probe(ui)) return;
   const auto plots = RidePlots::make(ui, ui.lab.forces_over_time);
   if (!plots) return small_note("No train: add one in the Track panel.");
-  const std::span<const sim::RedSpan> red = ui.find.overloads();
+  const std::span<const sim::Overload> red = ui.find.overloads();
   Page page(ui, 230);
   side(ui, plots->ride(), ui.find.ratings(), red.empty());
   const float height = page.pictures(), room = ImGui::GetContentRegionAvail().x, gap = std::floor(12 * ui.scale);

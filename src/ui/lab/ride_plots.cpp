@@ -35,7 +35,7 @@ Limited limited_by(sim::ForceAxis axis) {
   return {};
 }
 
-void mark_overload(const sim::Rider& rider, const sim::RedSpan& span, bool over_time, SeatStudy& study) {
+void mark_overload(const sim::Rider& rider, const sim::Overload& span, bool over_time, SeatStudy& study) {
   const sim::SeatCurves& curves = study.curves;
   const Limited limited = limited_by(span.axis);
   const auto v = static_cast<std::size_t>(limited.value);
@@ -55,12 +55,12 @@ void mark_overload(const sim::Rider& rider, const sim::RedSpan& span, bool over_
   }
 }
 
-SeatStudy study_of(const edit::Finder& find, sim::CarRange cars, bool over_time) {
+SeatStudy study_of(const edit::SessionFindings& find, sim::CarRange cars, bool over_time) {
   const std::vector<sim::Rider> riders = find.seat()->cars(cars);
   SeatStudy study{over_time ? sim::curves_by_time(riders) : sim::curves_by_place(riders), {}, {}, {}, {}};
   for (std::vector<double>& one : study.beyond)
     one.assign(study.curves.place.size(), std::numeric_limits<double>::quiet_NaN());
-  for (const sim::RedSpan& span : find.overloads())
+  for (const sim::Overload& span : find.overloads())
     if (span.car >= cars.first && span.car <= cars.last)
       mark_overload(find.seat()->car(span.car), span, over_time, study);
   study.jerk = sim::most_of(riders, RideValue::jerk);
@@ -71,14 +71,14 @@ SeatStudy study_of(const edit::Finder& find, sim::CarRange cars, bool over_time)
 
 // Returns the distance along the track under the mouse, in the viewport or in a plot.
 std::optional<double> pointed_distance(const Ui& ui) {
-  const sim::Derived& derived = ui.session().derived;
+  const sim::DerivedTrack& derived = ui.session().derived;
   if (ui.hovered.kind != view::PickKind::curve) return std::nullopt;
   const auto index = world::index_of(derived.order, ui.hovered.entity);
   if (!index) return std::nullopt;
   return derived.starts[*index] + derived.shape_at(*index).arc.distance(ui.hovered.t);
 }
 
-view::Pick pick_at(const sim::Derived& derived, double distance) {
+view::Pick pick_at(const sim::DerivedTrack& derived, double distance) {
   const sim::TrackPlace place = sim::place_at(derived, distance);
   const sim::SegmentShape& shape = derived.shape_at(place.index);
   const double t = shape.arc.parameter(place.s);
@@ -110,7 +110,7 @@ std::optional<RidePlots> RidePlots::make(Ui& ui, bool over_time) {
   plots.study_ = &ui.lab.seat.get({ride->serial, session.limits.serial, cars.first, cars.last, plots.over_time_},
                                   [&] { return study_of(ui.find, cars, plots.over_time_); });
   plots.behind_ = cars.middle() * ride->start.spacing;
-  if (const world::CartMotion* const train = session.motion.carts.find(edit::chosen_cart(session)))
+  if (const world::TrainMotion* const train = session.motion.carts.find(edit::chosen_cart(session)))
     plots.train_ = plots.at_place(train->track_distance - plots.behind_);
   if (const auto distance = pointed_distance(ui)) plots.mark_ = plots.at_place(*distance);
   return plots;
@@ -181,7 +181,7 @@ void RidePlots::show(Ui& ui, std::string_view label, Plot& picture, std::string_
                              fmt::format("{} The whole ride over the current track. Drag to move the train.", tooltip));
   if (pointed) ui.pointed = pick_at(ui.session().derived, place_at(*pointed));
   if (!drag) return;
-  const sim::Derived& derived = ui.session().derived;
+  const sim::DerivedTrack& derived = ui.session().derived;
   const double to = place_at(drag->x) + behind_;  // beyond an open end where the train's middle is drawn
   ui.emit(edit::RideSeek{derived.closed ? to : std::clamp(to, 0.0, derived.length)});
 }

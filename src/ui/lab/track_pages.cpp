@@ -69,7 +69,7 @@ void bend_plot(Ui& ui, const Probe& probe, const BendStudy& study, bool torsion,
 }
 
 void side(Ui& ui, const Probe& probe) {
-  const sim::Derived& derived = ui.session().derived;
+  const sim::DerivedTrack& derived = ui.session().derived;
   const auto formula = base::row_of(ui.session().settings.frames).formula;
   setting_list<&world::Settings::frames>(
       ui, "Frame method###Turned by", fmt::format("Orients trains and the ride camera along the track. {}", formula));
@@ -97,7 +97,7 @@ void side(Ui& ui, const Probe& probe) {
 
 // Returns every joint of the track in track order: the start of each segment that has one before it.
 std::vector<JointRow> joints_of(const edit::Session& session, std::span<const sim::Jolt> jolts) {
-  const sim::Derived& derived = session.derived;
+  const sim::DerivedTrack& derived = session.derived;
   std::vector<JointRow> rows;
   const std::size_t count = derived.order.size();
   for (std::size_t i = derived.closed ? 0 : 1; i < count; ++i) {
@@ -121,7 +121,7 @@ std::vector<std::size_t> by_jolt(const std::vector<JointRow>& rows) {
 
 const JointList& kept_joints(Ui& ui) {
   const edit::Session& session = ui.session();
-  const sim::Derived& derived = session.derived;
+  const sim::DerivedTrack& derived = session.derived;
   const sim::SimulatedRide* const ridden = ui.find.ride();
   const std::uint64_t ride = ridden != nullptr ? ridden->serial : 0;
   const double cutoff = session.limits.envelope.cutoff;
@@ -151,9 +151,9 @@ void row_of(Ui& ui, const JointRow& row) {
   const bool selected = ui.session().settings.selected == row.knot;
   const double jolt = ui.find.ride() != nullptr ? row.jolt : NAN;
   const std::string name = world::to_text(row.name), step = row.step ? digits(ui, *row.step, 3, "g") : "--";
-  const std::uint32_t tint = row.joint.geometric == curve::Geometric::g2   ? kGoodColour
-                             : row.joint.geometric == curve::Geometric::g1 ? kPlainColour
-                                                                           : kBadColour;
+  const std::uint32_t tint = row.joint.geometric == curve::GeometricContinuity::g2   ? kGoodColour
+                             : row.joint.geometric == curve::GeometricContinuity::g1 ? kPlainColour
+                                                                                     : kBadColour;
   const std::string geometric(base::name_of(row.joint.geometric)), parametric(base::name_of(row.joint.parametric));
   const Cell cells[] = {{name, kPlainColour, true},
                         {geometric, tint, true},
@@ -174,7 +174,8 @@ void side(Ui& ui, const JointList& list) {
   const world::Name* name = session.document.entities.find<world::Name>(session.settings.selected);
   const auto joint = std::find_if(list.rows.begin(), list.rows.end(),
                                   [&](const JointRow& row) { return row.knot == session.settings.selected; });
-  const bool mendable = name != nullptr && joint != list.rows.end() && joint->joint.geometric < curve::Geometric::g2;
+  const bool mendable =
+      name != nullptr && joint != list.rows.end() && joint->joint.geometric < curve::GeometricContinuity::g2;
   const float width = std::floor((ImGui::GetContentRegionAvail().x - ImGui::GetStyle().ItemSpacing.x) / 2);
   if (button(ui, "Make G2",
              "Make curvature continuous at the selected joint with the smallest movement of control points (least "
@@ -184,8 +185,9 @@ void side(Ui& ui, const JointList& list) {
   ImGui::SameLine();
   if (button(ui, "Make all G2", "Make every joint G2, in one undo step.", !list.rows.empty(), width))
     ui.emit(edit::MakeAllG2{});
-  const auto smooth = std::count_if(list.rows.begin(), list.rows.end(),
-                                    [](const JointRow& row) { return row.joint.geometric >= curve::Geometric::g2; });
+  const auto smooth = std::count_if(list.rows.begin(), list.rows.end(), [](const JointRow& row) {
+    return row.joint.geometric >= curve::GeometricContinuity::g2;
+  });
   std::optional<double> largest;
   for (const JointRow& row : list.rows) largest = std::max(largest, row.step);
   read_out(ui, "All joints", std::to_string(list.rows.size()), "", "Number of joints between segments.");

@@ -190,7 +190,7 @@ void value(RideRow& row, std::string_view label, std::string_view number, float 
 // Returns the seconds from the start of the simulated ride to the train's position in it, and of the whole ride.
 std::string ride_time(const Ui& ui) {
   const edit::Session& session = ui.session();
-  const world::CartMotion* const train = session.motion.carts.find(edit::chosen_cart(session));
+  const world::TrainMotion* const train = session.motion.carts.find(edit::chosen_cart(session));
   const sim::SimulatedRide* const ride = ui.find.ride();
   if (train == nullptr || ride == nullptr) return "--";
   const double way = sim::within_lap(train->track_distance - ride->start.front, ride->track_length, ride->closed);
@@ -215,7 +215,7 @@ void values(RideRow& row) {
 void scrub(RideRow& row, float width) {
   Ui& ui = row.ui;
   const edit::Session& session = ui.session();
-  const world::CartMotion* const train = session.motion.carts.find(edit::chosen_cart(session));
+  const world::TrainMotion* const train = session.motion.carts.find(edit::chosen_cart(session));
   float at = train != nullptr ? static_cast<float>(train->track_distance) : 0;
   const bool any = train != nullptr && rideable(session);
   const float length = std::max(0.1f, static_cast<float>(session.derived.length));

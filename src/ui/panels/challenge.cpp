@@ -25,7 +25,7 @@ using exchange::RuleList;
 
 // Shows a mark, the rule's text, and its value: on the right if it fits next to the text, else below it.
 void rule_row(Ui& ui, const query::Rule& rule, const exchange::ChallengeRule& words) {
-  const query::Finding finding = query::look_at(ui.find, rule);
+  const query::RuleResult finding = query::look_at(ui.find, rule);
   const std::string found = in_units(ui, finding.found), text = in_units(ui, words.text);
   const float line = ImGui::GetTextLineHeight(), mark = std::floor(line * 0.86f),
               indent = std::floor(mark + 8 * ui.scale);
@@ -83,7 +83,7 @@ void buttons(Ui& ui, const edit::ActiveChallenge& challenge) {
   const edit::Session& session = ui.session();
   const float gap = ImGui::GetStyle().ItemInnerSpacing.x, half = (ImGui::GetContentRegionAvail().x - gap) / 2;
   const bool any = rideable(session);
-  const bool by_riding = challenge.file.judged != exchange::Judged::build;
+  const bool by_riding = challenge.file.judged != exchange::JudgedWhen::build;
   if (button(ui, "Ride###Ride it",
              by_riding ? "Start the ride. The challenge is judged at its end."
                        : "Start the ride. This challenge is judged while you build.",
@@ -137,8 +137,8 @@ void challenge_panel(Ui& ui) {
   paragraph(ui, "Teaches", challenge.file.teaches, palette().dim);
   if (!rules) return paragraph(ui, "Problem", rules.status().message, palette().error);
   heading(ui,
-          challenge.file.judged == exchange::Judged::build ? "To pass###To pass, build so that"
-                                                           : "To pass###To pass, ride so that",
+          challenge.file.judged == exchange::JudgedWhen::build ? "To pass###To pass, build so that"
+                                                               : "To pass###To pass, ride so that",
           "Goals and limits. Values of the ride come from a simulation of the whole ride.");
   rules_of(ui, *rules, {RuleList::goals, RuleList::limits, RuleList::bronze});
   if (!challenge.file.locks.empty()) paragraph(ui, "Locked", edit::locked_text(challenge.file.locks), palette().dim);
@@ -151,7 +151,7 @@ void challenge_panel(Ui& ui) {
       show_place(ui, *challenge.last.place);
   }
   hints(ui, challenge);
-  if (wide_button(ui, "All challenges", "Choose another challenge.")) ui.want = {Want::Kind::challenges};
+  if (wide_button(ui, "All challenges", "Choose another challenge.")) ui.want = {ScreenRequest::Kind::challenges};
 }
 
 void draw_goals(Ui& ui, const view::Viewport& scene) {
@@ -160,7 +160,7 @@ void draw_goals(Ui& ui, const view::Viewport& scene) {
   const base::Result<std::vector<query::Rule>> rules = query::read_rules(challenge->file, challenge->path);
   const float width = std::floor(280 * ui.scale), margin = std::floor(14 * ui.scale);
   if (!rules || scene.width < 2 * width || scene.height < width) return;
-  const bool passed = challenge->medal > 0 && challenge->file.judged == exchange::Judged::build;
+  const bool passed = challenge->medal > 0 && challenge->file.judged == exchange::JudgedWhen::build;
   const Card card{.id = "##goals",
                   .panel = "Goals",
                   .at = {std::floor(scene.x + scene.width - margin), std::floor(scene.y + margin)},

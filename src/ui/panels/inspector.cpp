@@ -32,14 +32,14 @@ float to_float(double value) {
   return static_cast<float>(std::clamp(value, -kLargest, kLargest));
 }
 
-std::optional<Changed> vector_fields(Ui& ui, std::string_view group, glm::vec3 v, Number like,
-                                     std::string_view tooltip) {
+std::optional<ChangedNumber> vector_fields(Ui& ui, std::string_view group, glm::vec3 v, Number like,
+                                           std::string_view tooltip) {
   std::array<Number, 3> fields{like, like, like};
   for (int i = 0; i < 3; ++i) fields[static_cast<std::size_t>(i)].value = v[i];
   return numbers(ui, group, kAxes, fields, tooltip);
 }
 
-std::optional<Changed> position_fields(Ui& ui, const world::Knot& knot, std::string_view tooltip) {
+std::optional<ChangedNumber> position_fields(Ui& ui, const world::Knot& knot, std::string_view tooltip) {
   constexpr double kReach = world::kMaxCoordinate;
   return vector_fields(ui, "Position", knot.position,
                        {.decimals = 3, .step = 0.02, .low = -kReach, .high = kReach, .typed_in = "m"}, tooltip);
@@ -82,7 +82,7 @@ void spin_fields(Ui& ui, const edit::Knots& knots, const world::Knot& knot) {
 // At the present speed of the first train.
 void roll_rate(Ui& ui, const world::Knot& knot) {
   const edit::Session& session = ui.session();
-  const world::CartMotion* const train = session.motion.carts.find(world::first_cart(session.document));
+  const world::TrainMotion* const train = session.motion.carts.find(world::first_cart(session.document));
   read_out(ui, "Roll rate", train ? fixed(base::degrees(double{knot.spin}) * train->speed, 1) : "--", "\u00B0/s",
            "The spin times the present speed of the first train.");
 }
@@ -116,7 +116,8 @@ void continuity(Ui& ui, Entity entity, Name name) {
     read_out(ui, "Continuity", "end of the track", "", "The end of an open track is no joint.");
     return;
   }
-  const curve::Joint joint = curve::joint(world::cubic_of(document, at.before), world::cubic_of(document, at.after));
+  const curve::JointContinuity joint =
+      curve::joint(world::cubic_of(document, at.before), world::cubic_of(document, at.after));
   const std::string argument = "@" + world::to_text(name);
   read_query(ui, "Geometric", "geometric",
              "Geometric continuity. G0: same position, G1: same tangent, G2: same curvature.", {.argument = argument});
@@ -176,7 +177,7 @@ void knots_inspector(Ui& ui, Entity active, const std::vector<Entity>& knots) {
   joint_list(ui, all, knot, "Joint type of all selected knots.");
 }
 
-bool is_longest(const sim::Derived& derived, Entity entity) {
+bool is_longest(const sim::DerivedTrack& derived, Entity entity) {
   for (const Entity other : derived.order)
     if (derived.shape(other).arc.length() > derived.shape(entity).arc.length()) return false;
   return true;
@@ -217,14 +218,14 @@ void segment_inspector(Ui& ui, Entity entity, Name name) {
 
 void cart_inspector(Ui& ui, Entity entity) {
   const edit::Session& session = ui.session();
-  const world::Cart* cart = session.document.entities.find<world::Cart>(entity);
+  const world::Train* cart = session.document.entities.find<world::Train>(entity);
   if (cart != nullptr) {
     read_out(ui, "Starts on", world::label_of(session.document, cart->segment), "",
              "The segment that the train starts on.");
     read_out(ui, "Start position###Start place", fixed(cart->fraction * 100, 1), "%",
              "Fraction of that segment's length.");
   }
-  const world::CartMotion* motion = session.motion.carts.find(entity);
+  const world::TrainMotion* motion = session.motion.carts.find(entity);
   if (motion == nullptr) return;
   read_out(ui, "Now on", world::label_of(session.document, motion->segment), "", "The segment that the train is on.");
   read_out(ui, "Speed", motion->speed, 2, "m/s", "Speed along the track. Negative: backwards.");

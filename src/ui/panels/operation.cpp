@@ -50,7 +50,7 @@ void equipment(Ui& ui) {
 void train(Ui& ui) {
   const edit::Session& session = ui.session();
   const world::Entity cart = edit::chosen_cart(session);
-  const world::Cart* const design = session.document.entities.find<world::Cart>(cart);
+  const world::Train* const design = session.document.entities.find<world::Train>(cart);
   if (!design) return;
   const world::Name name = world::name_of(session.document, cart);
   const Number cars{.value = static_cast<double>(design->cars),
@@ -101,16 +101,16 @@ void track_curve(Ui& ui) {
   read_out(ui, "Curve", std::string(base::row_of(document.curve).label), "",
            std::string(base::row_of(document.curve).help));
   const std::string_view other = rails ? "heartline" : "rails";
-  const auto offer = [&](std::string_view label, edit::Keep keep, std::string_view effect) {
+  const auto offer = [&](std::string_view label, edit::CurveSwitchKeeps keep, std::string_view effect) {
     if (wide_button(ui, label, fmt::format("Make the curve the {}. {}", other, effect)))
       ui.emit(edit::SetCurve{rails ? world::TrackCurve::heartline : world::TrackCurve::rails, keep});
   };
-  offer("Switch, keep rails", edit::Keep::rails, "The rails keep their shape within 1 cm.");
-  offer("Switch, keep numbers", edit::Keep::numbers, "The knots keep their numbers, and the rails move.");
+  offer("Switch, keep rails", edit::CurveSwitchKeeps::rails, "The rails keep their shape within 1 cm.");
+  offer("Switch, keep numbers", edit::CurveSwitchKeeps::numbers, "The knots keep their numbers, and the rails move.");
 }
 
 void loss_numbers(Ui& ui) {
-  const world::Resistance& now = ui.session().document.resistance;
+  const world::Losses& now = ui.session().document.resistance;
   const LockedWidgets locked(ui, edit::SetLosses::kInfo.name);
   if (const auto to = number(
           ui, "Rolling", {.value = now.rolling, .decimals = 4, .step = 0.0002, .low = 0, .high = world::kMaxRolling},

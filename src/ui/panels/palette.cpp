@@ -210,10 +210,10 @@ float palette_label_width(float scale) {
 
 void build_palette_of_elements(Ui& ui, const view::Viewport& area, const PaletteGrid& grid) {
   const float pad = std::floor(8 * ui.scale), gap = std::floor(4 * ui.scale);
-  const AreaLook look{.id = "##palette",
-                      .panel = "Elements",
-                      .padding = ImVec2(pad, pad),
-                      .more = ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse};
+  const WindowArea look{.id = "##palette",
+                        .panel = "Elements",
+                        .padding = ImVec2(pad, pad),
+                        .more = ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse};
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(gap, gap));
   build_area(ui, area, look, [&] {
     const int used = element_buttons(ui, grid);

@@ -104,7 +104,7 @@ void bring_into_sight(float top) {
 }  // namespace
 
 void build_column(Ui& ui, Column column, const view::Viewport& area) {
-  const AreaLook look{
+  const WindowArea look{
       .id = column == Column::left ? "##left" : "##right", .panel = "", .padding = {}, .more = ImGuiWindowFlags_None};
   build_area(ui, area, look, [&] {
     scroll_to_what_is_new(ui);

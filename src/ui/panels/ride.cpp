@@ -81,7 +81,7 @@ void wheel_table(Ui& ui) {
   using sim::WheelSet;
   const edit::Session& session = ui.session();
   const world::Entity train = edit::chosen_cart(session);
-  const world::CartMotion* const motion = session.motion.carts.find(train);
+  const world::TrainMotion* const motion = session.motion.carts.find(train);
   if (motion == nullptr || !session.derived.segments.contains(motion->segment)) return;
   const sim::WheelLoads loads = sim::wheel_loads(session.document, session.derived, train, *motion);
   heading(ui, "Wheel loads (kN)",
@@ -91,7 +91,7 @@ void wheel_table(Ui& ui) {
   for (const std::string_view kind : {"Road", "Up-stop", "Side"}) right_cell(kind, palette().dim);
   for (const WheelSet set : {WheelSet::front_left, WheelSet::front_right, WheelSet::rear_left, WheelSet::rear_right}) {
     const std::string_view label = base::row_of(set).label;
-    const sim::Wheels wheels = loads.of(set);
+    const sim::LoadsByWheelKind wheels = loads.of(set);
     ImGui::TableNextColumn();
     tinted_line(label, palette().dim);
     const std::string words[] = {digits(ui, wheels.road, 1, "kN"), digits(ui, wheels.up_stop, 1, "kN"),

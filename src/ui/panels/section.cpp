@@ -29,10 +29,10 @@ using world::Entity;
 using world::Section;
 using world::SectionRun;
 
-Chosen chosen_sections(const edit::Session& session) {
+SelectedSections chosen_sections(const edit::Session& session) {
   std::vector<Entity> selected = world::selected_sections(session.document, session.settings);
   std::sort(selected.begin(), selected.end(), [](Entity a, Entity b) { return a.index < b.index; });
-  Chosen chosen{session.document, session.settings.selected, {}};
+  SelectedSections chosen{session.document, session.settings.selected, {}};
   for (const SectionRun& run : world::sections_of(session.document))
     if (std::binary_search(selected.begin(), selected.end(), run.section,
                            [](Entity a, Entity b) { return a.index < b.index; }))
@@ -46,7 +46,7 @@ std::optional<double> planned_value(const Section& section, std::string_view par
 }
 
 // The first section is planned from the drag's start, so that a drag adds no rounding; the others on the result.
-void change_sections(Ui& ui, const Chosen& chosen, std::string_view parameter, const Element& to) {
+void change_sections(Ui& ui, const SelectedSections& chosen, std::string_view parameter, const Element& to) {
   ask_change(ui, chosen.name(), parameter);
   std::vector<SectionRun> runs = chosen.runs;
   std::erase_if(runs, [&](const SectionRun& run) {
@@ -81,12 +81,12 @@ std::string_view refusal_of(const Ui& ui, world::Name section, std::string_view 
 
 namespace {
 
-void refusal_below(Ui& ui, const Chosen& chosen, std::string_view parameter) {
+void refusal_below(Ui& ui, const SelectedSections& chosen, std::string_view parameter) {
   const std::string_view refusal = refusal_of(ui, chosen.name(), parameter);
   if (!refusal.empty()) paragraph(ui, "Refusal", refusal, palette().warning);
 }
 
-void kind_box(Ui& ui, const Chosen& chosen) {
+void kind_box(Ui& ui, const SelectedSections& chosen) {
   const Section& section = chosen.section();
   std::vector<Choice> kinds = choices_of<world::ElementKind>();
   kinds.resize(world::elements().size());
@@ -106,7 +106,7 @@ void kind_box(Ui& ui, const Chosen& chosen) {
 }
 
 // True for a parameter that every selected section has. Those of equipment have buttons instead.
-bool is_shared(const Chosen& chosen, std::string_view parameter) {
+bool is_shared(const SelectedSections& chosen, std::string_view parameter) {
   const bool equips = world::found_value(chosen.section().element, "equipment").has_value();
   if (parameter == "equipment" || (equips && (parameter == "speed" || parameter == "acceleration"))) return false;
   return std::all_of(chosen.runs.begin(), chosen.runs.end(), [&](const world::SectionRun& run) {
@@ -117,7 +117,7 @@ bool is_shared(const Chosen& chosen, std::string_view parameter) {
   });
 }
 
-void section_parameters(Ui& ui, const Chosen& chosen) {
+void section_parameters(Ui& ui, const SelectedSections& chosen) {
   if (chosen.section().kind != world::SectionKind::element) return;
   Element element = chosen.section().element;
   const ElementRows rows{.shown = [&](std::string_view name) { return is_shared(chosen, name); },
@@ -126,7 +126,7 @@ void section_parameters(Ui& ui, const Chosen& chosen) {
 }
 
 // The keys are in the force graph.
-void force_parameters(Ui& ui, const Chosen& chosen) {
+void force_parameters(Ui& ui, const SelectedSections& chosen) {
   const world::ForceProgram& program = chosen.section().force;
   const Number length{.value = program.length,
                       .unit = world::unit_of(program.over).data(),
@@ -145,13 +145,13 @@ void force_parameters(Ui& ui, const Chosen& chosen) {
     ui.emit(edit::SetForceTolerance{{chosen.name()}, *to});
   if (const auto to = combo_of(ui, "Keys of", program.of,
                                "Forces that riders feel, or the track's curvature. Keys take what the track has."))
-    ui.emit(edit::SetForceOf{{chosen.name()}, *to});
+    ui.emit(edit::SetForceQuantity{{chosen.name()}, *to});
   if (const auto to =
           combo_of(ui, "Keys over", program.over, "Unit of the keys: metres or seconds. Keys keep their positions."))
-    ui.emit(edit::SetForceOver{{chosen.name()}, *to});
+    ui.emit(edit::SetForceDomain{{chosen.name()}, *to});
   if (const auto on = checkbox(ui, "Keep both ends", program.hold,
                                "Neither end moves when keys change. The keys are met as nearly as that allows."))
-    ui.emit(edit::HoldForces{{chosen.name()}, *on});
+    ui.emit(edit::HoldForceSectionEnds{{chosen.name()}, *on});
   const world::SectionRun& run = chosen.runs.front();
   const std::string uncounted = sim::uncounted_text(chosen.document, run, program);
   if (!uncounted.empty()) paragraph(ui, "Not counted", uncounted, palette().warning);
@@ -159,7 +159,7 @@ void force_parameters(Ui& ui, const Chosen& chosen) {
   if (plan == nullptr || !plan->refusal.empty()) return;
   if (const std::string stopped = sim::stop_text(*plan); !stopped.empty())
     paragraph(ui, "Stopped", base::sentence(stopped), palette().warning);
-  const bool bends = program.of == world::ForceOf::curvature;
+  const bool bends = program.of == world::ForceQuantity::curvature;
   if (!plan->fit.within) {
     read_out(
         ui, "Off by", plan->fit.felt_error, 2, "g",
@@ -173,7 +173,7 @@ void force_parameters(Ui& ui, const Chosen& chosen) {
            "Where that is, from the section's start.");
 }
 
-void section_equipment(Ui& ui, const Chosen& chosen) {
+void section_equipment(Ui& ui, const SelectedSections& chosen) {
   std::vector<Entity> segments;
   const auto& all = chosen.document.track.segments;
   for (const world::SectionRun& run : chosen.runs)
@@ -188,14 +188,14 @@ void section_equipment(Ui& ui, const Chosen& chosen) {
 }
 
 // True if the selected sections are neighbours.
-bool in_a_row(const Chosen& chosen) {
+bool in_a_row(const SelectedSections& chosen) {
   for (std::size_t i = 1; i < chosen.runs.size(); ++i)
     if (chosen.runs[i].first != chosen.runs[i - 1].end()) return false;
   return true;
 }
 
 // What is done with whole sections.
-void section_buttons(Ui& ui, const Chosen& chosen) {
+void section_buttons(Ui& ui, const SelectedSections& chosen) {
   const edit::Session& session = ui.session();
   const auto movable = [&](std::size_t knot) {
     return !chosen.document.track.closed || world::completing(chosen.document, knot);
@@ -232,12 +232,12 @@ void section_buttons(Ui& ui, const Chosen& chosen) {
   if ((!of_forces || !chosen.single()) &&
       pressed("Read forces", "Make it a force section of the same shape. What is felt becomes keys.", "",
               in_a_row(chosen)))
-    ui.emit(edit::ReadForces{edit::Sections(chosen.names())});
+    ui.emit(edit::MakeForceSection{edit::Sections(chosen.names())});
   if (pressed("Delete", "Delete the sections. What follows moves to where they began.", "Delete", movable(end)))
     each([](world::Name name) { return edit::DeleteSection{{name}}; });
 }
 
-void section_figures_rows(Ui& ui, const Chosen& chosen) {
+void section_figures_rows(Ui& ui, const SelectedSections& chosen) {
   const sim::SectionFigures& of = ui.find.sections().of(chosen.runs.front());
   read_out(ui, "Length", of.length, 1, "m", "Length of the section.");
   read_out(ui, "Height at start", of.start, 1, "m", "Height of the track where the section begins.");
@@ -261,7 +261,7 @@ bool section_shown(const Ui& ui) {
 }
 
 void section_panel(Ui& ui) {
-  const Chosen chosen = chosen_sections(ui.session());
+  const SelectedSections chosen = chosen_sections(ui.session());
   take_answer(ui);
   // Different ids for each section: text typed in a field of one never goes to the next.
   ImGui::PushID(static_cast<int>(chosen.name().number));

@@ -11,7 +11,7 @@
 namespace coaster::ui {
 
 // The selected sections.
-struct Chosen {
+struct SelectedSections {
   const world::Document& document;
   world::Entity active;
   std::vector<world::SectionRun> runs;  // in the track's order
@@ -25,13 +25,13 @@ struct Chosen {
     return all;
   }
 };
-Chosen chosen_sections(const edit::Session& session);
+SelectedSections chosen_sections(const edit::Session& session);
 
 // Returns the parameter of a planned section that has it; nothing for other sections.
 std::optional<double> planned_value(const world::Section& section, std::string_view parameter);
 
 // Sets the parameter of the selected sections that have it to its value in `to`; "side" is left or right.
-void change_sections(Ui& ui, const Chosen& chosen, std::string_view parameter, const world::Element& to);
+void change_sections(Ui& ui, const SelectedSections& chosen, std::string_view parameter, const world::Element& to);
 
 // Records the field that requests a change, for refusal_of().
 void ask_change(Ui& ui, world::Name section, std::string_view parameter);

@@ -44,7 +44,7 @@ std::optional<SectionColumn> next_cell(const world::Section& section, std::span<
   return std::nullopt;
 }
 
-void typed_cell(Ui& ui, const Chosen& chosen, std::span<const SectionColumn> columns, std::size_t at,
+void typed_cell(Ui& ui, const SelectedSections& chosen, std::span<const SectionColumn> columns, std::size_t at,
                 std::string_view label) {
   EditedCell& cell = *ui.inputs.cell;
   world::Element element = chosen.section().element;
@@ -240,7 +240,7 @@ void select_section_row(Ui& ui, const sim::SectionTable& table, std::span<const 
 
 // Marks the section's middle in the view while the mouse is over its row.
 void point_at_section(Ui& ui, const world::SectionRun& run) {
-  const sim::Derived& derived = ui.session().derived;
+  const sim::DerivedTrack& derived = ui.session().derived;
   const std::size_t middle = run.first + run.count / 2;
   ui.pointed = {view::PickKind::curve, derived.order[middle], 0.5,
                 glm::vec3(curve::point(derived.shape_at(middle).key.cubic, 0.5))};

@@ -25,12 +25,12 @@ using world::Kind;
 
 // Returns a position where a new cart touches no other at the start of the ride: the start or middle of a segment,
 // searched from `first` on. The start of `first` if there is none.
-edit::AddCart free_place(const edit::Session& session, world::Entity first) {
-  const sim::Derived& derived = session.derived;
-  const sim::Rails rails{derived.length, derived.closed};
+edit::AddTrain free_place(const edit::Session& session, world::Entity first) {
+  const sim::DerivedTrack& derived = session.derived;
+  const sim::TrackExtent rails{derived.length, derived.closed};
   constexpr double kRoom = 6;  // m
   const auto is_free = [&](double distance) {
-    for (const world::Cart& other : session.document.entities.pool<world::Cart>().items()) {
+    for (const world::Train& other : session.document.entities.pool<world::Train>().items()) {
       const sim::TrainStart start = sim::start_of(session.document, derived, other);
       if (sim::collide(rails, {distance, 1, kRoom, kRoom}, {start.front, start.cars, start.spacing, start.length}))
         return false;
@@ -132,7 +132,7 @@ void building(Ui& ui) {
               on_segment))
     ui.emit(edit::SplitSegment{{*selected}, session.settings.selected_t});
   if (pressed("Delete", with_keys(ui.keys, "Delete the selected knot or train.", "Delete"), removable))
-    ui.emit(edit::RemoveKnot{{*selected}});
+    ui.emit(edit::RemoveKnotOrTrain{{*selected}});
   const auto& segments = session.document.track.segments;
   if (pressed("Add train###Add cart",
               "Add a train at the first free place from the start of the selected segment, or of the track.",
@@ -166,9 +166,9 @@ void file(Ui& ui) {
   };
   if (pressed("New", "Start an empty track.")) ui.replace(edit::NewTrack{});
   ImGui::SameLine();
-  if (pressed("Open", "Choose a track file to open.")) ui.want = {Want::Kind::browse};
+  if (pressed("Open", "Choose a track file to open.")) ui.want = {ScreenRequest::Kind::browse};
   ImGui::SameLine();
-  if (pressed("Save", "Save the track to its file.")) ui.want = {Want::Kind::save};
+  if (pressed("Save", "Save the track to its file.")) ui.want = {ScreenRequest::Kind::save};
 }
 
 constexpr std::size_t kMostShown = 200;  // rows on either side of the present state

@@ -51,12 +51,12 @@ void Dialogs::abandon() {
   saving_ = system_ = false;
 }
 
-void Dialogs::take(Ui& ui, Want want) {
-  if (want.kind >= Want::Kind::replace && want.kind <= Want::Kind::quit) request(ui, std::move(want));
+void Dialogs::take(Ui& ui, ScreenRequest want) {
+  if (want.kind >= ScreenRequest::Kind::replace && want.kind <= ScreenRequest::Kind::quit) request(ui, std::move(want));
   else perform(ui, want);
 }
 
-void Dialogs::request(Ui& ui, Want want) {
+void Dialogs::request(Ui& ui, ScreenRequest want) {
   want_ = std::move(want);
   saving_ = false;
   if (edit::dirty(ui.find)) dialog_ = Dialog::unsaved;
@@ -69,25 +69,25 @@ void Dialogs::proceed(Ui& ui) {
   perform(ui, std::exchange(want_, {}));
 }
 
-void Dialogs::perform(Ui& ui, const Want& want) {
+void Dialogs::perform(Ui& ui, const ScreenRequest& want) {
   switch (want.kind) {
-    case Want::Kind::nothing:
-    case Want::Kind::start_screen: break;
-    case Want::Kind::browse: browse(ui, FileBrowser::Mode::open); break;
-    case Want::Kind::replace: replace(ui, want); break;
-    case Want::Kind::tutorial: ui.out.wants_tutorial = true; break;
-    case Want::Kind::quit: ui.out.quit = true; break;
-    case Want::Kind::save: save(ui); break;
-    case Want::Kind::save_as: browse(ui, FileBrowser::Mode::save); break;
-    case Want::Kind::save_sections: browse(ui, FileBrowser::Mode::save, true); break;
-    case Want::Kind::open_sections: browse(ui, FileBrowser::Mode::open, true); break;
-    case Want::Kind::settings: dialog_ = Dialog::settings; break;
-    case Want::Kind::challenges: dialog_ = Dialog::challenges, challenges_.reset(); break;
+    case ScreenRequest::Kind::nothing:
+    case ScreenRequest::Kind::start_screen: break;
+    case ScreenRequest::Kind::browse: browse(ui, FileBrowser::Mode::open); break;
+    case ScreenRequest::Kind::replace: replace(ui, want); break;
+    case ScreenRequest::Kind::tutorial: ui.out.wants_tutorial = true; break;
+    case ScreenRequest::Kind::quit: ui.out.quit = true; break;
+    case ScreenRequest::Kind::save: save(ui); break;
+    case ScreenRequest::Kind::save_as: browse(ui, FileBrowser::Mode::save); break;
+    case ScreenRequest::Kind::save_sections: browse(ui, FileBrowser::Mode::save, true); break;
+    case ScreenRequest::Kind::open_sections: browse(ui, FileBrowser::Mode::open, true); break;
+    case ScreenRequest::Kind::settings: dialog_ = Dialog::settings; break;
+    case ScreenRequest::Kind::challenges: dialog_ = Dialog::challenges, challenges_.reset(); break;
   }
 }
 
 // Asks how points become a track, unless the words say so.
-void Dialogs::replace(Ui& ui, const Want& want) {
+void Dialogs::replace(Ui& ui, const ScreenRequest& want) {
   base::Files files;
   const auto* const load = want.command->as<edit::Load>();
   const bool asks = load != nullptr && load->import == exchange::Import{};
@@ -138,7 +138,7 @@ void Dialogs::write(Ui& ui, const std::filesystem::path& path, bool overwrite) {
   } else {
     ui.emit(edit::Save{path.string(), {overwrite}});
   }
-  saving_ = want_.kind != Want::Kind::nothing;
+  saving_ = want_.kind != ScreenRequest::Kind::nothing;
   dialog_ = Dialog::none;
 }
 
@@ -150,7 +150,7 @@ void Dialogs::take_file(Ui& ui, std::filesystem::path path, bool asked) {
     return ui.emit(edit::OpenSections{path.string()});
   }
   if (browser_.mode() == FileBrowser::Mode::open) {
-    want_ = {Want::Kind::replace, edit::Load{path.string()}};
+    want_ = {ScreenRequest::Kind::replace, edit::Load{path.string()}};
     return proceed(ui);  // the question about unsaved changes came before
   }
   const bool own = !sections_ && edit::is_own_file(ui.session(), path);
@@ -359,7 +359,7 @@ void Dialogs::build_challenges(Ui& ui) {
       button(ui, "Cancel", "Back to the track. Key Escape.") || ImGui::IsKeyPressed(ImGuiKey_Escape, false);
   if (opened_now) return;
   if (cancel) abandon();
-  else if (chosen) request(ui, {Want::Kind::replace, edit::StartChallenge{chosen->string()}});
+  else if (chosen) request(ui, {ScreenRequest::Kind::replace, edit::StartChallenge{chosen->string()}});
 }
 
 void Dialogs::build_import(Ui& ui, const platform::Events& events, bool text_had_keyboard) {

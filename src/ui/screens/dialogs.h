@@ -16,9 +16,9 @@ class Dialogs {
  public:
   bool open() const { return dialog_ != Dialog::none; }
 
-  // Carries out a request, or first asks about unsaved changes. Want::Kind::save writes to the document's own file; it
-  // asks for a file if there is none, or if another program has it open.
-  void take(Ui& ui, Want want);
+  // Carries out a request, or first asks about unsaved changes. ScreenRequest::Kind::save writes to the document's own
+  // file; it asks for a file if there is none, or if another program has it open.
+  void take(Ui& ui, ScreenRequest want);
 
   // `text_had_keyboard`: a text field had it at the start of the frame. width, height: size of the window, px.
   void build(Ui& ui, const platform::Events& events, bool text_had_keyboard, float width, float height);
@@ -26,11 +26,11 @@ class Dialogs {
  private:
   enum class Dialog { none, unsaved, browse, overwrite, changed, new_folder, recovery, settings, challenges, import };
 
-  void request(Ui& ui, Want want);
+  void request(Ui& ui, ScreenRequest want);
   void save(Ui& ui);
   void proceed(Ui& ui);
-  void perform(Ui& ui, const Want& want);
-  void replace(Ui& ui, const Want& want);
+  void perform(Ui& ui, const ScreenRequest& want);
+  void replace(Ui& ui, const ScreenRequest& want);
   void abandon();
   void follow_save(Ui& ui);
   void write(Ui& ui, const std::filesystem::path& path, bool overwrite);
@@ -51,7 +51,7 @@ class Dialogs {
       const;  // design px; a height below 0: as high as the content, at least that much
 
   Dialog dialog_ = Dialog::none, shown_ = Dialog::none;
-  Want want_;
+  ScreenRequest want_;
   bool saving_ = false;       // a save is in progress; `want_` follows
   bool asked_later_ = false;  // the user postponed the question about recovery
   bool system_ = false;       // the system's dialog is open

@@ -53,7 +53,7 @@ class FileBrowser {
   bool scroll_ = false;    // to the highlighted entry
   bool all_ = false;       // also files of unknown formats
   bool untouched_ = true;  // typing replaces the name
-  double read_at_ = -1;    // s, as State::seconds
+  double read_at_ = -1;    // s, as UiState::seconds
   std::string problem_;    // why the folder cannot be shown
   std::vector<base::FolderEntry> entries_;
 };

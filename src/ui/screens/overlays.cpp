@@ -124,14 +124,14 @@ void draw_bar(ImDrawList& list, ImVec2 at, float width, float height) {
 }
 
 // Returns a pulse by the clock, 0..1; 1 in scripts, which have no clock, and with reduced motion.
-float breath(const State& state) {
+float breath(const UiState& state) {
   constexpr double kPerSecond = 0.7;
   return state.scripted || state.session.settings.feel->reduced_motion
              ? 1.0f
              : static_cast<float>(0.5 + 0.5 * std::cos(2 * base::kPi * kPerSecond * state.seconds));
 }
 
-void ring(const State& state, const Widget& widget, float scale, const LessonLine& line) {
+void ring(const UiState& state, const Widget& widget, float scale, const LessonLine& line) {
   const float grow = std::floor((3 + 3 * breath(state)) * scale);
   const ImVec2 low(widget.x - grow, widget.y - grow),
       high(widget.x + widget.width + grow, widget.y + widget.height + grow);
@@ -421,7 +421,7 @@ void draw_movie(Ui& ui, const view::Viewport& scene) {
   });
 }
 
-void Toasts::update(const edit::Session& session, double seconds, bool scripted, bool over) {
+void NoticeDisplay::update(const edit::Session& session, double seconds, bool scripted, bool over) {
   if (over) since += seconds - updated;
   updated = seconds;
   const std::vector<edit::Notice>& notices = session.notices.list;
@@ -444,19 +444,19 @@ void Toasts::update(const edit::Session& session, double seconds, bool scripted,
   if (!scripted && seconds - since > lasts) shown.clear();
 }
 
-void Toasts::show(edit::NoticeKind what, std::string text, double seconds) {
+void NoticeDisplay::show(edit::NoticeKind what, std::string text, double seconds) {
   kind = what;
   shown = std::move(text);
   since = seconds;
   lasts = lifetime(kind);
 }
 
-double Toasts::still_for(double seconds) const {
+double NoticeDisplay::still_for(double seconds) const {
   if (shown.empty()) return std::numeric_limits<double>::infinity();
   return std::max(0.0, lasts - kFade - (seconds - since));
 }
 
-void Toasts::draw(const Ui& ui, const view::Viewport& viewport) const {
+void NoticeDisplay::draw(const Ui& ui, const view::Viewport& viewport) const {
   if (shown.empty()) return;
   const std::string words = in_units(ui, shown);
   const float scale = ui.scale;

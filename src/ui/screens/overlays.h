@@ -54,7 +54,7 @@ void draw_movie(Ui& ui, const view::Viewport& scene);
 
 // The newest notice, shown at the bottom of the viewport for a few seconds; in scripts (no clock) until the next one.
 // Above it are the warnings of the same command, such as those of a file above the note about its start speed.
-struct Toasts {
+struct NoticeDisplay {
   std::string shown;  // "" if there is none
   edit::NoticeKind kind = edit::NoticeKind::info;
   double since = 0;  // s

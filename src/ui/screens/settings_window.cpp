@@ -26,19 +26,19 @@ void scale(Ui& ui) {
   std::vector<Choice> choices;
   for (const int percent : percents) choices.push_back({std::to_string(percent) + " %", "Size of text and panels."});
   if (const auto to = combo(ui, "Scale", choices, current, "Size of text and panels."))
-    ui.emit(edit::Set<&world::Look::ui_scale>{static_cast<float>(percents[static_cast<std::size_t>(*to)]) / 100});
+    ui.emit(edit::Set<&world::Appearance::ui_scale>{static_cast<float>(percents[static_cast<std::size_t>(*to)]) / 100});
 }
 
 void look(Ui& ui) {
   scale(ui);
-  setting_list<&world::Look::theme>(ui, "Theme", "Colours of the panels.");
-  setting_list<&world::Look::style>(ui, "Scene", "Light, sky and ground.");
-  setting_list<&world::Look::units>(ui, "Units", "Units of lengths and speeds. Files and scripts stay metric.");
+  setting_list<&world::Appearance::theme>(ui, "Theme", "Colours of the panels.");
+  setting_list<&world::Appearance::style>(ui, "Scene", "Light, sky and ground.");
+  setting_list<&world::Appearance::units>(ui, "Units", "Units of lengths and speeds. Files and scripts stay metric.");
   const bool built = platform::sound_library() != "none";
   if (const auto to = slider(ui, "Sound (%)", static_cast<int>(std::lround(100 * ui.session().settings.look->sound)), 0,
                              100, false, built ? "Ride volume. 0 mutes it." : "This build has no sound (OpenAL)."))
-    ui.emit(edit::Set<&world::Look::sound>{static_cast<float>(*to) / 100});
-  setting_box<&world::Look::shadows>(ui, "Shadows", "Turn shadows on or off. Frames are faster without them.");
+    ui.emit(edit::Set<&world::Appearance::sound>{static_cast<float>(*to) / 100});
+  setting_box<&world::Appearance::shadows>(ui, "Shadows", "Turn shadows on or off. Frames are faster without them.");
   ImGui::SameLine();
   setting_box<&world::CameraFeel::reduced_motion>(ui, "Reduced motion",
                                                   "Level horizon, cuts between cameras, no head-bob, no widening.");

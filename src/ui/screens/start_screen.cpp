@@ -58,7 +58,7 @@ void StartScreen::build_choices(Ui& ui, float width) {
   std::error_code ignored;
   const std::filesystem::path last =
       kept != nullptr && !kept->settings.recent.empty() ? kept->settings.recent.front() : "";
-  const auto choice = [&](std::string_view label, std::string_view help, std::string_view action, Want want) {
+  const auto choice = [&](std::string_view label, std::string_view help, std::string_view action, ScreenRequest want) {
     if (button(ui, label, with_keys(ui.keys, help, action), true, width)) ui.want = std::move(want);
   };
   if (button(ui, "Continue",
@@ -66,13 +66,14 @@ void StartScreen::build_choices(Ui& ui, float width) {
              !last.empty() && std::filesystem::exists(last, ignored), width))
     ui.replace(edit::Load{last.string()});
   choice("New track", "Start an empty track. Click on the ground to place knots.", "New",
-         {Want::Kind::replace, edit::NewTrack{}});
+         {ScreenRequest::Kind::replace, edit::NewTrack{}});
   choice("Open or import", "Open a track, or import one of NoLimits or openFVD (.csv, .nltrack, .nl2elem, .fvd).",
-         "Open", {Want::Kind::browse});
-  choice("Tutorial", "Build and ride your first coaster, step by step.", "", {Want::Kind::tutorial});
-  choice("Challenges", "Tracks to improve, each with a goal and three medals.", "Challenges", {Want::Kind::challenges});
+         "Open", {ScreenRequest::Kind::browse});
+  choice("Tutorial", "Build and ride your first coaster, step by step.", "", {ScreenRequest::Kind::tutorial});
+  choice("Challenges", "Tracks to improve, each with a goal and three medals.", "Challenges",
+         {ScreenRequest::Kind::challenges});
   if (button(ui, "Back to the track###Build on", "Close this page. Key Escape.", true, width)) open_ = false;
-  choice("Quit", "Quit coaster.", "Quit", {Want::Kind::quit});
+  choice("Quit", "Quit coaster.", "Quit", {ScreenRequest::Kind::quit});
   ImGui::PopStyleVar();
   if (kept != nullptr)
     if (const auto on = checkbox(ui, "Show at start", kept->settings.start_screen,

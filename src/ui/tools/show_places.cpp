@@ -47,7 +47,7 @@ const Found* next_of(Ui& ui, std::span<const Found> found) {
 }  // namespace
 
 bool rideable(const edit::Session& session) {
-  return session.document.entities.pool<world::Cart>().size() > 0 && !session.document.track.segments.empty();
+  return session.document.entities.pool<world::Train>().size() > 0 && !session.document.track.segments.empty();
 }
 
 bool append_mode_switches(const edit::Session& session) {
@@ -77,7 +77,7 @@ std::optional<world::Entity> climb_without_lift(const edit::Session& session) {
 }
 
 void show_place(Ui& ui, double distance) {
-  const sim::Derived& derived = ui.session().derived;
+  const sim::DerivedTrack& derived = ui.session().derived;
   if (derived.order.empty()) return;
   const sim::TrackPlace place = sim::place_at(derived, distance);
   const sim::SegmentShape& shape = derived.shape(derived.order[place.index]);

@@ -118,14 +118,14 @@ view::Pick ViewportTool::update(Ui& ui, const view::View& view) {
 
   const view::Pick held = drag_.pick;
   // The wheel has moved the camera in this frame; a drag of it continues in the next one.
-  if (!turned || (drag_.what != What::orbit && drag_.what != What::pan)) move(ui, view, mouse);
+  if (!turned || (drag_.what != DragTarget::orbit && drag_.what != DragTarget::pan)) move(ui, view, mouse);
   if (!io.MouseDown[drag_.button]) release(ui, view);
   return held;
 }
 
 bool ViewportTool::cancel(Ui& ui) {
   if (transform_.cancel(ui)) return true;
-  if (box_waits_ && drag_.what == What::nothing) return box_waits_ = false, true;
+  if (box_waits_ && drag_.what == DragTarget::nothing) return box_waits_ = false, true;
   if (!dragging()) return false;
   if (drag_.gesture) ui.emit(edit::CancelGesture{});
   drag_ = {};
@@ -134,7 +134,7 @@ bool ViewportTool::cancel(Ui& ui) {
 
 void ViewportTool::press(Ui& ui, const view::View& view, const view::Pick& under) {
   const ImGuiIO& io = ImGui::GetIO();
-  const auto begin = [&](What what, int button) {
+  const auto begin = [&](DragTarget what, int button) {
     drag_ = {};
     drag_.what = what;
     drag_.button = button;
@@ -142,10 +142,10 @@ void ViewportTool::press(Ui& ui, const view::View& view, const view::Pick& under
     drag_.shift = io.KeyShift, drag_.ctrl = io.KeyCtrl;
   };
   if (io.MouseClicked[ImGuiMouseButton_Left]) {
-    begin(What::orbit, ImGuiMouseButton_Left);
+    begin(DragTarget::orbit, ImGuiMouseButton_Left);
     const bool waited = std::exchange(box_waits_, false);
     if (waited || (under.kind == PickKind::none && !io.KeyAlt && (io.KeyShift || io.KeyCtrl))) {
-      drag_.what = What::box;
+      drag_.what = DragTarget::box;
       drag_.box = io.KeyShift ? BoxMode::add : io.KeyCtrl ? BoxMode::remove : BoxMode::replace;
     } else if (view::is_gizmo(under.kind)) {
       drag_ = {};
@@ -157,9 +157,9 @@ void ViewportTool::press(Ui& ui, const view::View& view, const view::Pick& under
       press_left(ui, under);
     }
   } else if (io.MouseClicked[ImGuiMouseButton_Right]) {
-    begin(io.KeyShift ? What::pan : What::orbit, ImGuiMouseButton_Right);
+    begin(io.KeyShift ? DragTarget::pan : DragTarget::orbit, ImGuiMouseButton_Right);
   } else if (io.MouseClicked[ImGuiMouseButton_Middle]) {
-    begin(What::pan, ImGuiMouseButton_Middle);
+    begin(DragTarget::pan, ImGuiMouseButton_Middle);
   }
 }
 
@@ -178,9 +178,9 @@ void ViewportTool::press_left(Ui& ui, const view::Pick& under) {
   }
   const edit::Target target{world::name_of(session.document, under.entity)};
   if (under.kind == PickKind::curve) {
-    drag_.what = What::place;
+    drag_.what = DragTarget::place;
     if (twice) {
-      drag_.what = What::cart;  // the position is gone with the split: the rest of the press does nothing
+      drag_.what = DragTarget::cart;  // the position is gone with the split: the rest of the press does nothing
       ui.emit(edit::SplitSegment{target, under.t});
     } else {
       ui.emit(edit::Select{target, under.t});
@@ -188,15 +188,17 @@ void ViewportTool::press_left(Ui& ui, const view::Pick& under) {
     return;
   }
   if (under.kind == PickKind::spin && twice) {
-    drag_.what = What::nothing;
+    drag_.what = DragTarget::nothing;
     ui.emit(edit::AutomaticSpin{target.name});
     return;
   }
   if (view::is_section_handle(under.kind)) {
-    drag_.what = What::section;
+    drag_.what = DragTarget::section;
     return;
   }
-  drag_.what = under.kind == PickKind::cart ? What::cart : under.kind == PickKind::spin ? What::spin : What::item;
+  drag_.what = under.kind == PickKind::cart   ? DragTarget::cart
+               : under.kind == PickKind::spin ? DragTarget::spin
+                                              : DragTarget::item;
   // With Shift or Ctrl a click adds to the selection and a drag moves; which of them it is is not known yet.
   const bool waits =
       under.kind == PickKind::knot && (drag_.shift || drag_.ctrl || world::is_selected(session.settings, under.entity));
@@ -213,34 +215,34 @@ void ViewportTool::move(Ui& ui, const view::View& view, glm::vec2 mouse) {
   const world::CameraMode mode = shown_camera(ui);
   const bool turns = by != glm::vec2(0) && mode == world::CameraMode::orbit;
   switch (drag_.what) {
-    case What::orbit:
+    case DragTarget::orbit:
       if (turns) set_camera(ui, orbited(camera, by, ui.scale));
       if (by != glm::vec2(0) && mode == world::CameraMode::fly)
         ui.emit(edit::SetFly{looked(fly_now(ui), by, ui.scale)});
       break;
-    case What::pan:
+    case DragTarget::pan:
       if (turns) ui.emit(edit::set_camera(panned(camera, view, by)));
       break;
-    case What::item: move_item(ui, view, mouse); break;
-    case What::spin: turn_spin(ui, view, mouse); break;
-    case What::section:
+    case DragTarget::item: move_item(ui, view, mouse); break;
+    case DragTarget::spin: turn_spin(ui, view, mouse); break;
+    case DragTarget::section:
       if (drag_.pick.kind == PickKind::section) pull_section(ui, view, mouse);
       else turn_section(ui, view, mouse);
       break;
-    case What::box: {
+    case DragTarget::box: {
       const glm::vec2 low = glm::min(drag_.start, mouse), high = glm::max(drag_.start, mouse);
       ImDrawList& list = *ImGui::GetBackgroundDrawList();
       list.AddRectFilled({low.x, low.y}, {high.x, high.y}, packed(palette().accent, 0.14f));
       list.AddRect({low.x, low.y}, {high.x, high.y}, packed(palette().accent, 0.9f), 0, 0, std::max(1.0f, ui.scale));
       break;
     }
-    case What::place:
+    case DragTarget::place:
       if (by == glm::vec2(0)) break;
       if (const auto place = view::pick_segment(session.derived, view, mouse, drag_.pick.entity))
         ui.emit(edit::Select{{world::name_of(session.document, place->entity)}, place->t});
       break;
-    case What::cart:
-    case What::nothing: break;
+    case DragTarget::cart:
+    case DragTarget::nothing: break;
   }
   drag_.last = mouse;
 }
@@ -326,9 +328,9 @@ void ViewportTool::click_knot(Ui& ui) {
 void ViewportTool::release(Ui& ui, const view::View& view) {
   if (drag_.gesture) ui.emit(edit::EndGesture{});
   if (!drag_.moved && drag_.click_acts) click_ground(ui, view);
-  if (!drag_.moved && drag_.what == What::item && drag_.pick.kind == PickKind::knot) click_knot(ui);
+  if (!drag_.moved && drag_.what == DragTarget::item && drag_.pick.kind == PickKind::knot) click_knot(ui);
   if (!drag_.moved && drag_.pick.kind == PickKind::section) click_handle(ui);
-  if (drag_.moved && drag_.what == What::box)
+  if (drag_.moved && drag_.what == DragTarget::box)
     if (auto chosen = boxed(ui.session(), view, drag_.start, drag_.last, drag_.box))
       ui.out.commands.push_back(std::move(*chosen));
   drag_ = {};

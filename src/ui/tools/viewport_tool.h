@@ -18,20 +18,20 @@ class ViewportTool {
   // Reads the mouse from ImGui, emits commands, and returns the item under the cursor (or the dragged one). Call it
   // after the panels.
   view::Pick update(Ui& ui, const view::View& view);
-  bool dragging() const { return drag_.what != What::nothing || transform_.active(); }
+  bool dragging() const { return drag_.what != DragTarget::nothing || transform_.active(); }
   TransformTool& transform() { return transform_; }
   const TransformTool& transform() const { return transform_; }
   // The next left drag draws a box that selects the knots in it.
   void wait_for_box() { box_waits_ = true; }
-  bool box_waits() const { return box_waits_ || drag_.what == What::box; }
+  bool box_waits() const { return box_waits_ || drag_.what == DragTarget::box; }
   // Reverts the current drag. Returns false if there was none.
   bool cancel(Ui& ui);
 
  private:
-  enum class What : std::uint8_t { nothing, item, spin, section, place, cart, orbit, pan, box };
+  enum class DragTarget : std::uint8_t { nothing, item, spin, section, place, cart, orbit, pan, box };
   enum class Along : std::uint8_t { screen, vertical, ground };  // direction of a drag
   struct Drag {
-    What what = What::nothing;
+    DragTarget what = DragTarget::nothing;
     int button = 0;
     view::Pick pick;
     glm::vec2 start{0}, last{0};       // px

@@ -242,17 +242,17 @@ TypedNumber cell_number(WidgetFrame& ui, std::string_view label, const Number& n
   return typed;
 }
 
-std::optional<Changed> numbers(WidgetFrame& ui, std::string_view group, std::span<const std::string_view> names,
-                               std::span<const Number> values, std::string_view tooltip) {
+std::optional<ChangedNumber> numbers(WidgetFrame& ui, std::string_view group, std::span<const std::string_view> names,
+                                     std::span<const Number> values, std::string_view tooltip) {
   const float gap = std::floor(4 * ui.scale), room = ImGui::GetContentRegionAvail().x;
   const float count = static_cast<float>(names.size()), width = std::floor((room - gap * (count - 1)) / count);
-  std::optional<Changed> changed;
+  std::optional<ChangedNumber> changed;
   for (std::size_t i = 0; i < names.size(); ++i) {
     if (i > 0) ImGui::SameLine(0, gap);
     const std::uint32_t tint = names.size() == 3 ? palette().axis[i] : palette().dim;
     const auto value =
         field(ui, fmt::format("{}/{}", group, names[i]), values[i], names[i], tint, width, tooltip, true);
-    if (value) changed = Changed{static_cast<int>(i), *value};
+    if (value) changed = ChangedNumber{static_cast<int>(i), *value};
   }
   return changed;
 }

@@ -144,11 +144,12 @@ void draw_icon(ImDrawList& list, const Icon& icon, ImVec2 low, float size, ImU32
   for (const Icon::Bar& bar : icon.bars) list.AddRectFilled(at(bar.low), at(bar.high), colour);
 }
 
-struct Metal {
+struct MedalColours {
   std::uint32_t face, rim, star;
 };
-constexpr std::array<Metal, 3> kMetals{Metal{0xCB8A57, 0x8F5A32, 0xF0C7A4}, Metal{0xC5CCD6, 0x858F9E, 0xF7F9FC},
-                                       Metal{0xF0C23B, 0xB07F12, 0xFFF3C4}};
+constexpr std::array<MedalColours, 3> kMetals{MedalColours{0xCB8A57, 0x8F5A32, 0xF0C7A4},
+                                              MedalColours{0xC5CCD6, 0x858F9E, 0xF7F9FC},
+                                              MedalColours{0xF0C23B, 0xB07F12, 0xFFF3C4}};
 
 // A star of five points about its middle, one of them up.
 void draw_star(ImDrawList& list, ImVec2 middle, float radius, ImU32 colour) {
@@ -206,7 +207,7 @@ bool icon_button(WidgetFrame& ui, const Icon& icon, std::string_view label, std:
 }
 
 void draw_medal(ImDrawList& list, ImVec2 low, float size, int medal, bool earned) {
-  const Metal& metal = kMetals[static_cast<std::size_t>(std::clamp(medal, 1, 3) - 1)];
+  const MedalColours& metal = kMetals[static_cast<std::size_t>(std::clamp(medal, 1, 3) - 1)];
   const float radius = size * 0.33f;
   const ImVec2 middle(low.x + size * 0.5f, low.y + size - radius - 1);
   const auto at = [&](float x, float y) { return ImVec2(low.x + x * size, low.y + y * size); };

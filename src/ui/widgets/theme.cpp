@@ -30,32 +30,32 @@ ImU32 packed(std::uint32_t rgb, float alpha) { return ImGui::ColorConvertFloat4T
 
 namespace {
 
-constexpr Palette kLight{.background = 0xF3F4F6,
-                         .raised = 0xE3E6EB,
-                         .field = 0xFFFFFF,
-                         .border = 0xBCC3CE,
-                         .text = 0x1B1F27,
-                         .dim = 0x566072,
-                         .accent = 0x1F6FD6,
-                         .warning = 0xB26A00,
-                         .error = 0xC0322B,
-                         .good = 0x2A7F4F,
-                         .axis = {0xC0322B, 0x2A7F4F, 0x1F6FD6},
-                         .plot = 0xFCFCFD,
-                         .light = true};
+constexpr ThemeColours kLight{.background = 0xF3F4F6,
+                              .raised = 0xE3E6EB,
+                              .field = 0xFFFFFF,
+                              .border = 0xBCC3CE,
+                              .text = 0x1B1F27,
+                              .dim = 0x566072,
+                              .accent = 0x1F6FD6,
+                              .warning = 0xB26A00,
+                              .error = 0xC0322B,
+                              .good = 0x2A7F4F,
+                              .axis = {0xC0322B, 0x2A7F4F, 0x1F6FD6},
+                              .plot = 0xFCFCFD,
+                              .light = true};
 // Contrast of text 21 : 1, of other marks at least 7 : 1 (WCAG 2.1, level AAA). Edges are drawn.
-constexpr Palette kHighContrast{.background = 0x000000,
-                                .raised = 0x101010,
-                                .field = 0x1E1E1E,
-                                .border = 0xC8C8C8,
-                                .text = 0xFFFFFF,
-                                .dim = 0xE0E0E0,
-                                .accent = 0xFFD400,
-                                .warning = 0xFFB000,
-                                .error = 0xFF9090,
-                                .good = 0x6CF09A,
-                                .axis = {0xFF9090, 0x6CF09A, 0x82C4FF},
-                                .plot = 0x000000};
+constexpr ThemeColours kHighContrast{.background = 0x000000,
+                                     .raised = 0x101010,
+                                     .field = 0x1E1E1E,
+                                     .border = 0xC8C8C8,
+                                     .text = 0xFFFFFF,
+                                     .dim = 0xE0E0E0,
+                                     .accent = 0xFFD400,
+                                     .warning = 0xFFB000,
+                                     .error = 0xFF9090,
+                                     .good = 0x6CF09A,
+                                     .axis = {0xFF9090, 0x6CF09A, 0x82C4FF},
+                                     .plot = 0x000000};
 
 // Returns the relative luminance, by the weights of WCAG 2.1 with gamma 2.2 for the curve of sRGB: 0 black, 1 white.
 float luminance(std::uint32_t rgb) {
@@ -63,7 +63,7 @@ float luminance(std::uint32_t rgb) {
   return 0.2126f * linear(16) + 0.7152f * linear(8) + 0.0722f * linear(0);
 }
 
-void set_colours(const Palette& p, ImVec4* c) {
+void set_colours(const ThemeColours& p, ImVec4* c) {
   c[ImGuiCol_Text] = colour(p.text);
   c[ImGuiCol_TextDisabled] = colour(p.dim);
   c[ImGuiCol_WindowBg] = colour(p.background);
@@ -123,15 +123,15 @@ bool has_outlines(std::string_view file, int index) {
 
 }  // namespace
 
-const Palette& palette_of(world::Theme theme) {
-  static constexpr const Palette* kPalettes[] = {&kDark, &kLight, &kHighContrast};
+const ThemeColours& palette_of(world::Theme theme) {
+  static constexpr const ThemeColours* kPalettes[] = {&kDark, &kLight, &kHighContrast};
   static_assert(std::size(kPalettes) == base::count_of<world::Theme>());
   return *kPalettes[static_cast<std::size_t>(theme)];
 }
 
-const Palette& palette() {
+const ThemeColours& palette() {
   const void* const chosen = ImGui::GetIO().UserData;
-  return chosen != nullptr ? *static_cast<const Palette*>(chosen) : kDark;
+  return chosen != nullptr ? *static_cast<const ThemeColours*>(chosen) : kDark;
 }
 
 std::uint32_t ink(std::uint32_t rgb) {
@@ -149,7 +149,7 @@ std::uint32_t ink(std::uint32_t rgb) {
   return darker(r) << 16 | darker(g) << 8 | darker(b);
 }
 
-void apply_theme(const Palette& palette, float scale) {
+void apply_theme(const ThemeColours& palette, float scale) {
   ImGuiStyle style;
   ImGui::StyleColorsDark(&style);
   set_colours(palette, style.Colors);
@@ -167,7 +167,7 @@ void apply_theme(const Palette& palette, float scale) {
   style.ScaleAllSizes(scale);
   style.WindowMinSize = {1, 1};  // ImGui accepts no less
   style.FrameBorderSize = palette.light || palette.background == 0 ? std::max(1.0f, std::floor(scale)) : 0.0f;
-  ImGui::GetIO().UserData = const_cast<Palette*>(&palette);  // ImGui stores it; nobody writes through it
+  ImGui::GetIO().UserData = const_cast<ThemeColours*>(&palette);  // ImGui stores it; nobody writes through it
   ImGui::GetStyle() = style;
 }
 
@@ -179,7 +179,7 @@ std::span<const unsigned char> inter_font() {
 #endif
 }
 
-ImFont* Letters::add_font(float pixels, const ImWchar* base) const {
+ImFont* PanelFonts::add_font(float pixels, const ImWchar* base) const {
   ImFontAtlas& atlas = *ImGui::GetIO().Fonts;
   ImFontConfig config;
   config.SizePixels = std::max(13.0f, pixels);
@@ -205,7 +205,7 @@ ImFont* Letters::add_font(float pixels, const ImWchar* base) const {
   return font;
 }
 
-bool Letters::build() {
+bool PanelFonts::build() {
   ranges_.assign(std::begin(kRanges), std::end(kRanges) - 1);
   for (const ImWchar block : blocks_) ranges_.insert(ranges_.end(), {block, ImWchar(block + kBlock - 1)});
   ranges_.push_back(0);
@@ -219,7 +219,7 @@ bool Letters::build() {
 }
 
 // Adds files of the system for letters that the fonts lack. Returns true if it found any.
-bool Letters::add_files(const std::set<ImWchar>& blocks) {
+bool PanelFonts::add_files(const std::set<ImWchar>& blocks) {
   std::vector<unsigned> lacking;
   for (const ImWchar block : blocks)
     for (int c = block; c < block + kBlock; ++c) {
@@ -236,7 +236,7 @@ bool Letters::add_files(const std::set<ImWchar>& blocks) {
   return files_.size() > before;
 }
 
-bool Letters::load(float scale) {
+bool PanelFonts::load(float scale) {
   std::set<ImWchar> blocks;
   take_missing(blocks);
   std::erase_if(blocks, [&](ImWchar block) { return blocks_.contains(block); });
@@ -253,7 +253,7 @@ bool Letters::load(float scale) {
   return true;
 }
 
-void load_fonts(float scale) { Letters().load(scale); }
+void load_fonts(float scale) { PanelFonts().load(scale); }
 
 ImFont* small_font() { return ImGui::GetIO().Fonts->Fonts[1]; }
 float small_pixels() { return pixels_of(*small_font()); }

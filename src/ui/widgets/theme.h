@@ -14,7 +14,7 @@
 namespace coaster::ui {
 
 // Colours as 0xRRGGBB.
-struct Palette {
+struct ThemeColours {
   std::uint32_t background = 0x1B1F27, raised = 0x262C37, field = 0x343D4D, border = 0x3A4352;
   std::uint32_t text = 0xE6E9EF, dim = 0x9AA3B2;
   std::uint32_t accent = 0x4C9AFF, warning = 0xF2B84B, error = 0xE5534B, good = 0x4FB477;
@@ -22,10 +22,10 @@ struct Palette {
   std::uint32_t plot = 0x171B22;  // background of plots
   bool light = false;             // dark text on a light background
 };
-inline constexpr Palette kDark{};
-const Palette& palette_of(world::Theme theme);
+inline constexpr ThemeColours kDark{};
+const ThemeColours& palette_of(world::Theme theme);
 // Returns the palette of the current ImGui context, after apply_theme().
-const Palette& palette();
+const ThemeColours& palette();
 
 // Returns a data colour, chosen for dark backgrounds, adapted to the contrast of the current theme. The hue is
 // unchanged.
@@ -39,7 +39,7 @@ inline constexpr float kSmallFontPixels = 14.0f;  // ticks and read-outs of plot
 inline constexpr float kTitleFontPixels = 36.0f;  // for headings of whole pages; ASCII only
 
 // Sets colours and sizes of the current ImGui context for `scale`; the palette must outlive it.
-void apply_theme(const Palette& palette, float scale);
+void apply_theme(const ThemeColours& palette, float scale);
 
 // Returns the Inter font, embedded at build time; empty if the build did not find it.
 std::span<const unsigned char> inter_font();
@@ -52,7 +52,7 @@ ImFont* small_font();  // font of the current context, after load_fonts()
 float small_pixels();  // line height of the small font, px
 
 // The panels' fonts, with the letters that texts need.
-class Letters {
+class PanelFonts {
  public:
   // Loads the fonts of the current context if `scale` changed or the last frame showed letters for the first time:
   // those of Inter, else of the system's fonts, else a box for each. Returns true if it did. Call outside a frame.

@@ -44,7 +44,7 @@ bool toggle_item(WidgetFrame& ui, std::string_view label, std::string_view kind,
 
 }  // namespace
 
-void Rest::step(const platform::Events& events, float dt) {
+void HoverTime::step(const platform::Events& events, float dt) {
   const bool used = std::any_of(events.begin(), events.end(), [](const platform::Event& event) {
     const auto* const key = std::get_if<platform::KeyPress>(&event);
     const auto* const button = std::get_if<platform::MouseButton>(&event);

@@ -34,7 +34,7 @@ struct Gesture {
 };
 
 // Time for which the mouse has rested on the same widget.
-struct Rest {
+struct HoverTime {
   std::string path, next;
   float seconds = 0;
   // At the end of a frame. A press or a key ends the tooltip until the mouse has left the widget.
@@ -53,12 +53,12 @@ struct WidgetFrame {
   WidgetList& list;
   Entry& entry;
   Gesture& gesture;
-  Rest& rest;
+  HoverTime& rest;
   const std::function<void()>& begin_gesture;                // called before the first change of a drag
   const std::function<void(const std::string& text)>& warn;  // shows a notice about rejected input
   float scale = 1;                                           // px per design px
   std::string panel;                                         // first part of the paths
-  base::Units units = base::Units::m_s;                      // units of displayed values and words
+  base::UnitSystem units = base::UnitSystem::m_s;            // units of displayed values and words
   FieldWish* wish = nullptr;                                 // null: fields take only the mouse
   std::string locked = {};                                   // why widgets are disabled now; empty: they are not
 };
@@ -194,13 +194,13 @@ struct TypedNumber {
 // Shows a number field at the cursor, as wide as the available space and a line high, without a label. It takes the
 // keyboard when the frame's wish names the panel.
 TypedNumber cell_number(WidgetFrame& ui, std::string_view label, const Number& number, std::string_view tooltip);
-struct Changed {
+struct ChangedNumber {
   int index;
   double value;
 };
 // Shows number fields in one row, "Group/name", without labels. Returns the changed one.
-std::optional<Changed> numbers(WidgetFrame& ui, std::string_view group, std::span<const std::string_view> names,
-                               std::span<const Number> values, std::string_view tooltip);
+std::optional<ChangedNumber> numbers(WidgetFrame& ui, std::string_view group, std::span<const std::string_view> names,
+                                     std::span<const Number> values, std::string_view tooltip);
 // Shows an integer slider, linear or logarithmic. Ctrl+click or double-click to type.
 std::optional<int> slider(WidgetFrame& ui, std::string_view label, int value, int low, int high, bool logarithmic,
                           std::string_view tooltip);

@@ -79,7 +79,7 @@ TEST_F(ClickingPoints, a_gap_shorter_than_the_ends_handles_is_closed_without_fol
   ASSERT_GT(knot(1).in_length, gap);
   good("closed on");
   EXPECT_NEAR(session.derived.length, open + double{gap}, 0.01);
-  EXPECT_TRUE(edit::Finder(session).conflicts().empty());
+  EXPECT_TRUE(edit::SessionFindings(session).conflicts().empty());
   const double length = session.derived.length;
   good("closed off"), good("closed on");
   EXPECT_EQ(session.derived.length, length);

@@ -59,10 +59,10 @@ TEST_F(Applying, save_and_load_bring_the_same_document) {
 // What is derived is built by loops that end early; only the document is used afterwards, for the autosave.
 TEST_F(Applying, an_interrupted_command_leaves_the_document_as_it_was) {
   const world::Document before = session.document;
-  base::Progress job;
+  base::JobProgress job;
   job.cancelled = true;
   for (const char* const line : {"duplicate all", "reverse", "translate all by 1 2 3", "make_all_g2", "close"}) {
-    const base::WorkFor working(&job);
+    const base::JobScope working(&job);
     EXPECT_FALSE(apply(line)) << line;
     EXPECT_TRUE(session.document == before) << line;
     EXPECT_TRUE(session.history.undo.empty()) << line;
@@ -82,13 +82,13 @@ struct CancelledLater {
   CancelledLater(const CancelledLater&) = delete;
   CancelledLater& operator=(const CancelledLater&) = delete;
   static inline std::atomic<int> left;
-  static inline base::Progress* job;
-  base::Progress progress;
+  static inline base::JobProgress* job;
+  base::JobProgress progress;
 };
 
 // What is derived from the document is what a new derivation makes of it.
 void expect_settled(const Session& session) {
-  sim::Derived anew;
+  sim::DerivedTrack anew;
   sim::derive(session.document, session.settings, {}, anew);
   ASSERT_EQ(session.derived.order, anew.order);
   ASSERT_EQ(session.derived.starts, anew.starts);
@@ -113,7 +113,7 @@ TEST_F(Applying, a_command_that_is_cancelled_at_any_moment_changes_nothing_or_is
     const base::Status status = edit::apply(*done, files, c);
     CancelledLater cancel(static_cast<int>(random.below(12)));
     const auto now = [&] {
-      const base::WorkFor working(&cancel.progress);
+      const base::JobScope working(&cancel.progress);
       return apply(c);
     }();
     if (status && !now) {
@@ -144,7 +144,7 @@ TEST_F(Applying, a_track_that_is_opened_is_complete_however_late_it_is_cancelled
     good("new");
     CancelledLater cancel(questions);
     const auto status = [&] {
-      const base::WorkFor working(&cancel.progress);
+      const base::JobScope working(&cancel.progress);
       return apply(Load{file("a.json")});
     }();
     if (!status) settle(session);
@@ -386,8 +386,8 @@ RC_GTEST_PROP(apply, any_session_keeps_every_invariant_and_repeats_to_the_bit, (
       RC_ASSERT(world::broken_invariant(session.document) == std::nullopt);
       const world::Entity selected = session.settings.selected;
       RC_ASSERT(!selected.valid() || session.document.entities.alive(selected));
-      RC_ASSERT(session.motion.carts.size() == session.document.entities.pool<world::Cart>().size());
-      for (const world::CartMotion& cart : session.motion.carts.items()) {
+      RC_ASSERT(session.motion.carts.size() == session.document.entities.pool<world::Train>().size());
+      for (const world::TrainMotion& cart : session.motion.carts.items()) {
         RC_ASSERT(session.derived.segments.contains(cart.segment));
         RC_ASSERT(std::isfinite(cart.s) && std::isfinite(cart.speed));
         RC_ASSERT(cart.s >= 0 && cart.s <= session.derived.shape(cart.segment).arc.length() + 1e-9);

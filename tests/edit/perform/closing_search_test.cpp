@@ -29,14 +29,14 @@ TEST_F(WaySearches, a_search_beside_the_frames_comes_to_the_same) {
     circuit();
     ASSERT_TRUE(session.document == before);
     const std::uint64_t edits = session.edits, silent = session.notices.serial;
-    Search search{.leaves = true};
+    ClosingSearch search{.leaves = true};
     EXPECT_FALSE(apply(line, &search).ok());
     EXPECT_TRUE(session.document == before) << "until the way is found";
     EXPECT_EQ(session.edits, edits);
     EXPECT_EQ(session.notices.serial, silent) << "nothing to tell yet";
     ASSERT_TRUE(search.wanted);
     sim::OpenedTrack opened;
-    Search answer{.found = sim::changed_closing(*search.wanted, opened), .asked = search.wanted};
+    ClosingSearch answer{.found = sim::changed_closing(*search.wanted, opened), .asked = search.wanted};
     EXPECT_EQ(apply(line, &answer).ok(), can);
     EXPECT_EQ(hash(), wanted);
     EXPECT_EQ(session.notices.list.back().text, notice);
@@ -56,7 +56,7 @@ double thread_seconds() {
 // What the frames do: prepare the search, and take its answer. Times of the thread, which other programs do not change.
 TEST_F(WaySearches, neither_frame_of_a_change_does_the_search) {
   const std::string line = "section.change @q1 to straight length 2000 equipment station";
-  const auto took = [&](Search* search) {
+  const auto took = [&](ClosingSearch* search) {
     const double began = thread_seconds();
     (void)apply(line, search);
     return thread_seconds() - began;
@@ -65,10 +65,11 @@ TEST_F(WaySearches, neither_frame_of_a_change_does_the_search) {
   const double whole = took(nullptr);
   const std::uint64_t after = hash();
   circuit();
-  Search search{.leaves = true};
+  ClosingSearch search{.leaves = true};
   const double asked = took(&search);
   ASSERT_TRUE(search.wanted);
-  Search answer{.found = sim::changed_closing(*search.wanted, edit::opened_track_of(session)), .asked = search.wanted};
+  ClosingSearch answer{.found = sim::changed_closing(*search.wanted, edit::opened_track_of(session)),
+                       .asked = search.wanted};
   const double taken = took(&answer);
   EXPECT_EQ(hash(), after);
   std::printf("at once %.1f ms; beside the frames %.1f and %.1f ms\n", 1e3 * whole, 1e3 * asked, 1e3 * taken);
@@ -78,10 +79,11 @@ TEST_F(WaySearches, neither_frame_of_a_change_does_the_search) {
 
 TEST_F(WaySearches, an_answer_to_another_change_is_not_taken) {
   circuit();
-  Search search{.leaves = true};
+  ClosingSearch search{.leaves = true};
   EXPECT_FALSE(apply("section.change @q2 to climb height 30 equipment lift", &search).ok());
   ASSERT_TRUE(search.wanted);
-  Search answer{.found = sim::ChangedClosing{.refusal = "an answer to another question"}, .asked = search.wanted};
+  ClosingSearch answer{.found = sim::ClosingReplanResult{.refusal = "an answer to another question"},
+                       .asked = search.wanted};
   EXPECT_TRUE(apply("section.change @q2 to climb height 31 equipment lift", &answer).ok());
   EXPECT_TRUE(answer.found);
   const std::uint64_t after = hash();

@@ -33,7 +33,7 @@ class CompleteCircuitTest : public test::RandomTracks {
   // Every metre.
   std::vector<Sample> samples() const {
     std::vector<Sample> out;
-    const sim::Derived& d = session.derived;
+    const sim::DerivedTrack& d = session.derived;
     for (double s = 0; s < d.length; s += 1.0) {
       const sim::TrackPlace place = sim::place_at(d, s);
       const sim::SegmentShape& shape = d.shape_at(place.index);
@@ -54,18 +54,19 @@ double roll_rate(const sim::SegmentShape& shape, double s) {
 }
 
 // Every joint of the part from segment `old` on, both its ends included.
-void expect_smooth(const sim::Derived& d, std::size_t old) {
+void expect_smooth(const sim::DerivedTrack& d, std::size_t old) {
   const std::size_t all = d.order.size();
   for (std::size_t i = old; i <= all; ++i) {
     const sim::SegmentShape &in = d.shape_at(i - 1), &out = d.shape_at(i % all);
-    const curve::Joint joint = curve::joint(in.key.cubic, out.key.cubic);
-    EXPECT_EQ(joint.geometric, curve::Geometric::g2) << "segment " << i << " jumps by " << joint.curvature_jump;
+    const curve::JointContinuity joint = curve::joint(in.key.cubic, out.key.cubic);
+    EXPECT_EQ(joint.geometric, curve::GeometricContinuity::g2)
+        << "segment " << i << " jumps by " << joint.curvature_jump;
     EXPECT_NEAR(roll_rate(in, in.arc.length() - 1.5e-3), roll_rate(out, 5e-4), 2e-3) << "segment " << i;
   }
 }
 
 // Its bends are no sharper than those of either end and of the planner.
-void expect_gentle(const sim::Derived& d, std::size_t old) {
+void expect_gentle(const sim::DerivedTrack& d, std::size_t old) {
   double most = 1 / 6.5;
   for (const auto& [index, t] : {std::pair{old - 1, 1.0}, {std::size_t{0}, 0.0}})
     most = std::max(most, glm::length(curve::curvature_vector(d.shape_at(index).key.cubic, t)));
@@ -97,7 +98,7 @@ void expect_felt(const sim::SimulatedRide& ride, double from, const sim::FeltRan
     const sim::RideSample& sample = ride.samples[i * sim::kForceEvery];
     if (ride.distance(i * sim::kForceEvery) < from + 1 || sample.travelled > ride.track_length - ride.start.front)
       continue;
-    const sim::Felt& f = ride.forces[i * static_cast<std::size_t>(ride.start.cars)];
+    const sim::FeltAcceleration& f = ride.forces[i * static_cast<std::size_t>(ride.start.cars)];
     most = std::max(most, double{f.up}), side = std::max(side, std::abs(double{f.left}));
   }
   EXPECT_NEAR(most, promised.most, 0.25);
@@ -117,7 +118,7 @@ void CompleteCircuitTest::check(std::size_t number) {
   const bool arrives = !proposals().assumed;
   const world::Document before = session.document;
   const std::size_t old = before.track.segments.size(), steps = session.history.undo.size();
-  const double jolt = Finder(session).closing_jolt(number - 1);
+  const double jolt = SessionFindings(session).closing_jolt(number - 1);
   const double from = session.derived.length,
                gap = static_cast<double>(glm::distance(world::knot(before, before.track.knots.back()).position,
                                                        world::knot(before, before.track.knots.front()).position));
@@ -131,8 +132,8 @@ void CompleteCircuitTest::check(std::size_t number) {
   expect_smooth(session.derived, old);
   expect_gentle(session.derived, old);
   expect_clear(samples(), from, length);
-  EXPECT_TRUE(Finder(session).conflicts().empty());
-  const Finder find(session);
+  EXPECT_TRUE(SessionFindings(session).conflicts().empty());
+  const SessionFindings find(session);
   ASSERT_NE(find.ride(), nullptr);
   const std::span<const sim::Jolt> jolts = find.jolts();
   if (arrives) expect_felt(*find.ride(), from, proposal.felt);

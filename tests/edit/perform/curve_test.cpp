@@ -82,14 +82,14 @@ TEST_F(Curve, exports_are_of_the_rails) {
   const test::ScratchFolder folder;
   good("curve heartline keep rails");
   const world::Document heart = session.document;
-  const sim::Derived derived = sim::shapes_of(heart);
+  const sim::DerivedTrack derived = sim::shapes_of(heart);
   for (const char* name : {"a.csv", "a.nl2elem"}) {
     const std::string path = folder.path() / name;
     ASSERT_TRUE(exchange::save_track(files, path, heart));
     const auto loaded = exchange::load_track(files, path);
     ASSERT_TRUE(loaded) << loaded.status().message;
     EXPECT_EQ(loaded->document.curve, TrackCurve::rails);
-    const sim::Derived rails = sim::shapes_of(loaded->document);
+    const sim::DerivedTrack rails = sim::shapes_of(loaded->document);
     const glm::dvec3 start = sim::rails_at(derived.shape_at(0), 0), first = sim::rails_at(rails.shape_at(0), 0);
     EXPECT_LT(glm::distance(start, first), 0.011) << name;
     EXPECT_GT(glm::distance(first, curve::point(derived.shape_at(0).key.cubic, 0)), 1.0) << name;
@@ -104,7 +104,7 @@ TEST_F(Curve, exports_are_refused_where_rails_fold) {
   session.document.heartline = 5;
   good("curve heartline keep numbers");
   good("move @k3 to 131.5 20 -35");  // a crest
-  const auto folds = Finder(session).folds();
+  const auto folds = SessionFindings(session).folds();
   ASSERT_GT(folds.size(), 0u);
   for (const char* name : {"a.csv", "a.nl2elem", "a.obj", "a.gltf", "a.svg"}) {
     const std::string path = (folder.path() / name).string();

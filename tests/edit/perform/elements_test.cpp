@@ -20,9 +20,9 @@ class PerformElementsTest : public test::SessionTest {
   void expect_g2() const {
     const auto& segments = session.document.track.segments;
     for (std::size_t i = 1; i < segments.size(); ++i) {
-      const curve::Joint joint = curve::joint(world::cubic_of(session.document, segments[i - 1]),
-                                              world::cubic_of(session.document, segments[i]));
-      EXPECT_EQ(joint.geometric, curve::Geometric::g2)
+      const curve::JointContinuity joint = curve::joint(world::cubic_of(session.document, segments[i - 1]),
+                                                        world::cubic_of(session.document, segments[i]));
+      EXPECT_EQ(joint.geometric, curve::GeometricContinuity::g2)
           << world::label_of(session.document, segments[i]) << " jumps by " << joint.curvature_jump;
     }
   }
@@ -33,7 +33,7 @@ TEST_F(PerformElementsTest, an_empty_track_gets_its_first_knots_and_a_cart) {
   EXPECT_EQ(session.document.track.knots.size(), 2u);
   EXPECT_EQ(knot(1).position, glm::vec3(0, 2, 0));
   EXPECT_EQ(knot(2).position, glm::vec3(20, 2, 0));
-  EXPECT_EQ(session.document.entities.pool<world::Cart>().size(), 1u);
+  EXPECT_EQ(session.document.entities.pool<world::Train>().size(), 1u);
   EXPECT_EQ(session.notices.list.back().text, "Placed straight: 20.0 m, fit error 0.0 mm.");
   EXPECT_EQ(session.settings.selected, entity("k2"));
 }
@@ -94,9 +94,9 @@ TEST_F(PerformElementsTest, it_goes_on_from_a_bent_rolled_and_sloping_end_as_smo
     EXPECT_EQ(knot(3).tangent, tangent) << name;
     EXPECT_EQ(knot(3).up, up) << name;
     const auto& segments = session.document.track.segments;
-    const curve::Joint joint =
+    const curve::JointContinuity joint =
         curve::joint(world::cubic_of(session.document, segments[1]), world::cubic_of(session.document, segments[2]));
-    EXPECT_EQ(joint.geometric, curve::Geometric::g2) << name << " jumps by " << joint.curvature_jump;
+    EXPECT_EQ(joint.geometric, curve::GeometricContinuity::g2) << name << " jumps by " << joint.curvature_jump;
     good("undo");
   }
 }
@@ -106,9 +106,9 @@ TEST_F(PerformElementsTest, carts_under_way_stay_where_they_are) {
   good("start_speed 10");
   good("ride.start");
   edit::advance(session, 120);
-  const world::CartMotion before = session.motion.carts.items().at(0);
+  const world::TrainMotion before = session.motion.carts.items().at(0);
   good("element loop");
-  const world::CartMotion& after = session.motion.carts.items().at(0);
+  const world::TrainMotion& after = session.motion.carts.items().at(0);
   EXPECT_EQ(after.segment, before.segment);
   EXPECT_NEAR(after.s, before.s, 1e-9);
   EXPECT_EQ(after.speed, before.speed);

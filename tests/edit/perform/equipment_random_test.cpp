@@ -29,11 +29,11 @@ class EquippedTracks : public test::RandomTracks {
   }
   void compare_with_simulated(int cars, const std::string& what) {
     world::Document document = session.document;
-    document.entities.get<world::Cart>(world::first_cart(document)).cars = cars;
+    document.entities.get<world::Train>(world::first_cart(document)).cars = cars;
     test::LiveRide ride(std::move(document));
     const sim::SimulatedRide simulated = ride.simulated();
     const auto spans = sim::equipment_spans(ride.document, ride.derived);
-    const world::CartMotion& train = ride.train();
+    const world::TrainMotion& train = ride.train();
     for (std::size_t tick = 1; tick < simulated.samples.size() && ride.runs(); ++tick) {
       const double before = train.track_distance;
       ride.step(1);

@@ -90,9 +90,9 @@ TEST_F(Forces, many_keep_their_plans) {
   for (int i = 0; i < 40; ++i) good("force.add of curvature length 4");
   const auto first = [&] { return world::segment(session.document, session.document.track.segments.front()).section; };
   good("section.title @q40 to last");
-  const std::uint64_t planned = edit::Finder(session).force(first())->serial;
+  const std::uint64_t planned = edit::SessionFindings(session).force(first())->serial;
   good("section.title @q40 to end");
-  EXPECT_EQ(edit::Finder(session).force(first())->serial, planned);
+  EXPECT_EQ(edit::SessionFindings(session).force(first())->serial, planned);
 }
 
 // The speed at each follows from the one before it, so none is planned for a speed that the train no longer has.
@@ -118,7 +118,8 @@ TEST_P(ForcesInARow, are_planned_once_each_when_the_train_comes_faster) {
     for (const std::string& name : names) {
       section = name;
       const std::size_t first = world::run_of(session.document, entity(name.c_str())).first;
-      EXPECT_NEAR(program().speed, *edit::Finder(session).speed_at(session.derived.starts[first]), 0.002) << name;
+      EXPECT_NEAR(program().speed, *edit::SessionFindings(session).speed_at(session.derived.starts[first]), 0.002)
+          << name;
       EXPECT_LT(missed(), 0.06) << name;
     }
     expect_g2();
@@ -182,7 +183,7 @@ TEST_F(Forces, keys_keep_their_places_over_the_other_axis) {
   key("roll key 0 at 8"), key("roll key 0 at 50");
   const glm::dvec3 end = plan().path.curve.points.back().position;
   good("force.over @" + section + " to time");
-  EXPECT_EQ(program().over, world::ForceOver::time);
+  EXPECT_EQ(program().over, world::ForceDomain::time);
   EXPECT_LT(glm::distance(plan().path.curve.points.back().position, end), 1.0);
   good("force.over @" + section + " to distance");
   EXPECT_NEAR(program().keys(ForceChannel::vertical)[1].at, 20, 0.2);

@@ -126,7 +126,7 @@ TEST_F(Forces, curvature_is_the_same_track_at_any_speed) {
   ASSERT_TRUE(loaded) << loaded.status().message;
   EXPECT_EQ(world::hash(loaded->document), hash());
   const std::uint64_t bends = hash();
-  session.document.entities.get<world::Section>(entity(section.c_str())).force.of = world::ForceOf::forces;
+  session.document.entities.get<world::Section>(entity(section.c_str())).force.of = world::ForceQuantity::forces;
   EXPECT_NE(hash(), bends);
   EXPECT_EQ(exchange::print_track(session.document).find("\"of\""), std::string::npos) << "files as ever";
 }
@@ -163,7 +163,7 @@ TEST_F(Forces, the_quantity_changes_and_the_shape_stays) {
   const world::Document before = session.document;
   const glm::dvec3 end = plan().path.curve.points.back().position;
   good("force.of @" + section + " to curvature");
-  EXPECT_EQ(program().of, world::ForceOf::curvature);
+  EXPECT_EQ(program().of, world::ForceQuantity::curvature);
   EXPECT_LT(glm::distance(plan().path.curve.points.back().position, end), 0.2);
   refused("force @" + section + " vertical key 2 at 20", "has the value 2 1/m, expected -0.5 to 0.5");
   good("force.copy @" + section + " vertical");

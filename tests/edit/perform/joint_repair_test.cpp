@@ -11,13 +11,13 @@
 namespace coaster::edit {
 namespace joint_repair_test {
 
-using curve::Geometric;
-using curve::Parametric;
+using curve::GeometricContinuity;
+using curve::ParametricContinuity;
 using world::Document;
 using world::JointKind;
 using world::Knot;
 
-curve::Joint class_at(const Document& d, std::size_t index) {
+curve::JointContinuity class_at(const Document& d, std::size_t index) {
   const std::size_t count = d.track.segments.size();
   return curve::joint(world::cubic_of(d, d.track.segments[(index + count - 1) % count]),
                       world::cubic_of(d, d.track.segments[index % count]));
@@ -63,7 +63,7 @@ TEST(joint_repair, makes_a_joint_g2_and_the_other_joints_keep_their_class) {
         continue;
       }
       ++repaired;
-      EXPECT_EQ(class_at(d, k).geometric, Geometric::g2);
+      EXPECT_EQ(class_at(d, k).geometric, GeometricContinuity::g2);
       EXPECT_GE(movement, 0);
       EXPECT_EQ(world::broken_invariant(d), std::nullopt);
       Document settled = d;
@@ -88,8 +88,8 @@ TEST(joint_repair, a_g2_neighbour_stays_g2) {
     Document d = wavy_track(seed, true);
     if (!make_g2(d, 3)) continue;
     if (!make_g2(d, 4)) continue;
-    EXPECT_EQ(class_at(d, 3).geometric, Geometric::g2);
-    EXPECT_EQ(class_at(d, 4).geometric, Geometric::g2);
+    EXPECT_EQ(class_at(d, 3).geometric, GeometricContinuity::g2);
+    EXPECT_EQ(class_at(d, 4).geometric, GeometricContinuity::g2);
     ++kept;
   }
   EXPECT_GT(kept, 8);
@@ -123,11 +123,11 @@ TEST(joint_repair, a_c2_joint_stays_c2) {
   for (const world::Entity e : d.track.knots) d.entities.get<Knot>(e).joint = JointKind::aligned;
   const world::SplitResult split = world::split_segment(d, d.track.segments[2], 0.5, {0, 1, 0});
   const std::size_t at = *world::index_of(d.track.knots, split.knot);
-  ASSERT_EQ(class_at(d, at).parametric, Parametric::c2);
+  ASSERT_EQ(class_at(d, at).parametric, ParametricContinuity::c2);
   const base::Status status = make_g2(d, at - 1);
   ASSERT_TRUE(status) << status.message;
-  EXPECT_EQ(class_at(d, at).parametric, Parametric::c2);
-  EXPECT_EQ(class_at(d, at - 1).geometric, Geometric::g2);
+  EXPECT_EQ(class_at(d, at).parametric, ParametricContinuity::c2);
+  EXPECT_EQ(class_at(d, at - 1).geometric, GeometricContinuity::g2);
 }
 
 TEST(joint_repair, a_straight_into_a_bend_is_repaired_or_refused_but_never_bent_where_it_is_straight_on) {
@@ -135,12 +135,12 @@ TEST(joint_repair, a_straight_into_a_bend_is_repaired_or_refused_but_never_bent_
   for (const float x : {0.0f, 15.0f, 30.0f})
     world::append_knot(d, test::skew_knot({103.3f + x, 21.7f, 7.7f}, {1, 0, 0}, 5, 5));
   world::append_knot(d, test::skew_knot({143.3f, 21.7f, -7.7f}, {0.1f, 0, -1}, 6, 6));
-  ASSERT_EQ(class_at(d, 1).geometric, Geometric::g2);
-  ASSERT_EQ(class_at(d, 2).geometric, Geometric::g1);
+  ASSERT_EQ(class_at(d, 1).geometric, GeometricContinuity::g2);
+  ASSERT_EQ(class_at(d, 2).geometric, GeometricContinuity::g1);
   const Document before = d;
   if (const base::Status status = make_g2(d, 2); status) {
-    EXPECT_EQ(class_at(d, 2).geometric, Geometric::g2);
-    EXPECT_EQ(class_at(d, 1).geometric, Geometric::g2);
+    EXPECT_EQ(class_at(d, 2).geometric, GeometricContinuity::g2);
+    EXPECT_EQ(class_at(d, 1).geometric, GeometricContinuity::g2);
   } else {
     EXPECT_TRUE(d == before);
     EXPECT_FALSE(status.message.empty());
@@ -175,10 +175,10 @@ TEST(joint_repair, two_knots_that_are_each_others_neighbours_on_both_sides) {
   world::append_knot(d, test::skew_knot({43.3f, 9.1f, -3.9f}, {0.1f, -0.3f, -1}, 12, 9));
   world::set_closed(d, true);
   const base::Status first = make_g2(d, 0);
-  EXPECT_TRUE(!first || class_at(d, 0).geometric == Geometric::g2);
+  EXPECT_TRUE(!first || class_at(d, 0).geometric == GeometricContinuity::g2);
   const base::Status second = make_g2(d, 1);
-  EXPECT_TRUE(!second || class_at(d, 1).geometric == Geometric::g2);
-  EXPECT_TRUE(!first || class_at(d, 0).geometric == Geometric::g2) << "after the second";
+  EXPECT_TRUE(!second || class_at(d, 1).geometric == GeometricContinuity::g2);
+  EXPECT_TRUE(!first || class_at(d, 0).geometric == GeometricContinuity::g2) << "after the second";
   EXPECT_EQ(world::broken_invariant(d), std::nullopt);
 }
 
@@ -194,7 +194,7 @@ TEST(joint_repair, the_whole_track_becomes_g2_without_losing_a_class) {
     for (std::size_t i = 0; i < d.track.knots.size(); ++i) {
       if (!joins(d, i)) continue;
       ++joints;
-      g2 += class_at(d, i).geometric == Geometric::g2;
+      g2 += class_at(d, i).geometric == GeometricContinuity::g2;
       EXPECT_GE(class_at(d, i).geometric, class_at(before, i).geometric);
       EXPECT_GE(class_at(d, i).parametric, class_at(before, i).parametric);
     }

@@ -15,7 +15,7 @@ class EditingUnderCarts : public test::SessionTest {
     advance(session, 100);
     good("ride.pause");
   }
-  const world::CartMotion& cart(const char* name) const { return session.motion.carts.get(entity(name)); }
+  const world::TrainMotion& cart(const char* name) const { return session.motion.carts.get(entity(name)); }
   glm::dvec3 place(const char* name) const {
     return sim::pose(session.derived, cart(name), world::FrameMethod::knots).position;
   }
@@ -47,13 +47,13 @@ TEST_F(EditingUnderCarts, carts_go_on_running_over_a_split) {
 
 TEST_F(EditingUnderCarts, removing_a_knot_hands_carts_to_the_survivor_at_the_same_part_of_the_way) {
   const auto& old = session.derived;
-  const world::CartMotion before = cart("c1");
+  const world::TrainMotion before = cart("c1");
   const std::size_t i = *world::index_of(old.order, before.segment);
   const std::size_t previous = (i + old.order.size() - 1) % old.order.size();
   const world::Entity survivor = old.order[previous];
   const double first = old.shape(survivor).arc.length(), second = old.shape(before.segment).arc.length();
   const world::Entity knot = world::segment(session.document, before.segment).from;
-  ASSERT_TRUE(apply(RemoveKnot{{world::name_of(session.document, knot)}}));
+  ASSERT_TRUE(apply(RemoveKnotOrTrain{{world::name_of(session.document, knot)}}));
   EXPECT_EQ(cart("c1").segment, survivor);
   EXPECT_NEAR(cart("c1").s / session.derived.shape(survivor).arc.length(), (first + before.s) / (first + second), 1e-9);
 }

@@ -7,18 +7,18 @@ namespace perform_operation_test {
 
 class Losses : public test::SessionTest {
  protected:
-  const world::Resistance& now() const { return session.document.resistance; }
+  const world::Losses& now() const { return session.document.resistance; }
 };
 
 TEST_F(Losses, a_set_replaces_both_numbers_in_one_step_of_undo) {
   good("losses rolling 0.5 drag 0.01");
   good("losses.set openfvd");
-  EXPECT_EQ(now(), (world::Resistance{0.03f, 2e-5f}));
+  EXPECT_EQ(now(), (world::Losses{0.03f, 2e-5f}));
   good("losses.set kexedit");
-  EXPECT_EQ(now(), (world::Resistance{0.021f, 2e-5f}));
+  EXPECT_EQ(now(), (world::Losses{0.021f, 2e-5f}));
   good("losses.set frictionless");
-  EXPECT_EQ(now(), world::Resistance{});
-  for (const world::Resistance before : {world::Resistance{0.021f, 2e-5f}, {0.03f, 2e-5f}, {0.5f, 0.01f}}) {
+  EXPECT_EQ(now(), world::Losses{});
+  for (const world::Losses before : {world::Losses{0.021f, 2e-5f}, {0.03f, 2e-5f}, {0.5f, 0.01f}}) {
     good("undo");
     EXPECT_EQ(now(), before);
   }

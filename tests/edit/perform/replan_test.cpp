@@ -60,9 +60,9 @@ class Replan : public test::SessionTest {
   void expect_g2() const {
     const auto& segments = session.document.track.segments;
     for (std::size_t i = 1; i < segments.size(); ++i) {
-      const curve::Joint joint = curve::joint(world::cubic_of(session.document, segments[i - 1]),
-                                              world::cubic_of(session.document, segments[i]));
-      EXPECT_EQ(joint.geometric, curve::Geometric::g2) << i << " jumps by " << joint.curvature_jump;
+      const curve::JointContinuity joint = curve::joint(world::cubic_of(session.document, segments[i - 1]),
+                                                        world::cubic_of(session.document, segments[i]));
+      EXPECT_EQ(joint.geometric, curve::GeometricContinuity::g2) << i << " jumps by " << joint.curvature_jump;
     }
   }
 };
@@ -156,8 +156,8 @@ TEST_F(Replan, on_a_closed_track_only_what_moves_no_end_is_changed) {
 TEST_F(Replan, trains_stay_on_their_segments_or_else_at_their_share_of_the_section) {
   const world::SectionRun loop = run("q4");
   good("add_cart @" + world::label_of(session.document, session.document.track.segments[loop.first + 1]) + " at 0.25");
-  const auto cart = [&] { return session.document.entities.get<world::Cart>(entity("c2")); };
-  const world::Cart before = cart();
+  const auto cart = [&] { return session.document.entities.get<world::Train>(entity("c2")); };
+  const world::Train before = cart();
   good("section.change @q4 to loop right height 15.5");
   if (run("q4").count == loop.count) {
     EXPECT_EQ(cart(), before);

@@ -11,7 +11,7 @@ using world::RideState;
 class Riding : public test::SessionTest {
  protected:
   void SetUp() override { good("closed on"); }
-  const world::CartMotion& cart() const { return session.motion.carts.get(entity("c1")); }
+  const world::TrainMotion& cart() const { return session.motion.carts.get(entity("c1")); }
 };
 
 TEST_F(Riding, start_pause_step_and_stop) {
@@ -90,7 +90,7 @@ TEST_F(Riding, undo_never_rewinds_the_ride) {
   good("datum 2.5");
   good("ride.start");
   advance(session, 100);
-  const world::CartMotion before = cart();
+  const world::TrainMotion before = cart();
   good("undo");
   EXPECT_EQ(cart().s, before.s);
   EXPECT_EQ(cart().speed, before.speed);
@@ -98,15 +98,15 @@ TEST_F(Riding, undo_never_rewinds_the_ride) {
 }
 
 TEST_F(Riding, the_selected_cart_is_the_one_that_is_spoken_of_else_the_first) {
-  const sim::SimulatedRide* const first = Finder(session).ride();
+  const sim::SimulatedRide* const first = SessionFindings(session).ride();
   ASSERT_TRUE(first);
   const double front = first->start.front;
   good("select @c2");
   EXPECT_EQ(chosen_cart(session), entity("c2"));
-  const sim::SimulatedRide* const second = Finder(session).ride();
+  const sim::SimulatedRide* const second = SessionFindings(session).ride();
   ASSERT_TRUE(second);
   EXPECT_NE(second->start.front, front);
-  const world::CartMotion before = cart();
+  const world::TrainMotion before = cart();
   good("ride.seek 31.7");
   EXPECT_TRUE(cart() == before);
   EXPECT_NEAR(session.motion.carts.get(entity("c2")).track_distance, 31.7, 1e-6);

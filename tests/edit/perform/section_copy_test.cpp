@@ -71,7 +71,7 @@ TEST_F(SectionCopy, text_comes_from_anywhere) {
   good("new");
   good("section.paste text " + base::quoted(text));
   EXPECT_EQ(last().title, "Bend");
-  EXPECT_EQ(session.document.entities.pool<world::Cart>().size(), 1u);
+  EXPECT_EQ(session.document.entities.pool<world::Train>().size(), 1u);
   good("section.paste");
   EXPECT_EQ(world::sections_of(session.document).size(), 2u) << "what was copied outlives the track";
   refused("section.paste text \"hello\"", "clipboard");

@@ -48,9 +48,9 @@ class SectionOrder : public test::SessionTest {
   void expect_g2() const {
     const auto& segments = session.document.track.segments;
     for (std::size_t i = 1; i < segments.size(); ++i) {
-      const curve::Joint joint = curve::joint(world::cubic_of(session.document, segments[i - 1]),
-                                              world::cubic_of(session.document, segments[i]));
-      EXPECT_EQ(joint.geometric, curve::Geometric::g2) << i << " jumps by " << joint.curvature_jump;
+      const curve::JointContinuity joint = curve::joint(world::cubic_of(session.document, segments[i - 1]),
+                                                        world::cubic_of(session.document, segments[i]));
+      EXPECT_EQ(joint.geometric, curve::GeometricContinuity::g2) << i << " jumps by " << joint.curvature_jump;
     }
   }
 };
@@ -94,7 +94,7 @@ TEST_F(SectionOrder, deleting_one_closes_the_gap) {
   good("section.delete @q1");
   EXPECT_EQ(order(), "q2 loop");
   EXPECT_EQ(knot(2).position, start.position) << "nothing moves to the start of the track";
-  EXPECT_EQ(session.document.entities.pool<world::Cart>().size(), 0u) << "its train went with it";
+  EXPECT_EQ(session.document.entities.pool<world::Train>().size(), 0u) << "its train went with it";
   EXPECT_EQ(session.notices.list.back().text, "Deleted the straight and the train on it.");
   good("section.delete @q2");
   EXPECT_EQ(order(), "");

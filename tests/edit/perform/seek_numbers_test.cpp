@@ -98,7 +98,7 @@ TEST_F(SeekNumbers, force_sections_have_a_length_and_keys) {
   key("vertical key 1 at 0"), key("vertical key 1.5 at 20"), key("vertical key 1 at 40");
   const auto keys = numbers("by vertical" + of);
   ASSERT_EQ(keys.size(), 3u);
-  const double limit = world::channel_of(world::ForceOf::forces, world::ForceChannel::vertical).limit;
+  const double limit = world::channel_of(world::ForceQuantity::forces, world::ForceChannel::vertical).limit;
   for (std::size_t i = 0; i < 3; ++i) {
     expect_unknown(keys[i], i == 1 ? 1.5 : 1.0, 0.1, -limit, limit);
     EXPECT_EQ(keys[i].key, i);

@@ -31,23 +31,23 @@ TEST_F(Searches, leave_the_session_as_it_is_until_the_command_takes_the_result) 
   const auto search = search_for(session, seek(line));
   good("remove @k3");  // the copy was made before
   good("undo");
-  base::Progress progress;
+  base::JobProgress progress;
   const auto found = test::as_job(progress, search);
   ASSERT_TRUE(found) << found.status().message;
   EXPECT_TRUE(session.document == before);
   EXPECT_EQ(found->note, "Height is 20 m, was 7.7 m. Height: from 7.7 to 20 m.");
 
-  Search answer{.found = *found};
+  ClosingSearch answer{.found = *found};
   EXPECT_TRUE(apply(line, &answer).ok());
   EXPECT_NEAR(height(), 20, 1e-3);
   good("undo");
-  answer.found = Sought{{21}, "as found"};
+  answer.found = SeekResult{{21}, "as found"};
   EXPECT_TRUE(apply(line, &answer).ok());
   EXPECT_NEAR(height(), 21, 1e-3) << "it does not search again";
 }
 
 TEST_F(Searches, end_when_they_are_cancelled) {
-  base::Progress progress;
+  base::JobProgress progress;
   progress.cancelled = true;
   const auto found = test::as_job(progress, search_for(session, seek(command("seek 20 by height of @k3"))));
   ASSERT_FALSE(found);

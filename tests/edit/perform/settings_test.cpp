@@ -118,7 +118,7 @@ TEST_F(ChangingSettings, rows_that_no_table_has_are_refused) {
 TEST_F(ChangingSettings, the_scale_is_clamped) {
   clamped("scale 0.1", "limit of 0.75");
   clamped("scale 10", "limit of 3");
-  refused(Set<&world::Look::ui_scale>{kNan}, "finite");
+  refused(Set<&world::Appearance::ui_scale>{kNan}, "finite");
 }
 
 TEST_F(ChangingSettings, saying_the_same_at_a_limit_renews_the_notice) {

@@ -36,7 +36,7 @@ class Shaping : public test::SessionTest {
     return world::knot(session.document,
                        world::find(session.document, {world::Kind::knot, static_cast<std::uint32_t>(number)}));
   }
-  curve::Joint joint_at(int number) const {
+  curve::JointContinuity joint_at(int number) const {
     const auto at = world::neighbours(
         session.document, world::find(session.document, {world::Kind::knot, static_cast<std::uint32_t>(number)}));
     return curve::joint(world::cubic_of(session.document, at.before), world::cubic_of(session.document, at.after));
@@ -49,7 +49,7 @@ class ShapingClosed : public Shaping {
 
 TEST_F(Shaping, smooth_makes_every_inner_joint_g2_and_frees_the_ends_of_curvature) {
   good("smooth all");
-  for (int i = 2; i <= 6; ++i) EXPECT_GE(joint_at(i).geometric, curve::Geometric::g2) << i;
+  for (int i = 2; i <= 6; ++i) EXPECT_GE(joint_at(i).geometric, curve::GeometricContinuity::g2) << i;
   const auto& track = session.document.track;
   EXPECT_LT(curve::curvature(world::cubic_of(session.document, track.segments.front()), 0), 1e-5);
   EXPECT_LT(curve::curvature(world::cubic_of(session.document, track.segments.back()), 1), 1e-5);
@@ -58,14 +58,14 @@ TEST_F(Shaping, smooth_makes_every_inner_joint_g2_and_frees_the_ends_of_curvatur
 TEST_F(Shaping, smooth_by_equal_steps_is_c2) {
   good("smooth all by uniform");
   for (int i = 2; i <= 6; ++i) {
-    EXPECT_GE(joint_at(i).parametric, curve::Parametric::c2) << i;
+    EXPECT_GE(joint_at(i).parametric, curve::ParametricContinuity::c2) << i;
     EXPECT_EQ(k(i).joint, JointKind::smooth);
   }
 }
 
 TEST_F(ShapingClosed, smooth_goes_all_the_way_round) {
   good("smooth all");
-  for (int i = 1; i <= 7; ++i) EXPECT_GE(joint_at(i).geometric, curve::Geometric::g2) << i;
+  for (int i = 1; i <= 7; ++i) EXPECT_GE(joint_at(i).geometric, curve::GeometricContinuity::g2) << i;
 }
 
 TEST_F(Shaping, smooth_of_some_leaves_the_others_to_the_bit) {
@@ -74,15 +74,15 @@ TEST_F(Shaping, smooth_of_some_leaves_the_others_to_the_bit) {
   EXPECT_EQ(k(2), two);
   EXPECT_EQ(k(5), five);
   EXPECT_EQ(k(6), six);
-  EXPECT_GE(joint_at(3).geometric, curve::Geometric::g2);
-  EXPECT_GE(joint_at(4).geometric, curve::Geometric::g2);
+  EXPECT_GE(joint_at(3).geometric, curve::GeometricContinuity::g2);
+  EXPECT_GE(joint_at(4).geometric, curve::GeometricContinuity::g2);
 }
 
 TEST_F(ShapingClosed, a_run_over_the_tracks_joint_is_one_run) {
   const Knot two = k(2), six = k(6);
   good("smooth @k7,@k1");
-  EXPECT_GE(joint_at(7).geometric, curve::Geometric::g2);
-  EXPECT_GE(joint_at(1).geometric, curve::Geometric::g2);
+  EXPECT_GE(joint_at(7).geometric, curve::GeometricContinuity::g2);
+  EXPECT_GE(joint_at(1).geometric, curve::GeometricContinuity::g2);
   EXPECT_EQ(k(2), two);
   EXPECT_EQ(k(6), six);
 }

@@ -50,7 +50,7 @@ TEST_F(Spans, a_train_stands_on_the_same_rails_after_reversing) {
   const std::string name = "@" + world::label_of(session.document, cart);
   good("train " + name + " cars 3 spacing 2");
   const auto front = [&] {
-    const world::Cart& c = session.document.entities.get<world::Cart>(cart);
+    const world::Train& c = session.document.entities.get<world::Train>(cart);
     const std::size_t i = *world::index_of(session.derived.order, c.segment);
     return session.derived.starts[i] + c.fraction * (session.derived.starts[i + 1] - session.derived.starts[i]);
   };
@@ -83,13 +83,13 @@ TEST_F(Spans, a_running_train_goes_on_the_same_way_through_space) {
 TEST_F(Spans, a_split_or_opened_track_keeps_its_trains_cars) {
   const Entity cart = world::first_cart(session.document);
   good("train @" + world::label_of(session.document, cart) + " cars 4 spacing 2.5 length 2 mass 800");
-  const auto cars = [&] { return session.document.entities.get<world::Cart>(cart).cars; };
-  good("split @" + world::label_of(session.document, session.document.entities.get<world::Cart>(cart).segment) +
+  const auto cars = [&] { return session.document.entities.get<world::Train>(cart).cars; };
+  good("split @" + world::label_of(session.document, session.document.entities.get<world::Train>(cart).segment) +
        " at 0.5");
   EXPECT_EQ(cars(), 4);
   good("remove @" + world::label_of(session.document, session.settings.selected));
   EXPECT_EQ(cars(), 4);
-  EXPECT_EQ(session.document.entities.get<world::Cart>(cart).mass, 800.0f);
+  EXPECT_EQ(session.document.entities.get<world::Train>(cart).mass, 800.0f);
 }
 
 // A bent and rolled open track, k1 to k4.

@@ -43,7 +43,7 @@ class Spins : public test::SessionTest {
     return all;
   }
   // How many segments have another shape than in `before`.
-  int reshaped(const sim::Derived& before) const {
+  int reshaped(const sim::DerivedTrack& before) const {
     int count = 0;
     for (const Entity e : session.derived.order) {
       const sim::SegmentShape* const old = before.segments.find(e);
@@ -73,14 +73,14 @@ TEST_F(Spins, auto_spin_takes_a_set_rate_back) {
 }
 
 TEST_F(Spins, a_move_keeps_all_spins_and_changes_two_segments) {
-  const sim::Derived before = session.derived;
+  const sim::DerivedTrack before = session.derived;
   good("move @k4 to 35.2 14.3 4.4");
   for (std::size_t i = 0; i < 8; ++i) EXPECT_EQ(spin(i), world::knot(rolling(), rolling().track.knots[i]).spin) << i;
   EXPECT_EQ(reshaped(before), 2);
 }
 
 TEST_F(Spins, a_roll_changes_the_spins_beside_it_and_at_most_four_segments) {
-  const sim::Derived before = session.derived;
+  const sim::DerivedTrack before = session.derived;
   good("roll @k4 to 44");
   EXPECT_EQ(reshaped(before), 4);
   for (const std::size_t still : {0u, 1u, 5u, 6u, 7u})

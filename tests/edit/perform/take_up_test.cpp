@@ -37,7 +37,7 @@ class TakeUp : public test::RandomTracks {
   }
   dvec3 at(double share) const {
     const world::SectionRun run = completing();
-    const sim::Derived& d = session.derived;
+    const sim::DerivedTrack& d = session.derived;
     const double from = d.starts[run.first], to = d.starts[run.end()];
     const sim::TrackPlace place = sim::place_at(d, from + share * (to - from));
     return sim::rails_at(d.shape_at(place.index), place.s);
@@ -83,12 +83,13 @@ std::string TakeUp::random_change() {
 
 void TakeUp::expect_closed_smoothly() const {
   ASSERT_TRUE(session.document.track.closed);
-  const sim::Derived& d = session.derived;
+  const sim::DerivedTrack& d = session.derived;
   const std::size_t all = d.order.size();
   for (std::size_t i = 0; i < all; ++i) {
     const sim::SegmentShape &in = d.shape_at((i + all - 1) % all), &out = d.shape_at(i);
-    const curve::Joint joint = curve::joint(in.key.cubic, out.key.cubic);
-    EXPECT_EQ(joint.geometric, curve::Geometric::g2) << "segment " << i << " jumps by " << joint.curvature_jump;
+    const curve::JointContinuity joint = curve::joint(in.key.cubic, out.key.cubic);
+    EXPECT_EQ(joint.geometric, curve::GeometricContinuity::g2)
+        << "segment " << i << " jumps by " << joint.curvature_jump;
     EXPECT_NEAR(roll_rate(in, in.arc.length() - 1.5e-3), roll_rate(out, 5e-4), 2e-3) << "segment " << i;
   }
 }

@@ -65,10 +65,10 @@ TEST_F(EmptyTrack, add_curve_makes_a_track_from_nothing) {
 
 TEST_F(EmptyTrack, the_first_segment_brings_a_cart) {
   good("append at 1.1 2.2 3.3");
-  EXPECT_EQ(session.document.entities.pool<world::Cart>().size(), 0u);
+  EXPECT_EQ(session.document.entities.pool<world::Train>().size(), 0u);
   good("append at 21.1 5.2 9.3");
   ASSERT_TRUE(entity("c1").valid());
-  EXPECT_EQ(session.document.entities.get<world::Cart>(entity("c1")), (world::Cart{entity("s1"), 0.0}));
+  EXPECT_EQ(session.document.entities.get<world::Train>(entity("c1")), (world::Train{entity("s1"), 0.0}));
   EXPECT_EQ(session.motion.carts.size(), 1u);
   good("undo");
   EXPECT_EQ(session.motion.carts.size(), 0u);
@@ -118,7 +118,7 @@ TEST_F(EmptyTrack, closing_needs_two_knots) {
 
 TEST_F(ChangingTrack, carts_are_added_within_their_segment) {
   good("add_cart @s2 at 0.25");
-  EXPECT_EQ(session.document.entities.get<world::Cart>(entity("c3")), (world::Cart{entity("s2"), 0.25}));
+  EXPECT_EQ(session.document.entities.get<world::Train>(entity("c3")), (world::Train{entity("s2"), 0.25}));
   EXPECT_EQ(session.motion.carts.size(), 3u);
   refused("add_cart @s2 at 1.5", "expected a fraction of the length from 0 to 1, found 1.5");
   refused("add_cart @s2 at -1", "from 0 to 1, found -1");
@@ -127,7 +127,7 @@ TEST_F(ChangingTrack, carts_are_added_within_their_segment) {
 
 TEST_F(ChangingTrack, trains_are_limited) {
   const world::Entity segment = entity("s2");
-  while (session.document.entities.pool<world::Cart>().size() + 1 < world::kMaxCarts)
+  while (session.document.entities.pool<world::Train>().size() + 1 < world::kMaxCarts)
     world::add_cart(session.document, segment, 0.5);
   good("add_cart @s2 at 0.5");
   refused("add_cart @s2 at 0.5", "at most 10000 trains");

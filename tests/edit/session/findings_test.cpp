@@ -28,7 +28,7 @@ class FindingsOfASession : public test::SessionTest {
   }
   void expect_the_same(const std::string& after) {
     Session other = fresh();
-    const Finder found(session), expected(other);
+    const SessionFindings found(session), expected(other);
     EXPECT_EQ(found.document_hash(), world::hash(session.document)) << after;
     ASSERT_EQ(found.ride() == nullptr, expected.ride() == nullptr) << after;
     if (found.ride()) {
@@ -64,7 +64,7 @@ TEST_F(FindingsOfASession, are_those_of_a_fresh_session_after_every_change) {
 
 TEST_F(FindingsOfASession, a_ride_is_simulated_when_it_is_wanted_and_changed_alone) {
   good("start_speed 9.1");
-  const Finder found(session);
+  const SessionFindings found(session);
   ASSERT_NE(found.ride(), nullptr);
   const std::uint64_t first = found.ride()->serial;
   (void)found.ride();
@@ -81,7 +81,7 @@ TEST_F(FindingsOfASession, a_ride_is_simulated_when_it_is_wanted_and_changed_alo
 TEST_F(FindingsOfASession, without_a_cart_there_is_no_ride_and_nothing_of_one) {
   for (world::Entity cart; (cart = chosen_cart(session)).valid();)
     good("remove @" + world::label_of(session.document, cart));
-  const Finder found(session);
+  const SessionFindings found(session);
   EXPECT_EQ(found.ride(), nullptr);
   EXPECT_EQ(found.ratings().up_most.value, 0);
   EXPECT_TRUE(found.overloads().empty());

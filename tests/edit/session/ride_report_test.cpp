@@ -132,7 +132,7 @@ TEST_F(RideReport, names_carry_units_and_none_is_null) {
                                  "excitement",
                                  "nausea"})
     EXPECT_TRUE(loop.contains(name) && loop[name].is_number()) << name;
-  EXPECT_EQ(loop["lap_s"].get<double>(), Finder(session).ratings().seconds);
+  EXPECT_EQ(loop["lap_s"].get<double>(), SessionFindings(session).ratings().seconds);
   EXPECT_EQ(loop["most_jerk_car"].get<int>() >= 1, true);
   for (const char* const name : {"end", "end_m", "missed_forces", "largest_deviation_mm", "rms_deviation_deg"})
     EXPECT_TRUE(loop.contains(name) && loop[name].is_null()) << name;
@@ -149,13 +149,13 @@ TEST_F(RideReport, overloads_are_a_list_in_the_order_of_the_text) {
   open("tracks/loop.json");
   session.limits.envelope.curves[static_cast<std::size_t>(sim::ForceAxis::down)] = {{0.2, 1.5}};
   session.limits.envelope.curves[static_cast<std::size_t>(sim::ForceAxis::lift)] = {{0.2, 0.1}};
-  const std::span<const sim::RedSpan> overloads = Finder(session).overloads();
+  const std::span<const sim::Overload> overloads = SessionFindings(session).overloads();
   const exchange::Json list = json()["overloads"];
   ASSERT_GT(list.size(), 2u);
   ASSERT_EQ(list.size(), overloads.size());
   std::set<std::string> axes;
   for (std::size_t i = 0; i < list.size(); ++i) {
-    const sim::RedSpan& span = overloads[i];
+    const sim::Overload& span = overloads[i];
     EXPECT_EQ(list[i]["car"].get<int>(), span.car + 1);
     EXPECT_EQ(list[i]["worst_g"].get<double>(), sim::signed_g(span.axis, span.worst));
     EXPECT_EQ(list[i]["from_s"].get<double>(), span.from);

@@ -62,12 +62,12 @@ std::size_t caps_of(const Obj& obj, const char* group, const world::Document& d)
 // Returns the edges that are not in two triangles, once in each direction. Corners are equal if their positions are,
 // bit for bit.
 std::size_t open_edges(const Obj& obj, const char* group) {
-  using Point = std::array<float, 3>;
-  std::map<std::pair<Point, Point>, int> ways;
+  using G2Unknowns = std::array<float, 3>;
+  std::map<std::pair<G2Unknowns, G2Unknowns>, int> ways;
   const std::vector<std::uint32_t>& faces = obj.faces.at(group);
   const auto point = [&](std::size_t i) {
     const glm::vec3 p = obj.v.at(faces[i]);
-    return Point{p.x, p.y, p.z};
+    return G2Unknowns{p.x, p.y, p.z};
   };
   for (std::size_t i = 0; i < faces.size(); i += 3)
     for (std::size_t k = 0; k < 3; ++k) ++ways[{point(i + k), point(i + (k + 1) % 3)}];
@@ -91,7 +91,7 @@ TEST(Obj, tubes_have_caps_at_the_ends_of_open_track_alone_and_every_edge_twice) 
 TEST(Obj, has_the_swept_track_and_the_centre_line) {
   for (const world::Document& d : {test::sample_document(), closed_document()}) {
     const Obj obj = read_obj(print_obj(d));
-    sim::Derived derived;
+    sim::DerivedTrack derived;
     sim::derive(d, {}, {}, derived);
     std::size_t triangles = 0, vertices = 0;
     sim::Mesh mesh;

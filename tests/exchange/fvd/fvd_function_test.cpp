@@ -96,7 +96,7 @@ TEST(fvd_function, keys_follow_within_the_tolerance_but_at_corners) {
                       {FvdShape::quintic, 4, 6, 2, -2, 3}};
   const auto at = [&](double x) { return value_of(piece_at(f, x), x); };
   world::ForceProgram program;
-  program.over = world::ForceOver::time, program.length = 6;
+  program.over = world::ForceDomain::time, program.length = 6;
   program.channels[0] = keys_along(at, {0, 1.5, 2, 4}, 6, 0.01, world::kKeyGap_s, 10);
   ASSERT_FALSE(world::broken(program)) << *world::broken(program);
   const sim::ForceCurve curve(program, world::ForceChannel::vertical);
@@ -126,7 +126,7 @@ TEST(fvd_function, keys_follow_random_polylines_but_within_a_gap_of_their_corner
       return std::lerp(y[i - 1], y[i], (place - x[i - 1]) / (x[i] - x[i - 1]));
     };
     world::ForceProgram program;
-    program.over = world::ForceOver::time, program.length = length;
+    program.over = world::ForceDomain::time, program.length = length;
     program.channels[0] = keys_along(at, x, length, 0.01, gap, 1000);
     ASSERT_FALSE(world::broken(program)) << *world::broken(program);
     // Corners that are far enough apart cost two or three keys each, the straights between them none.
@@ -157,7 +157,7 @@ TEST(fvd_function, wild_functions_get_as_many_keys_as_there_may_be) {
   const auto keys = keys_along([](double x) { return 20 * std::sin(40 * x); }, {}, 60, 0.01, 0.05, 10);
   EXPECT_LE(keys.size(), world::kMostForceKeys);
   world::ForceProgram program;
-  program.over = world::ForceOver::time, program.length = 60, program.channels[0] = keys;
+  program.over = world::ForceDomain::time, program.length = 60, program.channels[0] = keys;
   EXPECT_FALSE(world::broken(program)) << *world::broken(program);
 }
 

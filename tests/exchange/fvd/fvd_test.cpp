@@ -127,7 +127,7 @@ TEST(Fvd, forces_over_time_lead_where_the_other_program_goes) {
   const world::Section& section = world::section(d, runs[0].section);
   EXPECT_EQ(section.kind, world::SectionKind::force);
   EXPECT_EQ(section.title, "Forces");
-  EXPECT_EQ(section.force.over, world::ForceOver::time);
+  EXPECT_EQ(section.force.over, world::ForceDomain::time);
   EXPECT_EQ(section.force.keys(world::ForceChannel::vertical).front().value, static_cast<double>(float(felt)));
   Thousandth train(track);
   ride_forces(train, track, s, 3.5);

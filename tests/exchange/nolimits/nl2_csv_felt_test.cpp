@@ -35,8 +35,8 @@ struct Moment {
 };
 
 // A document's rails, and what riders `heart` m above them feel there.
-struct Ridden {
-  Ridden(const world::Document& document, double heart) : derived(sim::shapes_of(document)) {
+struct RiddenTrain {
+  RiddenTrain(const world::Document& document, double heart) : derived(sim::shapes_of(document)) {
     tables.update(derived, heart);
   }
   glm::vec2 felt(double s, double slope, double v2) {
@@ -44,7 +44,7 @@ struct Ridden {
     const glm::vec3 g = sim::felt_at(tables.segment(hint), at, static_cast<float>(-slope), static_cast<float>(v2));
     return {g.z, g.y};
   }
-  sim::Derived derived;
+  sim::DerivedTrack derived;
   sim::RailTables tables;
   std::size_t hint = 0;
 };
@@ -52,7 +52,7 @@ struct Ridden {
 double v2_at(double top, double height) { return kTop * kTop / world::kGravity + 2 * (top - height); }
 
 std::vector<Moment> ride_on(const world::Document& document, double heart) {
-  Ridden track(document, heart);
+  RiddenTrain track(document, heart);
   double top = -1e9;
   for (double s = 0; s < track.derived.length; s += 0.5) top = std::max(top, place_on(track.derived, s).position.y);
   std::vector<Moment> ride;
@@ -71,7 +71,7 @@ struct Wrong {
 
 // Rides on the document with the speeds of the known ride at the corresponding positions.
 Wrong wrong_on(const world::Document& document, double heart, const std::vector<Moment>& ride) {
-  Ridden track(document, heart);
+  RiddenTrain track(document, heart);
   std::array<std::vector<float>, 4> g;
   double s = 0;
   for (const Moment& known : ride) {
@@ -280,7 +280,7 @@ TEST(nl2_csv_felt, bends_to_and_fro_are_felt_as_closed_forms_say_though_rows_are
 //   up:   cos(slope) cos(roll) - h roll'^2 v^2 / g
 //   left: cos(slope) sin(roll) - h (roll'' v^2 + roll' sin(slope) g) / g
 constexpr double kSlope = 0.2, kRoll = 1.2;
-struct Rolling {
+struct CarRoll {
   double width;
   dvec3 roll(double s) const {  // the angle, and its derivatives by s
     dvec3 sum(0);
@@ -304,7 +304,7 @@ TEST(nl2_csv_felt, quick_rolls_are_felt_as_closed_forms_say_though_rows_are_metr
   for (const auto& [width, spacing] : {std::pair(14.0, 0.05), {14.0, 0.5}, {14.0, 2.0}, {18.0, 3.0}})
     for (std::uint32_t seed = 0; seed < (test::kSanitized ? 1 : 4); ++seed) {
       SCOPED_TRACE(fmt::format("rolls within {} m, rows every {} m, seed {}", width, spacing, seed));
-      const Rolling curve{width};
+      const CarRoll curve{width};
       std::vector<Moment> ride;
       for (double s = 0; s < kLength;) {
         const Place at = curve(s);
@@ -497,7 +497,7 @@ TEST(nl2_csv_felt, rolls_that_start_at_once_throw_riders_as_hard_as_in_closed_fo
     // their jolt.
     world::Document document = parse_nl2_csv(rows, "t.csv")->document;
     document.start_speed = kSpeed;
-    const sim::Derived derived = sim::shapes_of(document);
+    const sim::DerivedTrack derived = sim::shapes_of(document);
     sim::RideCache cache;
     const sim::SimulatedRide* const simulated = cache.ride(document, derived, world::first_cart(document));
     double most = 0;
@@ -596,7 +596,7 @@ TEST(nl2_csv_felt, rows_too_far_apart_for_a_very_quick_roll_are_warned_of_with_a
 
 TEST(nl2_csv_felt, rows_too_far_apart_for_a_roll_are_warned_of_with_their_line) {
   const auto warnings = [](double width, double spacing) {
-    return parse_nl2_csv(rows_on(Rolling{width}, 200, spacing, 3), "t.csv")->warnings;
+    return parse_nl2_csv(rows_on(CarRoll{width}, 200, spacing, 3), "t.csv")->warnings;
   };
   const std::vector<std::string> told = warnings(14, 5);
   ASSERT_EQ(told.size(), 1u);

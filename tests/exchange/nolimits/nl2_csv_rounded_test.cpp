@@ -29,7 +29,7 @@ world::Document sample_track(const std::string& name, double speed) {
   file << in.rdbuf();
   world::Document document = parse_track(file.str(), name)->document;
   for (const world::Entity segment : document.track.segments) document.entities.pool<world::Equipment>().erase(segment);
-  document.entities.pool<world::Cart>().put(world::first_cart(document), {document.track.segments[0]});
+  document.entities.pool<world::Train>().put(world::first_cart(document), {document.track.segments[0]});
   document.resistance = {};
   document.start_speed = speed;
   return document;
@@ -37,7 +37,7 @@ world::Document sample_track(const std::string& name, double speed) {
 
 // What riders feel in a lap, low-passed at 5 Hz.
 sim::Ratings felt(const world::Document& document) {
-  const sim::Derived derived = sim::shapes_of(document);
+  const sim::DerivedTrack derived = sim::shapes_of(document);
   sim::RideCache cache;
   const sim::SimulatedRide* const simulated = cache.ride(document, derived, world::first_cart(document));
   EXPECT_TRUE(simulated->lap || !document.track.closed) << "the ride ends early";
@@ -46,7 +46,7 @@ sim::Ratings felt(const world::Document& document) {
 
 // The largest distance of the rows' positions from the document's curve, by brute force.
 double largest_distance(const world::Document& document, const std::vector<test::Row>& rows) {
-  const sim::Derived derived = sim::shapes_of(document);
+  const sim::DerivedTrack derived = sim::shapes_of(document);
   std::vector<glm::dvec3> places;
   for (double s = 0; s < derived.length; s += 0.02) places.push_back(place_on(derived, s).position);
   places.push_back(place_on(derived, derived.length).position);
@@ -170,7 +170,7 @@ TEST(nl2_csv_rounded, reversed_rows_with_few_decimals_are_refused_as_others) {
 }
 
 TEST(nl2_csv_rounded, smoothing_reports_and_can_be_cancelled) {
-  static base::Progress progress;
+  static base::JobProgress progress;
   static int told = 0;
   static double last = 0;
   const std::string text = test::rounded(print_nl2_csv(sample_track("loop", 6), kNl2Spacing), {2, 2, 20});

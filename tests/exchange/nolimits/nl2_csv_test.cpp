@@ -369,7 +369,7 @@ TEST(nl2_csv, rows_without_sense_give_a_valid_track_through_all_of_them) {
 
 TEST(nl2_csv, a_cancelled_import_is_refused_and_one_that_is_watched_is_the_same) {
   const std::string text = rows(40);
-  base::Progress progress;
+  base::JobProgress progress;
   const auto watched = test::as_job(progress, [&] { return parse_nl2_csv(text, "t.csv"); });
   ASSERT_TRUE(watched.ok());
   EXPECT_TRUE(watched->document == parse_nl2_csv(text, "t.csv")->document);

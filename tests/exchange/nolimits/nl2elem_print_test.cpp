@@ -52,7 +52,7 @@ struct Place {
   double s, angle;
   dvec3 forward, up, carried;
 };
-std::vector<Place> places_of(const sim::Derived& derived, int steps) {
+std::vector<Place> places_of(const sim::DerivedTrack& derived, int steps) {
   std::vector<Place> places;
   curve::Frame carried;
   dvec3 last(0);
@@ -80,7 +80,7 @@ TEST(nl2elem_print, rolls_give_our_frames_back_within_0_1_degrees_as_a_spline_an
     ASSERT_GT(rolls.size(), d.track.segments.size());
     EXPECT_EQ(rolls.front().coord, 0);
     EXPECT_EQ(rolls.back().coord, 1);
-    const sim::Derived derived = test::derived_of(d);
+    const sim::DerivedTrack derived = test::derived_of(d);
     const std::vector<Place> places = places_of(derived, 400);
     std::vector<double> s, angle;
     for (const test::RuleRoll& roll : rolls) {

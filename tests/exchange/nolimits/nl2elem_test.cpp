@@ -142,7 +142,7 @@ TEST(nl2elem, four_rolls_on_a_straight_are_joined_by_the_clamped_spline) {
   EXPECT_TRUE(loaded->warnings.empty());
   EXPECT_EQ(loaded->document.track.knots.size(), 8u) << "none is added where a span ends at a roll";
   EXPECT_LT(loaded->import->frame_error, 1e-3);
-  const sim::Derived derived = test::derived_of(loaded->document);
+  const sim::DerivedTrack derived = test::derived_of(loaded->document);
   for (int k = 0; k <= 900; ++k) {
     const double u = k / 300.0, in = u - std::clamp(std::ceil(u) - 1, 0.0, 2.0), rest = 1 - in, rate = 3 * 60 / 5.0;
     const double wanted = u <= 1   ? -rate * in * in * rest
@@ -203,7 +203,7 @@ TEST(nl2elem, few_rolls_give_the_frames_of_the_rule) {
           s.push_back(places[i] + k * length), angle.push_back(angles[i] + k * lap), strict.push_back(are[i]);
     }
     const test::RuleRollSpline rule(s, angle, strict);
-    const sim::Derived derived = test::derived_of(loaded->document);
+    const sim::DerivedTrack derived = test::derived_of(loaded->document);
     for (std::size_t i = 0; i < frames.size(); i += 37) {
       const test::RuleFrame& f = frames[i];
       const PlaceOnTrack at = place_on(derived, f.s * derived.length / length * (1 - 1e-9));
@@ -224,7 +224,7 @@ TEST(nl2elem, rolls_that_the_track_meets_anyway_add_no_knot_and_whole_turns_are_
   ASSERT_TRUE(loaded) << loaded.status().message;
   const world::Document& d = loaded->document;
   ASSERT_LE(d.track.knots.size(), 14u) << "the spline rings where the rate starts, changes and ends";
-  const sim::Derived derived = test::derived_of(d);
+  const sim::DerivedTrack derived = test::derived_of(d);
   EXPECT_NEAR(std::abs(derived.twists.back()) * 180 / M_PI, 800, 1e-3);
   EXPECT_LT(loaded->import->frame_error, 0.05);
   // 20 turns are over the limit of a segment.

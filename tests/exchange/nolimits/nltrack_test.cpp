@@ -139,7 +139,7 @@ TEST(NoLimitsTrack, roll_that_goes_on_over_turns_is_ridden_in_full) {
     vertices.push_back(vertex({20.0f * static_cast<float>(i), 10, 0}, {1, 0, 0}, 6, 6, rolls[i]));
   const auto loaded = parse_nltrack(encode(vertices, false), "x.nltrack");
   ASSERT_TRUE(loaded) << loaded.status().message;
-  sim::Derived derived;
+  sim::DerivedTrack derived;
   sim::derive(loaded->document, {}, {}, derived);
   for (std::size_t i = 0; i < 4; ++i)
     EXPECT_NEAR(derived.shape(derived.order[i]).roll.twist, -(double{rolls[i + 1]} - double{rolls[i]}), 1e-5) << i;
@@ -157,7 +157,7 @@ TEST(NoLimitsTrack, the_closing_joint_gets_the_least_turn_back_to_the_first_roll
     }
     const auto loaded = parse_nltrack(encode(vertices, true), "x.nltrack");
     ASSERT_TRUE(loaded) << loaded.status().message;
-    sim::Derived derived;
+    sim::DerivedTrack derived;
     sim::derive(loaded->document, {}, {}, derived);
     for (std::size_t i = 0; i < 3; ++i)
       EXPECT_NEAR(derived.shape(derived.order[i]).roll.twist, -double{step}, 1e-4) << i;
@@ -175,7 +175,7 @@ TEST(NoLimitsTrack, a_plane_loop_has_no_turns) {
                                      vertex({0, 0, 1}, {1, 0, 0}, 11, 11, 2 * half)};
   const auto loaded = parse_nltrack(encode(vertices, false), "x.nltrack");
   ASSERT_TRUE(loaded) << loaded.status().message;
-  sim::Derived derived;
+  sim::DerivedTrack derived;
   sim::derive(loaded->document, {}, {}, derived);
   for (std::size_t i = 0; i < 2; ++i) EXPECT_LT(std::abs(derived.shape(derived.order[i]).roll.twist), 0.5) << i;
 }

@@ -25,11 +25,11 @@ void expect_error(const std::string& text, std::string_view expected) {
 }
 
 TEST(envelope_file, printing_and_parsing_give_the_same_envelope_back) {
-  sim::Envelope odd = sim::default_envelope();
+  sim::ForceLimitCurves odd = sim::default_envelope();
   odd.shortest = 0.1 + 0.2, odd.cutoff = 1.0 / 3.0;
   odd.curves[3] = {{0, 99.5}, {1e-3, 0}};
   odd.curves[4].clear();
-  for (const sim::Envelope& envelope : {sim::default_envelope(), odd}) {
+  for (const sim::ForceLimitCurves& envelope : {sim::default_envelope(), odd}) {
     const auto loaded = parse_envelope(print_envelope(envelope, "a \"name\""), "e.json");
     ASSERT_TRUE(loaded.ok()) << loaded.status().message;
     EXPECT_TRUE(loaded->envelope == envelope);

@@ -8,15 +8,15 @@
 namespace coaster::exchange {
 namespace progress_file_test {
 
-Progress sample() {
-  Progress progress;
+PlayerProgress sample() {
+  PlayerProgress progress;
   progress.challenges = {{"01_first_hill", 2, {{"ride.lap_time", 31.25, true}, {"ride.drop_max", 1.0 / 3, false}}},
                          {"odd \"name\"", 0, {}}};
   return progress;
 }
 
 TEST(progress_file, printing_and_parsing_give_the_same_back) {
-  for (const Progress& progress : {sample(), Progress{}}) {
+  for (const PlayerProgress& progress : {sample(), PlayerProgress{}}) {
     const auto again = parse_progress(print_progress(progress), "p.json");
     ASSERT_TRUE(again.ok()) << again.status().message;
     EXPECT_TRUE(*again == progress);
@@ -46,7 +46,7 @@ TEST(progress_file, no_cut_at_any_byte_and_no_wrong_type_is_read) {
 }
 
 TEST(progress_file, the_better_of_each_stays) {
-  Progress progress = sample();
+  PlayerProgress progress = sample();
   EXPECT_FALSE(merge(progress, {"01_first_hill", 1, {{"ride.lap_time", 40, true}, {"ride.drop_max", 0.1, false}}}))
       << "nothing is better";
   EXPECT_TRUE(progress == sample());
@@ -65,7 +65,7 @@ TEST(progress_file, the_better_of_each_stays) {
 }
 
 RC_GTEST_PROP(progress_file, the_order_of_successes_does_not_matter, (std::vector<std::pair<int, int>> successes)) {
-  Progress forth, back;
+  PlayerProgress forth, back;
   int medal = 0, least = std::numeric_limits<int>::max();
   const auto of = [](const std::pair<int, int>& s) {
     return ChallengeProgress{"c", std::abs(s.first % 4), {{"knots", double(s.second), true}}};

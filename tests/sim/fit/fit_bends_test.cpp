@@ -96,7 +96,7 @@ TEST(fit_bends, tracks_bend_little_more_than_their_rows_at_any_spacing) {
 double largest_jolt(world::Document document) {
   world::add_cart(document, document.track.segments[0], 0);
   document.start_speed = 20;
-  const Derived derived = shapes_of(document);
+  const DerivedTrack derived = shapes_of(document);
   RideCache cache;
   const SimulatedRide* const simulated = cache.ride(document, derived, world::first_cart(document));
   double most = 0;

@@ -114,17 +114,17 @@ TEST(fit_track, progress_changes_nothing_grows_to_the_end_and_can_be_cancelled) 
   const auto place = [](double s) { return glm::dvec3(20 * std::cos(s / 25), 8 + s / 30, 20 * std::sin(s / 25)); };
   const auto rows = test::rows_along(
       place, [](double) { return glm::dvec3(0, 1, 0); }, 0.2, 2000);
-  base::Progress progress;
+  base::JobProgress progress;
   const FittedTrack watched = test::as_job(progress, [&] { return fit_track(rows, false); }),
                     alone = fit_track(rows, false);
   EXPECT_TRUE(watched.document == alone.document);
   EXPECT_EQ(progress.done, 1.0);
-  base::Progress cancelled;
+  base::JobProgress cancelled;
   cancelled.cancelled = true;
   EXPECT_TRUE(test::as_job(cancelled, [&] { return fit_track(rows, false); }).document.track.knots.empty());
   EXPECT_EQ(cancelled.done, 0.0);
   // Cancelled by another thread, while it works.
-  base::Progress halfway;
+  base::JobProgress halfway;
   std::thread canceller([&] {
     while (halfway.done == 0) std::this_thread::yield();
     halfway.cancelled = true;

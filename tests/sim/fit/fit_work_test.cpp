@@ -11,8 +11,8 @@ namespace fit_work_test {
 
 using glm::dvec3;
 
-FitWork work_of(std::vector<FitRow> rows) {
-  FitWork w;
+FitState work_of(std::vector<FitRow> rows) {
+  FitState w;
   w.free.assign(rows.size(), 0);
   w.bends = bend_limits(rows, false);
   w.row_rolls = row_rolls(rows, false);
@@ -41,7 +41,7 @@ std::vector<FitRow> wave_with_an_end(int count, double height, double share) {
 }
 
 TEST(fit_work, two_steps_take_handles_that_bend_little_where_one_bends_too_much) {
-  FitWork w = work_of(wave_with_an_end(100, 1.5, 0.9));
+  FitState w = work_of(wave_with_an_end(100, 1.5, 0.9));
   const RollRange all{-0.008, 0.008};
   const SpanFit one = w.fit(97, 98, all), two = w.fit(97, 99, all);
   EXPECT_TRUE(one.within);
@@ -57,7 +57,7 @@ TEST(fit_work, a_step_at_an_open_end_bends_within_the_bound_where_a_cubic_can) {
   for (const double off : {0.0003, -0.0003}) {
     std::vector<FitRow> rows = test::rows_along(circle, up, 0.25, 40);
     rows[0].position += off * glm::cross(rows[0].up, rows[0].forward);
-    FitWork w = work_of(std::move(rows));
+    FitState w = work_of(std::move(rows));
     const SpanFit first = w.fit(0, 1, {-0.008, 0.008});
     EXPECT_TRUE(first.within) << off;
     EXPECT_FALSE(first.bent) << off;
@@ -66,7 +66,7 @@ TEST(fit_work, a_step_at_an_open_end_bends_within_the_bound_where_a_cubic_can) {
 
 TEST(fit_work, a_span_ends_earlier_where_the_next_one_would_bend_too_much) {
   constexpr std::size_t kRows = 349;  // the longest first span ends five rows before the last
-  FitWork w = work_of(wave_with_an_end(kRows, 0.5, 1));
+  FitState w = work_of(wave_with_an_end(kRows, 0.5, 1));
   fit_spans(w);
   EXPECT_EQ(w.spans.size(), 2u);
   EXPECT_EQ(w.spans.front().first, 0u);

@@ -43,7 +43,7 @@ world::Document rolling() {
 }
 
 std::vector<dvec3> rails_of(const world::Document& document) {
-  const Derived derived = test::derived_of(document);
+  const DerivedTrack derived = test::derived_of(document);
   const double height = document.curve == TrackCurve::heartline ? document.heartline : 0;
   std::vector<dvec3> line;
   for (std::size_t i = 0; i < derived.order.size(); ++i) {
@@ -120,7 +120,7 @@ TEST(switch_curve, keeps_names_equipment_and_the_places_of_trains) {
   const world::Document document = rolling();
   world::Document equipped = document;
   equipped.entities.put(equipped.track.segments[1], world::Equipment{world::EquipmentKind::brake});
-  const Derived before = test::derived_of(equipped);
+  const DerivedTrack before = test::derived_of(equipped);
   const SwitchedCurve now = switched(equipped, TrackCurve::heartline);
   EXPECT_GT(now.added, 0);
   double with_brake = 0;  // m of rails: the heartline winds around the straight
@@ -137,9 +137,9 @@ TEST(switch_curve, keeps_names_equipment_and_the_places_of_trains) {
     EXPECT_LT(glm::distance(is.up, was.up), 1e-5f);
     EXPECT_EQ(world::name_of(now.document, e), world::name_of(equipped, e));
   }
-  const auto& carts = equipped.entities.pool<world::Cart>();
+  const auto& carts = equipped.entities.pool<world::Train>();
   for (std::size_t i = 0; i < carts.size(); ++i) {
-    const world::Cart &was = carts.items()[i], &is = now.document.entities.get<world::Cart>(carts.entities()[i]);
+    const world::Train &was = carts.items()[i], &is = now.document.entities.get<world::Train>(carts.entities()[i]);
     const SegmentShape &there = before.shape(was.segment), &here = now.shapes.shape(is.segment);
     EXPECT_LT(glm::distance(rails_at(there, was.fraction * there.arc.length()),
                             rails_at(here, is.fraction * here.arc.length())),
@@ -157,7 +157,7 @@ TEST(switch_curve, keeps_the_conflicts_of_the_rails) {
   add({0, 5, 0}, {1, 0, 0}, 20, 20), add({60, 5, 0}, {1, 0, 0}, 30, 20), add({80, 6, 25}, {0, 0, 1}, 40);
   add({55, 7, 45}, {-1, 0, 0}, 40), add({30, 7, 25}, {0, 0, -1}, 0), add({30, 7, -25}, {0, 0, -1}, 0);
   Conflicts one, other;
-  const Derived before = test::derived_of(document);
+  const DerivedTrack before = test::derived_of(document);
   const SwitchedCurve now = switched(document, TrackCurve::heartline);
   const std::vector<Conflict>&was = one.update(before), &is = other.update(now.shapes);
   ASSERT_EQ(was.size(), 1u);

@@ -11,12 +11,12 @@ constexpr double kG = world::kGravity;
 
 struct Banked {
   world::Document document;
-  Derived derived;
+  DerivedTrack derived;
   RideCache cache;
   world::Entity cart;
   Banked(world::Document d, double speed, int cars = 1, std::size_t segment = 0) : document(std::move(d)) {
     cart = world::add_cart(document, document.track.segments.at(segment), 0.2);
-    document.entities.get<world::Cart>(cart).cars = cars;
+    document.entities.get<world::Train>(cart).cars = cars;
     document.start_speed = speed, document.heartline = 0;
     derive(document, {}, {}, derived);
   }

@@ -46,7 +46,7 @@ TEST(element_fit, every_element_at_any_end_keeps_its_tolerances_and_every_joint_
       const curve::Cubic c = cubic_between(knots[k], knots[k + 1]);
       EXPECT_LT(glm::length(curve::curvature_vector(c, 0) - before), 1e-3) << what << " knot " << k;
       if (k > 0) {
-        EXPECT_EQ(curve::joint(cubic_between(knots[k - 1], knots[k]), c).geometric, curve::Geometric::g2)
+        EXPECT_EQ(curve::joint(cubic_between(knots[k - 1], knots[k]), c).geometric, curve::GeometricContinuity::g2)
             << what << " knot " << k;
       }
       before = curve::curvature_vector(c, 1);

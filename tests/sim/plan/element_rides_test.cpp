@@ -37,7 +37,7 @@ Ratings rated(const Ride& ride, world::TrackCurve curve) {
   }
   const world::Entity cart = world::add_cart(d, d.track.segments.front(), 0.5);
   d.start_speed = ride.speed;
-  const Derived derived = test::derived_of(d);
+  const DerivedTrack derived = test::derived_of(d);
   RideCache cache;
   const SimulatedRide& simulated = *cache.ride(d, derived, cart);
   const double end_place = simulated.samples.back().travelled + simulated.start.front;
@@ -76,7 +76,7 @@ TEST(element_rides, a_brake_run_stops_a_fast_train_in_its_station) {
   ASSERT_EQ(segment, d.track.segments.size());
   const world::Entity cart = world::add_cart(d, d.track.segments.front(), 0);
   d.start_speed = 23;
-  const Derived derived = test::derived_of(d);
+  const DerivedTrack derived = test::derived_of(d);
   RideCache cache;
   const SimulatedRide& simulated = *cache.ride(d, derived, cart);
   double in_station = 0, waiting = 1e9;

@@ -29,7 +29,7 @@ world::Document track_of(const ForcePlan& plan, double heartline) {
 
 // Rides along the spans in steps of 1 cm, with the energy of the train, and calls visit(metres, felt g) at each.
 template <class Visit>
-void ride_finely(const ForcePlan& plan, const Derived& derived, Visit visit) {
+void ride_finely(const ForcePlan& plan, const DerivedTrack& derived, Visit visit) {
   constexpr double kStep = 0.01;
   double square = plan.task.program.speed * plan.task.program.speed, done = 0;
   for (std::size_t i = 0; i < derived.order.size(); ++i) {
@@ -55,9 +55,9 @@ struct Worst {
 // Returns the largest difference between what is felt in a fine ride and the oracle's value of the keys there.
 Worst worst_of(const ForcePlan& plan) {
   const world::Document document = track_of(plan, plan.task.riders);
-  const Derived derived = shapes_of(document);
+  const DerivedTrack derived = shapes_of(document);
   const test::ForceOracle oracle(plan.task);
-  const bool by_time = plan.task.program.over == world::ForceOver::time;
+  const bool by_time = plan.task.program.over == world::ForceDomain::time;
   Worst worst;
   double time = 0, before = 0;
   ride_finely(plan, derived, [&](double s, glm::vec3 felt, double square) {
@@ -112,7 +112,7 @@ TEST(force_fit, twenty_programs_are_felt_as_asked_for_on_spans_within_a_centimet
         const world::Knot &a = plan.fit.spans.knots[at], &b = plan.fit.spans.knots[at + 1];
         return curve::Cubic{a.position, world::out_handle(a), world::in_handle(b), b.position};
       };
-      EXPECT_EQ(curve::joint(cubic(k - 1), cubic(k)).geometric, curve::Geometric::g2) << i << " knot " << k;
+      EXPECT_EQ(curve::joint(cubic(k - 1), cubic(k)).geometric, curve::GeometricContinuity::g2) << i << " knot " << k;
     }
     spans += plan.spans(), metres += plan.length;
   }
@@ -153,7 +153,7 @@ TEST(force_fit, spans_of_curvature_bend_and_roll_as_asked_for) {
     const ForcePlan plan = plan_force(random.next(i < 2 ? 200 : 60));
     ASSERT_EQ(plan.refusal, "") << i;
     EXPECT_TRUE(plan.fit.within) << i << ": " << plan.fit.felt_error << " g at " << plan.fit.felt_at << " m";
-    const Derived derived = shapes_of(track_of(plan, 0));
+    const DerivedTrack derived = shapes_of(track_of(plan, 0));
     const test::ForceOracle oracle(plan.task);
     const double allowed = plan.task.program.tolerance * 9.81 / 400;
     double roll = 0;
@@ -191,7 +191,7 @@ TEST(force_fit, spans_far_from_the_origin_are_within_a_centimetre_of_sharp_bends
     const double far = uniform(500, 8000);
     task.end.position = {far, 60, -0.7 * far};
     world::ForceProgram& program = task.program;
-    program.of = world::ForceOf::curvature, program.tolerance = i % 2 == 0 ? 0.02 : 0.05, program.length = 60;
+    program.of = world::ForceQuantity::curvature, program.tolerance = i % 2 == 0 ? 0.02 : 0.05, program.length = 60;
     for (double at = 0; at < program.length; at += uniform(2, 12)) {
       program.keys(ForceChannel::vertical).push_back({at, uniform(-0.3, 0.3)});
       program.keys(ForceChannel::lateral).push_back({at, uniform(-0.1, 0.1)});

@@ -19,12 +19,12 @@ TrackEnd end_of(const ForceTask& task) {
 
 // Returns how much roll counts as much as 1 g, in the keys' units.
 double roll_per_g(const world::ForceProgram& program) {
-  return kRollPerG * (program.over == world::ForceOver::time ? program.speed : 1.0);
+  return kRollPerG * (program.over == world::ForceDomain::time ? program.speed : 1.0);
 }
 
 // Returns the sum that hold_end() makes least, g^2: over half a gap for the last key.
 double added_square(const ForceTask& task) {
-  const double bend = task.program.of == world::ForceOf::curvature ? kCurvaturePerG : 1.0;
+  const double bend = task.program.of == world::ForceQuantity::curvature ? kCurvaturePerG : 1.0;
   double sum = 0;
   for (std::size_t c = 0; c < 3; ++c) {
     const std::vector<world::ForceKey>& keys = task.added->channels[c];

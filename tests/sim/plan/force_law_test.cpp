@@ -11,13 +11,13 @@ namespace force_law_test {
 
 using glm::dvec3;
 using world::ForceChannel;
-using world::ForceOver;
+using world::ForceDomain;
 
 // Level, straight and of curvature.
 ForceTask bent(double length) {
   ForceTask task;
   task.end.position = {0, 100, 0};
-  task.program.of = world::ForceOf::curvature, task.program.speed = 20, task.program.length = length;
+  task.program.of = world::ForceQuantity::curvature, task.program.speed = 20, task.program.length = length;
   task.riders = 1.1, task.losses = {0.02f, 2e-5f};
   return task;
 }
@@ -52,8 +52,8 @@ TEST(force_law, constant_curvature_is_a_circle_and_a_linear_one_a_clothoid) {
 }
 
 TEST(force_law, roll_of_curvature_is_the_angle_that_the_frame_turns_by) {
-  for (const ForceOver over : {ForceOver::distance, ForceOver::time}) {
-    ForceTask task = bent(over == ForceOver::time ? 3 : 60);
+  for (const ForceDomain over : {ForceDomain::distance, ForceDomain::time}) {
+    ForceTask task = bent(over == ForceDomain::time ? 3 : 60);
     task.program.over = over;
     const double half = task.program.length / 2;
     task.program.keys(ForceChannel::roll) = {{0, 0}, {half, 70}, {2 * half, -400}};
@@ -103,8 +103,8 @@ TEST(force_law, curvature_ends_where_the_oracle_does) {
 
 // Keys that begin with another curvature, angle and rate of roll than the track's end are reached after a ramp.
 TEST(force_law, curvature_continues_that_of_the_track_and_its_spin) {
-  for (const ForceOver over : {ForceOver::distance, ForceOver::time}) {
-    ForceTask task = bent(over == ForceOver::time ? 4 : 80);
+  for (const ForceDomain over : {ForceDomain::distance, ForceDomain::time}) {
+    ForceTask task = bent(over == ForceDomain::time ? 4 : 80);
     task.program.over = over;
     task.end.curvature = {0, 0.02, -0.015}, task.end.spin = 0.04;
     task.program.keys(ForceChannel::vertical) = {{0, 0.004}};

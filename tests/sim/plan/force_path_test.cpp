@@ -11,9 +11,9 @@ namespace force_path_test {
 
 using glm::dvec3;
 using world::ForceChannel;
-using world::ForceOver;
+using world::ForceDomain;
 
-ForceTask level(double speed, double length, ForceOver over = ForceOver::distance) {
+ForceTask level(double speed, double length, ForceDomain over = ForceDomain::distance) {
   ForceTask task;
   task.end.position = {0, 100, 0};
   task.program.speed = speed, task.program.length = length, task.program.over = over;
@@ -49,7 +49,7 @@ TEST_P(ForceOracle, five_of_twenty_programs_end_where_the_oracle_does) {
 }
 
 TEST(force_path, nothing_felt_is_the_path_of_a_thrown_body) {
-  ForceTask task = level(20, 1.5, ForceOver::time);
+  ForceTask task = level(20, 1.5, ForceDomain::time);
   task.end.forward = glm::normalize(dvec3(1, 0.6, 0)), task.end.up = glm::normalize(dvec3(-0.6, 1, 0));
   // The track's end bends as the body's path, so that there is no ramp.
   const double bend = 9.81 * task.end.up.y / (20 * 20);
@@ -109,8 +109,8 @@ TEST(force_path, a_heartline_roll_stays_straight) {
 }
 
 TEST(force_path, the_start_continues_the_curvature_and_the_spin_of_the_track) {
-  for (const ForceOver over : {ForceOver::distance, ForceOver::time}) {
-    ForceTask task = level(18, over == ForceOver::time ? 3 : 50, over);
+  for (const ForceDomain over : {ForceDomain::distance, ForceDomain::time}) {
+    ForceTask task = level(18, over == ForceDomain::time ? 3 : 50, over);
     task.riders = 1.1;
     task.end.curvature = {0, 0.02, -0.015}, task.end.spin = 0.04;
     task.program.keys(ForceChannel::vertical) = {{0, 1.5}};

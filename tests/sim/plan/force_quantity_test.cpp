@@ -10,8 +10,8 @@ namespace coaster::sim {
 namespace force_quantity_test {
 
 using world::ForceChannel;
-using world::ForceOf;
-using world::ForceOver;
+using world::ForceDomain;
+using world::ForceQuantity;
 
 ForcePlan planned(ForceTask task, const world::ForceProgram& program) {
   task.program = program;
@@ -38,14 +38,14 @@ TEST(force_quantity, curvature_of_forces_leads_along_the_same_path_and_back) {
     const ForcePlan plan = plan_force(random.next(60));
     ASSERT_EQ(plan.refusal, "") << i;
     const world::ForceProgram bends = of_other_quantity(plan);
-    EXPECT_EQ(bends.of, ForceOf::curvature);
+    EXPECT_EQ(bends.of, ForceQuantity::curvature);
     EXPECT_EQ(bends.over, plan.task.program.over);
     EXPECT_FALSE(world::broken(bends)) << *world::broken(bends);
     const ForcePlan bent = planned(plan.task, bends);
     EXPECT_EQ(bent.path.stopped, "") << i;
     EXPECT_LT(apart(bent, plan), 0.2) << i;
     const ForcePlan back = planned(bent.task, of_other_quantity(bent));
-    EXPECT_EQ(back.task.program.of, ForceOf::forces);
+    EXPECT_EQ(back.task.program.of, ForceQuantity::forces);
     EXPECT_LT(apart(back, bent), 0.2) << i;
     // The keys that were there stay, and have what the path has there.
     for (std::size_t c = 0; c < 3; ++c)
@@ -55,7 +55,7 @@ TEST(force_quantity, curvature_of_forces_leads_along_the_same_path_and_back) {
         const ElementPoint& on = plan.path.curve.points[plan.point_at(key.at)];
         const glm::dvec3 left = glm::cross(on.up, on.tangent);
         const double square = plan.path.points[plan.point_at(key.at)].square,
-                     metres = plan.task.program.over == ForceOver::time ? std::sqrt(square) : 1;
+                     metres = plan.task.program.over == ForceDomain::time ? std::sqrt(square) : 1;
         const double has = c == 2 ? same->slope / metres : same->value, on_path = c == 2 ? on.spin * 180 / M_PI
                                                                                   : c == 1
                                                                                       ? glm::dot(on.curvature, left)
@@ -78,19 +78,20 @@ TEST(force_quantity, keys_of_either_quantity_stay_in_place_on_the_other_axis) {
       EXPECT_EQ(other.task.program.channels[c].size(), task.program.channels[c].size());
     EXPECT_EQ(other.task.program.channels[0].back().value, task.program.channels[0].back().value);
     const world::ForceKey &roll = task.program.channels[2][1], &moved = other.task.program.channels[2][1];
-    EXPECT_EQ(moved.value == roll.value, task.program.of == ForceOf::curvature) << "an angle stays, a rate does not";
+    EXPECT_EQ(moved.value == roll.value, task.program.of == ForceQuantity::curvature)
+        << "an angle stays, a rate does not";
   }
 }
 
 // On a level straight the train keeps its speed, so that places are times of the speed, also those of keys beyond the
 // end of the path.
 TEST(force_quantity, keys_beyond_the_end_move_at_the_last_speed) {
-  for (const ForceOver over : {ForceOver::distance, ForceOver::time}) {
+  for (const ForceDomain over : {ForceDomain::distance, ForceDomain::time}) {
     ForceTask task;
     task.end.position = {3, 40, -7}, task.end.forward = {0.6, 0, 0.8};
     world::ForceProgram program;
-    program.over = over, program.speed = 8, program.length = over == ForceOver::time ? 3 : 24;
-    const double unit = over == ForceOver::time ? 8 : 1.0 / 8;
+    program.over = over, program.speed = 8, program.length = over == ForceDomain::time ? 3 : 24;
+    const double unit = over == ForceDomain::time ? 8 : 1.0 / 8;
     for (const double share : {0.0, 0.5, 1.0, 1.5})
       program.keys(ForceChannel::vertical).push_back({share * program.length, 1});
     const ForcePlan plan = planned(task, program);
@@ -108,7 +109,7 @@ TEST(force_quantity, the_track_has_the_curvature_and_the_angle_of_the_keys) {
   world::Document document;
   document.heartline = plan.task.riders;
   for (const world::Knot& knot : plan.fit.spans.knots) world::append_knot(document, knot);
-  const Derived derived = shapes_of(document);
+  const DerivedTrack derived = shapes_of(document);
   for (std::size_t i = 0; i < plan.path.points.size(); i += 7) {
     const std::array<double, 3> has = curvature_at(derived, 0, plan.path.curve.points[i].s);
     EXPECT_NEAR(has[0], plan.path.points[i].asked(ForceChannel::vertical), 0.0014) << i;

@@ -15,8 +15,8 @@ world::Document document_of(const std::vector<world::Knot>& knots) {
   return document;
 }
 
-ForceReading read(const ForceTask& task, const std::vector<world::Knot>& knots) {
-  const Derived derived = shapes_of(document_of(knots));
+RunForcePlan read(const ForceTask& task, const std::vector<world::Knot>& knots) {
+  const DerivedTrack derived = shapes_of(document_of(knots));
   return read_forces({derived, 0, derived.order.size()}, task);
 }
 
@@ -24,7 +24,7 @@ ForceReading read(const ForceTask& task, const std::vector<world::Knot>& knots) 
 double apart(const std::vector<world::Knot>& from, const std::vector<world::Knot>& to) {
   const auto points = [](const std::vector<world::Knot>& knots, int steps) {
     std::vector<glm::dvec3> all;
-    const Derived derived = shapes_of(document_of(knots));
+    const DerivedTrack derived = shapes_of(document_of(knots));
     for (std::size_t k = 0; k < derived.order.size(); ++k)
       for (int i = 0; i <= steps; ++i)
         all.push_back(curve::point(derived.shape_at(k).key.cubic, static_cast<double>(i) / steps));
@@ -44,13 +44,13 @@ double apart(const std::vector<world::Knot>& from, const std::vector<world::Knot
   return most;
 }
 
-TEST(ForceReading, keeps_the_shape_of_random_force_sections) {
+TEST(RunForcePlan, keeps_the_shape_of_random_force_sections) {
   test::RandomForces random(19);
   for (int i = 0; i < test::tries(3); ++i) {
     ForceTask task = random.next(90);
     const ForcePlan was = plan_force(task);
     ASSERT_TRUE(was.refusal.empty()) << was.refusal;
-    const ForceReading reading = read(task, was.fit.spans.knots);
+    const RunForcePlan reading = read(task, was.fit.spans.knots);
     ASSERT_EQ(reading.refusal, "") << i;
     const std::vector<world::Knot>& now = reading.plan.fit.spans.knots;
     EXPECT_LE(reading.error, kKeptShape);
@@ -63,7 +63,7 @@ TEST(ForceReading, keeps_the_shape_of_random_force_sections) {
   }
 }
 
-TEST(ForceReading, reads_constant_g_off_a_circle) {
+TEST(RunForcePlan, reads_constant_g_off_a_circle) {
   // A flat turn of 40 m radius, a quarter, by four spans; its riders feel v^2/(r g) sideways and 1 g.
   std::vector<world::Knot> knots;
   const double radius = 40, turn = std::acos(-1.0) / 8;
@@ -78,7 +78,7 @@ TEST(ForceReading, reads_constant_g_off_a_circle) {
   ForceTask task;
   task.end.position = {0, 10, 0}, task.end.curvature = {0, 0, -1 / radius};
   task.program.speed = 20;
-  const ForceReading reading = read(task, knots);
+  const RunForcePlan reading = read(task, knots);
   ASSERT_EQ(reading.refusal, "");
   const world::ForceProgram& program = reading.plan.task.program;
   EXPECT_NEAR(program.length, 2 * std::acos(0.0) / 2 * radius, 0.01);
@@ -88,7 +88,7 @@ TEST(ForceReading, reads_constant_g_off_a_circle) {
   for (const auto& keys : program.channels) EXPECT_LE(keys.size(), 5u);
 }
 
-TEST(ForceReading, says_why_it_cannot) {
+TEST(RunForcePlan, says_why_it_cannot) {
   std::vector<world::Knot> knots(2);
   knots[0].position = {0, 10, 0}, knots[1].position = {2, 10, 0};
   for (world::Knot& knot : knots) knot.tangent = {1, 0, 0}, knot.in_length = knot.out_length = 0.6f;

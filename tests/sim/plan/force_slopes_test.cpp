@@ -38,7 +38,7 @@ void expect_slopes_of_differences(ForceTask task) {
   constexpr std::size_t kNodes = 8;
   constexpr double kBy = 1e-5;
   std::vector<double> values;
-  const bool bends = task.program.of == world::ForceOf::curvature;
+  const bool bends = task.program.of == world::ForceQuantity::curvature;
   for (std::size_t k = 0; k < 3 * kNodes; ++k) values.push_back((bends ? 0.003 : 0.1) * std::sin(3.0 * double(k)));
   add(task, values, kNodes);
   const auto slopes = end_slopes(ForceLaw(task), task.length(), kNodes, miss);
@@ -75,7 +75,7 @@ TEST(force_slopes, of_curvature_too) {
   test::RandomCurvature random(5);
   ForceTask task = random.next(60);
   expect_slopes_of_differences(task);
-  task.program.over = world::ForceOver::time, task.program.speed = 20, task.program.length = 3;
+  task.program.over = world::ForceDomain::time, task.program.speed = 20, task.program.length = 3;
   for (auto& keys : task.program.channels) keys = {{0, 0}, {1.4, 0.01}, {3, 0}};
   task.program.channels[2][1].value = 30;
   expect_slopes_of_differences(task);

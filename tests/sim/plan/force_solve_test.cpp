@@ -13,7 +13,7 @@ ForceTask planted() {
   test::RandomForces random(7);
   for (;;) {
     ForceTask task = random.next(60);
-    if (task.program.over != world::ForceOver::distance) continue;
+    if (task.program.over != world::ForceDomain::distance) continue;
     with_slopes(task);
     if (force_path(task).stopped.empty()) return task;
   }

@@ -49,7 +49,7 @@ TEST(force_walk, stops_where_the_train_does) {
 
 TEST(force_walk, no_program_is_followed_beyond_the_limit_of_its_length) {
   ForceTask task;
-  task.program.over = world::ForceOver::time;
+  task.program.over = world::ForceDomain::time;
   task.program.speed = 20, task.program.length = world::kLongestForce_s;
   EXPECT_TRUE(walk_force(task));
   task.program.length = 1e12;  // as a search may ask for

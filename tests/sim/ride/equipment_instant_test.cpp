@@ -40,7 +40,7 @@ void expect_exit(const world::Document& document, double expected, double pull, 
   Ride ride(document);
   const double end = ride.derived.starts.at(2);
   while (ride.runs() && ride.train().track_distance <= end) ride.step(1);
-  const world::CartMotion& cart = ride.train();
+  const world::TrainMotion& cart = ride.train();
   EXPECT_NEAR(speed_at(end, cart.track_distance, cart.speed, pull), expected, 1e-6) << what;
   const SimulatedRide& simulated = ride.simulated();
   const auto passed = passing(simulated, end);
@@ -123,7 +123,7 @@ TEST(equipment_instant, a_brake_that_is_too_weak_slows_a_train_that_rolls_back) 
     ride.step(1);
     top = std::max(top, ride.train().track_distance);
   }
-  const world::CartMotion& cart = ride.train();
+  const world::TrainMotion& cart = ride.train();
   EXPECT_NEAR(top, 10 + way, 2e-4);
   EXPECT_LT(cart.speed, 0);
   EXPECT_NEAR(speed_at(10, cart.track_distance, cart.speed, -kPull), leaves, 1e-5);
@@ -132,7 +132,7 @@ TEST(equipment_instant, a_brake_that_is_too_weak_slows_a_train_that_rolls_back) 
 // Compares tick by tick, where the first car has just passed an end of equipment.
 void expect_as_simulated(world::Document document, int cars, double speed_within, double within,
                          const std::string& what) {
-  document.entities.get<world::Cart>(world::first_cart(document)).cars = cars;
+  document.entities.get<world::Train>(world::first_cart(document)).cars = cars;
   Ride ride(std::move(document));
   const auto spans = equipment_spans(ride.document, ride.derived);
   const SimulatedRide simulated = ride.simulated();
@@ -171,7 +171,7 @@ TEST(blocks_at_rest, a_train_on_a_free_block_is_driven_on) {
   for (const double fraction : {0.0, 0.2, 0.5, 0.9, 1.0})
     for (const int cars : {1, 4}) {
       world::Document d = ramp(0, 30, {EquipmentKind::block, 4, 3, 0.5f, 0}, 0);
-      world::Cart& cart = d.entities.get<world::Cart>(world::first_cart(d));
+      world::Train& cart = d.entities.get<world::Train>(world::first_cart(d));
       cart.segment = d.track.segments[1], cart.fraction = static_cast<float>(std::min(fraction, 0.999)),
       cart.cars = cars;
       Ride ride(d);

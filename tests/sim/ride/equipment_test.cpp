@@ -21,7 +21,7 @@ world::Document runway(double rise, std::vector<std::pair<std::size_t, world::Eq
       test::straight_document({1.3f, 2.1f, -7.7f}, {121.3f, 2.1f + static_cast<float>(rise), -7.7f}, 12);
   for (const auto& [index, e] : equipment) d.entities.put(d.track.segments.at(index), e);
   const world::Entity cart = world::add_cart(d, d.track.segments.at(1), fraction);
-  d.entities.get<world::Cart>(cart).cars = cars;
+  d.entities.get<world::Train>(cart).cars = cars;
   return d;
 }
 
@@ -42,7 +42,7 @@ TEST(equipment, a_lift_pulls_a_train_up_at_its_speed_and_does_its_work) {
   world::Document d = runway(60, {});
   for (const world::Entity e : d.track.segments)
     d.entities.put(e, world::Equipment{world::EquipmentKind::lift, 3.0f, 2.0f, 0, 0});
-  d.entities.get<world::Cart>(d.entities.pool<world::Cart>().entities()[0]).cars = 4;
+  d.entities.get<world::Train>(d.entities.pool<world::Train>().entities()[0]).cars = 4;
   d.start_speed = 0;
   Ride ride(d);
   ride.step(240);
@@ -152,7 +152,7 @@ TEST(equipment, losses_act_against_the_motion_in_both_directions) {
     world::Document d = runway(0, {}, 3);
     d.resistance = {0.025f, 2e-3f};
     d.start_speed = start;
-    d.entities.get<world::Cart>(d.entities.pool<world::Cart>().entities()[0]).segment = d.track.segments[6];
+    d.entities.get<world::Train>(d.entities.pool<world::Train>().entities()[0]).segment = d.track.segments[6];
     Ride ride(d);
     ride.step(120);
     // v' = -(a + c v^2): v = sqrt(a/c) tan(atan(v0 sqrt(c/a)) - sqrt(a c) t).
@@ -183,11 +183,11 @@ TEST(equipment, blocks_keep_trains_apart) {
   d.entities.put(d.track.segments[0], world::Equipment{world::EquipmentKind::station, 4.0f, 3.0f, 0, 2});
   d.start_speed = 3;
   for (const std::size_t i : {1u, 6u, 10u})
-    d.entities.get<world::Cart>(world::add_cart(d, d.track.segments[i], 0.5)).cars = 3;
+    d.entities.get<world::Train>(world::add_cart(d, d.track.segments[i], 0.5)).cars = 3;
   for (const std::size_t i : {2u, 3u, 5u, 6u, 7u, 9u, 10u, 11u, 13u, 14u, 15u})
     d.entities.put(d.track.segments[i], world::Equipment{world::EquipmentKind::lift, 3.0f, 3.0f, 0, 0});
   Ride ride(d);
-  const Rails rails{ride.derived.length, true};
+  const TrackExtent rails{ride.derived.length, true};
   std::int64_t laps = 0;
   for (int tick = 0; tick < 120 * 600 && laps < 2; tick += 10) {
     ride.step(10);
@@ -248,7 +248,7 @@ TEST(train_mass, drag_slows_a_heavy_train_less_by_the_closed_form) {
     world::Document d = runway(0, {});
     d.resistance.drag = 0.01f;
     d.start_speed = 20;
-    d.entities.get<world::Cart>(world::first_cart(d)).mass = mass;
+    d.entities.get<world::Train>(world::first_cart(d)).mass = mass;
     Ride ride(d);
     ride.step(240);
     const double k = 0.01 * 500.0 / static_cast<double>(mass);
@@ -262,7 +262,7 @@ TEST(train_mass, drag_slows_a_heavy_train_less_by_the_closed_form) {
 TEST(train_mass, without_losses_mass_changes_nothing) {
   world::Document light = runway(12, {}), heavy = light;
   for (world::Document* const d : {&light, &heavy}) d->start_speed = 20;
-  heavy.entities.get<world::Cart>(world::first_cart(heavy)).mass = 5000;
+  heavy.entities.get<world::Train>(world::first_cart(heavy)).mass = 5000;
   Ride a(light), b(heavy);
   a.step(300), b.step(300);
   EXPECT_EQ(a.train().track_distance, b.train().track_distance);
@@ -270,13 +270,13 @@ TEST(train_mass, without_losses_mass_changes_nothing) {
 }
 
 TEST(train_length, trains_collide_where_the_bodies_of_their_cars_touch) {
-  const Rails rails{200, true};
+  const TrackExtent rails{200, true};
   const TrainPlace longer{100, 2, 5, 4.4}, shorter{100 + 3.6, 1, 3, 2.6};  // bodies end at 102.2 and begin at 102.3
   EXPECT_FALSE(collide(rails, longer, shorter));
   EXPECT_TRUE(collide(rails, longer, {100 + 3.4, 1, 3, 2.6}));
   EXPECT_TRUE(collide(rails, {1, 1, 3, 2.2}, {199, 1, 3, 2.2}));  // over the closing joint
   EXPECT_FALSE(collide({200, false}, {1, 1, 3, 2.2}, {199, 1, 3, 2.2}));
-  world::Cart crowded;
+  world::Train crowded;
   crowded.spacing = 1.5f;
   EXPECT_EQ(crowded.body(), 1.5f);
 }
@@ -288,7 +288,7 @@ TEST(train_length, the_first_collision_is_that_of_all_pairs) {
   const auto any = [&](double low, double high) { return std::uniform_real_distribution(low, high)(random); };
   int hit = 0;
   for (int round = 0; round < 4000; ++round) {
-    const Rails rails{any(20, 400), round % 2 == 0};
+    const TrackExtent rails{any(20, 400), round % 2 == 0};
     std::vector<TrainPlace> trains;
     std::vector<char> left_out;
     const int count = 1 + round % 9;

@@ -39,8 +39,8 @@ Roll roll_at(const SegmentShape& shape, double s) {
 // Calls visit(roll, felt) at places well inside the segments.
 template <class Visit>
 void each_place(const world::Document& document, const Visit& visit) {
-  const Derived derived = test::derived_of(document);
-  const world::Entity entity = document.entities.pool<world::Cart>().entities()[0];
+  const DerivedTrack derived = test::derived_of(document);
+  const world::Entity entity = document.entities.pool<world::Train>().entities()[0];
   world::Motion motion;
   reset(document, derived, motion);
   RideCache cache;
@@ -48,7 +48,7 @@ void each_place(const world::Document& document, const Visit& visit) {
   for (std::size_t i = 0; i < derived.order.size(); ++i)
     for (double s = 2; s < derived.shape_at(i).arc.length() - 2; s += 0.7) {
       seek(document, derived, entity, derived.starts[i] + s, motion);
-      const Felt exact = felt(document, derived, entity, motion.carts.items()[0]);
+      const FeltAcceleration exact = felt(document, derived, entity, motion.carts.items()[0]);
       visit(roll_at(derived.shape_at(i), s), exact);
       const glm::dvec3 table = felt_at(tables.segment(i), s, 0, static_cast<float>(kSpeed * kSpeed / world::kGravity));
       EXPECT_NEAR(table.y, exact.left, 5e-3) << s;
@@ -58,7 +58,7 @@ void each_place(const world::Document& document, const Visit& visit) {
 
 TEST(heartline, a_roll_about_it_gives_gravitys_lean_and_no_more) {
   double most = 0;
-  each_place(rolling(world::TrackCurve::heartline), [&](const Roll& roll, const Felt& felt) {
+  each_place(rolling(world::TrackCurve::heartline), [&](const Roll& roll, const FeltAcceleration& felt) {
     EXPECT_NEAR(felt.left, std::sin(roll.angle), 1e-3);
     EXPECT_NEAR(felt.up, std::cos(roll.angle), 1e-3);
     EXPECT_NEAR(felt.forward, 0, 1e-3);
@@ -70,7 +70,7 @@ TEST(heartline, a_roll_about_it_gives_gravitys_lean_and_no_more) {
 // Riders h above the rails: a = v^2 h (angle'' to the side, -angle'^2 along `up`).
 TEST(heartline, a_roll_about_the_rails_throws_the_riders_about) {
   double most = 0;
-  each_place(rolling(world::TrackCurve::rails), [&](const Roll& roll, const Felt& felt) {
+  each_place(rolling(world::TrackCurve::rails), [&](const Roll& roll, const FeltAcceleration& felt) {
     const double thrown = kSpeed * kSpeed * 1.1 / world::kGravity;
     EXPECT_NEAR(felt.left, std::sin(roll.angle) - thrown * roll.bend, 0.02);
     EXPECT_NEAR(felt.up, std::cos(roll.angle) - thrown * roll.rate * roll.rate, 0.02);

@@ -21,7 +21,7 @@ TEST(integrators, names_are_unique_and_found) {
 }
 
 TEST(integrators, rails_go_on_straight_beyond_the_ends_of_a_segment) {
-  const Derived derived = test::derived_of(test::sample_document());
+  const DerivedTrack derived = test::derived_of(test::sample_document());
   const SegmentShape& shape = derived.shape(derived.order[1]);
   const double length = shape.arc.length();
   for (const auto& [end, beyond] : {std::pair(0.0, -3.1), std::pair(length, length + 3.1)}) {
@@ -32,7 +32,7 @@ TEST(integrators, rails_go_on_straight_beyond_the_ends_of_a_segment) {
 }
 
 TEST(integrators, the_slope_is_the_derivative_of_the_height) {
-  const Derived derived = test::derived_of(test::sample_document());
+  const DerivedTrack derived = test::derived_of(test::sample_document());
   for (const world::Entity e : derived.order) {
     const SegmentShape& shape = derived.shape(e);
     for (const double share : {0.13, 0.47, 0.81}) {
@@ -79,13 +79,13 @@ TEST(integrators, by_vertices_a_level_ring_is_ridden_chord_by_chord) {
 struct Alone {
   std::array<TrackPlace, 1> car;
   TrainContext context;
-  Alone(const Derived& derived, std::size_t index, double s, double datum = 0, double energy = 0)
+  Alone(const DerivedTrack& derived, std::size_t index, double s, double datum = 0, double energy = 0)
       : car{TrackPlace{index, s}}, context{derived, car, datum, energy, {}, 0, 0} {}
 };
 
 // The order of a method: halving the step of a smooth problem divides the error by 2^order.
 TEST(integrators, have_their_orders) {
-  const Derived derived = test::derived_of(test::sample_document());
+  const DerivedTrack derived = test::derived_of(test::sample_document());
   const Alone alone(derived, 1, 0.21 * derived.shape(derived.order[1]).arc.length());
   const auto run = [&](world::IntegratorId row, int steps) {
     TrainState state{0, 9.7, 0};
@@ -102,7 +102,7 @@ TEST(integrators, have_their_orders) {
 }
 
 TEST(integrators, the_papers_method_takes_the_speed_from_the_energy) {
-  const Derived derived = test::derived_of(test::sample_document());
+  const DerivedTrack derived = test::derived_of(test::sample_document());
   const SegmentShape& shape = derived.shape(derived.order[0]);
   const double s = 0.3 * shape.arc.length(), height = rail_point(shape, s).height, datum = 2.7;
   const Alone alone(derived, 0, s, datum, 9.81 * (height - datum) + 0.5 * 8.1 * 8.1);

@@ -10,17 +10,17 @@ namespace lap_table_test {
 
 struct Lap {
   world::Document document;
-  Derived derived;
+  DerivedTrack derived;
   RideCache cache;
   world::Entity cart;
   TrainStart start;
 
   explicit Lap(int cars = 1, double speed = 17.3) : document(test::ring_document(12, 40.3, 7.7)) {
     cart = world::add_cart(document, document.track.segments[4], 0.37);
-    document.entities.get<world::Cart>(cart).cars = cars;
+    document.entities.get<world::Train>(cart).cars = cars;
     document.start_speed = speed;
     derive(document, {}, {}, derived);
-    start = start_of(document, derived, document.entities.get<world::Cart>(cart));
+    start = start_of(document, derived, document.entities.get<world::Train>(cart));
   }
   const LapTable& table() { return cache.lap(document, derived, start); }
 };
@@ -30,7 +30,7 @@ TEST(lap_table, is_the_simulated_ride_at_whole_ticks) {
   const LapTable table = lap.table();
   ASSERT_TRUE(table.valid());
   const SimulatedRide& simulated = lap.cache.from(lap.document, lap.derived, lap.start);
-  LapCart cart = lap_cart(table, 0);
+  LapTrain cart = lap_cart(table, 0);
   for (std::size_t tick = 0; static_cast<double>(tick) < table.period(); ++tick) {
     ASSERT_EQ(cart.along, simulated.samples[tick].travelled) << tick;
     ASSERT_EQ(cart.speed, simulated.samples[tick].speed) << tick;
@@ -43,15 +43,15 @@ TEST(lap_table, is_the_simulated_ride_at_whole_ticks) {
 TEST(lap_table, moves_many_carts_with_the_bits_of_one) {
   Lap lap;
   const LapTable table = lap.table();
-  std::vector<LapCart> alone;
-  LapCarts together;
+  std::vector<LapTrain> alone;
+  LapTrains together;
   for (int i = 0; i < 331; ++i) {  // no multiple of any width; some just before the end of the lap
     const double phase = i % 10 == 0 ? table.period() - 1e-9 * (i + 1) : std::fmod(i * 7.31, table.period());
     alone.push_back(lap_cart(table, phase));
     together.add(alone.back());
   }
   for (int tick = 0; tick < 3000; ++tick) {
-    for (LapCart& cart : alone) advance(table, cart);
+    for (LapTrain& cart : alone) advance(table, cart);
     advance(table, together);
   }
   for (std::size_t i = 0; i < alone.size(); ++i) {
@@ -90,7 +90,7 @@ struct Rides {
   void step(int ticks, const char* row) {
     sim::step(lap.document, lap.derived, base::value_named<world::IntegratorId>(row).value(), ticks, lap.cache, motion);
   }
-  const world::CartMotion& cart() const { return motion.carts.items()[0]; }
+  const world::TrainMotion& cart() const { return motion.carts.items()[0]; }
   // The first time at which it has gone round `laps` times, s, by the ticks around it and the speed.
   double time_of_laps(int laps, const char* row) {
     const double way = laps * lap.derived.length;
@@ -147,7 +147,7 @@ TEST(precomputed, hands_over_to_another_integrator_where_it_is) {
 // 100 trains along a circuit, all running.
 struct Crowd {
   world::Document document = test::ring_document(12, 400.3, 7.7);
-  Derived derived;
+  DerivedTrack derived;
   RideCache cache;
   world::Motion motion;
 
@@ -171,7 +171,7 @@ TEST(lap_table, is_shared_by_a_hundred_trains_of_one_energy) {
   truth.run("rk4", 1200);
   EXPECT_EQ(crowd.cache.simulations(), 1u);
   for (std::size_t i = 0; i < 100; ++i) {
-    const world::CartMotion &is = crowd.motion.carts.items()[i], &should = truth.motion.carts.items()[i];
+    const world::TrainMotion &is = crowd.motion.carts.items()[i], &should = truth.motion.carts.items()[i];
     ASSERT_NEAR(is.travelled, should.travelled, 1e-3) << i;
     ASSERT_NEAR(is.speed, should.speed, 1e-4) << i;
     ASSERT_EQ(is.laps, should.laps) << i;
@@ -182,7 +182,7 @@ TEST(lap_table, is_shared_by_a_hundred_trains_of_one_energy) {
 TEST(lap_table, trains_of_a_crowd_have_the_bits_of_one_alone) {
   Crowd crowd;
   crowd.run("precomputed", 1);
-  const std::vector<world::CartMotion> before = crowd.motion.carts.items();
+  const std::vector<world::TrainMotion> before = crowd.motion.carts.items();
   crowd.run("precomputed", 777);
   for (const std::size_t i : {0u, 1u, 63u, 64u, 99u}) {
     world::Motion alone;

@@ -9,7 +9,7 @@ namespace coaster::test {
 
 struct LiveRide {
   world::Document document;
-  sim::Derived derived;
+  sim::DerivedTrack derived;
   world::Motion motion;
   sim::RideCache cache;
 
@@ -22,7 +22,7 @@ struct LiveRide {
     sim::step(document, derived, base::value_named<world::IntegratorId>(row).value(), ticks, cache, motion);
   }
   bool runs() const { return motion.state == world::RideState::running; }
-  world::CartMotion& train(std::size_t i = 0) { return motion.carts.items().at(i); }
+  world::TrainMotion& train(std::size_t i = 0) { return motion.carts.items().at(i); }
   double drift(std::size_t i = 0) {
     return sim::energy_drift(document, derived, motion.carts.entities().at(i), train(i));
   }

@@ -11,15 +11,15 @@ namespace passing_test {
 
 using world::EquipmentKind;
 
-struct Ridden {
+struct RiddenTrain {
   world::Document document;
-  Derived derived;
+  DerivedTrack derived;
   RideCache cache;
   const SimulatedRide* simulated = nullptr;
 
-  Ridden(world::Document d, double speed, int cars, double fraction = 0) : document(std::move(d)) {
+  RiddenTrain(world::Document d, double speed, int cars, double fraction = 0) : document(std::move(d)) {
     const world::Entity train = world::add_cart(document, document.track.segments.front(), fraction);
-    document.entities.get<world::Cart>(train).cars = cars;
+    document.entities.get<world::Train>(train).cars = cars;
     document.start_speed = speed;
     derive(document, {}, {}, derived);
     simulated = cache.ride(document, derived, train);
@@ -41,9 +41,9 @@ world::Document straight(const world::Equipment& e) {
 // The share of the cars on a brake grows by one car each spacing: its work on the train is the sum of these steps.
 TEST(passing, a_brake_takes_from_each_train_what_its_cars_on_it_do) {
   for (const int cars : {1, 2, 5, 8}) {
-    const Ridden ride(straight({EquipmentKind::brake, 2, 4.3f, 0.2f, 0}), 27, cars, 0.6);
+    const RiddenTrain ride(straight({EquipmentKind::brake, 2, 4.3f, 0.2f, 0}), 27, cars, 0.6);
     const double a = 4.3f, d = ride.simulated->start.spacing, in = ride.derived.starts[1], out = ride.derived.starts[2];
-    const Passings passings(*ride.simulated);
+    const PassingLookup passings(*ride.simulated);
     ASSERT_TRUE(passings.at(in) && passings.at(out));
     EXPECT_NEAR(passings.at(in)->speed, 27, 1e-6);
     const auto square = [&](double way) {  // that the first car is on the brake
@@ -60,10 +60,10 @@ TEST(passing, a_brake_takes_from_each_train_what_its_cars_on_it_do) {
 }
 
 TEST(passing, speeds_on_a_tilted_ring_are_those_of_the_energy) {
-  const Ridden ride(test::ring_document(24, 40, 6), 19, 1, 0.7);
+  const RiddenTrain ride(test::ring_document(24, 40, 6), 19, 1, 0.7);
   ASSERT_TRUE(ride.simulated->lap);
   const double start = ride.height(ride.simulated->start.front);
-  const Passings passings(*ride.simulated);
+  const PassingLookup passings(*ride.simulated);
   for (int i = 0; i <= 400; ++i) {
     const double at = ride.derived.length * i / 400;
     ASSERT_TRUE(passings.at(at)) << at;
@@ -75,13 +75,13 @@ TEST(passing, speeds_on_a_tilted_ring_are_those_of_the_energy) {
 TEST(passing, a_ride_that_rolls_back_has_its_first_passes_and_one_backwards_its_own) {
   world::Document slope = test::straight_document({0, 0, 0}, {60, 30, 0}, 3);
   slope.rollback_fails = false;
-  const Ridden up(slope, 12, 1, 0.5);
+  const RiddenTrain up(slope, 12, 1, 0.5);
   const double top = 12 * 12 / (2 * world::kGravity * std::sin(std::atan2(30, 60))), from = up.simulated->start.front;
   ASSERT_TRUE(passing(*up.simulated, from + 0.9 * top));
   EXPECT_NEAR(passing(*up.simulated, from + 0.9 * top)->speed, 12 * std::sqrt(0.1), 1e-6);
   EXPECT_FALSE(passing(*up.simulated, from + 1.1 * top));
   EXPECT_FALSE(passing(*up.simulated, from - 0.1)) << "a first pass is forwards";
-  const Ridden down(slope, 0.5, 1, 0.5);
+  const RiddenTrain down(slope, 0.5, 1, 0.5);
   const auto back = passing(*down.simulated, down.simulated->start.front - 4);
   ASSERT_TRUE(back);
   const double pull = world::kGravity * std::sin(std::atan2(30, 60));

@@ -7,9 +7,9 @@
 namespace coaster::sim {
 namespace pose_test {
 
-world::CartMotion at_distance(const Derived& derived, double distance, double speed) {
+world::TrainMotion at_distance(const DerivedTrack& derived, double distance, double speed) {
   const TrackPlace place = place_at(derived, distance);
-  world::CartMotion cart;
+  world::TrainMotion cart;
   cart.segment = derived.order[place.index];
   cart.s = place.s;
   cart.speed = speed;
@@ -19,14 +19,14 @@ world::CartMotion at_distance(const Derived& derived, double distance, double sp
 }
 
 // Of a single car on a plain track.
-Felt felt_by(const Derived& derived, const world::CartMotion& cart) {
+FeltAcceleration felt_by(const DerivedTrack& derived, const world::TrainMotion& cart) {
   return felt(world::Document{}, derived, world::kNone, cart);
 }
 
 TEST(felt, at_rest_on_the_flat_is_one_g_up) {
-  const Derived derived = test::derived_of(test::straight_document({1.1f, 2.3f, 2.7f}, {31.1f, 2.3f, 7.7f}, 3));
+  const DerivedTrack derived = test::derived_of(test::straight_document({1.1f, 2.3f, 2.7f}, {31.1f, 2.3f, 7.7f}, 3));
   for (const double distance : {0.0, 7.3, derived.length}) {
-    const Felt f = felt_by(derived, at_distance(derived, distance, 0));
+    const FeltAcceleration f = felt_by(derived, at_distance(derived, distance, 0));
     EXPECT_NEAR(f.up, 1, 1e-9);
     EXPECT_NEAR(f.left, 0, 1e-9);
     EXPECT_NEAR(f.forward, 0, 1e-9);
@@ -34,8 +34,8 @@ TEST(felt, at_rest_on_the_flat_is_one_g_up) {
 }
 
 TEST(felt, rolling_freely_down_a_straight_slope_is_weightless_forwards) {
-  const Derived derived = test::derived_of(test::straight_document({1.1f, 12.3f, 2.7f}, {25.1f, 2.3f, 2.7f}, 3));
-  const Felt f = felt_by(derived, at_distance(derived, 11.7, 6.1));
+  const DerivedTrack derived = test::derived_of(test::straight_document({1.1f, 12.3f, 2.7f}, {25.1f, 2.3f, 2.7f}, 3));
+  const FeltAcceleration f = felt_by(derived, at_distance(derived, 11.7, 6.1));
   EXPECT_NEAR(f.forward, 0, 1e-6);
   EXPECT_NEAR(f.up, 24.0 / 26.0, 1e-6);
   EXPECT_NEAR(f.left, 0, 1e-9);
@@ -45,11 +45,11 @@ TEST(felt, a_circular_loop_has_the_closed_form) {
   // Heartline at radius R - d with the rail's angle s/R: v^2 (R - d)/R^2 towards the centre, 4.64 g at R = 7.5 m, d
   // = 1.1 m, 20 m/s; along the rails -g sin(a) (R - d)/R. Gravity comes on top.
   const double radius = 7.5, inside = 6.4, speed = 20;
-  const Derived derived = test::derived_of(test::circle_document(radius, {3.3, 1.7, -2.9}, {0.6, 0, 0.8}));
+  const DerivedTrack derived = test::derived_of(test::circle_document(radius, {3.3, 1.7, -2.9}, {0.6, 0, 0.8}));
   const double turn = speed * speed * inside / (radius * radius) / 9.81;
   EXPECT_NEAR(turn, 4.64, 0.005);
   for (const double a : {0.05, 1.3, M_PI / 2, 2.9, 4.4}) {
-    const Felt f = felt_by(derived, at_distance(derived, a * radius, speed));
+    const FeltAcceleration f = felt_by(derived, at_distance(derived, a * radius, speed));
     // 64 cubics: their curvature strays from 1/R by 1e-4 of it.
     EXPECT_NEAR(f.up, turn + std::cos(a), 5e-3) << a;
     EXPECT_NEAR(f.forward, std::sin(a) * (1 - inside / radius), 5e-3) << a;
@@ -59,8 +59,8 @@ TEST(felt, a_circular_loop_has_the_closed_form) {
 
 TEST(felt, a_flat_turn_to_the_left_pushes_to_the_left) {
   const double radius = 20, speed = 11.3;
-  const Derived derived = test::derived_of(test::ring_document(64, radius, 0));
-  const Felt f = felt_by(derived, at_distance(derived, 31.7, speed));
+  const DerivedTrack derived = test::derived_of(test::ring_document(64, radius, 0));
+  const FeltAcceleration f = felt_by(derived, at_distance(derived, 31.7, speed));
   EXPECT_NEAR(f.left, speed * speed / radius / 9.81, 3e-3);
   EXPECT_NEAR(f.up, 1, 1e-3);
   EXPECT_NEAR(felt_by(derived, at_distance(derived, 31.7, -speed)).left, f.left, 1e-9);
@@ -68,8 +68,8 @@ TEST(felt, a_flat_turn_to_the_left_pushes_to_the_left) {
 
 TEST(pose, sits_on_the_curve_facing_along_it) {
   const world::Document d = test::sample_document();
-  const Derived derived = test::derived_of(d);
-  const world::CartMotion cart = at_distance(derived, 41.3, 5);
+  const DerivedTrack derived = test::derived_of(d);
+  const world::TrainMotion cart = at_distance(derived, 41.3, 5);
   const Pose p = pose(derived, cart, world::FrameMethod::knots);
   const curve::NearestPoint near = curve::nearest_point(world::cubic_of(d, cart.segment), p.position);
   EXPECT_LT(near.distance, 1e-6);
@@ -84,10 +84,10 @@ TEST(pose, cars_follow_each_other_at_the_trains_spacing) {
     world::Document d = round ? test::ring_document(64, radius, 0.0)
                               : test::straight_document({1.1f, 2.3f, 2.7f}, {41.1f, 9.3f, 7.7f}, 3);
     const world::Entity train = world::add_cart(d, d.track.segments[0], 0.0);
-    d.entities.get<world::Cart>(train).cars = 4;
-    d.entities.get<world::Cart>(train).spacing = static_cast<float>(spacing);
-    const Derived derived = test::derived_of(d);
-    const world::CartMotion cart = at_distance(derived, 25.3, 5);
+    d.entities.get<world::Train>(train).cars = 4;
+    d.entities.get<world::Train>(train).spacing = static_cast<float>(spacing);
+    const DerivedTrack derived = test::derived_of(d);
+    const world::TrainMotion cart = at_distance(derived, 25.3, 5);
     const std::vector<Pose> cars = car_poses(d, derived, train, cart, world::FrameMethod::knots);
     ASSERT_EQ(cars.size(), 4u);
     EXPECT_LT(glm::distance(cars[0].position, pose(derived, cart, world::FrameMethod::knots).position), 1e-9);
@@ -108,20 +108,20 @@ TEST(felt, each_car_feels_the_place_where_it_is) {
   for (const std::size_t i : {0u, 1u})
     d.entities.get<world::Knot>(d.track.knots[i]).spin = static_cast<float>(M_PI / 2 / 30);
   const world::Entity train = world::add_cart(d, d.track.segments[0], 0.0);
-  d.entities.get<world::Cart>(train).cars = 3;
-  d.entities.get<world::Cart>(train).spacing = 10;
-  const Derived derived = test::derived_of(d);
-  const world::CartMotion cart = at_distance(derived, 25, 0);  // cars at 25, 15 and 5 m of 30 m
+  d.entities.get<world::Train>(train).cars = 3;
+  d.entities.get<world::Train>(train).spacing = 10;
+  const DerivedTrack derived = test::derived_of(d);
+  const world::TrainMotion cart = at_distance(derived, 25, 0);  // cars at 25, 15 and 5 m of 30 m
   for (int car = 0; car < 3; ++car) {
     const double roll = M_PI / 2 * (25 - 10 * car) / 30;
-    const Felt f = felt(d, derived, train, cart, car);
+    const FeltAcceleration f = felt(d, derived, train, cart, car);
     EXPECT_NEAR(f.up, std::cos(roll), 1e-3) << car;
     EXPECT_NEAR(std::abs(f.left), std::sin(roll), 1e-3) << car;
   }
 }
 
 TEST(pose, frenet_points_up_to_the_centre_of_curvature) {
-  const Derived derived = test::derived_of(test::circle_document(7.5, {3.3, 1.7, -2.9}, {0.6, 0, 0.8}));
+  const DerivedTrack derived = test::derived_of(test::circle_document(7.5, {3.3, 1.7, -2.9}, {0.6, 0, 0.8}));
   const glm::dvec3 centre(3.3, 9.2, -2.9);
   for (const double distance : {1.3, 17.1, 30.7}) {
     const Pose p = pose(derived, at_distance(derived, distance, 5), world::FrameMethod::frenet);
@@ -134,8 +134,8 @@ TEST(pose, where_frenet_is_undefined_the_knots_frame_stands_in) {
   // Along an axis the control points are collinear to the bit.
   world::Document d = test::straight_document({1.25f, 2.5f, 2.75f}, {31.25f, 2.5f, 2.75f});
   world::set_roll(d.entities.get<world::Knot>(d.track.knots[0]), 25);
-  const Derived derived = test::derived_of(d);
-  const world::CartMotion cart = at_distance(derived, 11.3, 5);
+  const DerivedTrack derived = test::derived_of(d);
+  const world::TrainMotion cart = at_distance(derived, 11.3, 5);
   const Pose frenet = pose(derived, cart, world::FrameMethod::frenet),
              knots = pose(derived, cart, world::FrameMethod::knots);
   EXPECT_FALSE(frenet.defined);

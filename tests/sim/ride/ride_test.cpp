@@ -11,7 +11,7 @@ constexpr double kG = 9.81;
 
 struct Ride {
   world::Document document;
-  Derived derived;
+  DerivedTrack derived;
   world::Motion motion;
   RideCache cache;
 
@@ -25,10 +25,10 @@ struct Ride {
   void step(int ticks, const char* row = "rk4") {
     sim::step(document, derived, base::value_named<world::IntegratorId>(row).value(), ticks, cache, motion);
   }
-  world::CartMotion& cart(std::size_t i = 0) { return motion.carts.items().at(i); }
+  world::TrainMotion& cart(std::size_t i = 0) { return motion.carts.items().at(i); }
   // v^2/2 + g y of a cart, from the segment's control points by de Casteljau at the parameter that bisection finds for
   // s.
-  double energy_by_hand(const world::CartMotion& at) const {
+  double energy_by_hand(const world::TrainMotion& at) const {
     const curve::Cubic c = world::cubic_of(document, at.segment);
     double low = 0, high = 1;
     for (int i = 0; i < 60; ++i) {
@@ -78,7 +78,7 @@ TEST(ride, the_drift_is_the_energy_that_is_missing_by_the_largest_of_motion) {
     peak = std::max(peak, 0.5 * ride.cart().speed * ride.cart().speed);
     ride.step(1);
   }
-  world::CartMotion faster = ride.cart();
+  world::TrainMotion faster = ride.cart();
   peak = std::max(peak, 0.5 * faster.speed * faster.speed);
   const double added = 0.105 * faster.speed * faster.speed;  // (1.1^2 - 1) / 2
   faster.speed *= 1.1;
@@ -243,7 +243,7 @@ TEST(ride_reconcile, carts_come_and_go_with_the_document) {
   Ride ride(with_cart(test::ring_document(12, 20.3), 4, 0.37), 14.3);
   ride.start();
   ride.step(77);
-  const world::CartMotion kept = ride.cart();
+  const world::TrainMotion kept = ride.cart();
   const world::Entity first = ride.motion.carts.entities()[0];
   const world::Entity second = world::add_cart(ride.document, ride.document.track.segments[7], 0.6);
   reconcile(ride.document, ride.derived, ride.motion);
@@ -261,13 +261,13 @@ TEST(ride_reconcile, a_moving_cart_keeps_segment_fraction_and_speed_under_an_edi
   Ride ride(with_cart(test::ring_document(12, 20.3), 4, 0.37), 14.3);
   ride.start();
   ride.step(3);
-  const world::CartMotion before = ride.cart();
+  const world::TrainMotion before = ride.cart();
   const double fraction = before.s / before.segment_length;
   const std::size_t at = *world::index_of(ride.document.track.segments, before.segment);
   ride.document.entities.get<world::Knot>(ride.document.track.knots[at]).position += glm::vec3(0.3f, 4.1f, -0.7f);
   derive(ride.document, {}, {}, ride.derived);
   reconcile(ride.document, ride.derived, ride.motion);
-  const world::CartMotion& after = ride.cart();
+  const world::TrainMotion& after = ride.cart();
   EXPECT_EQ(after.segment, before.segment);
   EXPECT_EQ(after.speed, before.speed);
   EXPECT_EQ(after.travelled, before.travelled);
@@ -281,7 +281,7 @@ TEST(ride_reconcile, an_edit_elsewhere_changes_nothing_but_the_distance) {
   Ride ride(with_cart(test::ring_document(12, 20.3), 4, 0.37), 14.3);
   ride.start();
   ride.step(3);
-  world::CartMotion before = ride.cart();
+  world::TrainMotion before = ride.cart();
   ride.document.entities.get<world::Knot>(ride.document.track.knots[9]).position.y += 3.1f;
   derive(ride.document, {}, {}, ride.derived);
   reconcile(ride.document, ride.derived, ride.motion);

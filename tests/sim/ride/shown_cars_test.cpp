@@ -15,7 +15,7 @@ constexpr std::size_t kExact = 200;
 // 300 trains of 4 cars anywhere on a circuit, at rest.
 struct Crowd {
   world::Document document = test::sample_document();
-  Derived derived;
+  DerivedTrack derived;
   world::Motion motion;
   Crowd() {
     std::mt19937 bits(9);
@@ -23,7 +23,7 @@ struct Crowd {
       const std::size_t segment = bits() % document.track.segments.size();
       const auto fraction = static_cast<float>(bits() / 4294967296.0);
       const world::Entity train = world::add_cart(document, document.track.segments[segment], fraction);
-      world::Cart& design = document.entities.get<world::Cart>(train);
+      world::Train& design = document.entities.get<world::Train>(train);
       design.cars = 4, design.length = 1.5f + static_cast<float>(i % 3);
     }
     derived = test::derived_of(document);

@@ -18,13 +18,13 @@ constexpr double kG = world::kGravity;
 
 struct Riding {
   world::Document document;
-  Derived derived;
+  DerivedTrack derived;
   RideCache cache;
   world::Entity cart;
 
   Riding(world::Document d, std::size_t segment, double fraction, double speed, int cars = 1) : document(std::move(d)) {
     cart = world::add_cart(document, document.track.segments.at(segment), fraction);
-    document.entities.get<world::Cart>(cart).cars = cars;
+    document.entities.get<world::Train>(cart).cars = cars;
     document.start_speed = speed;
     derive(document, {}, {}, derived);
   }
@@ -78,7 +78,7 @@ TEST(simulated_ride, slopes_are_those_of_all_cars_in_any_order_of_the_places) {
       for (std::size_t i = 0; i < tables.size(); ++i) segments.push_back(&tables.segment(i));
       constexpr double kSpacing = 3.3;
       const double step = tables.length() / std::ceil(tables.length() / tables.largest_step());
-      Landscape forwards(tables, segments, cars, kSpacing), leaping(tables, segments, cars, kSpacing);
+      MeanSlopeTable forwards(tables, segments, cars, kSpacing), leaping(tables, segments, cars, kSpacing);
       std::vector<double> places;
       for (double at = 0.3; at < tables.length(); at += 0.77) places.push_back(at);
       std::vector<double> slopes;
@@ -149,13 +149,13 @@ TEST(simulated_ride, keeps_the_energy_and_agrees_with_runge_kutta_on_the_exact_c
     motion.state = world::RideState::running;
     double worst = 0;
     for (std::size_t tick = 0; tick < simulated.samples.size(); ++tick) {
-      const world::CartMotion& cart = motion.carts.items()[0];
+      const world::TrainMotion& cart = motion.carts.items()[0];
       worst = std::max(worst, std::abs(cart.travelled - simulated.samples[tick].travelled));
       step(setup.document, setup.derived, {}, 1, setup.cache, motion);
     }
     EXPECT_LT(worst, 2e-3) << cars;  // m
     // The lap's time, by the speed at the end of it.
-    const world::CartMotion& cart = motion.carts.items()[0];
+    const world::TrainMotion& cart = motion.carts.items()[0];
     const double exact = static_cast<double>(simulated.samples.size()) * world::kTick -
                          (cart.travelled - setup.derived.length) / cart.speed;
     EXPECT_NEAR(simulated.lap_time / exact, 1.0, 1e-5) << cars;

@@ -124,15 +124,15 @@ Most fine_ride(const Bend& bend, double front, double speed) {
   return most;
 }
 
-struct Ridden {
+struct RiddenTrain {
   Ratings ratings;
   SimulatedRide simulated;
 };
-Ridden ride(world::Document d, double front, int cars, float spacing = 1) {
+RiddenTrain ride(world::Document d, double front, int cars, float spacing = 1) {
   world::add_cart(d, d.track.segments[0], 0);
   const world::Entity cart = world::first_cart(d);
-  const Derived derived = test::derived_of(d);
-  world::Cart& design = d.entities.get<world::Cart>(cart);
+  const DerivedTrack derived = test::derived_of(d);
+  world::Train& design = d.entities.get<world::Train>(cart);
   design.fraction = front / derived.length, design.cars = cars, design.spacing = spacing;
   RideCache cache;
   const SimulatedRide& simulated = *cache.ride(d, derived, cart);
@@ -145,7 +145,7 @@ void expect_near(double found, double right, double speed, const char* what) {
   EXPECT_NEAR(found, right, std::max(0.02 * std::abs(right), 0.004 * half_turn)) << what;
 }
 
-TEST(TightWay, FeelsLevelAndBankedBends) {
+TEST(TightBendMotion, FeelsLevelAndBankedBends) {
   std::mt19937 random(20);
   const auto draw = [&](double low, double high) { return std::uniform_real_distribution(low, high)(random); };
   for (int i = 0; i < 24; ++i) {
@@ -167,7 +167,7 @@ TEST(TightWay, FeelsLevelAndBankedBends) {
   }
 }
 
-TEST(TightWay, FeelsCrestsAndValleys) {
+TEST(TightBendMotion, FeelsCrestsAndValleys) {
   std::mt19937 random(21);
   const auto draw = [&](double low, double high) { return std::uniform_real_distribution(low, high)(random); };
   for (int i = 0; i < 20; ++i) {
@@ -196,7 +196,7 @@ world::Document reversing(double speed, glm::vec3 direction, float size) {
   return d;
 }
 
-TEST(TightWay, FeelsReversalsWhereverTheSamplesFall) {
+TEST(TightBendMotion, FeelsReversalsWhereverTheSamplesFall) {
   std::mt19937 random(22);
   const auto draw = [&](double low, double high) { return std::uniform_real_distribution(low, high)(random); };
   for (int i = 0; i < 60; ++i) {
@@ -213,7 +213,7 @@ TEST(TightWay, FeelsReversalsWhereverTheSamplesFall) {
 }
 
 // Felt in the axes of the track between them, one pushes forwards and the next backwards.
-TEST(TightWay, FeelsReversalsThatFollowSoonToAndFro) {
+TEST(TightBendMotion, FeelsReversalsThatFollowSoonToAndFro) {
   for (const double speed : {5.0, 10.0, 20.0}) {
     const double size = 20, apart = size * (5.0 / 32 - 1.0 / 8) / speed;  // s: B(1/4) and B(1/2) are at these shares
     constexpr double kBin = 1e-5;
@@ -231,7 +231,7 @@ TEST(TightWay, FeelsReversalsThatFollowSoonToAndFro) {
   }
 }
 
-TEST(TightWay, DependsLittleOnWhereTheSamplesFall) {
+TEST(TightBendMotion, DependsLittleOnWhereTheSamplesFall) {
   for (const double radius : {2e-4, 0.019, 0.1, 0.43, 1.0, 1.9})
     for (const double speed : {3.0, 10.0, 28.0}) {
       const Bend bend{.radius = radius};
@@ -247,11 +247,11 @@ TEST(TightWay, DependsLittleOnWhereTheSamplesFall) {
 }
 
 // Without losses on the level the sharpest place is passed at its distance over the speed.
-TEST(TightWay, IsPassedWhenTheTrainIsThere) {
+TEST(TightBendMotion, IsPassedWhenTheTrainIsThere) {
   for (const double speed : {3.0, 10.0, 28.0})
     for (const double start : {2.0, 8.0, 15.0}) {
       const world::Document document = document_of({.radius = 0.1}, speed);
-      const Ridden found = ride(document, start, 1);
+      const RiddenTrain found = ride(document, start, 1);
       const auto bend = std::ranges::find_if(found.simulated.bends, [](const BendPassage& b) {
         return b.peak.impulse.left != 0 || b.peak.impulse.up != 0;
       });
@@ -277,7 +277,7 @@ world::Document closed_of(const std::vector<curve::Cubic>& cubics, double speed)
 }
 
 // A level drop of two long segments with its sharp end where one leads to the other, and of the same curve in sixteen.
-TEST(TightWay, IsTheSameHoweverAClosedTrackIsDivided) {
+TEST(TightBendMotion, IsTheSameHoweverAClosedTrackIsDivided) {
   for (const float near : {0.1f, 0.3f})
     for (const double speed : {3.0, 8.0}) {
       std::vector<curve::Cubic> cubics{{{0, 5, 0}, {0, 5, -3}, {2, 5, -near}, {2, 5, 0}},
@@ -300,11 +300,11 @@ TEST(TightWay, IsTheSameHoweverAClosedTrackIsDivided) {
     }
 }
 
-TEST(TightWay, EndsWhereTheTableIsFineEnough) {
+TEST(TightBendMotion, EndsWhereTheTableIsFineEnough) {
   const double radius = 1.01 * kTightRadius;
   for (const double speed : {2.0, 10.0, 30.0}) {
     const Bend bend{.radius = radius};
-    const Ridden found = ride(document_of(bend, speed), 8, 1);
+    const RiddenTrain found = ride(document_of(bend, speed), 8, 1);
     EXPECT_TRUE(found.simulated.bends.empty());
     const Most right = fine_ride(bend, 8, speed);
     expect_near(found.ratings.side_most.value, std::max(right.most.y, -right.least.y), speed, "side");

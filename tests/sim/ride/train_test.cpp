@@ -9,7 +9,7 @@ namespace train_test {
 
 TEST(train, cars_stand_their_spacing_apart_over_joints_and_the_seam) {
   const world::Document d = test::ring_document(12, 20.3);
-  const Derived derived = test::derived_of(d);
+  const DerivedTrack derived = test::derived_of(d);
   const double spacing = 3.7;
   std::vector<TrackPlace> places;
   place_cars(derived, {0, 1.3}, 9, spacing, places);
@@ -24,7 +24,7 @@ TEST(train, cars_stand_their_spacing_apart_over_joints_and_the_seam) {
 }
 
 TEST(train, behind_goes_forward_by_negative_distances) {
-  const Derived derived = test::derived_of(test::ring_document(7, 11.1));
+  const DerivedTrack derived = test::derived_of(test::ring_document(7, 11.1));
   const TrackPlace there = behind(derived, {3, 2.2}, -25.5);
   const TrackPlace back = behind(derived, there, 25.5);
   EXPECT_EQ(back.index, 3u);
@@ -32,8 +32,8 @@ TEST(train, behind_goes_forward_by_negative_distances) {
 }
 
 TEST(train, a_train_longer_than_the_circuit_loses_cars) {
-  const Derived derived = test::derived_of(test::ring_document(7, 3.1, 0.2));
-  world::Cart design;
+  const DerivedTrack derived = test::derived_of(test::ring_document(7, 3.1, 0.2));
+  world::Train design;
   design.cars = 20, design.spacing = 3;
   EXPECT_EQ(cars_on(derived, design), static_cast<int>(derived.length / 3));
   design.cars = 2;
@@ -41,7 +41,7 @@ TEST(train, a_train_longer_than_the_circuit_loses_cars) {
 }
 
 TEST(train, cars_hang_over_an_open_start_along_its_tangent) {
-  const Derived derived = test::derived_of(test::straight_document({1.1f, 9.3f, 2.7f}, {31.1f, 6.3f, 2.7f}, 3));
+  const DerivedTrack derived = test::derived_of(test::straight_document({1.1f, 9.3f, 2.7f}, {31.1f, 6.3f, 2.7f}, 3));
   std::vector<TrackPlace> places;
   place_cars(derived, {0, 1.0}, 3, 4.0, places);
   const TrainContext context{derived, places, 0, 0, {}, 0, 0};
@@ -52,7 +52,7 @@ TEST(train, cars_hang_over_an_open_start_along_its_tangent) {
 }
 
 TEST(train, gravity_is_the_slope_of_the_mean_height) {
-  const Derived derived = test::derived_of(test::ring_document(12, 20.3));
+  const DerivedTrack derived = test::derived_of(test::ring_document(12, 20.3));
   std::vector<TrackPlace> places;
   place_cars(derived, {5, 2.0}, 8, 3.0, places);
   const TrainContext context{derived, places, 0, 0, {}, 0, 0};
@@ -61,7 +61,7 @@ TEST(train, gravity_is_the_slope_of_the_mean_height) {
 }
 
 TEST(train, joints_ahead_and_behind_are_the_nearest_of_any_car) {
-  const Derived derived = test::derived_of(test::ring_document(12, 20.3));
+  const DerivedTrack derived = test::derived_of(test::ring_document(12, 20.3));
   std::vector<TrackPlace> places;
   place_cars(derived, {5, 2.0}, 3, 3.0, places);
   const TrainContext context{derived, places, 0, 0, {}, 0, 0};

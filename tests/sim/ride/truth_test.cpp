@@ -51,34 +51,34 @@ world::Document fitted(const Curve& curve, double length, int segments) {
 
 // Puts the train's first car `distance` m along a track of equally long segments.
 world::Document with_train(world::Document d, double distance, double speed, int cars = 1, float spacing = 3) {
-  const Derived derived = test::derived_of(d);
+  const DerivedTrack derived = test::derived_of(d);
   const TrackPlace place = place_at(derived, distance);
   const double length = derived.shape(derived.order[place.index]).arc.length();
   const world::Entity cart = world::add_cart(d, derived.order[place.index], place.s / length);
-  d.entities.get<world::Cart>(cart).cars = cars;
-  d.entities.get<world::Cart>(cart).spacing = spacing;
+  d.entities.get<world::Train>(cart).cars = cars;
+  d.entities.get<world::Train>(cart).spacing = spacing;
   d.start_speed = speed, d.rollback_fails = false;
   return d;
 }
 
 struct Moment {
   double time, travelled, speed;
-  std::vector<Felt> felt;  // of each car, first to last
+  std::vector<FeltAcceleration> felt;  // of each car, first to last
 };
 // Moments of a ride, 60 a second, up to `seconds` or the end of the track.
 using Simulate = std::vector<Moment> (*)(const world::Document& document, double seconds);
 
 std::vector<Moment> on_the_curve(const world::Document& document, double seconds) {
-  const Derived derived = test::derived_of(document);
+  const DerivedTrack derived = test::derived_of(document);
   world::Motion motion;
   RideCache cache;
   reset(document, derived, motion);
   motion.state = world::RideState::running;
   const world::Entity entity = motion.carts.entities()[0];
-  const int cars = document.entities.get<world::Cart>(entity).cars;
+  const int cars = document.entities.get<world::Train>(entity).cars;
   std::vector<Moment> moments;
   for (int tick = 0; tick < seconds * world::kTicksPerSecond; tick += kForceEvery) {
-    const world::CartMotion& cart = motion.carts.items()[0];
+    const world::TrainMotion& cart = motion.carts.items()[0];
     moments.push_back({tick * world::kTick, cart.travelled, cart.speed, {}});
     for (int car = 0; car < cars; ++car) moments.back().felt.push_back(felt(document, derived, entity, cart, car));
     step(document, derived, {}, kForceEvery, cache, motion);
@@ -88,9 +88,9 @@ std::vector<Moment> on_the_curve(const world::Document& document, double seconds
 }
 
 std::vector<Moment> over_tables(const world::Document& document, double seconds) {
-  const Derived derived = test::derived_of(document);
+  const DerivedTrack derived = test::derived_of(document);
   RideCache cache;
-  const world::Entity entity = document.entities.pool<world::Cart>().entities()[0];
+  const world::Entity entity = document.entities.pool<world::Train>().entities()[0];
   const SimulatedRide& simulated = *cache.ride(document, derived, entity);
   const auto cars = static_cast<std::size_t>(simulated.start.cars);
   std::vector<Moment> moments;
@@ -100,7 +100,7 @@ std::vector<Moment> over_tables(const world::Document& document, double seconds)
     const RideSample& sample = simulated.samples[tick];
     moments.push_back({static_cast<double>(tick) * world::kTick, sample.travelled, sample.speed, {}});
     for (std::size_t car = 0; car < cars; ++car) {
-      const Felt& force = simulated.forces[tick / kForceEvery * cars + car];
+      const FeltAcceleration& force = simulated.forces[tick / kForceEvery * cars + car];
       moments.back().felt.push_back(force);
     }
   }
@@ -142,7 +142,7 @@ TEST(truth, a_train_in_a_loop) {
         speed.add(method.name, "train" + length, middle, moment.speed, std::sqrt(v2));
         for (const auto& [car, name] : {std::pair(0, "front"), std::pair(3, "middle"), std::pair(6, "back")}) {
           const double a = front - car * q;
-          const Felt& felt = moment.felt.at(static_cast<std::size_t>(car));
+          const FeltAcceleration& felt = moment.felt.at(static_cast<std::size_t>(car));
           up.add(method.name, name + length, middle, felt.up, v2 * heart / (radius * radius) / kG + std::cos(a));
           forward.add(method.name, name + length, middle, felt.forward,
                       std::sin(a) - share * heart / radius * std::sin(middle));
@@ -198,13 +198,13 @@ TEST(truth, a_roll_about_the_rails_and_a_heartline_roll) {
     // Not in the first and last 8 m, where the roll starts and ends.
     for (const Moment& m : method.simulate(with_train(fitted(about_rails, length, 30), 8, v), 6.8)) {
       const double roll = k * (8 + m.travelled);
-      const Felt& felt = m.felt[0];
+      const FeltAcceleration& felt = m.felt[0];
       up.add(method.name, "about the rails", 8 + m.travelled, felt.up, std::cos(roll) - v * v * k * k * h / kG);
       side.add(method.name, "about the rails", 8 + m.travelled, felt.left, std::sin(roll));
     }
     for (const Moment& m : method.simulate(with_train(fitted(about_heart, length * wide, 120), 8 * wide, v), 6.8)) {
       const double x = 8 + m.travelled / wide, roll = k * x, lead = h * k / wide;  // sine of rails to heartline
-      const Felt& felt = m.felt[0];
+      const FeltAcceleration& felt = m.felt[0];
       up.add(method.name, "about the rider", x, felt.up, std::cos(roll));
       // The rails point off the rider's line, and the train follows gravity along them: -g lead sin(roll).
       side.add(method.name, "about the rider", x, felt.left, std::sin(roll) / wide * (1 + lead * lead));
@@ -219,7 +219,7 @@ double squared_speed(double v0, double a, double c, double s) {
 
 TEST(truth, a_launch) {
   Comparison speed("launch_speed", "m/s", 1e-8);  // the force along the track has no error but RK4's, (c v dt)^5
-  const std::pair<const char*, world::Resistance> losses[] = {
+  const std::pair<const char*, world::Losses> losses[] = {
       {"frictionless", base::row_of(world::LossSet::frictionless).losses},
       {"openFVD", base::row_of(world::LossSet::openfvd).losses},
       {"drag 0.004 /m", {0.03f, 4e-3f}}};
@@ -245,7 +245,7 @@ TEST(truth, the_terminal_speed_on_a_slope) {
     for (const Method& method : kMethods) {
       world::Document d = with_train(test::straight_document({3, 903, 9}, {1203, 3, 9}, 30), 1, v0);
       d.resistance = {0.021f, 4e-3f};
-      d.entities.get<world::Cart>(d.entities.pool<world::Cart>().entities()[0]).mass = static_cast<float>(mass);
+      d.entities.get<world::Train>(d.entities.pool<world::Train>().entities()[0]).mass = static_cast<float>(mass);
       const double drag = d.resistance.drag * 500 / mass, pull = kG * (0.6 - d.resistance.rolling);
       const std::vector<Moment> ride = method.simulate(d, 120);
       for (const Moment& m : ride)

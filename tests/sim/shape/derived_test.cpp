@@ -18,7 +18,7 @@ TEST(derived, only_what_changed_is_rebuilt) {
     world::Document d = test::ring_document(count, 1.6 * count);
     world::Settings settings;
     settings.evaluation->steps = 5;
-    Derived derived;
+    DerivedTrack derived;
     derive(d, settings, {}, derived);
     EXPECT_EQ(derived.rebuilds, count);
     EXPECT_EQ(derived.vertices, 6 * count);
@@ -47,7 +47,7 @@ TEST(derived, only_what_changed_is_rebuilt) {
 
 TEST(derived, rolling_a_knot_rebuilds_the_shapes_at_it) {
   world::Document d = test::ring_document(8, 17.3);
-  Derived derived = test::derived_of(d);
+  DerivedTrack derived = test::derived_of(d);
   world::set_roll(d.entities.get<world::Knot>(d.track.knots[5]), 33.3);
   derive(d, {}, {}, derived);
   EXPECT_EQ(derived.rebuilds, 2);
@@ -55,7 +55,7 @@ TEST(derived, rolling_a_knot_rebuilds_the_shapes_at_it) {
 
 TEST(derived, removed_segments_leave_nothing_behind) {
   world::Document d = test::ring_document(8, 17.3);
-  Derived derived = test::derived_of(d);
+  DerivedTrack derived = test::derived_of(d);
   world::remove_knot(d, d.track.knots[4]);
   derive(d, {}, {}, derived);
   EXPECT_EQ(derived.segments.size(), 7u);
@@ -70,14 +70,14 @@ TEST(derived, removed_segments_leave_nothing_behind) {
 }
 
 TEST(derived, the_length_of_a_circle_is_two_pi_r) {
-  const Derived derived = test::derived_of(test::circle_document(7.5, {3.3, 1.1, -2.7}, {0.6, 0, 0.8}));
+  const DerivedTrack derived = test::derived_of(test::circle_document(7.5, {3.3, 1.1, -2.7}, {0.6, 0, 0.8}));
   // Float control points: 64 of them, each within 1e-6 m.
   EXPECT_NEAR(derived.length, 2 * M_PI * 7.5, 1e-4);
 }
 
 TEST(derived, frames_at_the_ends_are_the_knots) {
   world::Document d = test::sample_document();
-  const Derived derived = test::derived_of(d);
+  const DerivedTrack derived = test::derived_of(d);
   for (const world::Entity e : derived.order) {
     const world::Segment& segment = world::segment(d, e);
     const SegmentShape& shape = derived.shape(e);
@@ -94,7 +94,7 @@ TEST(derived, frames_at_the_ends_are_the_knots) {
 }
 
 TEST(derived, frames_are_orthonormal_and_turn_without_jumps) {
-  const Derived derived = test::derived_of(test::sample_document());
+  const DerivedTrack derived = test::derived_of(test::sample_document());
   for (const world::Entity e : derived.order) {
     const SegmentShape& shape = derived.shape(e);
     curve::Frame last = frame_at(shape, 0);
@@ -119,7 +119,7 @@ TEST(derived, on_a_straight_with_the_mean_spin_at_both_ends_roll_is_linear_in_le
   d.entities.get<world::Segment>(d.track.segments[0]).turns = 1;
   const double total = (360.0 + 50.0) * M_PI / 180;
   for (const world::Entity e : d.track.knots) d.entities.get<world::Knot>(e).spin = static_cast<float>(total / 30);
-  const Derived derived = test::derived_of(d);
+  const DerivedTrack derived = test::derived_of(d);
   const SegmentShape& shape = derived.shape(derived.order[0]);
   EXPECT_NEAR(shape.roll.twist, total, 1e-6);
   for (const double s : {3.1, 7.7, 14.9, 22.3, 29.9}) {
@@ -131,7 +131,7 @@ TEST(derived, on_a_straight_with_the_mean_spin_at_both_ends_roll_is_linear_in_le
 }
 
 TEST(derived, a_planar_circle_keeps_its_frame_without_twist) {
-  const Derived derived = test::derived_of(test::circle_document(7.5, {3.3, 1.1, -2.7}, {0.6, 0, 0.8}));
+  const DerivedTrack derived = test::derived_of(test::circle_document(7.5, {3.3, 1.1, -2.7}, {0.6, 0, 0.8}));
   for (const world::Entity e : derived.order) EXPECT_NEAR(derived.shape(e).roll.twist, 0, 1e-5);
 }
 
@@ -176,7 +176,8 @@ TEST(derived, the_twist_of_a_known_near_cusp) {
 
 TEST(derived, gentle_track_has_the_bits_of_single_steps) {
   for (std::uint32_t seed = 0; seed < 12; ++seed) {
-    const Derived derived = test::derived_of(seed == 0 ? test::sample_document() : test::ring_document(20, 60 + seed));
+    const DerivedTrack derived =
+        test::derived_of(seed == 0 ? test::sample_document() : test::ring_document(20, 60 + seed));
     for (const world::Entity e : derived.order) {
       const SegmentShape& shape = derived.shape(e);
       const curve::Cubic& c = shape.key.cubic;
@@ -214,13 +215,13 @@ TEST(derived, over_a_cusp_up_goes_on_and_there_is_no_twist) {
 }
 
 TEST(derived, places_wrap_on_closed_tracks_and_clamp_on_open_ones) {
-  const Derived ring = test::derived_of(test::ring_document(8, 17.3));
+  const DerivedTrack ring = test::derived_of(test::ring_document(8, 17.3));
   for (const double distance : {0.3, 3.7, 55.1, 99.9}) {
     const TrackPlace a = place_at(ring, distance), b = place_at(ring, distance - 3 * ring.length);
     EXPECT_NEAR(ring.starts[a.index] + a.s, distance, 1e-9);
     EXPECT_NEAR(ring.starts[b.index] + b.s, distance, 1e-9);
   }
-  const Derived open = test::derived_of(test::straight_document({1, 2, 3}, {31, 2, 3}, 3));
+  const DerivedTrack open = test::derived_of(test::straight_document({1, 2, 3}, {31, 2, 3}, 3));
   EXPECT_EQ(place_at(open, -5).index, 0u);
   EXPECT_EQ(place_at(open, -5).s, 0.0);
   EXPECT_EQ(place_at(open, 1e9).index, 2u);
@@ -229,7 +230,7 @@ TEST(derived, places_wrap_on_closed_tracks_and_clamp_on_open_ones) {
 
 TEST(derived, the_clock_measures_evaluation_alone) {
   int calls = 0;
-  Derived derived;
+  DerivedTrack derived;
   derive(
       test::ring_document(8, 17.3), {}, [&] { return 0.25 * calls++; }, derived);
   EXPECT_EQ(calls, 16);  // before and after each segment's polyline
@@ -241,7 +242,7 @@ TEST(derived, evaluators_on_the_gpu_leave_no_polylines_and_cost_no_rebuild) {
   world::Document d = test::ring_document(8, 17.3);
   world::Settings settings;
   settings.evaluation->steps = 7;
-  Derived derived;
+  DerivedTrack derived;
   derive(d, settings, {}, derived);
   const double length = derived.length, measured = derived.measured_length;
   std::uint64_t last = derived.last_build;
@@ -279,7 +280,7 @@ TEST(derived, evaluators_on_the_gpu_leave_no_polylines_and_cost_no_rebuild) {
   }
 }
 
-bool same_bits(const Derived& a, const Derived& b) {
+bool same_bits(const DerivedTrack& a, const DerivedTrack& b) {
   const auto bits = []<class T>(const T& x, const T& y) { return std::memcmp(&x, &y, sizeof(T)) == 0; };
   bool same = a.starts == b.starts && a.twists == b.twists && bits(a.measured_length, b.measured_length) &&
               bits(a.deviation, b.deviation) && a.rebuilds == b.rebuilds && a.last_build == b.last_build;
@@ -297,7 +298,7 @@ TEST(derived, any_number_of_threads_gives_the_same_bits) {
   world::Document d = test::ring_document(3001, 4700);
   for (const std::size_t i : {2u, 70u, 2999u}) world::set_roll(d.entities.get<world::Knot>(d.track.knots[i]), 20);
   const world::Settings settings;
-  std::vector<Derived> all(4);
+  std::vector<DerivedTrack> all(4);
   const unsigned workers[] = {1, 2, 7, base::cores()};
   for (const bool again : {false, true}) {
     for (std::size_t i = 0; i < all.size(); ++i) {
@@ -316,7 +317,7 @@ TEST(derived, deviation_is_that_of_the_vertex_farthest_from_the_exact_point) {
       world::Settings settings;
       settings.evaluation->evaluator = static_cast<curve::EvaluatorId>(row);
       settings.evaluation->steps = seed == 4 ? 1 : 97;
-      const Derived derived = test::derived_of(test::random_document(seed), settings);
+      const DerivedTrack derived = test::derived_of(test::random_document(seed), settings);
       for (const world::Entity e : derived.order) {
         const SegmentShape& shape = derived.shape(e);
         const std::vector<glm::vec3> points = test::polyline_of(shape);
@@ -334,7 +335,7 @@ TEST(derived, deviation_is_that_of_the_vertex_farthest_from_the_exact_point) {
 // What caches go by, instead of a look at every segment.
 TEST(derived, tells_what_was_rebuilt_since_a_build) {
   world::Document d = test::ring_document(50, 90);
-  Derived derived = test::derived_of(d);
+  DerivedTrack derived = test::derived_of(d);
   const auto since = [&](std::uint64_t build) {
     const auto changes = derived.changes_since(build);
     std::vector<std::size_t> indices;

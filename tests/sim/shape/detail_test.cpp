@@ -23,7 +23,7 @@ world::Document corners(int count) {
   return d;
 }
 
-std::size_t bytes_of_solids(const Derived& derived) {
+std::size_t bytes_of_solids(const DerivedTrack& derived) {
   const Detail detail = detail_of(derived);
   std::size_t bytes = 0;
   Mesh mesh;
@@ -53,7 +53,7 @@ TEST(detail, knots_at_the_corners_of_the_world_take_bounded_memory) {
   for (const int count : {5, 40}) {
     if (test::kSanitized && count > 5) continue;
     const world::Document d = corners(count);
-    const Derived derived = test::derived_of(d);
+    const DerivedTrack derived = test::derived_of(d);
     ASSERT_GT(derived.length, 2e5 * (count - 1));
     const Detail detail = detail_of(derived);
     EXPECT_FALSE(detail.parts);
@@ -72,7 +72,7 @@ TEST(detail, knots_at_the_corners_of_the_world_take_bounded_memory) {
 }
 
 TEST(detail, many_segments_share_the_rings) {
-  Derived derived;
+  DerivedTrack derived;
   derived.starts = {0, 1000};
   derived.length = 1000;
   int before = kMaxRings;
@@ -88,7 +88,7 @@ TEST(detail, many_segments_share_the_rings) {
 }
 
 TEST(detail, supports_come_back_when_the_track_is_short_again) {
-  const Derived shorter = test::derived_of(test::ring_document(12, 40.0)), longer = test::derived_of(corners(5));
+  const DerivedTrack shorter = test::derived_of(test::ring_document(12, 40.0)), longer = test::derived_of(corners(5));
   Supports fresh, changed;
   fresh.update(shorter);
   ASSERT_GT(fresh.count(), 0);

@@ -12,15 +12,15 @@
 namespace coaster::sim {
 namespace deviation_test {
 
-using Point = std::array<long double, 3>;
+using G2Unknowns = std::array<long double, 3>;
 
-Point operator-(const Point& a, const Point& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
-long double dot(const Point& a, const Point& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+G2Unknowns operator-(const G2Unknowns& a, const G2Unknowns& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
+long double dot(const G2Unknowns& a, const G2Unknowns& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 
 // Bernstein's sum in long double.
-Point point_of(const curve::Cubic& c, long double t) {
+G2Unknowns point_of(const curve::Cubic& c, long double t) {
   const long double s = 1 - t;
-  Point p;
+  G2Unknowns p;
   for (int k = 0; k < 3; ++k)
     p[std::size_t(k)] = s * s * s * c.p0[k] + 3 * s * s * t * c.p1[k] + 3 * s * t * t * c.p2[k] + t * t * t * c.p3[k];
   return p;
@@ -33,13 +33,13 @@ double brute_force(const curve::Cubic& cubic, int steps) {
   constexpr long double kGolden = 0.381966011250105151795L;
   long double worst = 0;
   for (int i = 0; i < steps; ++i) {
-    const Point from = point_of(cubic, (long double)i / steps);
-    const Point chord = point_of(cubic, (long double)(i + 1) / steps) - from;
+    const G2Unknowns from = point_of(cubic, (long double)i / steps);
+    const G2Unknowns chord = point_of(cubic, (long double)(i + 1) / steps) - from;
     const long double square = dot(chord, chord);
     const auto off = [&](long double u) {
-      const Point way = point_of(cubic, (i + u) / steps) - from;
+      const G2Unknowns way = point_of(cubic, (i + u) / steps) - from;
       const long double foot = square > 0 ? std::clamp(dot(way, chord) / square, 0.0L, 1.0L) : 0;
-      const Point d = way - Point{foot * chord[0], foot * chord[1], foot * chord[2]};
+      const G2Unknowns d = way - G2Unknowns{foot * chord[0], foot * chord[1], foot * chord[2]};
       return dot(d, d);
     };
     std::array<long double, kSamples + 3> sampled{};  // of -1 and kSamples + 1, too
@@ -122,14 +122,14 @@ TEST(deviation, the_chord_error_of_a_track_is_the_largest_of_its_segments) {
   world::Settings settings;
   for (const int steps : {1, 3, 64}) {
     settings.evaluation->steps = steps;
-    const Derived derived = test::derived_of(test::ring_document(7, 23.7), settings);
+    const DerivedTrack derived = test::derived_of(test::ring_document(7, 23.7), settings);
     double worst = 0;
     for (const world::Entity segment : derived.order)
       worst = std::max(worst, chord_error(derived.shape(segment).key.cubic, steps));
     EXPECT_NEAR(chord_error(derived), worst, 1e-8 * worst);
     EXPECT_GT(worst, 0);
   }
-  EXPECT_EQ(chord_error(Derived{}), 0);
+  EXPECT_EQ(chord_error(DerivedTrack{}), 0);
   EXPECT_EQ(chord_error({{0, 0, 0}, {1, 5, 0}, {2, 5, 0}, {3, 0, 0}}, 4, 100), 100);  // a larger one is known
 }
 

@@ -40,7 +40,7 @@ world::Document crest(double radius, bool valley) {
 
 TEST(folds, are_where_the_radius_is_below_the_height) {
   for (const double radius : {0.3, 0.9, 1.09}) {
-    const Derived derived = test::derived_of(crest(radius, false));
+    const DerivedTrack derived = test::derived_of(crest(radius, false));
     const std::vector<Fold> found = folds_of(derived, -1.1);
     ASSERT_EQ(found.size(), 1u) << radius;
     EXPECT_NEAR(found[0].from, 5, 0.1 * radius) << radius;
@@ -55,7 +55,7 @@ TEST(folds, are_where_the_radius_is_below_the_height) {
 }
 
 TEST(folds, are_not_where_the_curve_bends_away) {
-  const Derived valley = test::derived_of(crest(0.9, true));
+  const DerivedTrack valley = test::derived_of(crest(0.9, true));
   EXPECT_TRUE(folds_of(valley, -1.1).empty());
   EXPECT_EQ(folds_of(valley, 1.1).size(), 1u);  // of a line above it
   EXPECT_TRUE(folds_of(valley, 0).empty());
@@ -67,7 +67,7 @@ TEST(folds, hold_every_step_backwards) {
   for (int seed = 1; seed <= test::tries(40); ++seed) {
     world::Document d = test::random_document(static_cast<std::uint32_t>(seed));
     d.curve = world::TrackCurve::heartline, d.heartline = 4.7;
-    const Derived derived = test::derived_of(d);
+    const DerivedTrack derived = test::derived_of(d);
     const std::vector<Fold> found = folds_of(derived, -4.7);
     folded += static_cast<int>(found.size());
     for (std::size_t i = 0; i < derived.order.size(); ++i) {
@@ -96,7 +96,7 @@ TEST(folds, hold_every_step_backwards) {
 
 TEST(folds, are_found_again_only_after_changes) {
   world::Document d = crest(0.9, false);
-  Derived derived = test::derived_of(d);
+  DerivedTrack derived = test::derived_of(d);
   Folds folds;
   ASSERT_EQ(folds.update(derived).size(), 1u);
   const double from = folds.update(derived)[0].from;

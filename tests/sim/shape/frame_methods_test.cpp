@@ -53,7 +53,7 @@ TEST(frame_methods, the_table_has_a_row_for_each_method_in_order) {
 
 TEST(frame_methods, every_row_gives_a_right_handed_frame_along_the_tangent) {
   for (const bool closed : {true, false}) {
-    const Derived derived = test::derived_of(banked_ring(closed));
+    const DerivedTrack derived = test::derived_of(banked_ring(closed));
     for (const FrameMethodRow& row : frame_methods())
       for (std::size_t i = 0; i < derived.order.size(); ++i)
         for (const double share : {0.0, 0.137, 0.5, 0.93, 1.0}) {
@@ -69,7 +69,7 @@ TEST(frame_methods, every_row_gives_a_right_handed_frame_along_the_tangent) {
 }
 
 TEST(frame_methods, rmf_on_an_open_track_solves_the_equation_of_least_turning) {
-  const Derived derived = test::derived_of(banked_ring(false));
+  const DerivedTrack derived = test::derived_of(banked_ring(false));
   EXPECT_EQ(loop_twist(derived), 0);
   dvec3 up = track_frame(derived, FrameMethod::rmf, 0, 0.0).frame.up;
   for (std::size_t i = 0; i < derived.order.size(); ++i) {
@@ -81,7 +81,7 @@ TEST(frame_methods, rmf_on_an_open_track_solves_the_equation_of_least_turning) {
 }
 
 TEST(frame_methods, rmf_closes_a_loop_by_spreading_the_twist_that_is_left_over) {
-  const Derived derived = test::derived_of(banked_ring(true));
+  const DerivedTrack derived = test::derived_of(banked_ring(true));
   const curve::Frame first = track_frame(derived, FrameMethod::rmf, 0, 0.0).frame;
   dvec3 up = first.up;
   for (const world::Entity e : derived.order) up = carried(derived.shape(e).key.cubic, up, 400);
@@ -109,10 +109,10 @@ TEST(frame_methods, a_plane_loop_has_no_twist_left_over) {
 
 TEST(frame_methods, rolling_the_knots_does_not_turn_the_rmf) {
   world::Document d = banked_ring(true);
-  const Derived before = test::derived_of(d);
+  const DerivedTrack before = test::derived_of(d);
   for (std::size_t i = 1; i < d.track.knots.size(); ++i)
     world::set_roll(d.entities.get<world::Knot>(d.track.knots[i]), 151.3);
-  const Derived after = test::derived_of(d);
+  const DerivedTrack after = test::derived_of(d);
   EXPECT_NEAR(loop_twist(before), loop_twist(after), 1e-5);
   for (const double distance : {11.1, 97.7, 203.3}) {
     const TrackPlace p = place_at(before, distance);
@@ -126,12 +126,12 @@ TEST(frame_methods, rolling_the_knots_does_not_turn_the_rmf) {
 }
 
 TEST(frame_methods, world_up_is_level_to_the_left_and_marked_on_a_vertical) {
-  const Derived derived = test::derived_of(banked_ring(true));
+  const DerivedTrack derived = test::derived_of(banked_ring(true));
   const TrackFrame f = track_frame(derived, FrameMethod::world_up, 3, 4.4);
   EXPECT_TRUE(f.defined);
   EXPECT_NEAR(f.frame.left().y, 0, 1e-12);
   EXPECT_GT(f.frame.up.y, 0);
-  const Derived vertical = test::derived_of(test::straight_document({3.3f, 1.1f, 7.7f}, {3.3f, 31.1f, 7.7f}, 2));
+  const DerivedTrack vertical = test::derived_of(test::straight_document({3.3f, 1.1f, 7.7f}, {3.3f, 31.1f, 7.7f}, 2));
   const TrackFrame v = track_frame(vertical, FrameMethod::world_up, 1, 3.3);
   EXPECT_FALSE(v.defined);
   EXPECT_NEAR(glm::length(v.frame.up), 1, 1e-12);
@@ -146,7 +146,7 @@ TEST(frame_methods, frenet_keeps_the_last_normal_over_a_straight_and_says_so) {
   world::append_knot(d, test::skew_knot({43.3f, 5.5f, -47.7f}, {0, 0, -1}, 5, 5));
   world::append_knot(d, test::skew_knot({43.3f, 5.5f, -67.7f}, {0, 0, -1}, 5, 5));
   world::set_roll(d.entities.get<world::Knot>(d.track.knots[2]), 77.7);
-  const Derived derived = test::derived_of(d);
+  const DerivedTrack derived = test::derived_of(d);
   const TrackFrame on_bend = track_frame(derived, FrameMethod::frenet, 0, 11.1);
   EXPECT_TRUE(on_bend.defined);
   EXPECT_LT(glm::length(dvec3(on_bend.frame.up) -
@@ -161,14 +161,14 @@ TEST(frame_methods, frenet_keeps_the_last_normal_over_a_straight_and_says_so) {
       EXPECT_LT(glm::length(f.frame.up - dvec3(-1, 0, 0)), 1e-5) << i << " " << s;
     }
   // Nothing curved before: the knots' frame.
-  const Derived straight = test::derived_of(test::straight_document({1.1f, 2.2f, 3.3f}, {31.1f, 2.2f, 9.3f}, 3));
+  const DerivedTrack straight = test::derived_of(test::straight_document({1.1f, 2.2f, 3.3f}, {31.1f, 2.2f, 9.3f}, 3));
   const TrackFrame f = track_frame(straight, FrameMethod::frenet, 2, 1.0);
   EXPECT_FALSE(f.defined);
   EXPECT_EQ(f.frame.up, track_frame(straight, FrameMethod::knots, 2, 1.0).frame.up);
 }
 
 TEST(frame_methods, a_segments_place_is_found_from_a_wrong_guess_too) {
-  const Derived derived = test::derived_of(banked_ring(true));
+  const DerivedTrack derived = test::derived_of(banked_ring(true));
   for (std::size_t i = 0; i < derived.order.size(); ++i) {
     EXPECT_EQ(index_of_segment(derived, derived.order[i], derived.starts[i]), i);
     EXPECT_EQ(index_of_segment(derived, derived.order[i], 1e9), i);

@@ -21,7 +21,7 @@ world::Document s_bend() {
 }
 
 TEST(frenet_breaks, an_inflection_is_one_flip_by_180_degrees_at_its_place) {
-  const Derived derived = test::derived_of(s_bend());
+  const DerivedTrack derived = test::derived_of(s_bend());
   const auto found = frenet_breaks(derived);
   ASSERT_EQ(found.size(), 1u);
   EXPECT_EQ(found[0].kind, Kind::flip);
@@ -68,7 +68,7 @@ TEST(frenet_breaks, agree_with_a_walk_along_random_segments) {
   // anywhere.
   int flips = 0, none = 0;
   for (std::uint32_t seed = 1; seed < 60; ++seed) {
-    const Derived derived = test::derived_of(test::random_document(seed));
+    const DerivedTrack derived = test::derived_of(test::random_document(seed));
     for (const world::Entity e : derived.order) {
       const curve::Cubic& c = derived.shape(e).key.cubic;
       const auto found = frenet_breaks(derived.shape(e), e);
@@ -91,7 +91,8 @@ TEST(frenet_breaks, agree_with_a_walk_along_random_segments) {
 }
 
 TEST(frenet_breaks, straights_are_undefined_from_end_to_end) {
-  const Derived derived = test::derived_of(test::straight_document({101.1f, 12.3f, 2.7f}, {163.1f, 31.3f, -7.7f}, 3));
+  const DerivedTrack derived =
+      test::derived_of(test::straight_document({101.1f, 12.3f, 2.7f}, {163.1f, 31.3f, -7.7f}, 3));
   const auto found = frenet_breaks(derived);
   ASSERT_EQ(found.size(), 3u);
   for (const FrenetBreak& b : found) {
@@ -108,7 +109,7 @@ TEST(frenet_breaks, a_plane_ring_has_none_and_a_joint_between_left_and_right_has
   world::append_knot(d, test::skew_knot({23.3f, 5.5f, -7.7f}, {1, 0, 0}, h, h));
   world::append_knot(d, test::skew_knot({43.3f, 5.5f, -27.7f}, {0, 0, -1}, h, h));
   world::append_knot(d, test::skew_knot({63.3f, 5.5f, -47.7f}, {1, 0, 0}, h, h));
-  const Derived derived = test::derived_of(d);
+  const DerivedTrack derived = test::derived_of(d);
   const auto found = frenet_breaks(derived);
   ASSERT_EQ(found.size(), 1u);
   EXPECT_EQ(found[0].kind, Kind::flip);
@@ -120,7 +121,7 @@ TEST(frenet_breaks, a_plane_ring_has_none_and_a_joint_between_left_and_right_has
 TEST(frenet_breaks, the_kept_list_is_the_fresh_one_after_every_edit) {
   FrenetBreaks kept;
   world::Document d = test::ring_document(11, 37.7, 9.1);
-  Derived derived;
+  DerivedTrack derived;
   std::mt19937 bits(5);
   for (int i = 0; i < 30; ++i) {
     if (i % 7 == 6) world::set_closed(d, !d.track.closed);

@@ -18,14 +18,14 @@ vec3 at(const world::Document& d, std::size_t knot) {
   return world::knot(d, d.track.knots[knot]).position + vec3(1.3f, 4.1f, -0.7f);
 }
 
-double length_of(const Derived& derived, const NearTrack& near) {
+double length_of(const DerivedTrack& derived, const NearSegments& near) {
   double length = 0;
   for (const std::size_t i : near.indices()) length += derived.shape_at(i).arc.length();
   return length;
 }
 
 // Each segment that comes within reach of the eye is near, whatever the steps of the eye; of those far off none is.
-void expect_complete(const Derived& derived, const NearTrack& near, vec3 eye, double reach, double most) {
+void expect_complete(const DerivedTrack& derived, const NearSegments& near, vec3 eye, double reach, double most) {
   const std::set<std::size_t> found(near.indices().begin(), near.indices().end());
   ASSERT_EQ(found.size(), near.indices().size());
   EXPECT_TRUE(std::is_sorted(near.indices().begin(), near.indices().end()));
@@ -40,13 +40,13 @@ void expect_complete(const Derived& derived, const NearTrack& near, vec3 eye, do
 
 TEST(near_track, is_everything_unless_the_track_is_very_long) {
   for (const double radius : {300.0, 2'300.0}) {
-    const Derived derived = test::derived_of(test::ring_document(200, radius));
-    NearTrack near;
+    const DerivedTrack derived = test::derived_of(test::ring_document(200, radius));
+    NearSegments near;
     near.look_from({{0, 0, 0}, 50});
     near.update(derived);
     EXPECT_TRUE(near.everywhere()) << radius;
   }
-  NearTrack near;
+  NearSegments near;
   near.update(test::derived_of(test::ring_document(200, 2'500)));  // 15.7 km
   EXPECT_FALSE(near.everywhere());
   EXPECT_TRUE(near.indices().empty()) << "nobody looks";
@@ -54,8 +54,8 @@ TEST(near_track, is_everything_unless_the_track_is_very_long) {
 
 TEST(near_track, is_all_that_comes_within_reach_of_the_eye) {
   world::Document d = test::ring_document(24'000, 40'000);
-  Derived derived = test::derived_of(d);
-  NearTrack near;
+  DerivedTrack derived = test::derived_of(d);
+  NearSegments near;
   for (const std::size_t knot : {std::size_t{0}, std::size_t{7777}, std::size_t{23'999}}) {
     const vec3 eye = at(d, knot);
     near.look_from({eye, 400});
@@ -80,8 +80,8 @@ TEST(near_track, is_all_that_comes_within_reach_of_the_eye) {
 
 TEST(near_track, is_at_most_so_long_however_much_is_within_reach) {
   const world::Document d = test::ring_document(24'000, 11'000);  // 69 km
-  const Derived derived = test::derived_of(d);
-  NearTrack near;
+  const DerivedTrack derived = test::derived_of(d);
+  NearSegments near;
   near.look_from({{13, 40, -7}, 20'000});  // the middle of the ring: all or nothing
   near.update(derived);
   EXPECT_TRUE(near.indices().empty());
@@ -94,9 +94,9 @@ TEST(near_track, is_at_most_so_long_however_much_is_within_reach) {
 
 TEST(near_track, does_not_change_while_the_eye_stays_within_its_step) {
   const world::Document d = test::ring_document(24'000, 40'000);
-  const Derived derived = test::derived_of(d);
+  const DerivedTrack derived = test::derived_of(d);
   const vec3 eye = 16.0f * glm::round(at(d, 3) / 16.0f);
-  NearTrack near;
+  NearSegments near;
   near.look_from({eye, 300});
   near.update(derived);
   const std::vector<std::size_t> first = near.indices();
@@ -110,8 +110,8 @@ TEST(near_track, does_not_change_while_the_eye_stays_within_its_step) {
 
 TEST(near_track, has_finer_rails_than_the_whole_track_may) {
   const world::Document d = test::ring_document(100'000, 60'000);
-  Derived derived = test::derived_of(d);
-  NearTrack near;
+  DerivedTrack derived = test::derived_of(d);
+  NearSegments near;
   const Detail whole = detail_of(derived);
   EXPECT_EQ(near.detail(whole), whole);
   near.look_from({at(d, 9), 100});

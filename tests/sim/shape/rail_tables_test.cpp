@@ -15,7 +15,7 @@ world::Document hilly() { return test::ring_document(12, 40.3, 7.7); }
 
 TEST(rail_tables, heights_and_slopes_are_those_of_the_curve) {
   const world::Document d = hilly();
-  const Derived derived = test::derived_of(d);
+  const DerivedTrack derived = test::derived_of(d);
   RailTables tables;
   tables.update(derived, 1.1);
   ASSERT_EQ(tables.size(), derived.order.size());
@@ -36,7 +36,7 @@ TEST(rail_tables, heights_and_slopes_are_those_of_the_curve) {
 }
 
 TEST(rail_tables, rails_go_on_straight_beyond_their_ends) {
-  const Derived derived = test::derived_of(test::sample_document());
+  const DerivedTrack derived = test::derived_of(test::sample_document());
   RailTables tables;
   tables.update(derived, 0);
   const SegmentTable& table = tables.segment(1);
@@ -54,7 +54,7 @@ TEST(rail_tables, what_riders_feel_is_what_the_ride_says_on_the_exact_curve) {
   d.heartline = 1.1;
   const world::Entity cart = world::add_cart(d, d.track.segments[2], 0.0);
   d.start_speed = 17.3;
-  const Derived derived = test::derived_of(d);
+  const DerivedTrack derived = test::derived_of(d);
   RailTables tables;
   tables.update(derived, d.heartline);
   RideCache cache;
@@ -64,8 +64,8 @@ TEST(rail_tables, what_riders_feel_is_what_the_ride_says_on_the_exact_curve) {
   std::size_t hint = 0;
   for (int n = 0; n < 400; ++n) {
     step(d, derived, {}, 3, cache, motion);
-    const world::CartMotion& at = motion.carts.get(cart);
-    const Felt exact = felt(d, derived, cart, at);
+    const world::TrainMotion& at = motion.carts.get(cart);
+    const FeltAcceleration exact = felt(d, derived, cart, at);
     const double s = tables.locate(at.track_distance, hint);
     const double a = -world::kGravity * rail_at(tables.segment(hint), s).slope;
     const glm::vec3 table = felt_at(tables.segment(hint), s, static_cast<float>(a / world::kGravity),
@@ -81,7 +81,7 @@ TEST(rail_tables, what_riders_feel_is_what_the_ride_says_on_the_exact_curve) {
 TEST(rail_tables, entries_are_the_derivatives_of_the_heartline) {
   world::Document d = hilly();
   world::set_roll(d.entities.get<world::Knot>(d.track.knots[3]), 37);
-  const Derived derived = test::derived_of(d);
+  const DerivedTrack derived = test::derived_of(d);
   const double heartline = 1.1, step = 0.02;
   for (const std::size_t index : {std::size_t{1}, std::size_t{2}, std::size_t{3}}) {
     const SegmentShape& shape = derived.shape_at(index);
@@ -111,7 +111,7 @@ TEST(rail_tables, the_heartline_of_a_twisted_straight_has_the_closed_form_up_to_
   d.entities.get<world::Segment>(d.track.segments[0]).turns = 1;
   const double heartline = 1.1, w = 2 * M_PI / 12;
   for (const world::Entity e : d.track.knots) d.entities.get<world::Knot>(e).spin = static_cast<float>(w);
-  const Derived derived = test::derived_of(d);
+  const DerivedTrack derived = test::derived_of(d);
   RailTables tables;
   tables.update(derived, heartline);
   const std::vector<FeltEntry>& felt = tables.segment(0).felt;
@@ -128,7 +128,7 @@ TEST(rail_tables, the_heartline_of_a_twisted_straight_has_the_closed_form_up_to_
 
 TEST(rail_tables, an_edit_refills_its_two_segments_alone) {
   world::Document d = hilly();
-  Derived derived;
+  DerivedTrack derived;
   derive(d, {}, {}, derived);
   RailTables tables;
   tables.update(derived, 1.1);
@@ -151,7 +151,7 @@ TEST(rail_tables, an_edit_refills_its_two_segments_alone) {
 }
 
 TEST(rail_tables, places_wrap_on_a_closed_track_and_stay_on_an_open_one) {
-  const Derived derived = test::derived_of(hilly());
+  const DerivedTrack derived = test::derived_of(hilly());
   RailTables tables;
   tables.update(derived, 0);
   for (const double d : {0.3, 17.7, derived.length - 0.1})
@@ -162,7 +162,7 @@ TEST(rail_tables, places_wrap_on_a_closed_track_and_stay_on_an_open_one) {
       EXPECT_NEAR(s, expected, 1e-9);
       EXPECT_NEAR(tables.start(hint) + s, d, 1e-9);
     }
-  const Derived open = test::derived_of(test::straight_document({1, 2, 3}, {31, 2, 3}, 3));
+  const DerivedTrack open = test::derived_of(test::straight_document({1, 2, 3}, {31, 2, 3}, 3));
   RailTables straight;
   straight.update(open, 0);
   std::size_t hint = 1;
@@ -178,7 +178,7 @@ TEST(rail_tables, a_long_segment_with_a_tight_bend_has_cells_only_there) {
   world::Document d;
   world::append_knot(d, test::skew_knot({0, 5, 0}, {1, 0, 0}, 4000, 4000));
   world::append_knot(d, test::skew_knot({5000, 5, 0}, {0, 0, 1}, 0.5f, 0.5f));
-  const Derived derived = test::derived_of(d);
+  const DerivedTrack derived = test::derived_of(d);
   RailTables tables;
   tables.update(derived, 1.1);
   const SegmentTable& table = tables.segment(0);

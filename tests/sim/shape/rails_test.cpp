@@ -39,7 +39,7 @@ TEST(rails, are_the_curve_or_below_it_by_the_heartline) {
 // The closed form of the direction against differences of points.
 TEST(rails, run_along_their_own_tangent) {
   const world::Document d = heartline_document();
-  const Derived derived = test::derived_of(d);
+  const DerivedTrack derived = test::derived_of(d);
   double most = 0;
   for (std::size_t i = 0; i < derived.order.size(); ++i) {
     const SegmentShape& shape = derived.shape_at(i);
@@ -64,7 +64,7 @@ TEST(rails, run_along_their_own_tangent) {
 // The spin of rails about the curve, seen from a rotation-minimising frame that is carried along the rails.
 TEST(rails, spin_about_their_own_tangent) {
   const world::Document d = heartline_document();
-  const Derived derived = test::derived_of(d);
+  const DerivedTrack derived = test::derived_of(d);
   const SegmentShape& shape = derived.shape_at(2);
   const double length = shape.arc.length();
   double roll = 0, wanted = 0;
@@ -87,7 +87,7 @@ TEST(rails, spin_about_their_own_tangent) {
 // Every vertex of a rail is on a tube next to the line below the curve.
 TEST(rails, have_their_mesh_below_the_curve) {
   const world::Document d = heartline_document();
-  const Derived derived = test::derived_of(d);
+  const DerivedTrack derived = test::derived_of(d);
   for (std::size_t i = 0; i < derived.order.size(); ++i) {
     const SegmentShape& shape = derived.shape_at(i);
     Mesh mesh;
@@ -108,7 +108,7 @@ TEST(rails, have_their_mesh_below_the_curve) {
 
 TEST(rails, carry_the_cars_and_the_supports) {
   world::Document d = heartline_document();
-  const Derived derived = test::derived_of(d);
+  const DerivedTrack derived = test::derived_of(d);
   const TrackPlace place{1, 0.4 * derived.shape_at(1).arc.length()};
   for (const world::FrameMethod method : {world::FrameMethod::knots, world::FrameMethod::world_up})
     EXPECT_LT(glm::distance(pose(derived, place, method).position, below(derived.shape_at(1), place.s, 1.3)), 1e-12);
@@ -122,7 +122,7 @@ TEST(rails, carry_the_cars_and_the_supports) {
       EXPECT_LT(glm::distance(ring.position, below(shape, s, 1.3)), 1e-3);
     }
   d.heartline = 0.4;  // another height moves the rails: every shape is built again
-  Derived again = derived;
+  DerivedTrack again = derived;
   derive(d, {}, {}, again);
   EXPECT_EQ(again.rebuilds, static_cast<int>(again.order.size()));
   EXPECT_LT(glm::distance(rails_at(again.shape_at(0), 3), below(derived.shape_at(0), 3, 0.4)), 1e-12);
@@ -131,7 +131,7 @@ TEST(rails, carry_the_cars_and_the_supports) {
 // Rows every 0.05 m of the curve, read by the standard library; Front is the direction from row to row.
 TEST(rails, are_the_rows_of_a_csv) {
   const world::Document d = heartline_document();
-  const Derived derived = test::derived_of(d);
+  const DerivedTrack derived = test::derived_of(d);
   std::istringstream in(exchange::print_nl2_csv(d, exchange::kNl2Spacing));
   std::string line;
   std::getline(in, line);

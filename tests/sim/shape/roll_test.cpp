@@ -77,7 +77,7 @@ TEST(roll, without_spin_it_is_the_smooth_step) {
 TEST(roll, frames_roll_at_the_same_rate_on_both_sides_of_every_joint) {
   for (const std::uint32_t seed : {1u, 2u, 3u}) {
     const world::Document d = tumbling(seed);
-    const Derived derived = shapes_of(d);
+    const DerivedTrack derived = shapes_of(d);
     for (std::size_t i = 0; i < derived.order.size(); ++i) {
       const SegmentShape &before = derived.shape_at(i), &after = derived.shape_at((i + 1) % derived.order.size());
       const double spin = double{world::knot(d, d.track.knots[(i + 1) % d.track.knots.size()]).spin};
@@ -98,7 +98,7 @@ TEST(roll, frames_roll_at_the_same_rate_on_both_sides_of_every_joint) {
 }
 
 TEST(roll, frames_turn_as_the_roll_says_within_segments) {
-  const Derived derived = shapes_of(tumbling(4));
+  const DerivedTrack derived = shapes_of(tumbling(4));
   for (const world::Entity e : derived.order) {
     const SegmentShape& shape = derived.shape(e);
     for (const double share : {0.2, 0.5, 0.83}) {

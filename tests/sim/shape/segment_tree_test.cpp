@@ -162,7 +162,7 @@ TEST(segment_tree, refitted_boxes_are_those_of_a_tree_built_anew) {
 
 TEST(segment_tree, follows_what_is_derived_and_keeps_its_nodes_while_knots_move) {
   world::Document d = test::ring_document(101, 160);
-  Derived derived = test::derived_of(d);
+  DerivedTrack derived = test::derived_of(d);
   const auto in_step = [&] {
     ASSERT_EQ(derived.tree.cubics.size(), derived.order.size());
     for (std::size_t i = 0; i < derived.order.size(); ++i)

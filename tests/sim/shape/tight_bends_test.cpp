@@ -30,7 +30,7 @@ world::Document with_bends(std::initializer_list<double> radii) {
 }
 
 TEST(TightBends, AreFoundInTrackOrder) {
-  const Derived derived = test::derived_of(with_bends({0.019, 0.6, 0.3}));
+  const DerivedTrack derived = test::derived_of(with_bends({0.019, 0.6, 0.3}));
   const std::vector<TightBend> bends = tight_bends_of(derived);
   ASSERT_EQ(bends.size(), 2u);
   EXPECT_NEAR(bends[0].radius, 0.019, 1e-4);
@@ -44,7 +44,7 @@ TEST(TightBends, AreFoundInTrackOrder) {
 
 // A circle of 0.4 m, of 16 segments: bent too tightly all along, through every joint.
 TEST(TightBends, ThatGoOnThroughJointsAreOne) {
-  const Derived derived = test::derived_of(test::circle_document(0.4, {0, 10, 0}, {1, 0, 0}, 16));
+  const DerivedTrack derived = test::derived_of(test::circle_document(0.4, {0, 10, 0}, {1, 0, 0}, 16));
   EXPECT_EQ(tight_bends_of(derived).size(), 1u);
   EXPECT_NEAR(least_radius(derived), 0.4, 1e-3);
 }
@@ -53,7 +53,7 @@ TEST(TightBends, ReversalsCountEach) {
   world::Document d;
   world::append_knot(d, test::skew_knot({3, 4, 5}, {1, 0, 1}, 10, 10));
   world::append_knot(d, test::skew_knot({17, 4, 19}, {1, 0, 1}, 30, 10));
-  const Derived derived = test::derived_of(d);
+  const DerivedTrack derived = test::derived_of(d);
   const std::vector<TightBend> bends = tight_bends_of(derived);
   ASSERT_EQ(bends.size(), 2u);
   EXPECT_EQ(bends[0].radius, 0);
@@ -77,7 +77,7 @@ TEST(TightBends, ShippedTracksHaveNone) {
     const auto track = exchange::load_track(files, entry.path());
     if (!track) continue;
     ++tracks;
-    const Derived derived = shapes_of(track->document);
+    const DerivedTrack derived = shapes_of(track->document);
     EXPECT_TRUE(tight_bends_of(derived).empty()) << entry.path();
     EXPECT_GT(least_radius(derived), kTightRadius) << entry.path() << ": rides in cells";
   }
@@ -87,7 +87,7 @@ TEST(TightBends, ShippedTracksHaveNone) {
 // A change looks at its own segments alone; 100,000 segments take well under 0.2 s.
 TEST(TightBends, AreCachedBySegment) {
   world::Document d = test::ring_document(300, 400);
-  Derived derived = test::derived_of(d);
+  DerivedTrack derived = test::derived_of(d);
   static int looked = 0;
   Folds kept([](const SegmentShape& shape) {
     ++looked;

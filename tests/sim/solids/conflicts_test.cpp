@@ -19,7 +19,7 @@ namespace conflicts_test {
 
 using glm::dvec3;
 
-std::vector<Conflict> conflicts_of(const Derived& derived) {
+std::vector<Conflict> conflicts_of(const DerivedTrack& derived) {
   Conflicts conflicts;
   return conflicts.update(derived);
 }
@@ -66,7 +66,7 @@ world::Document criss_cross(std::uint32_t seed, std::size_t knots) {
 TEST(conflicts, track_over_track_needs_room_for_heads) {
   constexpr double kEnough = kTrainRadius + kTrackRadius + kTrainLift + kTrackDrop;  // m from rails to rails
   for (const double over : {0.5, 1.5, 2.5, kEnough - 0.05}) {
-    const Derived derived = test::derived_of(crossing(static_cast<float>(over)));
+    const DerivedTrack derived = test::derived_of(crossing(static_cast<float>(over)));
     const auto found = conflicts_of(derived);
     ASSERT_EQ(found.size(), 1u) << over;
     // Lines that cross at right angles: the lower one's train is kTrainLift over its rails, the upper one's spine
@@ -95,7 +95,7 @@ TEST(conflicts, track_beside_track_needs_room_for_elbows) {
 TEST(conflicts, are_found_in_slices) {
   for (const std::size_t most : {std::size_t{1}, std::size_t{5}, std::size_t{1000}}) {
     world::Document d = criss_cross(8, 40);
-    Derived derived = test::derived_of(d);
+    DerivedTrack derived = test::derived_of(d);
     Conflicts conflicts;
     std::mt19937 bits(3);
     const auto search = [&](int slices) {
@@ -142,7 +142,7 @@ struct Sample {
   dvec3 train, track;
   double distance;
 };
-double worst_of(const Derived& derived, double same_stretch) {
+double worst_of(const DerivedTrack& derived, double same_stretch) {
   std::vector<Sample> samples;
   for (std::size_t i = 0; i < derived.order.size(); ++i) {
     const SegmentShape& shape = derived.shape(derived.order[i]);
@@ -169,7 +169,7 @@ TEST(conflicts, the_worst_is_that_of_a_search_through_all_places) {
   for (const std::uint32_t seed : {7u, 8u, 9u, 10u, 11u, 12u}) {
     world::Document d = criss_cross(seed, 14);
     world::set_closed(d, seed % 2 == 0);
-    const Derived derived = test::derived_of(d);
+    const DerivedTrack derived = test::derived_of(d);
     double worst = 0;
     for (const Conflict& conflict : conflicts_of(derived)) worst = std::max(worst, conflict.missing), ++some;
     // Chords of 2 m cut corners, and end in between places that are kSameStretch apart.
@@ -181,7 +181,7 @@ TEST(conflicts, the_worst_is_that_of_a_search_through_all_places) {
 
 TEST(conflicts, follow_from_the_track_alone_however_it_came_to_be_so) {
   world::Document d = criss_cross(8, 40);
-  Derived derived = test::derived_of(d);
+  DerivedTrack derived = test::derived_of(d);
   Conflicts kept;
   std::mt19937 bits(3);
   std::size_t most = 0;
@@ -211,7 +211,7 @@ TEST(conflicts, follow_from_the_track_alone_however_it_came_to_be_so) {
 
 TEST(conflicts, a_still_track_costs_nothing_and_a_moved_knot_its_neighbourhood) {
   world::Document d = test::ring_document(200, 400, 0.0);
-  Derived derived = test::derived_of(d);
+  DerivedTrack derived = test::derived_of(d);
   Conflicts conflicts;
   (void)conflicts.update(derived);
   EXPECT_EQ(conflicts.looked_at(), 200);
@@ -237,7 +237,7 @@ TEST(conflicts, track_in_a_heap_is_looked_at_in_bounds) {
 }
 
 TEST(conflicts, of_degenerate_and_random_tracks_are_within_the_track) {
-  Derived derived;  // of one document after the other
+  DerivedTrack derived;  // of one document after the other
   Conflicts kept;
   for (std::uint32_t seed = 0; seed < 20; ++seed) {
     derive(test::random_document(seed), {}, {}, derived);

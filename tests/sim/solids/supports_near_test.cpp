@@ -41,8 +41,8 @@ class NearSupports : public testing::Test {
   }
 
   world::Document document_ = test::ring_document(kSegments, 3'000);  // 18.8 km
-  Derived derived_;
-  NearTrack near_;
+  DerivedTrack derived_;
+  NearSegments near_;
   Supports supports_;
 };
 

@@ -15,7 +15,7 @@ namespace supports_test {
 
 using glm::dvec3;
 
-Supports supports_of(const Derived& derived) {
+Supports supports_of(const DerivedTrack& derived) {
   Supports supports;
   supports.update(derived);
   return supports;
@@ -58,7 +58,7 @@ struct Sample {
   dvec3 place, up, left;
   double distance;  // along the track
 };
-std::vector<Sample> samples_of(const Derived& derived, double spacing) {
+std::vector<Sample> samples_of(const DerivedTrack& derived, double spacing) {
   std::vector<Sample> out;
   for (std::size_t i = 0; i < derived.order.size(); ++i) {
     const SegmentShape& shape = derived.shape(derived.order[i]);
@@ -74,7 +74,7 @@ std::vector<Sample> samples_of(const Derived& derived, double spacing) {
 }
 
 // Returns the number of samples within the envelope of a bar, which is tested point by point.
-int disturbed(const Derived& derived, const Supports& supports) {
+int disturbed(const DerivedTrack& derived, const Supports& supports) {
   const std::vector<Sample> track = samples_of(derived, 0.25);
   int found = 0;
   for (const world::Entity e : derived.order) {
@@ -115,12 +115,12 @@ int disturbed(const Derived& derived, const Supports& supports) {
 
 TEST(supports, keep_out_of_the_room_of_trains_everywhere) {
   for (int seed = 1; seed <= test::tries(4); ++seed) {
-    const Derived derived = test::derived_of(tangle(static_cast<std::uint32_t>(seed), 40));
+    const DerivedTrack derived = test::derived_of(tangle(static_cast<std::uint32_t>(seed), 40));
     const Supports supports = supports_of(derived);
     EXPECT_GT(supports.count(), 15) << seed;
     EXPECT_EQ(disturbed(derived, supports), 0) << seed;
   }
-  const Derived helix = test::derived_of(helix_document(4, 9.3, 4.1));
+  const DerivedTrack helix = test::derived_of(helix_document(4, 9.3, 4.1));
   const Supports supports = supports_of(helix);
   EXPECT_GT(supports.count(), 8);
   EXPECT_EQ(disturbed(helix, supports), 0);
@@ -128,13 +128,13 @@ TEST(supports, keep_out_of_the_room_of_trains_everywhere) {
 
 TEST(supports, the_oracle_sees_a_column_that_stands_in_the_way) {
   // Two levels of a helix, one over the other: straight down from the upper one meets the lower.
-  const Derived derived = test::derived_of(helix_document(2, 9.3, 5.0));
+  const DerivedTrack derived = test::derived_of(helix_document(2, 9.3, 5.0));
   const SegmentShape& upper = derived.shape(derived.order[11]);
   const Ring at = ring_at(upper, 0.5 * upper.arc.length());
   const dvec3 top = at.position - kSpineDrop * at.frame.up;
   const Bar column{glm::vec3(top), {top.x, 0, top.z}, 0.2f, 0.2f, true};
-  Lane lanes[16];
-  std::vector<const Lane*> all;
+  SegmentClearance lanes[16];
+  std::vector<const SegmentClearance*> all;
   for (std::size_t i = 0; i < 16; ++i) {
     const SegmentShape& shape = derived.shape(derived.order[i]);
     lanes[i] = {rings_of(shape), tight_box(shape.key.cubic)};
@@ -163,7 +163,7 @@ TEST(supports, distance_between_lines_is_the_least_of_all_pairs_of_points) {
 
 TEST(supports, stand_about_ten_metres_apart_under_a_free_straight) {
   for (const int segments : {1, 4, 10, 40}) {  // of 120 m, 30 m, 12 m, 3 m
-    const Derived derived =
+    const DerivedTrack derived =
         test::derived_of(test::straight_document({1.7f, 9.3f, 2.1f}, {97.7f, 9.3f, 74.1f}, segments));
     const Supports supports = supports_of(derived);
     std::vector<double> feet;
@@ -181,7 +181,7 @@ TEST(supports, stand_about_ten_metres_apart_under_a_free_straight) {
 
 TEST(supports, are_closer_where_the_track_is_bent_and_where_it_is_high) {
   const auto per_metre = [](const world::Document& d) {
-    const Derived derived = test::derived_of(d);
+    const DerivedTrack derived = test::derived_of(d);
     int places = 0;
     const Supports supports = supports_of(derived);
     for (const world::Entity e : derived.order) places += supports.of(e)->places;
@@ -193,7 +193,7 @@ TEST(supports, are_closer_where_the_track_is_bent_and_where_it_is_high) {
 }
 
 TEST(supports, high_track_stands_on_two_legs) {
-  const Derived derived = test::derived_of(test::straight_document({1.7f, 39.3f, 2.1f}, {25.7f, 39.3f, 20.1f}));
+  const DerivedTrack derived = test::derived_of(test::straight_document({1.7f, 39.3f, 2.1f}, {25.7f, 39.3f, 20.1f}));
   const Supports supports = supports_of(derived);
   const SegmentSupports& found = *supports.of(derived.order[0]);
   EXPECT_EQ(found.bars.size(), 3 * found.holds.size());
@@ -205,7 +205,7 @@ TEST(supports, high_track_stands_on_two_legs) {
 TEST(supports, track_on_its_head_is_held_from_beside_it) {
   world::Document d = test::straight_document({1.7f, 12.3f, 2.1f}, {25.7f, 12.3f, 20.1f});
   for (const world::Entity k : d.track.knots) world::set_roll(d.entities.get<world::Knot>(k), 180);
-  const Derived derived = test::derived_of(d);
+  const DerivedTrack derived = test::derived_of(d);
   ASSERT_LT(derived.shape(derived.order[0]).ups[16].y, -0.99);
   const Supports supports = supports_of(derived);
   const SegmentSupports& found = *supports.of(derived.order[0]);
@@ -220,14 +220,15 @@ TEST(supports, track_on_its_head_is_held_from_beside_it) {
 
 TEST(supports, none_for_track_in_or_on_the_ground) {
   for (const float height : {-5.3f, 0.1f, 1.0f}) {
-    const Derived derived = test::derived_of(test::straight_document({1.7f, height, 2.1f}, {97.7f, height, 74.1f}));
+    const DerivedTrack derived =
+        test::derived_of(test::straight_document({1.7f, height, 2.1f}, {97.7f, height, 74.1f}));
     EXPECT_EQ(supports_of(derived).count(), 0) << height;
   }
 }
 
 TEST(supports, follow_from_the_track_alone_however_it_came_to_be_so) {
   world::Document d = tangle(7, 30);
-  Derived derived = test::derived_of(d);
+  DerivedTrack derived = test::derived_of(d);
   Supports kept;
   std::mt19937 bits(3);
   for (int step = 0; step < 12; ++step) {
@@ -249,7 +250,7 @@ TEST(supports, follow_from_the_track_alone_however_it_came_to_be_so) {
 // Low track that comes below a high straight, in the way of its supports, and leaves again.
 TEST(supports, make_room_for_track_far_below_and_take_it_back) {
   world::Document d = test::straight_document({-30, 34, 2}, {30, 34, 2});
-  Derived derived = test::derived_of(d);
+  DerivedTrack derived = test::derived_of(d);
   Supports kept;
   kept.update(derived);
   const world::Entity high = derived.order[0];
@@ -269,7 +270,7 @@ TEST(supports, make_room_for_track_far_below_and_take_it_back) {
 
 TEST(supports, a_still_track_costs_nothing_and_a_moved_knot_its_neighbourhood) {
   world::Document d = test::ring_document(200, 400, 0.0);
-  Derived derived = test::derived_of(d);
+  DerivedTrack derived = test::derived_of(d);
   Supports supports;
   supports.update(derived);
   EXPECT_EQ(supports.rebuilds(), 200);
@@ -289,7 +290,7 @@ TEST(supports, a_still_track_costs_nothing_and_a_moved_knot_its_neighbourhood) {
 
 TEST(supports, of_degenerate_and_random_tracks_are_finite) {
   for (std::uint32_t seed = 0; seed < 8; ++seed) {
-    const Derived derived = test::derived_of(test::random_document(seed));
+    const DerivedTrack derived = test::derived_of(test::random_document(seed));
     const Supports supports = supports_of(derived);
     Mesh mesh;
     for (const world::Entity e : derived.order) {
@@ -301,13 +302,13 @@ TEST(supports, of_degenerate_and_random_tracks_are_finite) {
 }
 
 TEST(supports, are_closed_solids_with_a_footing_for_every_foot) {
-  const Derived derived = test::derived_of(test::straight_document({1.7f, 29.3f, 2.1f}, {25.7f, 29.3f, 20.1f}));
+  const DerivedTrack derived = test::derived_of(test::straight_document({1.7f, 29.3f, 2.1f}, {25.7f, 29.3f, 20.1f}));
   const Supports supports = supports_of(derived);
   Mesh mesh;
   build_support_mesh(*supports.of(derived.order[0]), mesh);
   EXPECT_EQ(test::open_edges(mesh), 0);
   EXPECT_EQ(test::open_edges(mesh, mesh.coarse), 0);
-  EXPECT_GT(test::volume(mesh, Part::concrete), 0);
+  EXPECT_GT(test::volume(mesh, Material::concrete), 0);
   for (const MeshVertex& v : mesh.vertices) ASSERT_GE(v.position.y, -1e-6f);
 }
 

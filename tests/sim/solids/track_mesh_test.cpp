@@ -30,13 +30,13 @@ Mesh swept(const SegmentShape& shape) {
 
 TEST(track_mesh, tubes_enclose_the_volume_of_prisms) {
   const world::Document d = test::straight_document({3.3f, 7.1f, -2.9f}, {17.7f, 11.3f, 9.1f});
-  const Derived derived = test::derived_of(d);
+  const DerivedTrack derived = test::derived_of(d);
   const Mesh mesh = swept(derived.shape(derived.order[0]));
   const double length = glm::distance(glm::dvec3(3.3, 7.1, -2.9), glm::dvec3(17.7, 11.3, 9.1));
   const double octagon = 4 * std::sin(M_PI / 4);  // area for circumradius 1: n/2 sin(2 pi/n)
-  EXPECT_NEAR(volume(mesh, Part::rail), 2 * octagon * kRailRadius * kRailRadius * length, 1e-4 * length);
+  EXPECT_NEAR(volume(mesh, Material::rail), 2 * octagon * kRailRadius * kRailRadius * length, 1e-4 * length);
   const double dodecagon = 6 * std::sin(M_PI / 6);
-  EXPECT_NEAR(volume(mesh, Part::spine), dodecagon * kSpineRadius * kSpineRadius * length, 1e-4 * length);
+  EXPECT_NEAR(volume(mesh, Material::spine), dodecagon * kSpineRadius * kSpineRadius * length, 1e-4 * length);
   EXPECT_EQ(inside_out(mesh, mesh.indices), 0);
   EXPECT_EQ(inside_out(mesh, mesh.coarse), 0);
   EXPECT_EQ(wrong_normals(mesh), 0);
@@ -46,17 +46,17 @@ TEST(track_mesh, tubes_enclose_the_volume_of_prisms) {
 
 // Each arm goes from its rail to the spine's upper side and widens from 12 to 30 cm: a trapezium times its thickness.
 TEST(track_mesh, every_tie_has_two_arms_from_rail_to_spine_that_mirror_each_other) {
-  const Derived derived = test::derived_of(test::straight_document({1.7f, 14.3f, 2.1f}, {25.7f, 14.3f, 20.1f}));
+  const DerivedTrack derived = test::derived_of(test::straight_document({1.7f, 14.3f, 2.1f}, {25.7f, 14.3f, 20.1f}));
   const Mesh mesh = swept(derived.shape(derived.order[0]));
   std::map<std::pair<float, bool>, std::vector<glm::dvec2>> arms;  // (left, up) of the corners by place and side
   for (const MeshVertex& v : mesh.vertices) {
-    if (v.part != static_cast<float>(Part::tie)) continue;
+    if (v.part != static_cast<float>(Material::tie)) continue;
     const glm::dvec3 p = glm::dvec3(v.position) - glm::dvec3(1.7, 14.3, 2.1);
     arms[{v.along, 0.6 * p.x - 0.8 * p.z > 0}].push_back({0.6 * p.x - 0.8 * p.z, p.y});
   }
   ASSERT_GT(arms.size(), 1u);
   const double reach = std::hypot(0.5 * kGauge - 0.06, kSpineDrop - 0.04), sum = (0.12 + 0.30) / 2 * reach;
-  EXPECT_NEAR(volume(mesh, Part::tie), static_cast<double>(arms.size()) * sum * 2 * kHalfTie, 1e-5);
+  EXPECT_NEAR(volume(mesh, Material::tie), static_cast<double>(arms.size()) * sum * 2 * kHalfTie, 1e-5);
   for (const auto& [place, corners] : arms) {
     const auto other = arms.find({place.first, !place.second});
     ASSERT_NE(other, arms.end());
@@ -70,12 +70,12 @@ TEST(track_mesh, every_tie_has_two_arms_from_rail_to_spine_that_mirror_each_othe
 TEST(track_mesh, normals_of_bent_track_point_outwards) {
   for (const auto& d : {test::ring_document(8, 21.3), test::sample_document(),
                         test::circle_document(7.5, {3.1, 2.2, -1.7}, {1, 0, 0.3}, 8)}) {
-    const Derived derived = test::derived_of(d);
+    const DerivedTrack derived = test::derived_of(d);
     for (const world::Entity e : derived.order) {
       const Mesh mesh = swept(derived.shape(e));
       EXPECT_TRUE(finite(mesh));
       EXPECT_EQ(wrong_normals(mesh), 0);
-      EXPECT_GT(volume(mesh, Part::rail), 0);
+      EXPECT_GT(volume(mesh, Material::rail), 0);
       for (const std::uint32_t i : mesh.indices) ASSERT_LT(i, mesh.vertices.size());
     }
   }
@@ -100,7 +100,7 @@ void add_triangles(const Mesh& mesh, const std::vector<std::uint32_t>& indices, 
 TEST(track_mesh, consists_of_pieces_between_rings) {
   const TrackPieces pieces = track_pieces();
   const world::Document d = test::ring_document(8, 21.3);
-  const Derived derived = test::derived_of(d);
+  const DerivedTrack derived = test::derived_of(d);
   for (const world::Entity e : derived.order) {
     const SegmentShape& shape = derived.shape(e);
     Triangles wanted, found;
@@ -141,17 +141,18 @@ TEST(track_mesh, consists_of_pieces_between_rings) {
 TEST(track_mesh, rails_run_a_gauge_apart_on_the_rails_plane) {
   // On the straight the frame is known by hand: forward (0.8, 0, 0.6), up Y, left = up x forward = (0.6, 0, -0.8).
   const world::Document d = test::straight_document({1.7f, 4.3f, 2.1f}, {9.7f, 4.3f, 8.1f});
-  const Derived derived = test::derived_of(d);
+  const DerivedTrack derived = test::derived_of(d);
   const Mesh mesh = swept(derived.shape(derived.order[0]));
   const glm::dvec3 left(0.6, 0, -0.8), start(1.7, 4.3, 2.1);
   double widest = 0, lowest = 0;
   for (const MeshVertex& v : mesh.vertices) {
     const double x = glm::dot(glm::dvec3(v.position) - start, left), y = v.position.y - 4.3;
-    if (v.part == static_cast<float>(Part::tie)) widest = std::max(widest, std::abs(x)), lowest = std::min(lowest, y);
-    if (v.part == static_cast<float>(Part::rail)) {
+    if (v.part == static_cast<float>(Material::tie))
+      widest = std::max(widest, std::abs(x)), lowest = std::min(lowest, y);
+    if (v.part == static_cast<float>(Material::rail)) {
       EXPECT_NEAR(std::hypot(std::abs(x) - kGauge / 2, y), kRailRadius, 1e-5);
     }
-    if (v.part == static_cast<float>(Part::spine)) {
+    if (v.part == static_cast<float>(Material::spine)) {
       EXPECT_NEAR(std::hypot(x, y + kSpineDrop), kSpineRadius, 1e-5);
     }
   }
@@ -165,18 +166,19 @@ TEST(track_mesh, end_rings_of_neighbours_coincide) {
   for (std::size_t i = 0; i < 7; ++i)
     world::set_roll(d.entities.get<world::Knot>(d.track.knots[i]), 31.7 * static_cast<double>(i) - 90);
   d.entities.get<world::Segment>(d.track.segments[3]).turns = 2;
-  const Derived derived = test::derived_of(d);
+  const DerivedTrack derived = test::derived_of(d);
   for (std::size_t i = 0; i < derived.order.size(); ++i) {
     const Mesh before = swept(derived.shape(derived.order[i])),
                after = swept(derived.shape(derived.order[(i + 1) % derived.order.size()]));
     // Each tube's last ring before the joint is its first one after it, bit for bit.
-    const auto rings = [](const Mesh& mesh, Part part) {
+    const auto rings = [](const Mesh& mesh, Material part) {
       std::vector<const MeshVertex*> found;
       for (const MeshVertex& v : mesh.vertices)
         if (v.part == static_cast<float>(part)) found.push_back(&v);
       return found;
     };
-    for (const auto& [part, tubes, sides] : {std::tuple{Part::rail, 2u, kRailSides}, {Part::spine, 1u, kSpineSides}}) {
+    for (const auto& [part, tubes, sides] :
+         {std::tuple{Material::rail, 2u, kRailSides}, {Material::spine, 1u, kSpineSides}}) {
       const auto a = rings(before, part), b = rings(after, part);
       for (std::size_t tube = 0; tube < tubes; ++tube)
         for (std::size_t k = 0; k < static_cast<std::size_t>(sides); ++k) {
@@ -194,7 +196,7 @@ TEST(track_mesh, rings_never_turn_by_more_than_a_quarter_and_never_flip) {
     const world::Document d = seed < 10    ? test::random_document(seed)
                               : seed == 10 ? test::sample_document()
                                            : test::circle_document(6.3, {1, 2, 3}, {1, 0, 0.4}, 5);
-    const Derived derived = test::derived_of(d);
+    const DerivedTrack derived = test::derived_of(d);
     for (const world::Entity e : derived.order) {
       const SegmentShape& shape = derived.shape(e);
       const std::vector<Ring> rings = rings_of(shape);
@@ -237,10 +239,10 @@ TEST(track_mesh, degenerate_segments_give_no_nan) {
 
 TEST(track_mesh, rings_follow_bend_and_twist_within_their_cap) {
   const auto rings = [](const world::Document& d) {
-    const Derived derived = test::derived_of(d);
+    const DerivedTrack derived = test::derived_of(d);
     const Mesh mesh = swept(derived.shape(derived.order[0]));
     std::size_t spine = 0;
-    for (const MeshVertex& v : mesh.vertices) spine += v.part == static_cast<float>(Part::spine);
+    for (const MeshVertex& v : mesh.vertices) spine += v.part == static_cast<float>(Material::spine);
     return spine / kSpineSides;
   };
   world::Document straight = test::straight_document({1.1f, 2.3f, 3.7f}, {81.1f, 2.3f, 3.7f});
@@ -265,7 +267,7 @@ TEST(track_mesh, five_thousand_segments_stay_under_three_million_vertices) {
   const int count = 13;
   world::Document ring = test::ring_document(count, 20.0, 2.0);
   set_automatic_spins(ring);
-  const Derived derived = test::derived_of(ring);
+  const DerivedTrack derived = test::derived_of(ring);
   std::size_t vertices = 0;
   for (const world::Entity e : derived.order) vertices += swept(derived.shape(e)).vertices.size();
   EXPECT_GT(derived.length / count, 9.6);
@@ -284,7 +286,7 @@ constexpr world::EquipmentKind kKinds[] = {world::EquipmentKind::station, world:
 TEST(fittings, are_closed_solids_that_face_outwards) {
   for (const auto& d :
        {test::ring_document(8, 21.3), test::straight_document({3.3f, 7.1f, -2.9f}, {17.7f, 9.3f, 9.1f})}) {
-    const Derived derived = test::derived_of(d);
+    const DerivedTrack derived = test::derived_of(d);
     for (const world::EquipmentKind kind : kKinds) {
       const Mesh mesh = fitted(derived.shape(derived.order[0]), kind);
       if (kind == world::EquipmentKind::station && derived.closed) continue;  // on a slope
@@ -303,7 +305,7 @@ TEST(fittings, are_closed_solids_that_face_outwards) {
 // Left and up of a straight's vertices, by hand: forward (0.8, 0, 0.6), left (0.6, 0, -0.8).
 TEST(fittings, leave_the_way_of_wheels_and_cars_free) {
   const world::Document d = test::straight_document({1.7f, 14.3f, 2.1f}, {25.7f, 14.3f, 20.1f});
-  const Derived derived = test::derived_of(d);
+  const DerivedTrack derived = test::derived_of(d);
   for (const world::EquipmentKind kind : kKinds) {
     for (const MeshVertex& v : fitted(derived.shape(derived.order[0]), kind).vertices) {
       const glm::dvec3 p = glm::dvec3(v.position) - glm::dvec3(1.7, 14.3, 2.1);
@@ -316,21 +318,21 @@ TEST(fittings, leave_the_way_of_wheels_and_cars_free) {
 }
 
 TEST(fittings, each_kind_has_its_own_parts_and_none_to_stand_on_where_nobody_can) {
-  const auto has = [](const Mesh& mesh, Part part) {
+  const auto has = [](const Mesh& mesh, Material part) {
     return std::any_of(mesh.vertices.begin(), mesh.vertices.end(),
                        [&](const MeshVertex& v) { return v.part == static_cast<float>(part); });
   };
-  const Derived flat = test::derived_of(test::straight_document({1.7f, 4.3f, 2.1f}, {25.7f, 4.9f, 20.1f}));
-  const Derived steep = test::derived_of(test::straight_document({1.7f, 4.3f, 2.1f}, {6.7f, 34.9f, 5.1f}));
+  const DerivedTrack flat = test::derived_of(test::straight_document({1.7f, 4.3f, 2.1f}, {25.7f, 4.9f, 20.1f}));
+  const DerivedTrack steep = test::derived_of(test::straight_document({1.7f, 4.3f, 2.1f}, {6.7f, 34.9f, 5.1f}));
   const SegmentShape &level = flat.shape(flat.order[0]), &rising = steep.shape(steep.order[0]);
-  EXPECT_TRUE(has(fitted(level, world::EquipmentKind::lift), Part::chain) &&
-              has(fitted(level, world::EquipmentKind::lift), Part::deck));
-  EXPECT_TRUE(has(fitted(rising, world::EquipmentKind::lift), Part::chain));
-  EXPECT_FALSE(has(fitted(rising, world::EquipmentKind::lift), Part::deck));
-  EXPECT_TRUE(has(fitted(level, world::EquipmentKind::launch), Part::stator));
-  EXPECT_TRUE(has(fitted(level, world::EquipmentKind::brake), Part::fin) &&
-              has(fitted(level, world::EquipmentKind::block), Part::fin));
-  EXPECT_TRUE(has(fitted(level, world::EquipmentKind::station), Part::concrete));
+  EXPECT_TRUE(has(fitted(level, world::EquipmentKind::lift), Material::chain) &&
+              has(fitted(level, world::EquipmentKind::lift), Material::deck));
+  EXPECT_TRUE(has(fitted(rising, world::EquipmentKind::lift), Material::chain));
+  EXPECT_FALSE(has(fitted(rising, world::EquipmentKind::lift), Material::deck));
+  EXPECT_TRUE(has(fitted(level, world::EquipmentKind::launch), Material::stator));
+  EXPECT_TRUE(has(fitted(level, world::EquipmentKind::brake), Material::fin) &&
+              has(fitted(level, world::EquipmentKind::block), Material::fin));
+  EXPECT_TRUE(has(fitted(level, world::EquipmentKind::station), Material::concrete));
   EXPECT_TRUE(fitted(rising, world::EquipmentKind::station).vertices.empty());
 }
 
@@ -339,7 +341,7 @@ TEST(fittings, degenerate_segments_show_none) {
   world::Document d;
   world::append_knot(d, test::skew_knot(p, {0.3f, 0.2f, 0.9f}, world::kMinHandle, world::kMinHandle));
   world::append_knot(d, test::skew_knot(p, {0.3f, 0.2f, 0.9f}, world::kMinHandle, world::kMinHandle));
-  const Derived derived = test::derived_of(d);
+  const DerivedTrack derived = test::derived_of(d);
   for (const world::EquipmentKind kind : kKinds)
     EXPECT_TRUE(fitted(derived.shape(derived.order[0]), kind).vertices.empty());
 }

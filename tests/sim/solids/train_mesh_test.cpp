@@ -25,7 +25,7 @@ Bounds bounds_of(const Mesh& mesh, const Rule& rule) {
     if (rule(v)) b.low = glm::min(b.low, v.position), b.high = glm::max(b.high, v.position);
   return b;
 }
-auto of(Part part) {
+auto of(Material part) {
   return [part](const MeshVertex& v) { return v.part == static_cast<float>(part); };
 }
 
@@ -37,7 +37,8 @@ TEST(train_mesh, cars_are_closed_and_face_outwards) {
     EXPECT_EQ(test::inside_out(mesh, mesh.indices), 0);
   }
   for (const bool leading : {true, false})
-    for (const Part part : {Part::wheel, Part::seat, Part::skin}) EXPECT_GT(volume(car_mesh(leading), part), 0);
+    for (const Material part : {Material::wheel, Material::seat, Material::skin})
+      EXPECT_GT(volume(car_mesh(leading), part), 0);
 }
 
 TEST(train_mesh, a_car_is_as_long_as_what_collides_and_narrower_than_what_stands_beside_it) {
@@ -55,7 +56,7 @@ TEST(train_mesh, wheels_touch_the_rails_from_above_beside_and_below) {
   const Mesh mesh = car_mesh(false);
   std::set<char> touched;
   for (const MeshVertex& v : mesh.vertices) {
-    if (v.part != static_cast<float>(Part::wheel)) continue;
+    if (v.part != static_cast<float>(Material::wheel)) continue;
     const double beside = std::abs(v.position.z) - kGauge / 2, over = v.position.y;
     EXPECT_GT(std::hypot(beside, over), kRailRadius - 1e-5) << "a wheel cuts into its rail";
     if (std::abs(over - kRailRadius) < 5e-3) touched.insert('a');
@@ -68,11 +69,11 @@ TEST(train_mesh, wheels_touch_the_rails_from_above_beside_and_below) {
 }
 
 TEST(train_mesh, the_leading_car_alone_has_a_nose) {
-  const auto high_in_front = [](const MeshVertex& v) { return of(Part::body)(v) && v.position.x > 0.5f; };
+  const auto high_in_front = [](const MeshVertex& v) { return of(Material::body)(v) && v.position.x > 0.5f; };
   const Bounds nose = bounds_of(car_mesh(true), high_in_front), plain = bounds_of(car_mesh(false), high_in_front);
   EXPECT_GT(nose.high.y, plain.high.y + 0.02f);
   // It is round: its tip is much narrower than it.
-  const auto tip = [](const MeshVertex& v) { return of(Part::body)(v) && v.position.x > 1.09f; };
+  const auto tip = [](const MeshVertex& v) { return of(Material::body)(v) && v.position.x > 1.09f; };
   EXPECT_LT(bounds_of(car_mesh(true), tip).high.z, 0.4f * nose.high.z);
   EXPECT_GT(bounds_of(car_mesh(false), tip).high.z, 0.6f * plain.high.z);
 }
@@ -80,10 +81,10 @@ TEST(train_mesh, the_leading_car_alone_has_a_nose) {
 TEST(train_mesh, riders_sit_in_two_rows_of_two_and_out_of_the_ride_cameras_sight) {
   const Mesh mesh = car_mesh(true);
   std::set<std::pair<int, int>> heads;
-  const Bounds skin = bounds_of(mesh, of(Part::hair));
+  const Bounds skin = bounds_of(mesh, of(Material::hair));
   EXPECT_GT(skin.high.y, 1.2f);
   for (const MeshVertex& v : mesh.vertices)
-    if (v.part == static_cast<float>(Part::skin) && v.position.y > 1.2f) {
+    if (v.part == static_cast<float>(Material::skin) && v.position.y > 1.2f) {
       heads.insert({v.position.x > -0.5f, v.position.z > 0});
       EXPECT_LT(v.position.x, 0) << "the eye is over the middle and looks forward";
     }

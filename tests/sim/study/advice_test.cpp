@@ -27,7 +27,7 @@ struct Edited {
     session.document = std::move(d);
     EXPECT_TRUE(edit::apply(session, files, edit::SetDatum{0.25}).ok());
   }
-  std::vector<RedSpan> red() {
+  std::vector<Overload> red() {
     return red_spans(*edit::rides_of(session).ride(session.document, session.derived, cart), default_envelope());
   }
   void move(world::Entity knot, glm::vec3 by) {
@@ -37,9 +37,9 @@ struct Edited {
   }
 };
 
-Excess excess_of(const std::vector<RedSpan>& red, ForceAxis axis) {
+Excess excess_of(const std::vector<Overload>& red, ForceAxis axis) {
   Excess sum;
-  for (const RedSpan& span : red) {
+  for (const Overload& span : red) {
     if (span.axis != axis) continue;
     sum.g_seconds += (span.worst - span.allowed) * (1.0 + span.to - span.from);
     sum.worst = std::max(sum.worst, span.worst - span.allowed);
@@ -65,9 +65,9 @@ TEST(advice, the_move_that_it_names_lowers_the_excess_by_the_editors_own_command
   for (const world::JointKind joint :
        {world::JointKind::aligned, world::JointKind::smooth, world::JointKind::automatic}) {
     Edited edited(tight(joint), 17.3);
-    const std::vector<RedSpan> before = edited.red();
+    const std::vector<Overload> before = edited.red();
     ASSERT_FALSE(before.empty());
-    const RedSpan& span = before.front();
+    const Overload& span = before.front();
     const auto advice = advise(edited.session.document, edited.cart, default_envelope(), span);
     ASSERT_TRUE(advice);
     EXPECT_LT(advice->after, advice->before);
@@ -85,7 +85,7 @@ TEST(advice, following_it_again_and_again_makes_the_span_fade) {
   Edited edited(tight(world::JointKind::aligned), 17.3);
   const double first = excess_of(edited.red(), ForceAxis::down).worst;
   for (int i = 0; i < 12; ++i) {
-    const std::vector<RedSpan> red = edited.red();
+    const std::vector<Overload> red = edited.red();
     if (red.empty()) break;
     const auto advice = advise(edited.session.document, edited.cart, default_envelope(), red.front());
     if (!advice) break;

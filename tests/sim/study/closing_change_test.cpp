@@ -18,9 +18,9 @@ world::Document straight(float length, float height = 5) {
 }
 
 // The change of a straight whose closing section was the best one for a length of 60 m.
-ClosingChange change_to(world::Document opened) {
+ClosingReplanTask change_to(world::Document opened) {
   const world::Document before = straight(60);
-  const Derived derived = test::derived_of(before);
+  const DerivedTrack derived = test::derived_of(before);
   Conflicts conflicts;
   conflicts.update(derived);
   ProposalCache cache;
@@ -31,18 +31,18 @@ ClosingChange change_to(world::Document opened) {
           .lengths = std::vector<double>(spans, closing.plan.length / static_cast<double>(spans))};
 }
 
-ChangedClosing answer(const ClosingChange& change) {
+ClosingReplanResult answer(const ClosingReplanTask& change) {
   OpenedTrack opened;
   return changed_closing(change, opened);
 }
 
-bool equal(const ChangedClosing& a, const ChangedClosing& b) {
+bool equal(const ClosingReplanResult& a, const ClosingReplanResult& b) {
   return a.fit.knots == b.fit.knots && a.closing == b.closing && a.another == b.another && a.refusal == b.refusal;
 }
 
 TEST(closing_change, leads_from_the_new_end_to_the_first_knot_as_before) {
-  const ClosingChange change = change_to(straight(63));
-  const ChangedClosing closing = answer(change);
+  const ClosingReplanTask change = change_to(straight(63));
+  const ClosingReplanResult closing = answer(change);
   ASSERT_EQ(closing.refusal, "");
   EXPECT_FALSE(closing.another);
   EXPECT_EQ(closing.fit.knots.front().position, glm::vec3(63, 5, 0));
@@ -52,12 +52,12 @@ TEST(closing_change, leads_from_the_new_end_to_the_first_knot_as_before) {
 }
 
 TEST(closing_change, a_former_way_like_no_other_needs_the_search_of_all) {
-  ClosingChange change = change_to(straight(63));
+  ClosingReplanTask change = change_to(straight(63));
   change.former.first = 700, change.former.second = -700;
   change.whole = false;
   EXPECT_NE(answer(change).refusal, "");
   change.whole = true;
-  const ChangedClosing closing = answer(change);
+  const ClosingReplanResult closing = answer(change);
   ASSERT_EQ(closing.refusal, "");
   EXPECT_TRUE(closing.another);
   EXPECT_EQ(closing.fit.knots.back().position, glm::vec3(0, 5, 0));
@@ -65,9 +65,9 @@ TEST(closing_change, a_former_way_like_no_other_needs_the_search_of_all) {
 
 // m g h = m v^2 / 2
 TEST(closing_change, a_train_that_coasts_loses_the_speed_of_the_height) {
-  ClosingChange change = change_to(straight(63));
+  ClosingReplanTask change = change_to(straight(63));
   change.former.speed = 20, change.former.coasts = true, change.risen = 5;
-  const ChangedClosing closing = answer(change);
+  const ClosingReplanResult closing = answer(change);
   ASSERT_EQ(closing.refusal, "");
   EXPECT_NEAR(closing.closing.speed, std::sqrt(20.0 * 20 - 2 * 9.81 * 5), 0.01);
   change.former.coasts = false;
@@ -77,17 +77,17 @@ TEST(closing_change, a_train_that_coasts_loses_the_speed_of_the_height) {
 }
 
 TEST(closing_change, does_not_depend_on_what_was_searched_before) {
-  const ClosingChange change = change_to(straight(63));
+  const ClosingReplanTask change = change_to(straight(63));
   OpenedTrack opened;
   (void)changed_closing(change_to(straight(80, 9)), opened);
   EXPECT_TRUE(equal(changed_closing(change, opened), answer(change)));
 }
 
 TEST(closing_change, tells_how_far_it_is_and_ends_when_cancelled) {
-  ClosingChange change = change_to(straight(63));
+  ClosingReplanTask change = change_to(straight(63));
   change.former.first = 700, change.former.second = -700;
   OpenedTrack opened;
-  base::Progress progress;
+  base::JobProgress progress;
   ASSERT_EQ(test::as_job(progress, [&] { return changed_closing(change, opened); }).refusal, "");
   EXPECT_GT(progress.done.load(), 0);
   EXPECT_LE(progress.done.load(), 1);

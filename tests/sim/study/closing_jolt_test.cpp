@@ -34,8 +34,8 @@ struct Home {
 
 Home home_of(bool train) {
   Home home{straight(train), world::kNone, {}};
-  const Derived derived = test::derived_of(home.document);
-  if (train) home.cart = home.document.entities.pool<world::Cart>().entities().front();
+  const DerivedTrack derived = test::derived_of(home.document);
+  if (train) home.cart = home.document.entities.pool<world::Train>().entities().front();
   RideCache rides;
   Conflicts conflicts;
   conflicts.update(derived);

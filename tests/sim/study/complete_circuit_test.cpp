@@ -30,7 +30,7 @@ world::Document ridden_straight(float length, float speed) {
 }
 
 CircuitProposals closing_sections(const world::Document& document) {
-  const Derived derived = test::derived_of(document);
+  const DerivedTrack derived = test::derived_of(document);
   Conflicts conflicts;
   conflicts.update(derived);
   RideCache rides;
@@ -62,7 +62,7 @@ TEST(complete_circuit, plans_with_the_drag_that_the_train_has_by_its_mass) {
     document.resistance = {0, 1e-3f};
     document.start_speed = 20;
     const world::Entity cart = world::add_cart(document, document.track.segments.front(), 0);
-    document.entities.get<world::Cart>(cart).mass = mass;
+    document.entities.get<world::Train>(cart).mass = mass;
     RideCache cache;
     const SimulatedRide& ride = *cache.ride(document, test::derived_of(document), cart);
     const std::optional<CircuitTask> task = circuit_task(document, test::derived_of(document), &ride);

@@ -23,15 +23,15 @@ world::Document before_a_crossing(float over, world::TrackCurve curve = world::T
   return d;
 }
 
-std::vector<Narrow> narrow(float over, double length, world::TrackCurve curve = world::TrackCurve::rails) {
+std::vector<LineConflict> narrow(float over, double length, world::TrackCurve curve = world::TrackCurve::rails) {
   const world::Document d = before_a_crossing(over, curve);
-  const Derived derived = test::derived_of(d);
+  const DerivedTrack derived = test::derived_of(d);
   Conflicts conflicts;
   conflicts.update(derived);
   world::Element straight = world::usual_element(world::ElementKind::straight);
   straight.values[0] = length;
   ElementCache plans;
-  ElementRoom room;
+  ElementClearance room;
   const ElementPlan& plan = plans.plan(straight, d);
   EXPECT_TRUE(plan.refusal.empty()) << plan.refusal;
   EXPECT_NEAR(world::value_of(plan.element, "length"), length, 1e-9);
@@ -41,7 +41,7 @@ std::vector<Narrow> narrow(float over, double length, world::TrackCurve curve = 
 TEST(element_room, a_straight_over_track_needs_room_for_heads) {
   constexpr double kEnough = kTrainRadius + kTrackRadius + kTrainLift + kTrackDrop;  // m from rails to rails
   for (const double over : {1.5, 2.5, kEnough - 0.05}) {
-    const std::vector<Narrow> found = narrow(static_cast<float>(over), 60);
+    const std::vector<LineConflict> found = narrow(static_cast<float>(over), 60);
     ASSERT_EQ(found.size(), 1u) << over;
     EXPECT_LT(found[0].from, 40);
     EXPECT_GT(found[0].to, 40);
@@ -55,7 +55,7 @@ TEST(element_room, a_straight_that_ends_before_the_track_has_room) { EXPECT_TRUE
 // Level rails below a heartline are all lower by the same height.
 TEST(element_room, is_that_of_the_rails_of_a_heartline_too) {
   for (const float over : {1.5f, 2.5f}) {
-    const std::vector<Narrow> rails = narrow(over, 60), heart = narrow(over, 60, world::TrackCurve::heartline);
+    const std::vector<LineConflict> rails = narrow(over, 60), heart = narrow(over, 60, world::TrackCurve::heartline);
     ASSERT_EQ(heart.size(), 1u) << over;
     EXPECT_NEAR(worst(heart), worst(rails), 0.01) << over;
   }
@@ -63,13 +63,13 @@ TEST(element_room, is_that_of_the_rails_of_a_heartline_too) {
 
 TEST(element_room, a_plan_is_judged_again_when_the_track_has_changed) {
   world::Document d = before_a_crossing(1.5f);
-  Derived derived = test::derived_of(d);
+  DerivedTrack derived = test::derived_of(d);
   Conflicts conflicts;
   conflicts.update(derived);
   world::Element straight = world::usual_element(world::ElementKind::straight);
   straight.values[0] = 60;
   ElementCache plans;
-  ElementRoom room;
+  ElementClearance room;
   EXPECT_FALSE(room.update(plans.plan(straight, d), conflicts, derived, 0).empty());
   for (const std::size_t knot : {0u, 1u}) d.entities.get<world::Knot>(d.track.knots[knot]).position.x += 70;
   derive(d, {}, {}, derived);

@@ -68,7 +68,7 @@ TEST(envelope, a_plateau_is_red_when_it_lasts_longer_than_it_may) {
 
 TEST(envelope, what_is_shorter_than_a_fifth_of_a_second_does_not_count) {
   const SimulatedRide simulated = ride_of(10, [](double t) { return t > 3 && t < 3.1 ? 9.0 : 1.0; });
-  Envelope envelope = default_envelope();
+  ForceLimitCurves envelope = default_envelope();
   envelope.cutoff = 25;
   EXPECT_TRUE(red_spans(simulated, envelope).empty());
 }
@@ -84,7 +84,7 @@ TEST(envelope, finds_the_same_red_moments_as_brute_force) {
     for (int i = 0; i < 600; ++i) walk.push_back(value = std::clamp(value + step(random), -3.0, 7.0));
     const SimulatedRide simulated = ride_of(
         600.0 / 60, [&](double t) { return walk[std::min<std::size_t>(599, static_cast<std::size_t>(t * 60 + 0.5))]; });
-    const Envelope& envelope = default_envelope();
+    const ForceLimitCurves& envelope = default_envelope();
     const std::vector<float> values = pressed(simulated, 0, ForceAxis::down, envelope.cutoff);
     std::vector<bool> expected(values.size(), false), found(values.size(), false);
     std::vector<double> excess(values.size(), 0.0), allowed(values.size(), 0.0);
@@ -106,7 +106,7 @@ TEST(envelope, finds_the_same_red_moments_as_brute_force) {
         i = j + 1;
       }
     }
-    for (const RedSpan& span : red_spans(simulated, envelope)) {
+    for (const Overload& span : red_spans(simulated, envelope)) {
       if (span.axis != ForceAxis::down) continue;
       const auto place = [](double seconds) { return static_cast<std::size_t>(seconds * 60 + 0.5); };
       std::size_t worst = place(span.from);

@@ -97,17 +97,17 @@ world::Document fitted(const Curve& curve, double from, double to, double step) 
   return d;
 }
 
-struct Ridden {
+struct RiddenTrain {
   world::Document document;
-  Derived derived;
+  DerivedTrack derived;
   RideCache cache;
   const SimulatedRide* simulated;
   std::vector<Jolt> found;
 
-  Ridden(world::Document d, double speed, int cars = 1, std::size_t segment = 0, double fraction = 0.0)
+  RiddenTrain(world::Document d, double speed, int cars = 1, std::size_t segment = 0, double fraction = 0.0)
       : document(std::move(d)) {
     const world::Entity cart = world::add_cart(document, document.track.segments.at(segment), fraction);
-    document.entities.get<world::Cart>(cart).cars = cars;
+    document.entities.get<world::Train>(cart).cars = cars;
     document.start_speed = speed, document.heartline = kHeart, document.rollback_fails = false;
     derive(document, {}, {}, derived);
     simulated = cache.ride(document, derived, cart);
@@ -139,7 +139,7 @@ TEST(jolt, a_step_of_curvature_is_that_of_a_finely_sampled_ride) {
   const double speed = 20, step = 0.75;
   for (const double bank : {0.0, M_PI / 2, 0.6}) {
     const FineRide fine = fine_ride(turn_of(bank), speed);
-    Ridden ride(fitted(turn_of(bank), -30, 15, step), speed);
+    RiddenTrain ride(fitted(turn_of(bank), -30, 15, step), speed);
     const Jolt& found = ride.found.at(40);
     expect_near(found, fine.jolt);
     EXPECT_NEAR(found.speed, speed, 1e-3);
@@ -175,7 +175,7 @@ TEST(jolt, a_step_of_the_roll_rate_throws_riders_sideways) {
   const double speed = 15, spin = M_PI / 2 / 20;
   const FineRide fine = fine_ride(rolling([&](long double s) { return spin * std::max(s, 0.0L); }), speed);
   EXPECT_NEAR(fine.jolt.left, 1.58, 0.01);
-  Passage passage;
+  JointPassage passage;
   passage.impulse.left = static_cast<float>(-kHeart * speed * spin / kG);
   passage.step.up = static_cast<float>(-kHeart * speed * speed * spin * spin / kG);
   expect_near(jolt_of(passage, kCutoff), fine.jolt);
@@ -190,7 +190,7 @@ TEST(jolt, a_step_of_the_rolls_second_derivative_is_a_step_of_lateral_g) {
   };
   world::Document d = fitted(rolling([](long double) { return 0.0L; }), -20, 20, 20);
   world::set_roll(d.entities.get<world::Knot>(d.track.knots[2]), 90);
-  Ridden ride(std::move(d), speed);
+  RiddenTrain ride(std::move(d), speed);
   const FineRide fine = fine_ride(rolling(angle), speed);
   EXPECT_NEAR(fine.jolt.left, 1.108 * kHeart * speed * speed * 6 * M_PI / 2 / (length * length) / kG, 0.01);
   expect_near(ride.found.at(1), fine.jolt);
@@ -215,7 +215,7 @@ TEST(jolt, a_roll_that_begins_within_a_short_stretch_jolts_as_a_sudden_one) {
       knot.spin_kind = world::SpinKind::set;
       world::orthonormalise(knot);
     }
-    Ridden ride(std::move(d), speed);
+    RiddenTrain ride(std::move(d), speed);
     for (const std::size_t joint : {1, 2})
       EXPECT_NEAR(ride.found.at(joint).left, sudden.jolt.left, 0.12 * sudden.jolt.left) << joint;
     const Ratings rated = rate(*ride.simulated, ride.cache.tables(ride.document, ride.derived), kCutoff);
@@ -225,8 +225,8 @@ TEST(jolt, a_roll_that_begins_within_a_short_stretch_jolts_as_a_sudden_one) {
 }
 
 // What a car feels by consecutive passages, 0 before them: their steps and impulses, and how felt g changes between.
-Jolt filtered(const std::vector<const Passage*>& run) {
-  const auto vector = [](const Felt& f) { return glm::dvec3(f.forward, f.left, f.up); };
+Jolt filtered(const std::vector<const JointPassage*>& run) {
+  const auto vector = [](const FeltAcceleration& f) { return glm::dvec3(f.forward, f.left, f.up); };
   constexpr double kDt = 4e-5;
   Filter filter(glm::dvec3(0));
   Jolt most;
@@ -236,7 +236,7 @@ Jolt filtered(const std::vector<const Passage*>& run) {
   for (double t = run.front()->time; t < run.back()->time + 0.3; t += kDt) {
     glm::dvec3 hit(0);
     for (; passed < run.size() && run[passed]->time <= t + kDt / 2; ++passed) {
-      const Passage& here = *run[passed];
+      const JointPassage& here = *run[passed];
       at_last += slope * (here.time - last) + vector(here.step), last = here.time, slope = glm::dvec3(0);
       hit += vector(here.impulse) / kDt;
       if (passed + 1 < run.size())
@@ -263,9 +263,9 @@ TEST(jolt, joints_close_together_count_as_the_run_that_jolts_least) {
     simulated.start.cars = 2;
     for (int car = 0; car < 2; ++car) {
       double time = 1 + 0.005 * car;
-      Felt felt{0, 0, 1};
+      FeltAcceleration felt{0, 0, 1};
       for (int k = 0; k < 4; ++k, time += number(0.01, 0.033)) {
-        Passage p;
+        JointPassage p;
         const float way = k % 2 == 0 ? 1.0f : -1.0f;
         p.car = car, p.time = time, p.before = felt, p.speed = 10 + k;
         p.step = {way * number(0.1, 0.3), way * number(0.3, 1.5), way * number(0.1, 0.8)};
@@ -276,10 +276,10 @@ TEST(jolt, joints_close_together_count_as_the_run_that_jolts_least) {
       }
     }
     std::stable_sort(simulated.passages.begin(), simulated.passages.end(),
-                     [](const Passage& a, const Passage& b) { return a.time < b.time; });
+                     [](const JointPassage& a, const JointPassage& b) { return a.time < b.time; });
     const std::vector<Jolt> found = passage_jolts(simulated, kCutoff);
     for (int car = 0; car < 2; ++car) {
-      std::vector<const Passage*> passed;
+      std::vector<const JointPassage*> passed;
       std::vector<std::size_t> places;  // among all
       for (std::size_t n = 0; n < found.size(); ++n)
         if (simulated.passages[n].car == car) passed.push_back(&simulated.passages[n]), places.push_back(n);
@@ -315,18 +315,18 @@ TEST(jolt, a_joint_with_continuous_curvature_has_none) {
   };
   add(halves.left.p2, halves.left.p3, halves.right.p1);
   add(halves.right.p2, halves.right.p3, halves.right.p3 + glm::vec3(1, 1, 0));
-  const Ridden ride(std::move(d), 23);
+  const RiddenTrain ride(std::move(d), 23);
   EXPECT_LT(ride.found.at(2).total, 0.02);
   EXPECT_GT(ride.found.at(1).total, 0.2);  // the straight meets the bend
 }
 
 TEST(jolt, every_car_passes_every_joint_of_a_lap_once_and_the_worst_one_counts) {
-  const Ridden ride(test::ring_document(12, 40.3, 7.7), 17.3, 3, 2, 0.4);
+  const RiddenTrain ride(test::ring_document(12, 40.3, 7.7), 17.3, 3, 2, 0.4);
   ASSERT_TRUE(ride.simulated->lap);
   std::vector<int> passed(12, 0);
   std::vector<Jolt> worst(12);
   std::size_t entry = 0;
-  for (const Passage& passage : ride.simulated->passages) {
+  for (const JointPassage& passage : ride.simulated->passages) {
     ++passed.at(passage.knot);
     EXPECT_GE(passage.entry, entry);
     entry = passage.entry;
@@ -350,7 +350,7 @@ TEST(jolt, every_car_passes_every_joint_of_a_lap_once_and_the_worst_one_counts) 
 TEST(jolt, a_ride_backwards_has_the_same_jolts) {
   const double speed = 20;
   const world::Document d = fitted(turn_of(M_PI / 2), -30, 15, 0.75);
-  const Ridden on(d, speed), back(d, -speed, 1, d.track.segments.size() - 1, 0.9);
+  const RiddenTrain on(d, speed), back(d, -speed, 1, d.track.segments.size() - 1, 0.9);
   EXPECT_EQ(on.found.front().total, 0);
   EXPECT_EQ(on.found.size(), on.document.track.knots.size() - 1) << "the list ends with the last knot passed";
   EXPECT_NEAR(back.found.at(40).speed, -speed, 1e-3);

@@ -25,7 +25,7 @@ struct Counter {
   }
 };
 
-Measurement finished(const Derived& derived, const Clock& clock) {
+Measurement finished(const DerivedTrack& derived, const Clock& clock) {
   Measurement m = start_measurement(derived);
   for (int i = 0; i < 1000 && m.running; ++i) measure_next(m, clock);
   return m;
@@ -53,7 +53,7 @@ TEST(measure, an_empty_track_has_nothing_to_measure) {
 }
 
 TEST(measure, every_row_is_measured_at_every_number_of_steps) {
-  const Derived derived = test::derived_of(test::ring_document(5, 23.7));
+  const DerivedTrack derived = test::derived_of(test::ring_document(5, 23.7));
   Counter counter;
   const Measurement m = finished(derived, counter.clock());
   EXPECT_FALSE(m.running);
@@ -74,7 +74,7 @@ TEST(measure, every_row_is_measured_at_every_number_of_steps) {
 }
 
 TEST(measure, the_cell_is_the_median_of_its_rounds) {
-  const Derived derived = test::derived_of(test::ring_document(5, 23.7));
+  const DerivedTrack derived = test::derived_of(test::ring_document(5, 23.7));
   double now = 0;
   int reading = 0;
   // Every third round takes a hundred times as long: the median does not care.
@@ -87,7 +87,7 @@ TEST(measure, the_cell_is_the_median_of_its_rounds) {
 }
 
 TEST(measure, the_worst_error_is_that_of_the_worst_vertex) {
-  const Derived derived = test::derived_of(test::ring_document(5, 23.7));
+  const DerivedTrack derived = test::derived_of(test::ring_document(5, 23.7));
   const Measurement m = finished(derived, {});
   const auto id = *base::value_named<curve::EvaluatorId>("forward_differences");
   const MeasuredRow* const row = row_of(m, id);
@@ -103,7 +103,7 @@ TEST(measure, the_worst_error_is_that_of_the_worst_vertex) {
 }
 
 TEST(measure, stopping_keeps_what_is_done) {
-  const Derived derived = test::derived_of(test::ring_document(5, 23.7));
+  const DerivedTrack derived = test::derived_of(test::ring_document(5, 23.7));
   Counter counter;
   Measurement m = start_measurement(derived);
   for (int i = 0; i < 2; ++i) measure_next(m, counter.clock());
@@ -129,7 +129,7 @@ world::Document sample(const std::string& name) {
 }
 
 // The largest error over all segments and vertices, of each row on its own.
-double brute_force(const Derived& derived, const curve::Evaluator& evaluator, int steps) {
+double brute_force(const DerivedTrack& derived, const curve::Evaluator& evaluator, int steps) {
   double worst = 0;
   std::vector<glm::vec3> points(static_cast<std::size_t>(steps) + 1);
   for (const world::Entity segment : derived.order) {
@@ -145,7 +145,7 @@ double brute_force(const Derived& derived, const curve::Evaluator& evaluator, in
 // More segments than are timed; on the ring the errors of 4096 steps take several parts.
 TEST(measure, the_errors_are_the_largest_of_all_segments) {
   for (const world::Document& document : {sample("loop"), sample("kingfisher"), test::ring_document(70, 300)}) {
-    const Derived derived = test::derived_of(document);
+    const DerivedTrack derived = test::derived_of(document);
     EXPECT_GT(derived.order.size(), kTimedCurves);
     const Measurement m = finished(derived, {});
     EXPECT_EQ(progress(m), 1);

@@ -22,7 +22,7 @@ NearMisses misses(const world::Document& document, double speed, bool with_suppo
   world::Document d = document;
   const world::Entity cart = world::add_cart(d, d.track.segments.front(), 0.05);
   d.start_speed = static_cast<float>(speed);
-  const Derived derived = test::derived_of(d);
+  const DerivedTrack derived = test::derived_of(d);
   RideCache cache;
   Supports supports;
   supports.update(derived);
@@ -51,7 +51,7 @@ TEST(near_misses, the_track_beside_the_seam_of_a_circuit_is_no_other_track) {
     world::Document d = test::ring_document(12, 40.3, 0);
     const world::Entity cart = world::add_cart(d, d.track.segments.front(), from);
     d.start_speed = 19;
-    const Derived derived = test::derived_of(d);
+    const DerivedTrack derived = test::derived_of(d);
     RideCache cache;
     const SimulatedRide& simulated = *cache.ride(d, derived, cart);
     ASSERT_TRUE(simulated.lap);

@@ -11,7 +11,7 @@ constexpr double kG = world::kGravity, kCutoff = 5.0;
 
 struct Rated {
   world::Document document;
-  Derived derived;
+  DerivedTrack derived;
   RideCache cache;
   world::Entity cart;
   Rated(world::Document d, double speed, double fraction = 0.2) : document(std::move(d)) {

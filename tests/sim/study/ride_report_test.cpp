@@ -13,16 +13,16 @@ namespace ride_report_test {
 
 struct Reported {
   world::Document document;
-  Derived derived;
+  DerivedTrack derived;
   RideCache cache;
   const SimulatedRide* simulated = nullptr;
   Ratings ratings;
-  std::vector<RedSpan> red;
+  std::vector<Overload> red;
   Riders riders;
 
   Reported(world::Document d, double speed, int cars) : document(std::move(d)) {
     const world::Entity cart = world::add_cart(document, document.track.segments.at(0), 0.2);
-    document.entities.get<world::Cart>(cart).cars = cars;
+    document.entities.get<world::Train>(cart).cars = cars;
     document.start_speed = speed;
     derive(document, {}, {}, derived);
     simulated = cache.ride(document, derived, cart);

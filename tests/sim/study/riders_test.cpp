@@ -10,15 +10,15 @@ namespace riders_test {
 
 constexpr double kG = world::kGravity, kCutoff = 5, kEntry = kForceEvery * world::kTick;
 
-struct Ridden {
+struct RiddenTrain {
   world::Document document;
-  Derived derived;
+  DerivedTrack derived;
   RideCache cache;
   world::Entity cart;
   Riders riders;
-  Ridden(world::Document d, double speed, int cars = 1) : document(std::move(d)) {
+  RiddenTrain(world::Document d, double speed, int cars = 1) : document(std::move(d)) {
     cart = world::add_cart(document, document.track.segments.at(0), 0.2);
-    document.entities.get<world::Cart>(cart).cars = cars;
+    document.entities.get<world::Train>(cart).cars = cars;
     document.start_speed = speed;
     derive(document, {}, {}, derived);
     update({0, cars - 1});
@@ -46,7 +46,7 @@ world::Document rolling(glm::vec3 from, glm::vec3 to, int segments, double turn)
 TEST(riders, an_even_roll_on_a_level_straight_has_its_rate_and_no_acceleration) {
   const double k = 2 * M_PI / 40, v = 15;
   for (const double sign : {1.0, -1.0}) {
-    Ridden ride(rolling({3.3, 12, 9.7}, {123.3, 12, 9.7}, 24, sign * 5 * k), v);
+    RiddenTrain ride(rolling({3.3, 12, 9.7}, {123.3, 12, 9.7}, 24, sign * 5 * k), v);
     const Rider rider = ride.riders.car(0);
     ASSERT_GT(rider.entries(), 400u);
     for (std::size_t i = 0; i + 1 < rider.entries(); ++i) {
@@ -60,7 +60,7 @@ TEST(riders, an_even_roll_on_a_level_straight_has_its_rate_and_no_acceleration) 
 
 // To the right is +Z on a track along +X.
 TEST(riders, a_positive_rate_rolls_to_the_right) {
-  Ridden ride(rolling({3.3, 12, 9.7}, {43.3, 12, 9.7}, 1, M_PI / 2), 15);
+  RiddenTrain ride(rolling({3.3, 12, 9.7}, {43.3, 12, 9.7}, 1, M_PI / 2), 15);
   const Rider rider = ride.riders.car(0);
   EXPECT_GT(rider.value(20, RideValue::roll_rate), 0);
   const curve::Frame frame = frame_at(ride.derived.shape_at(0), 30);
@@ -69,7 +69,7 @@ TEST(riders, a_positive_rate_rolls_to_the_right) {
 
 TEST(riders, an_even_roll_on_a_slope_accelerates_with_the_train) {
   const double k = 2 * M_PI / 60, v0 = 22, a = -0.6 * kG;
-  Ridden ride(rolling({3.3, 12, 9.7}, {35.3, 36, 9.7}, 8, 5 * k), v0);
+  RiddenTrain ride(rolling({3.3, 12, 9.7}, {35.3, 36, 9.7}, 8, 5 * k), v0);
   const Rider rider = ride.riders.car(0);
   ASSERT_GT(rider.entries(), 60u);
   for (std::size_t i = 0; i + 1 < rider.entries(); ++i) {
@@ -94,7 +94,7 @@ TEST(riders, a_cubic_roll_has_the_rate_and_the_acceleration_of_its_closed_form) 
     knot.spin = static_cast<float>(a + s * (2 * b + s * 3 * c));
   }
   const double v0 = 27, slowing = -0.6 * kG;
-  Ridden ride(d, v0);
+  RiddenTrain ride(d, v0);
   const Rider rider = ride.riders.car(0);
   ASSERT_GT(rider.entries(), 120u);
   double most = 0, least = 0;
@@ -125,7 +125,7 @@ TEST(riders, a_clothoid_at_constant_speed_has_constant_jerk) {
       at += step / 200 * glm::dvec3(std::cos(c * u * u / 2), 0, -std::sin(c * u * u / 2));
     }
   }
-  Ridden ride(d, v);
+  RiddenTrain ride(d, v);
   const Rider rider = ride.riders.car(0);
   ASSERT_GT(rider.entries(), 180u);
   for (std::size_t i = 45; i + 2 < rider.entries(); ++i) {  // the filter has settled after 0.75 s
@@ -136,7 +136,7 @@ TEST(riders, a_clothoid_at_constant_speed_has_constant_jerk) {
 
 // A tilted ring with hills has every kind of force. The quotient is taken here from the envelope's own values.
 TEST(riders, jerk_is_the_difference_quotient_of_the_g_that_the_limits_use) {
-  Ridden ride(test::ring_document(24, 40.7, 4.3), 16.3, 3);
+  RiddenTrain ride(test::ring_document(24, 40.7, 4.3), 16.3, 3);
   for (const int car : {0, 2}) {
     const Rider rider = ride.riders.car(car);
     const std::vector<float> up = pressed(*rider.simulated, car, ForceAxis::down, kCutoff),
@@ -157,7 +157,7 @@ TEST(riders, jerk_is_the_difference_quotient_of_the_g_that_the_limits_use) {
 }
 
 TEST(riders, cars_are_kept_for_the_ride_and_computed_again_for_another_one_or_another_filter) {
-  Ridden ride(test::ring_document(24, 40.7, 4.3), 16.3, 3);
+  RiddenTrain ride(test::ring_document(24, 40.7, 4.3), 16.3, 3);
   Riders some;
   const SimulatedRide& simulated = *ride.cache.ride(ride.document, ride.derived, ride.cart);
   const RailTables& tables = ride.cache.tables(ride.document, ride.derived);
@@ -185,7 +185,7 @@ TEST(riders, cars_are_kept_for_the_ride_and_computed_again_for_another_one_or_an
 
 // Rails continue straight beyond an open end.
 TEST(riders, cars_before_the_start_of_an_open_track_do_not_roll) {
-  Ridden ride(rolling({3.3, 12, 9.7}, {53.3, 12, 9.7}, 1, 2.5), 20, 8);  // the last car is 11 m before the start
+  RiddenTrain ride(rolling({3.3, 12, 9.7}, {53.3, 12, 9.7}, 1, 2.5), 20, 8);  // the last car is 11 m before the start
   const Rider back = ride.riders.car(7);
   ASSERT_LT(back.place(0), -10);
   EXPECT_EQ(back.value(0, RideValue::roll_rate), 0);

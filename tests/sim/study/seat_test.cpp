@@ -13,16 +13,16 @@ namespace seat_test {
 
 constexpr double kG = world::kGravity;
 
-struct Ridden {
+struct RiddenTrain {
   world::Document document;
-  Derived derived;
+  DerivedTrack derived;
   RideCache cache;
   Riders riders;
   const SimulatedRide* simulated = nullptr;
-  Ridden(world::Document d, double speed, int cars, double spacing = 3) : document(std::move(d)) {
+  RiddenTrain(world::Document d, double speed, int cars, double spacing = 3) : document(std::move(d)) {
     const world::Entity cart = world::add_cart(document, document.track.segments.at(0), 0.3);
-    document.entities.get<world::Cart>(cart).cars = cars;
-    document.entities.get<world::Cart>(cart).spacing = static_cast<float>(spacing);
+    document.entities.get<world::Train>(cart).cars = cars;
+    document.entities.get<world::Train>(cart).spacing = static_cast<float>(spacing);
     document.start_speed = speed, document.rollback_fails = false;
     derive(document, {}, {}, derived);
     simulated = cache.ride(document, derived, cart);
@@ -36,7 +36,7 @@ struct Ridden {
 struct Loop {
   static constexpr int kCars = 7;
   double radius = 10, spacing = 3, v0 = 24;
-  Ridden ride{test::circle_document(radius, {3.3, 1.7, -2.9}, {0.6, 0, 0.8}), v0, kCars, spacing};
+  RiddenTrain ride{test::circle_document(radius, {3.3, 1.7, -2.9}, {0.6, 0, 0.8}), v0, kCars, spacing};
   double q = spacing / radius, share = std::sin(kCars * q / 2) / (kCars * std::sin(q / 2));
   double first = ride.simulated->start.front / radius - 3 * q;  // the middle's angle at the start
 
@@ -99,7 +99,8 @@ TEST(seat, by_time_the_band_holds_every_car_at_every_moment) {
     EXPECT_NEAR(band.time[k], static_cast<double>(k) / 60, 1e-12);
     const auto begin = simulated.forces.begin() + static_cast<std::ptrdiff_t>(k * Loop::kCars);
     const auto [least, most] =
-        std::minmax_element(begin, begin + Loop::kCars, [](const Felt& a, const Felt& b) { return a.left < b.left; });
+        std::minmax_element(begin, begin + Loop::kCars,
+                            [](const FeltAcceleration& a, const FeltAcceleration& b) { return a.left < b.left; });
     const auto side = static_cast<std::size_t>(RideValue::lateral);
     EXPECT_EQ(band.least[side][k], static_cast<double>(least->left));
     EXPECT_EQ(band.most[side][k], static_cast<double>(most->left));
@@ -119,7 +120,7 @@ TEST(seat, a_value_at_a_distance_is_that_of_the_car_there) {
 
 // Up a slope, down again backwards, and off the start.
 TEST(seat, places_ascend_though_the_train_rolls_back_and_an_open_track_ends) {
-  Ridden ride(test::straight_document({3.1f, 2.7f, -1.9f}, {83.1f, 42.7f, -1.9f}, 4), 12.0, 3);
+  RiddenTrain ride(test::straight_document({3.1f, 2.7f, -1.9f}, {83.1f, 42.7f, -1.9f}, 4), 12.0, 3);
   const SeatCurves band = curves_by_place(ride.riders.all());
   EXPECT_TRUE(std::is_sorted(band.place.begin(), band.place.end()));
   EXPECT_LT(band.place.size(), ride.riders.car(0).entries());
@@ -133,7 +134,7 @@ TEST(seat, places_ascend_though_the_train_rolls_back_and_an_open_track_ends) {
 }
 
 TEST(seat, a_ride_backwards_has_its_places) {
-  Ridden ride(test::circle_document(10, {3.3, 1.7, -2.9}, {0.6, 0, 0.8}), -24, 2);
+  RiddenTrain ride(test::circle_document(10, {3.3, 1.7, -2.9}, {0.6, 0, 0.8}), -24, 2);
   const SeatCurves curves = curves_by_place(ride.riders.cars({0, 0}));
   ASSERT_GT(curves.place.size(), 100u);
   EXPECT_TRUE(std::is_sorted(curves.place.begin(), curves.place.end()));

@@ -11,15 +11,15 @@ namespace section_figures_test {
 constexpr double kG = world::kGravity;
 
 // A ride of one car, from that fraction of the first segment.
-struct Ridden {
+struct RiddenTrain {
   world::Document document;
-  Derived derived;
+  DerivedTrack derived;
   RideCache cache;
   Riders riders;
   std::vector<SectionFigures> rows;
   const SimulatedRide* simulated = nullptr;
 
-  Ridden(world::Document d, double fraction, double speed) : document(std::move(d)) {
+  RiddenTrain(world::Document d, double fraction, double speed) : document(std::move(d)) {
     const world::Entity cart = world::add_cart(document, document.track.segments.at(0), fraction);
     document.start_speed = speed;
     derive(document, {}, {}, derived);
@@ -38,7 +38,7 @@ TEST(section_figures, lengths_and_heights_are_those_of_a_straight_slope) {
   world::Document d = test::straight_document({3, 20, -5}, {63, 4, 7}, 4);
   world::make_section(d, 0, 1, {});
   world::make_section(d, 1, 2, {});
-  const Derived derived = test::derived_of(d);
+  const DerivedTrack derived = test::derived_of(d);
   const std::vector<SectionFigures> rows = section_figures(d, derived, {});
   ASSERT_EQ(rows.size(), 3u);
   const double whole = glm::distance(glm::dvec3(3, 20, -5), glm::dvec3(63, 4, 7));
@@ -56,7 +56,7 @@ TEST(section_figures, lengths_and_heights_are_those_of_a_straight_slope) {
 TEST(section_figures, speeds_at_both_ends_follow_from_the_heights) {
   world::Document d = test::straight_document({0, 30, 0}, {40, 10, 0}, 4);
   world::make_section(d, 0, 2, {});
-  const Ridden ride(std::move(d), 0.5, 6);
+  const RiddenTrain ride(std::move(d), 0.5, 6);
   ASSERT_EQ(ride.rows.size(), 2u);
   const double start = ride.height(ride.simulated->start.front);
   const auto speed = [&](double height) { return std::sqrt(36 + 2 * kG * (start - height)); };
@@ -76,7 +76,7 @@ TEST(section_figures, a_closed_track_has_all_figures_of_the_lap) {
   world::Document d = test::ring_document(16, 40);
   world::make_section(d, 0, 3, {});
   world::make_section(d, 3, 6, {});
-  const Ridden ride(std::move(d), 0.7, 15);
+  const RiddenTrain ride(std::move(d), 0.7, 15);
   ASSERT_TRUE(ride.simulated->lap);
   ASSERT_EQ(ride.rows.size(), 3u);
   const double start = ride.height(ride.simulated->start.front);
@@ -89,7 +89,7 @@ TEST(section_figures, a_closed_track_has_all_figures_of_the_lap) {
     for (std::size_t k = 0; k < ride.simulated->forces.size(); ++k) {
       const double at = ride.simulated->distance(ride.simulated->sample_of(k));
       if (at < in || at > out) continue;
-      const Felt& f = ride.simulated->forces[k];
+      const FeltAcceleration& f = ride.simulated->forces[k];
       most = std::max(most, double{f.up}), least = std::min(least, double{f.up});
       side = std::max(side, std::abs(double{f.left}));
     }

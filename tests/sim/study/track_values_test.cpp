@@ -17,7 +17,7 @@ using world::Colouring;
 struct Coloured {
   world::Document document;
   world::Settings settings;
-  Derived derived;
+  DerivedTrack derived;
   RideCache simulated_rides;
   TrackValueCache cache;
   Riders riders;
@@ -79,7 +79,7 @@ TEST(track_values, a_place_passed_twice_has_what_differs_most_from_rest) {
 // Values of the riders, linear between 60 a second, by either sign of a roll.
 TEST(track_values, jerk_and_roll_are_those_of_the_middle_car) {
   Coloured track(test::ring_document(9, 41.3), 12);
-  track.document.entities.get<world::Cart>(track.cart).cars = 5;
+  track.document.entities.get<world::Train>(track.cart).cars = 5;
   world::Knot& knot = track.document.entities.get<world::Knot>(track.document.track.knots[5]);
   knot.up = glm::vec3(curve::rotate(knot.up, knot.tangent, 0.7));
   derive(track.document, track.settings, {}, track.derived);
@@ -166,7 +166,7 @@ TEST(track_values, the_legend_is_round_and_holds_every_value) {
 TEST(track_values, plain_needs_nothing_and_an_empty_track_has_nothing) {
   Coloured track(test::ring_document(9, 41.3));
   EXPECT_TRUE(track.by(Colouring::plain).values.empty());
-  const Derived none;
+  const DerivedTrack none;
   for (std::size_t row = 0; row < std::size(world::kColourings); ++row) {
     track.settings.lab->colouring = static_cast<Colouring>(row);
     const TrackValues& values = track.cache.update(none, track.settings, std::nullopt);

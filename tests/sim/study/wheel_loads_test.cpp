@@ -16,7 +16,7 @@ using glm::dvec3;
 constexpr double kG = 9.81;
 
 struct Case {
-  Felt felt;
+  FeltAcceleration felt;
   CarBody car;
 };
 Case random_case(std::mt19937& bits) {
@@ -28,11 +28,11 @@ Case random_case(std::mt19937& bits) {
 
 // Force and moment about the centre of mass that the rails give the car, in N and N m, on the axes forward, left, up.
 // Wheels touch the rails at the corners of a rectangle; what moves the car along the track does so between the rails.
-struct Given {
+struct ActiveLesson {
   dvec3 force{0}, moment{0};
 };
-Given given(const WheelLoads& loads, const Case& c) {
-  Given sum;
+ActiveLesson given(const WheelLoads& loads, const Case& c) {
+  ActiveLesson sum;
   const auto add = [&](dvec3 force, dvec3 at) {
     sum.force += force;
     sum.moment += glm::cross(at - dvec3(0, 0, c.car.height), force);
@@ -40,7 +40,7 @@ Given given(const WheelLoads& loads, const Case& c) {
   const double ahead = 0.5 * 0.6 * c.car.length, beside = 0.5 * 1.2;
   const dvec3 corners[] = {{ahead, beside, 0}, {ahead, -beside, 0}, {-ahead, beside, 0}, {-ahead, -beside, 0}};
   for (std::size_t i = 0; i < 4; ++i) {
-    const Wheels& wheels = loads.corners[i];
+    const LoadsByWheelKind& wheels = loads.corners[i];
     add({0, 0, 1000 * wheels.road}, corners[i]);
     add({0, 0, -1000 * wheels.up_stop}, corners[i]);
     add({0, (corners[i].y > 0 ? 1000 : -1000) * wheels.side, 0}, corners[i]);
@@ -54,11 +54,11 @@ TEST(wheel_loads, forces_and_moments_hold_the_car_whatever_it_feels) {
   for (int i = 0; i < 20'000; ++i) {
     const Case c = random_case(bits);
     const WheelLoads loads = wheel_loads(c.felt, c.car);
-    const Given sum = given(loads, c);
+    const ActiveLesson sum = given(loads, c);
     const double weight = c.car.mass * kG;
     EXPECT_LT(glm::distance(sum.force, weight * dvec3(c.felt.forward, c.felt.left, c.felt.up)), 1e-9 * weight) << i;
     EXPECT_LT(glm::length(sum.moment), 1e-8 * weight * c.car.length) << i;
-    for (const Wheels& wheels : loads.corners) {
+    for (const LoadsByWheelKind& wheels : loads.corners) {
       EXPECT_GE(wheels.road, 0);
       EXPECT_GE(wheels.side, 0);
       EXPECT_GE(wheels.up_stop, 0);
@@ -104,9 +104,9 @@ TEST(wheel_loads, a_launch_loads_the_rear_and_brakes_load_the_front) {
 // The wheels of a train of one car on its first segment, at a speed.
 WheelLoads on_track(world::Document document, double speed, float mass) {
   const world::Entity cart = world::add_cart(document, document.track.segments.at(0), 0.0);
-  document.entities.get<world::Cart>(cart).mass = mass;
+  document.entities.get<world::Train>(cart).mass = mass;
   document.start_speed = speed;
-  const Derived derived = test::derived_of(document);
+  const DerivedTrack derived = test::derived_of(document);
   world::Motion motion;
   reset(document, derived, motion);
   return wheel_loads(document, derived, cart, *motion.carts.find(cart));
@@ -120,7 +120,7 @@ void roll_over(world::Document& document) {
 
 TEST(wheel_loads, at_rest_on_the_flat_each_road_wheel_carries_a_quarter_of_the_weight) {
   const WheelLoads loads = on_track(test::straight_document({1.1f, 9.3f, 2.7f}, {31.1f, 9.3f, 12.7f}, 3), 0, 840);
-  for (const Wheels& wheels : loads.corners) {
+  for (const LoadsByWheelKind& wheels : loads.corners) {
     EXPECT_NEAR(wheels.road, 0.84 * kG / 4, 1e-6);
     EXPECT_NEAR(wheels.up_stop, 0, 1e-6);
     EXPECT_NEAR(wheels.side, 0, 1e-6);
@@ -131,7 +131,7 @@ TEST(wheel_loads, upside_down_at_rest_each_up_stop_carries_a_quarter_of_the_weig
   world::Document document = test::straight_document({1.1f, 9.3f, 2.7f}, {31.1f, 9.3f, 12.7f}, 3);
   roll_over(document);
   const WheelLoads loads = on_track(document, 0, 840);
-  for (const Wheels& wheels : loads.corners) {
+  for (const LoadsByWheelKind& wheels : loads.corners) {
     EXPECT_NEAR(wheels.up_stop, 0.84 * kG / 4, 1e-6);
     EXPECT_NEAR(wheels.road, 0, 1e-6);
   }
@@ -164,9 +164,9 @@ TEST(wheel_loads, at_minus_one_g_on_a_crest_the_up_stops_carry_the_weight) {
 TEST(wheel_loads, the_simulated_ride_and_the_moving_train_agree) {
   world::Document document = test::ring_document(24, 40.7, 4.3);
   const world::Entity train = world::add_cart(document, document.track.segments.at(0), 0.2);
-  document.entities.get<world::Cart>(train).cars = 3, document.entities.get<world::Cart>(train).mass = 730;
+  document.entities.get<world::Train>(train).cars = 3, document.entities.get<world::Train>(train).mass = 730;
   document.start_speed = 16.3;
-  const Derived derived = test::derived_of(document);
+  const DerivedTrack derived = test::derived_of(document);
   world::Motion motion;
   reset(document, derived, motion);
   RideCache cache;

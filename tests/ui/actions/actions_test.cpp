@@ -39,7 +39,7 @@ TEST(action_table, the_menu_file_ends_with_quit) {
 // A menu that is higher than the window covers its own title, and needs the wheel.
 TEST_F(ActionsTest, every_menu_fits_a_small_window_at_both_scales_and_leaves_its_bar_free) {
   for (const float scale : {1.0f, 1.5f}) {
-    ASSERT_TRUE(edit::apply(session_, files_, edit::Set<&world::Look::ui_scale>{scale}).ok());
+    ASSERT_TRUE(edit::apply(session_, files_, edit::Set<&world::Appearance::ui_scale>{scale}).ok());
     frames(3);
     std::size_t items = 0;
     std::vector<std::string_view> menus;
@@ -283,9 +283,9 @@ TEST_F(ActionsTest, keys_do_nothing_behind_an_open_menu) {
 }
 
 TEST_F(ActionsTest, f12_asks_for_a_picture) {
-  EXPECT_EQ(frame({platform::KeyPress{platform::Key::f12, true, false, {}}}).photo, PhotoWish::scene);
-  EXPECT_EQ(frame({platform::KeyPress{platform::Key::f12, true, false, {.ctrl = true}}}).photo, PhotoWish::window);
-  EXPECT_EQ(frame().photo, PhotoWish::none);
+  EXPECT_EQ(frame({platform::KeyPress{platform::Key::f12, true, false, {}}}).photo, PictureRequest::scene);
+  EXPECT_EQ(frame({platform::KeyPress{platform::Key::f12, true, false, {.ctrl = true}}}).photo, PictureRequest::window);
+  EXPECT_EQ(frame().photo, PictureRequest::none);
 }
 
 }  // namespace actions_test

@@ -58,9 +58,9 @@ TEST_F(gamepad, the_right_stick_turns_the_orbit_camera_until_it_is_let_go) {
 // In half a second, by the picture: the right stick turns the view by 65 degrees to the side that it points to and, in
 // a sixth of a second, tilts it by 15; the left one and the triggers move the free camera by 10 m.
 TEST_F(gamepad, sticks_turn_and_move_cameras_as_they_point) {
-  struct Look {
+  struct Appearance {
     glm::vec3 right, up, forward;
-    float heading(const Look& other) const {  // to the other one, degrees to the right
+    float heading(const Appearance& other) const {  // to the other one, degrees to the right
       const glm::vec2 a(forward.x, forward.z), b(other.forward.x, other.forward.z);
       return glm::degrees(std::atan2(a.x * b.y - a.y * b.x, glm::dot(a, b)));
     }
@@ -68,7 +68,7 @@ TEST_F(gamepad, sticks_turn_and_move_cameras_as_they_point) {
   };
   const auto look = [&] {
     const glm::mat4& v = host_->view().view;
-    return Look{{v[0][0], v[1][0], v[2][0]}, {v[0][1], v[1][1], v[2][1]}, {-v[0][2], -v[1][2], -v[2][2]}};
+    return Appearance{{v[0][0], v[1][0], v[2][0]}, {v[0][1], v[1][1], v[2][1]}, {-v[0][2], -v[1][2], -v[2][2]}};
   };
   for (const world::CameraMode mode : {world::CameraMode::orbit, world::CameraMode::fly}) {
     ASSERT_TRUE(edit::apply(session_, files_, edit::Set<&world::Settings::camera_mode>{mode}));
@@ -78,7 +78,7 @@ TEST_F(gamepad, sticks_turn_and_move_cameras_as_they_point) {
     }
     frames(2);
     for (const float side : {1.0f, -1.0f}) {
-      const Look before = look();
+      const Appearance before = look();
       hold({.right_x = side}, 30);
       hold({}, 2);
       EXPECT_NEAR(before.heading(look()), 65 * side, 1);
@@ -95,7 +95,7 @@ TEST_F(gamepad, sticks_turn_and_move_cameras_as_they_point) {
     hold({}, 2);
     return settings().fly.eye - before;
   };
-  const Look now = look();
+  const Appearance now = look();
   for (const float sign : {1.0f, -1.0f}) {
     EXPECT_LT(glm::distance(flies({.left_x = sign}), 10 * sign * now.right), 0.2f);
     EXPECT_LT(glm::distance(flies({.left_y = -sign}), 10 * sign * now.forward), 0.2f);

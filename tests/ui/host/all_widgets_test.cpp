@@ -53,7 +53,7 @@ class AllWidgetsTest : public AllPartsStage {
     set<&world::LabView::colouring>(world::Colouring::speed);
     show("legend");
     set<&world::LabView::colouring>(world::Colouring::plain);
-    base::Progress progress;
+    base::JobProgress progress;
     progress.report(0.375);
     job_ = {&progress, "Import", "Fitting a track to the imported points"};
     show("job");
@@ -181,7 +181,7 @@ TEST_F(AllWidgetsTest, at_twice_the_scale_everything_is_twice_as_large) {
   resize(1280, 800);
   const Places small = places();
   restart();
-  set<&world::Look::ui_scale>(2.0f);
+  set<&world::Appearance::ui_scale>(2.0f);
   resize(2560, 1600);
   const Places large = places();
   int compared = 0;
@@ -222,7 +222,7 @@ TEST_F(AllWidgetsTest, at_twice_the_scale_all_ink_is_twice_as_far_away) {
   resize(1280, 800);
   const auto small = inks();
   restart();
-  set<&world::Look::ui_scale>(2.0f);
+  set<&world::Appearance::ui_scale>(2.0f);
   resize(2560, 1600);
   const auto large = inks();
   int compared = 0;
@@ -293,7 +293,7 @@ TEST_F(AllWidgetsTest, at_twice_the_scale_every_shape_is_twice_as_large) {
   resize(1280, 800);
   const Shapes small = shapes();
   restart();
-  set<&world::Look::ui_scale>(2.0f);
+  set<&world::Appearance::ui_scale>(2.0f);
   resize(2560, 1600);
   const Shapes large = shapes();
   int compared = 0;

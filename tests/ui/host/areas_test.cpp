@@ -31,7 +31,7 @@ struct AreasTest : Stage {
   void go_to(Workspace workspace) { set<&world::Panels::workspace>(workspace); }
   Workspace workspace() const { return session_.settings.panels->workspace; }
   void window(int width, int height, float scale) {
-    set<&world::Look::ui_scale>(scale);
+    set<&world::Appearance::ui_scale>(scale);
     resize(width, height);
     frames(2);
   }
@@ -114,7 +114,7 @@ TEST_F(AreasTest, no_button_is_too_narrow_for_its_label) {
     ASSERT_TRUE(status.ok()) << status.message;
   };
   good(edit::SetStartSpeed{18});
-  good(edit::AddForce{});
+  good(edit::AddForceSection{});
   good(edit::PlaceElement{world::usual_element(world::ElementKind::straight)});
   constexpr std::tuple<int, int, float> kWindows[] = {
       {1280, 720, 1.0f}, {1280, 720, 1.5f}, {1024, 768, 1.0f}, {1920, 1080, 1.0f}, {1920, 1080, 2.0f}};
@@ -349,9 +349,9 @@ TEST_F(AreasTest, the_ride_bar_plays_scrubs_and_chooses_the_camera) {
 TEST_F(AreasTest, a_fast_speed_in_any_unit_keeps_off_its_label_in_the_ride_bar) {
   ASSERT_TRUE(edit::apply(session_, files_, edit::SetStartSpeed{50}).ok());
   go_to(Workspace::ride);
-  for (const base::Units units : {base::Units::m_s, base::Units::kmh, base::Units::feet})
+  for (const base::UnitSystem units : {base::UnitSystem::m_s, base::UnitSystem::kmh, base::UnitSystem::feet})
     for (const float scale : {1.0f, 1.5f}) {
-      set<&world::Look::units>(units);
+      set<&world::Appearance::units>(units);
       window(1280, 720, scale);
       frames(2);
       const Widget& speed = *find("Ride/Speed");

@@ -80,7 +80,7 @@ class Sizes : public AllPartsStage {
   }
 
   void visit_cards(const std::function<void(const std::string&)>& look) {
-    base::Progress progress;
+    base::JobProgress progress;
     job_ = {&progress, "Import", "Fitting a track to the imported points"};
     movie_.emplace();
     edit::notify(session_, edit::NoticeKind::warning, "A notice with several words, which are wrapped.");

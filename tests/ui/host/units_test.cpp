@@ -27,7 +27,7 @@ struct UnitsTest : Stage {
     ASSERT_TRUE(edit::apply(session_, files_, edit::Set<Setting>{to}).ok());
     frames(2);
   }
-  void show_in(base::Units units) { set<&world::Look::units>(units); }
+  void show_in(base::UnitSystem units) { set<&world::Appearance::units>(units); }
 
   // Paths and values of the widgets of this frame that have a metric unit. The names of a challenge's rules are what
   // its file calls them.
@@ -76,7 +76,7 @@ TEST_F(UnitsTest, in_feet_no_panel_shows_a_metric_unit) {
   click("Score/Details");
   frames(2);
   EXPECT_GE(metric_widgets().size(), 40u);
-  show_in(base::Units::feet);
+  show_in(base::UnitSystem::feet);
   for (const std::string& widget : metric_widgets()) ADD_FAILURE() << widget;
   const auto ends_in = [&](const char* path, const char* unit) {
     const Widget* const widget = find(path);
@@ -91,7 +91,7 @@ TEST_F(UnitsTest, in_feet_no_panel_shows_a_metric_unit) {
 }
 
 TEST_F(UnitsTest, a_number_is_typed_in_the_shown_unit_or_in_any) {
-  show_in(base::Units::feet);
+  show_in(base::UnitSystem::feet);
   select(world::Kind::knot, 2);
   const std::pair<const char*, float> cases[]{{"33", 10.0584f}, {"10 m", 10.0f}, {"1 ft + 12 in", 0.6096f}};
   for (const auto& [typed, metres] : cases) {
@@ -101,7 +101,7 @@ TEST_F(UnitsTest, a_number_is_typed_in_the_shown_unit_or_in_any) {
     EXPECT_EQ(knot(2).position.x, metres) << typed;
   }
   EXPECT_EQ(find("Inspector/Position/x")->value, "2.000");
-  show_in(base::Units::kmh);
+  show_in(base::UnitSystem::kmh);
   type("Track/Start speed", "90");
   EXPECT_EQ(session_.document.start_speed, 25);
   type("Track/Start speed", "20 m/s");
@@ -110,7 +110,7 @@ TEST_F(UnitsTest, a_number_is_typed_in_the_shown_unit_or_in_any) {
 }
 
 TEST_F(UnitsTest, a_typed_move_counts_in_the_shown_unit) {
-  show_in(base::Units::feet);
+  show_in(base::UnitSystem::feet);
   select(world::Kind::knot, 2);
   const float height = knot(2).position.y;
   hover(empty_ground());
@@ -123,7 +123,7 @@ TEST_F(UnitsTest, a_typed_move_counts_in_the_shown_unit) {
 }
 
 TEST_F(UnitsTest, limits_hold_in_every_unit_without_a_notice) {
-  show_in(base::Units::feet);
+  show_in(base::UnitSystem::feet);
   select(world::Kind::knot, 2);
   type("Inspector/Position/x", "100000 m");
   frame();
@@ -146,7 +146,7 @@ TEST_F(UnitsTest, the_cursor_of_a_plot_is_in_the_shown_unit_and_moves_in_round_s
   };
   const double metres = arc.distance(session_.settings.selected_t);
   EXPECT_NEAR(shown(), metres, 1e-3);
-  show_in(base::Units::feet);
+  show_in(base::UnitSystem::feet);
   EXPECT_NEAR(shown(), metres / 0.3048, 1e-3);
   click("Laboratory/Curvature plot");
   frames(2);

@@ -20,7 +20,7 @@ class ForceClipTest : public SectionsStage {
     good(edit::NewTrack{});
     good(edit::SetStartSpeed{20});
     good(edit::PlaceElement{world::usual_element(world::ElementKind::straight)});
-    good(edit::AddForce{world::ForceOver::distance, 40, 0.1});
+    good(edit::AddForceSection{world::ForceDomain::distance, 40, 0.1});
     for (const double at : {5.0, 20.0})
       good(edit::SetForceKey{{{world::Kind::section, 2}}, false, ForceChannel::vertical, 1, at});
     good(edit::Set<&world::Panels::workspace>{world::Workspace::build});

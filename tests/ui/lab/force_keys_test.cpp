@@ -19,7 +19,7 @@ class ForceKeysTest : public SectionsStage {
     good(edit::NewTrack{});
     good(edit::SetStartSpeed{20});
     good(edit::PlaceElement{world::usual_element(world::ElementKind::straight)});
-    good(edit::AddForce{world::ForceOver::distance, 40, 0.1});
+    good(edit::AddForceSection{world::ForceDomain::distance, 40, 0.1});
     good(edit::Set<&world::Panels::workspace>{world::Workspace::build});
     good(edit::Select{{{world::Kind::section, 2}}});
     frames(3);
@@ -131,7 +131,7 @@ TEST_F(ForceKeysTest, a_drag_that_is_undone_moves_nothing_more) {
 }
 
 TEST_F(ForceKeysTest, keys_of_curvature_snap_to_thousandths) {
-  good(edit::SetForceOf{{{world::Kind::section, 2}}, world::ForceOf::curvature});
+  good(edit::SetForceQuantity{{{world::Kind::section, 2}}, world::ForceQuantity::curvature});
   const std::size_t there = keys().size();
   frames(3);
   double_click_at(in_plot(0.52f, 0.62f));

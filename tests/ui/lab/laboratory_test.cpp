@@ -41,7 +41,7 @@ struct LaboratoryTest : Stage {
 
 // Where the pages' names have no room, a list takes their place, and the mark alone is too small to find.
 TEST_F(LaboratoryTest, its_bar_has_its_name_in_a_small_window_at_a_large_scale) {
-  ASSERT_TRUE(edit::apply(session_, files_, edit::Set<&world::Look::ui_scale>{1.5f}).ok());
+  ASSERT_TRUE(edit::apply(session_, files_, edit::Set<&world::Appearance::ui_scale>{1.5f}).ok());
   ASSERT_TRUE(edit::apply(session_, files_, edit::Set<&world::Panels::workspace>{world::Workspace::laboratory}).ok());
   resize(1280, 720);
   frames(3);
@@ -113,7 +113,7 @@ TEST_F(LaboratoryTest, no_number_is_cut_in_a_small_window_at_a_large_scale) {
   ASSERT_TRUE(edit::apply(session_, files_, edit::Set<&world::Panels::show_laboratory>{true}).ok());
   select(world::Kind::segment, 1);
   for (const float scale : {1.0f, 1.5f}) {
-    ASSERT_TRUE(edit::apply(session_, files_, edit::Set<&world::Look::ui_scale>{scale}).ok());
+    ASSERT_TRUE(edit::apply(session_, files_, edit::Set<&world::Appearance::ui_scale>{scale}).ok());
     for (std::size_t page = 0; page < pages().size(); ++page) {
       ASSERT_TRUE(
           edit::apply(session_, files_, edit::Set<&world::LabView::page>{static_cast<world::LabPage>(page)}).ok());
@@ -132,7 +132,7 @@ TEST_F(LaboratoryTest, measured_numbers_are_whole_and_every_column_is_in_sight) 
   for (const double error : {1.234e-7, 8.88e-10, 0.0456})
     for (const float scale : {1.0f, 1.5f})
       for (const auto& [width, height] : {std::pair{1280, 720}, {1920, 1080}}) {
-        ASSERT_TRUE(edit::apply(session_, files_, edit::Set<&world::Look::ui_scale>{scale}).ok());
+        ASSERT_TRUE(edit::apply(session_, files_, edit::Set<&world::Appearance::ui_scale>{scale}).ok());
         for (sim::MeasuredRow& row : measured.rows) row.cells.fill({4321.09, error, 1});
         resize(width, height);
         for (const bool time : {false, true}) {
@@ -185,7 +185,7 @@ TEST_F(LaboratoryTest, measured_numbers_are_coloured_from_green_to_red) {
 TEST_F(LaboratoryTest, every_plot_can_be_reached_in_a_small_window_at_a_large_scale) {
   ASSERT_TRUE(edit::apply(session_, files_, edit::Set<&world::Panels::workspace>{world::Workspace::laboratory}).ok());
   ASSERT_TRUE(edit::apply(session_, files_, edit::Set<&world::Panels::show_laboratory>{true}).ok());
-  ASSERT_TRUE(edit::apply(session_, files_, edit::Set<&world::Look::ui_scale>{1.5f}).ok());
+  ASSERT_TRUE(edit::apply(session_, files_, edit::Set<&world::Appearance::ui_scale>{1.5f}).ok());
   const std::pair<world::LabPage, const char*> plots[] = {{world::LabPage::frames, "Laboratory/Curvature plot"},
                                                           {world::LabPage::frames, "Laboratory/Torsion plot"},
                                                           {world::LabPage::forces, "Laboratory/Left plot"},

@@ -212,7 +212,7 @@ TEST_F(PlotsReadTest, forces_are_those_of_the_ride_by_distance_and_by_time) {
   ASSERT_TRUE(edit::apply(session_, files_, edit::SetStartSpeed{18}).ok());
   ASSERT_TRUE(edit::apply(session_, files_, edit::Set<&world::LabView::seat>{world::Seat::car}).ok());
   open(world::LabPage::forces);
-  const sim::SimulatedRide& ride = *edit::Finder(session_).ride();
+  const sim::SimulatedRide& ride = *edit::SessionFindings(session_).ride();
   const auto cars = static_cast<std::size_t>(ride.start.cars);
   for (const bool over_time : {false, true}) {
     if (over_time) click("Laboratory/By time");

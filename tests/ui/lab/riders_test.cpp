@@ -50,7 +50,7 @@ struct RidersTest : Stage {
   }
   double train() const { return session_.motion.carts.items()[0].track_distance; }
   double value_at(int car, double distance, sim::RideValue value) {
-    return sim::value_at(edit::Finder(session_).riders()->car(car), distance, value).value_or(NAN);
+    return sim::value_at(edit::SessionFindings(session_).riders()->car(car), distance, value).value_or(NAN);
   }
 };
 
@@ -83,7 +83,7 @@ TEST_F(RidersTest, a_value_that_hardly_changes_is_a_flat_line_and_not_noise) {
   EXPECT_GE(least_step("Roll rate"), 1);
   EXPECT_GE(least_step("Height"), 0.2);
   run("start_speed 0.5");
-  set<&world::Look::units>(base::Units::feet);
+  set<&world::Appearance::units>(base::UnitSystem::feet);
   EXPECT_GE(least_step("Height"), 0.5) << "1 m is 3.3 ft";
 }
 
@@ -99,7 +99,7 @@ TEST_F(RidersTest, the_legend_has_the_value_at_the_train_with_its_unit) {
   EXPECT_PRED2(ends, value("Roll rate plot"), " \u00B0/s");
   EXPECT_PRED2(ends, value("Roll acceleration plot"), " \u00B0/s\u00B2");
   EXPECT_PRED2(ends, value("Speed plot"), " m/s");
-  set<&world::Look::units>(base::Units::feet);
+  set<&world::Appearance::units>(base::UnitSystem::feet);
   EXPECT_PRED2(ends, value("Speed plot"), " mph");
   EXPECT_PRED2(ends, value("Height plot"), " ft");
   set<&world::LabView::page>(world::LabPage::forces);

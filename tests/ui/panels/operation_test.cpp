@@ -20,7 +20,7 @@ TEST_F(PanelOperationTest, a_set_of_losses_is_chosen_by_its_name) {
   EXPECT_EQ(find("Operation/Losses/Own"), nullptr);
   click("Operation/Losses/KexEdit");
   ASSERT_EQ(all<edit::SetLossSet>().size(), 1u);
-  EXPECT_EQ(session_.document.resistance, (world::Resistance{0.021f, 2e-5f}));
+  EXPECT_EQ(session_.document.resistance, (world::Losses{0.021f, 2e-5f}));
   EXPECT_EQ(shown(), "KexEdit");
 }
 

@@ -18,7 +18,7 @@ struct PaletteTest : Stage {};
 TEST_F(PaletteTest, buttons_have_labels_at_usual_sizes_and_the_view_its_share) {
   ASSERT_TRUE(edit::apply(session_, files_, edit::Set<&world::Panels::workspace>{world::Workspace::build}));
   for (const auto& [width, height, scale] : {std::tuple{1280, 720, 1.0f}, {1280, 720, 1.5f}, {1920, 1080, 2.0f}}) {
-    ASSERT_TRUE(edit::apply(session_, files_, edit::Set<&world::Look::ui_scale>{scale}));
+    ASSERT_TRUE(edit::apply(session_, files_, edit::Set<&world::Appearance::ui_scale>{scale}));
     resize(width, height);
     frames(3);
     const Widget* loop = find("Elements/Loop");

@@ -220,7 +220,7 @@ TEST_F(SectionsTable, the_mouse_over_a_row_marks_its_section_in_the_view) {
 TEST_F(SectionsTable, it_fits_at_every_size_and_scale) {
   for (const auto& [width, height, scale] :
        {std::tuple{1280, 720, 1.0f}, {1280, 720, 1.5f}, {1920, 1080, 1.0f}, {1920, 1080, 2.0f}}) {
-    good(edit::Set<&world::Look::ui_scale>{scale});
+    good(edit::Set<&world::Appearance::ui_scale>{scale});
     resize(width, height);
     if (find("Sections")->value == "closed") key(Key::t);
     frames(3);

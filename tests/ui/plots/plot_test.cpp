@@ -47,7 +47,7 @@ struct PlotTest : Stage {
       list_.clear();
       Entry entry;
       Gesture gesture;
-      Rest rest;
+      HoverTime rest;
       const std::function<void()> begins = [] {};
       const std::function<void(const std::string&)> warns = [](const std::string&) {};
       WidgetFrame ui{list_, entry, gesture, rest, begins, warns, 1, "Test", units_};
@@ -87,7 +87,7 @@ struct PlotTest : Stage {
 
   WidgetList list_;
   std::vector<ImDrawVert> drawn_;
-  base::Units units_ = base::Units::m_s;
+  base::UnitSystem units_ = base::UnitSystem::m_s;
 };
 
 TEST_F(PlotTest, lines_and_points_are_where_linear_and_logarithmic_axes_have_them) {
@@ -359,14 +359,15 @@ TEST_F(PlotTest, the_read_out_is_beside_the_mouse_and_within_the_plot) {
 TEST_F(PlotTest, a_drag_moves_the_cursor_to_a_round_place_within_a_pixel) {
   const std::vector<double> x{0, 10}, y{0, 0};
   const Series series{"", x, y, kRed};
-  for (const base::Units units : {base::Units::m_s, base::Units::feet}) {
+  for (const base::UnitSystem units : {base::UnitSystem::m_s, base::UnitSystem::feet}) {
     units_ = units;
     Plot p = with(std::span(&series, 1));
     p.x.unit = "m", p.cursor = 5;
     draw(p);
     const Widget a = area();
-    EXPECT_EQ(a.value, units == base::Units::m_s ? "5.00000" : "16.4042");
-    const double per_pixel = 10 / static_cast<double>(a.width), factor = units == base::Units::m_s ? 1 : 1 / 0.3048;
+    EXPECT_EQ(a.value, units == base::UnitSystem::m_s ? "5.00000" : "16.4042");
+    const double per_pixel = 10 / static_cast<double>(a.width),
+                 factor = units == base::UnitSystem::m_s ? 1 : 1 / 0.3048;
     for (const double part : {0.0, 0.123, 0.731, 1.0}) {
       const double wanted = 10 * part;
       const ImVec2 mouse(a.x + static_cast<float>(part) * (a.width - 1), a.y + 0.5f * a.height);

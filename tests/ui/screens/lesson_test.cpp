@@ -74,7 +74,7 @@ TEST_F(LessonTest, a_lesson_opens_the_panel_of_its_widget_and_scrolls_to_it) {
 
 // The ring around the widget swells by 3 px and back 0.7 times a second; in scripts it stands still, at its largest.
 TEST_F(LessonTest, the_ring_around_its_widget_breathes) {
-  ASSERT_TRUE(edit::apply(session_, files_, edit::Set<&world::Look::ui_scale>{2.0f}));
+  ASSERT_TRUE(edit::apply(session_, files_, edit::Set<&world::Appearance::ui_scale>{2.0f}));
   resize(2560, 1440);
   const query::LessonCard card{"Click Play.", "Ride/Play", 1, 2};
   lesson_ = &card;

@@ -36,7 +36,8 @@ TEST_F(ScoreCardTest, the_card_shows_the_simulated_numbers_and_closes_by_key) {
   EXPECT_EQ(find("Score/Top speed"), nullptr);
   end_a_ride();
   ASSERT_NE(find("Score/Top speed"), nullptr);
-  EXPECT_EQ(find("Score/Top speed")->value, fixed(edit::Finder(session_).ratings().top_speed.value, 1) + " m/s");
+  EXPECT_EQ(find("Score/Top speed")->value,
+            fixed(edit::SessionFindings(session_).ratings().top_speed.value, 1) + " m/s");
   EXPECT_EQ(find("Score/Length"), nullptr);
   click("Score/Details");
   frames(2);
@@ -167,7 +168,7 @@ TEST_F(ScoreCardTest, the_next_challenge_is_offered_once_this_one_is_passed) {
   frames(2);
   ASSERT_NE(find("Score/Next challenge"), nullptr);
   commands_.clear();
-  session_.file.saved_hash = edit::Finder(session_).document_hash();
+  session_.file.saved_hash = edit::SessionFindings(session_).document_hash();
   click("Score/Next challenge");
   frames(2);
   ASSERT_EQ(all<edit::StartChallenge>().size(), 1u);

@@ -17,7 +17,7 @@ namespace toasts_test {
 TEST(toasts, information_lasts_four_seconds_and_warnings_six) {
   for (const auto& [kind, seconds] : {std::pair{edit::NoticeKind::info, 4.0}, {edit::NoticeKind::warning, 6.0}}) {
     edit::Session session = edit::make_session({});
-    Toasts toasts;
+    NoticeDisplay toasts;
     edit::notify(session, kind, "mind the gap");
     toasts.update(session, 100, false);
     toasts.update(session, 100 + seconds - 0.1, false);
@@ -29,7 +29,7 @@ TEST(toasts, information_lasts_four_seconds_and_warnings_six) {
 
 TEST(toasts, under_a_dialog_their_time_does_not_run) {
   edit::Session session = edit::make_session({});
-  Toasts toasts;
+  NoticeDisplay toasts;
   edit::notify(session, edit::NoticeKind::warning, "rows too far apart");
   toasts.update(session, 100, false);
   for (int second = 101; second <= 130; ++second) toasts.update(session, second, false, true);
@@ -42,7 +42,7 @@ TEST(toasts, under_a_dialog_their_time_does_not_run) {
 
 TEST(toasts, stay_until_the_next_one_in_scripts) {
   edit::Session session = edit::make_session({});
-  Toasts toasts;
+  NoticeDisplay toasts;
   edit::notify(session, edit::NoticeKind::info, "first");
   toasts.update(session, 0, true);
   toasts.update(session, 1e6, true);
@@ -54,7 +54,7 @@ TEST(toasts, stay_until_the_next_one_in_scripts) {
 
 TEST(toasts, warnings_stay_above_the_note_that_came_with_them) {
   edit::Session session = edit::make_session({});
-  Toasts toasts;
+  NoticeDisplay toasts;
   edit::notify(session, edit::NoticeKind::warning, "seen before");
   toasts.update(session, 100, false);
   edit::notify(session, edit::NoticeKind::info, "on the way");
@@ -94,7 +94,7 @@ struct ToastsDrawn : Stage {
 
 TEST_F(ToastsDrawn, the_box_is_at_the_foot_of_the_view_with_its_bar_and_its_text_inside) {
   for (const float scale : {1.0f, 2.0f}) {
-    ASSERT_TRUE(edit::apply(session_, files_, edit::Set<&world::Look::ui_scale>{scale}));
+    ASSERT_TRUE(edit::apply(session_, files_, edit::Set<&world::Appearance::ui_scale>{scale}));
     resize(static_cast<int>(1280 * scale), static_cast<int>(720 * scale));
     for (const auto& [kind, colour] : {std::pair{edit::NoticeKind::info, palette().accent},
                                        {edit::NoticeKind::warning, palette().warning},

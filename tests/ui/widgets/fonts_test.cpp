@@ -25,7 +25,7 @@ struct FontsTest : testing::Test {
   }
 
   // Loads letters as two frames that show a text do; returns whether they were new.
-  static bool show(Letters& letters, const char* text) {
+  static bool show(PanelFonts& letters, const char* text) {
     ImGui::NewFrame();
     ImGui::GetForegroundDrawList()->AddText({5, 5}, 0xffffffffu, text);
     ImGui::Render();
@@ -84,7 +84,7 @@ TEST_F(FontsTest, formulas_have_their_signs) {
 
 TEST_F(FontsTest, letters_of_other_alphabets_are_loaded_when_a_text_shows_them) {
   if (inter_font().empty()) GTEST_SKIP() << "built without Inter";
-  Letters letters;
+  PanelFonts letters;
   EXPECT_TRUE(letters.load(1));
   EXPECT_FALSE(letters.load(1));
   show(letters, "\u0420\u0443\u0441\u0441\u043a\u0438\u0439 \u1f08 \u1ea1");  // Cyrillic, Greek, Vietnamese
@@ -97,7 +97,7 @@ TEST_F(FontsTest, letters_of_other_alphabets_are_loaded_when_a_text_shows_them) 
 
 TEST_F(FontsTest, letters_that_no_font_has_are_one_box_each) {
   if (inter_font().empty()) GTEST_SKIP() << "built without Inter";
-  Letters letters;
+  PanelFonts letters;
   letters.load(1);
   const float box = width_of("\u25a1");
   show(letters, "\uf8f0\uf8f4\uf8ff");  // for private use

@@ -24,7 +24,7 @@ double contrast(std::uint32_t a, std::uint32_t b) {
 class themes : public testing::TestWithParam<world::Theme> {};
 
 TEST_P(themes, texts_can_be_read_on_every_ground) {
-  const Palette& p = palette_of(GetParam());
+  const ThemeColours& p = palette_of(GetParam());
   const bool high = GetParam() == world::Theme::high_contrast;
   for (const std::uint32_t ground : {p.background, p.raised, p.field, p.plot}) {
     EXPECT_GE(contrast(p.text, ground), high ? 15 : 7) << std::hex << ground;
