@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "../tests/curve/random_cubics.h"  // the sets for which the tests check the tolerance
-#include "base/names.h"
+#include "base/enum_names.h"
 #include "curve/arc_length.h"
 #include "curve/arc_length_study.h"
 #include "paired.h"

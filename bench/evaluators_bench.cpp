@@ -10,7 +10,7 @@
 #include <emmintrin.h>
 #endif
 
-#include "base/names.h"
+#include "base/enum_names.h"
 #include "bench_tracks.h"
 #include "curve/evaluators.h"
 #include "curve/kernels.h"

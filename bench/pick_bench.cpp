@@ -6,9 +6,9 @@
 #include <random>
 
 #include "paired.h"
-#include "sim/shape/derived.h"
+#include "sim/shape/derived_track.h"
 #include "view/pick.h"
-#include "world/evaluation.h"
+#include "world/evaluation_settings.h"
 #include "world/topology.h"
 
 #ifdef COASTER_PEER_EMBREE

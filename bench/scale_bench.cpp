@@ -14,7 +14,7 @@
 #include "edit/perform/apply.h"
 #include "edit/session/history.h"
 #include "exchange/own/track_file.h"
-#include "sim/shape/deviation.h"
+#include "sim/shape/polyline_error.h"
 #include "sim/shape/rail_tables.h"
 #include "sim/solids/conflicts.h"
 

@@ -9,15 +9,15 @@
 #include "app/long_job.h"
 #include "app/pictures.h"
 #include "app/scene.h"
+#include "base/cancellable_job.h"
 #include "base/crash_guard.h"
-#include "base/interrupted.h"
-#include "edit/commands/commands_force.h"
+#include "edit/commands/commands_force_sections.h"
 #include "edit/commands/commands_sections.h"
 #include "exchange/formats.h"
-#include "exchange/own/link.h"
+#include "exchange/own/share_link.h"
 #include "exchange/own/track_file.h"
-#include "world/lab_view.h"
-#include "world/look.h"
+#include "world/appearance_settings.h"
+#include "world/laboratory_settings.h"
 
 namespace coaster::app {
 namespace {

@@ -12,7 +12,7 @@
 #include <string_view>
 #include <vector>
 
-#include "base/interrupted.h"
+#include "base/cancellable_job.h"
 #include "edit/commands/command.h"
 #include "edit/perform/job_result.h"
 #include "platform/events.h"

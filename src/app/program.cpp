@@ -13,12 +13,12 @@
 #include <fmt/format.h>
 
 #include "app/long_job.h"
+#include "base/cancellable_job.h"
 #include "base/console.h"
 #include "base/folders.h"
 #include "base/hash.h"
-#include "base/interrupted.h"
 #include "base/text.h"
-#include "edit/commands/commands_force.h"
+#include "edit/commands/commands_force_sections.h"
 #include "edit/commands/commands_operation.h"
 #include "edit/commands/commands_sections.h"
 #include "edit/commands/commands_session.h"
@@ -27,11 +27,11 @@
 #include "edit/perform/apply.h"
 #include "exchange/formats.h"
 #include "platform/signals.h"
-#include "query/challenge.h"
+#include "query/challenge_rules.h"
 #include "script/paths.h"
-#include "ui/tools/cameras.h"
+#include "ui/tools/camera_controls.h"
 #include "view/camera.h"
-#include "world/evaluation.h"
+#include "world/evaluation_settings.h"
 
 namespace coaster::app {
 namespace {

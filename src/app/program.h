@@ -6,11 +6,11 @@
 #include <optional>
 #include <string>
 
-#include "app/keeper.h"
 #include "app/movie.h"
 #include "app/options.h"
 #include "app/sounds.h"
-#include "app/track_pictures.h"
+#include "app/track_thumbnails.h"
+#include "app/user_data_keeper.h"
 #include "base/crash_guard.h"
 #include "base/files.h"
 #include "edit/session/session.h"

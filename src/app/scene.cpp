@@ -4,13 +4,13 @@
 #include <utility>
 
 #include "base/console.h"
-#include "gfx/instances.h"
+#include "gfx/per_frame_instances.h"
 #include "sim/ride/ride.h"
 #include "sim/solids/supports.h"
 #include "sim/study/complete_circuit.h"
-#include "world/aids.h"
-#include "world/lab_view.h"
-#include "world/look.h"
+#include "world/aid_settings.h"
+#include "world/appearance_settings.h"
+#include "world/laboratory_settings.h"
 
 namespace coaster::app {
 namespace {

@@ -5,8 +5,8 @@
 
 #include "app/program.h"
 #include "script/host.h"
-#include "world/aids.h"
-#include "world/panels.h"
+#include "world/aid_settings.h"
+#include "world/panel_settings.h"
 
 namespace coaster::app {
 

@@ -2,7 +2,7 @@
 
 #include "app/program.h"
 #include "base/text.h"
-#include "world/look.h"
+#include "world/appearance_settings.h"
 
 namespace coaster::app {
 

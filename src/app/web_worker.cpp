@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "app/long_job.h"
-#include "base/interrupted.h"
+#include "base/cancellable_job.h"
 
 namespace coaster::app {
 namespace {

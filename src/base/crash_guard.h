@@ -14,8 +14,8 @@
 #include <string_view>
 #include <vector>
 
+#include "base/enum_names.h"
 #include "base/files.h"
-#include "base/names.h"
 
 namespace coaster::base {
 

@@ -1,5 +1,5 @@
 #include "base/parallel.h"
-#include "base/interrupted.h"
+#include "base/cancellable_job.h"
 
 #include <algorithm>
 #include <atomic>

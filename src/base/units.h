@@ -7,7 +7,7 @@
 #include <string>
 #include <string_view>
 
-#include "base/names.h"
+#include "base/enum_names.h"
 #include "base/status.h"
 
 namespace coaster::base {

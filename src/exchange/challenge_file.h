@@ -1,5 +1,5 @@
 // The format of challenges, JSON (docs/challenges.md): a start track, goals and medals as expressions over queries, and
-// hints. Reading checks everything except the expressions, which query/challenge.h parses.
+// hints. Reading checks everything except the expressions, which query/challenge_rules.h parses.
 #pragma once
 
 #include <array>

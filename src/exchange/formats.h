@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-#include "exchange/own/import.h"
+#include "exchange/own/import_options.h"
 #include "exchange/own/track_file.h"
 
 namespace coaster::exchange {
@@ -42,9 +42,9 @@ std::filesystem::path materials_of(const std::filesystem::path& path);
 const Format* format_of(const std::filesystem::path& path);
 
 // Read or write the file in the format of its extension. An unknown extension is refused with the list of those known
-// for that direction. A shared link is read like a file (exchange/own/link.h). A track from a format that does not hold
-// everything gets a train at its start, if it has none, and, unless the file gives one, a start speed with which its
-// ride completes (sim/ride/simulated_ride.h), if there is one; the note or a warning says so.
+// for that direction. A shared link is read like a file (exchange/own/share_link.h). A track from a format that does
+// not hold everything gets a train at its start, if it has none, and, unless the file gives one, a start speed with
+// which its ride completes (sim/ride/simulated_ride.h), if there is one; the note or a warning says so.
 base::Result<LoadedTrack> load_track(base::Files& files, const std::filesystem::path& path, const Import& import = {});
 // What a window asks before it opens a list of points, or rows that begin far from the origin.
 struct ImportQuestion {

@@ -6,7 +6,7 @@
 #include <string>
 #include <utility>
 
-#include "gfx/objects.h"
+#include "gfx/gl_objects.h"
 #include "view/camera.h"
 
 namespace coaster::gfx {

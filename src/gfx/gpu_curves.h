@@ -12,7 +12,7 @@
 #include <glm/glm.hpp>
 
 #include "curve/evaluators.h"
-#include "gfx/objects.h"
+#include "gfx/gl_objects.h"
 #include "gfx/track_cache.h"
 
 namespace coaster::gfx {

@@ -8,7 +8,7 @@
 #include <type_traits>
 #include <vector>
 
-#include "gfx/objects.h"
+#include "gfx/gl_objects.h"
 
 namespace coaster::gfx {
 

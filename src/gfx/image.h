@@ -6,7 +6,7 @@
 #include <string_view>
 
 #include "base/files.h"
-#include "gfx/objects.h"
+#include "gfx/gl_objects.h"
 #include "gfx/renderer.h"
 
 namespace coaster::gfx {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "gfx/growing_buffer.h"
-#include "sim/shape/derived.h"
+#include "sim/shape/derived_track.h"
 #include "sim/solids/mesh.h"
 
 namespace coaster::gfx {

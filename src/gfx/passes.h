@@ -6,9 +6,9 @@
 #include <optional>
 
 #include "base/status.h"
+#include "gfx/gl_objects.h"
 #include "gfx/gpu_curves.h"
-#include "gfx/instances.h"
-#include "gfx/objects.h"
+#include "gfx/per_frame_instances.h"
 #include "gfx/renderer.h"
 #include "gfx/scenery.h"
 #include "gfx/track_cache.h"

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "base/check.h"
-#include "world/look.h"
+#include "world/appearance_settings.h"
 
 namespace coaster::gfx {
 namespace {

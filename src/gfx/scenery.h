@@ -3,7 +3,7 @@
 
 #include <glm/glm.hpp>
 
-#include "gfx/objects.h"
+#include "gfx/gl_objects.h"
 #include "world/settings.h"
 
 namespace coaster::gfx {

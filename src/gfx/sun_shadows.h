@@ -9,10 +9,10 @@
 
 #include <glm/glm.hpp>
 
-#include "gfx/objects.h"
+#include "gfx/gl_objects.h"
 #include "gfx/passes.h"
 #include "sim/ride/ride.h"
-#include "sim/shape/derived.h"
+#include "sim/shape/derived_track.h"
 
 namespace coaster::gfx {
 

@@ -10,9 +10,9 @@
 
 #include "gfx/growing_buffer.h"
 #include "gfx/mesh_pool.h"
-#include "gfx/segment_levels.h"
+#include "gfx/segment_detail_levels.h"
 #include "gfx/swept_track.h"
-#include "sim/shape/detail.h"
+#include "sim/shape/detail_limits.h"
 #include "sim/solids/supports.h"
 
 namespace coaster::gfx {

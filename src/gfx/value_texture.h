@@ -5,8 +5,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "gfx/objects.h"
-#include "sim/study/track_values.h"
+#include "gfx/gl_objects.h"
+#include "sim/study/colour_values.h"
 
 namespace coaster::gfx {
 

@@ -13,8 +13,8 @@
 #include <GLFW/glfw3.h>
 #include <fmt/format.h>
 
-#include "platform/contexts_detail.h"
 #include "platform/events.h"
+#include "platform/gl_context_detail.h"
 #include "platform/surface.h"
 
 namespace coaster::platform {

@@ -24,7 +24,7 @@
 
 #include "base/parallel.h"
 #include "base/status.h"
-#include "platform/contexts_detail.h"
+#include "platform/gl_context_detail.h"
 #include "platform/surface.h"
 
 namespace coaster::platform {

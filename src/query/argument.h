@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "base/names.h"
+#include "base/enum_names.h"
 #include "base/text.h"
 #include "world/entity.h"
 

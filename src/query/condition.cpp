@@ -7,7 +7,7 @@
 
 #include <fmt/format.h>
 
-#include "base/names.h"
+#include "base/enum_names.h"
 #include "query/rows.h"
 
 namespace coaster::query {

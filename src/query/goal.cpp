@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "query/challenge.h"
+#include "query/challenge_rules.h"
 #include "query/condition.h"
 #include "query/rows.h"
 

@@ -11,8 +11,8 @@
 #include "sim/shape/frame_methods.h"
 #include "sim/solids/conflict.h"
 #include "sim/study/jolt.h"
-#include "sim/study/live_errata.h"
-#include "world/evaluation.h"
+#include "sim/study/track_errata.h"
+#include "world/evaluation_settings.h"
 
 namespace coaster::query {
 namespace {

@@ -6,13 +6,13 @@
 #include <utility>
 #include <vector>
 
-#include "query/challenge.h"
+#include "query/challenge_rules.h"
 #include "query/rows.h"
 #include "sim/study/riders.h"
 #include "sim/study/wheel_loads.h"
-#include "world/aids.h"
-#include "world/lab_view.h"
-#include "world/losses.h"
+#include "world/aid_settings.h"
+#include "world/laboratory_settings.h"
+#include "world/loss_presets.h"
 
 namespace coaster::query {
 namespace {

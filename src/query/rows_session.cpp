@@ -7,12 +7,12 @@
 
 #include "query/rows.h"
 #include "sim/ride/ride.h"
-#include "sim/shape/deviation.h"
 #include "sim/shape/frame_methods.h"
-#include "sim/study/rounding.h"
-#include "world/evaluation.h"
-#include "world/lab_view.h"
+#include "sim/shape/polyline_error.h"
+#include "sim/study/vertex_rounding.h"
+#include "world/evaluation_settings.h"
 #include "world/laboratory.h"
+#include "world/laboratory_settings.h"
 #include "world/selection.h"
 #include "world/settings_groups.h"
 

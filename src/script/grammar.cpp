@@ -1,4 +1,4 @@
-// Files, blocks and includes. rows.cpp reads single lines.
+// Files, blocks and includes. statement_rows.cpp reads single lines.
 #include "script/grammar.h"
 
 #include <algorithm>
@@ -8,7 +8,7 @@
 
 #include "base/text.h"
 #include "script/paths.h"
-#include "script/rows.h"
+#include "script/statement_rows.h"
 
 namespace coaster::script {
 namespace {

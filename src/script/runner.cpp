@@ -17,7 +17,7 @@
 #include "query/rows.h"
 #include "script/paths.h"
 #include "script/ui_driver.h"
-#include "script/widgets.h"
+#include "script/widget_lookup.h"
 #include "view/camera.h"
 #include "view/gizmo.h"
 

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "base/files.h"
-#include "script/frame_driver.h"
+#include "script/frame_stepper.h"
 #include "script/grammar.h"
 #include "script/host.h"
 #include "script/statements.h"

@@ -8,7 +8,7 @@
 
 #include "edit/commands/set_setting.h"
 #include "query/context.h"
-#include "world/panels.h"
+#include "world/panel_settings.h"
 
 namespace coaster::script {
 namespace {

@@ -4,8 +4,8 @@
 
 #include <string>
 
-#include "script/frame_driver.h"
-#include "script/widgets.h"
+#include "script/frame_stepper.h"
+#include "script/widget_lookup.h"
 
 namespace coaster::script {
 

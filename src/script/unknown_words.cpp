@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 
 #include "script/grammar.h"
-#include "script/rows.h"
+#include "script/statement_rows.h"
 
 namespace coaster::script {
 namespace {

@@ -8,8 +8,8 @@
 #include "curve/frames.h"
 #include "view/marks.h"
 #include "view/overlay_detail.h"
-#include "world/aids.h"
-#include "world/panels.h"
+#include "world/aid_settings.h"
+#include "world/panel_settings.h"
 #include "world/selection.h"
 
 namespace coaster::view {

@@ -5,15 +5,15 @@
 #include <array>
 #include <cmath>
 
-#include "sim/plan/elements.h"
+#include "sim/plan/element_plan.h"
 #include "sim/shape/rails.h"
 #include "sim/solids/track_mesh.h"
 #include "view/gizmo.h"
 #include "view/marks.h"
 #include "view/overlay_detail.h"
 #include "view/section_handle.h"
-#include "world/lab_view.h"
-#include "world/panels.h"
+#include "world/laboratory_settings.h"
+#include "world/panel_settings.h"
 #include "world/sections.h"
 #include "world/selection.h"
 

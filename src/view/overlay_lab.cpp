@@ -11,9 +11,9 @@
 #include "curve/bernstein.h"
 #include "curve/frames.h"
 #include "sim/shape/rails.h"
-#include "sim/study/rounding.h"
-#include "world/evaluation.h"
-#include "world/lab_view.h"
+#include "sim/study/vertex_rounding.h"
+#include "world/evaluation_settings.h"
+#include "world/laboratory_settings.h"
 
 namespace coaster::view {
 

@@ -8,13 +8,13 @@
 #include <vector>
 
 #include "sim/ride/ride.h"
-#include "sim/shape/derived.h"
-#include "view/beam.h"
+#include "sim/shape/derived_track.h"
+#include "view/closest_curve_points.h"
 #include "view/gizmo.h"
 #include "view/marks.h"
+#include "view/pick_cone.h"
 #include "view/section_handle.h"
-#include "view/sighted_curve.h"
-#include "world/look.h"
+#include "world/appearance_settings.h"
 
 namespace coaster::view {
 namespace {

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <span>
 
-#include "sim/shape/derived.h"
+#include "sim/shape/derived_track.h"
 #include "world/motion.h"
 
 namespace coaster::view {

@@ -6,7 +6,7 @@
 
 #include <glm/glm.hpp>
 
-#include "base/names.h"
+#include "base/enum_names.h"
 #include "world/setting_row.h"
 
 namespace coaster::world {

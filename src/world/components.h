@@ -1,5 +1,5 @@
-// The components of a document: plain structs. To add one, add the struct and its fields (world/fields.h), and list it
-// at the end of this file.
+// The components of a document: plain structs. To add one, add the struct and its fields (world/component_fields.h),
+// and list it at the end of this file.
 #pragma once
 
 #include <cstdint>
@@ -7,10 +7,10 @@
 
 #include <glm/glm.hpp>
 
+#include "world/component_fields.h"
 #include "world/element.h"
 #include "world/entity.h"
-#include "world/fields.h"
-#include "world/force.h"
+#include "world/force_program.h"
 #include "world/registry.h"
 
 namespace coaster::world {

@@ -9,7 +9,7 @@
 #include <span>
 #include <string_view>
 
-#include "base/names.h"
+#include "base/enum_names.h"
 #include "world/element.h"
 #include "world/equipment_rows.h"
 

@@ -8,7 +8,7 @@
 #include <string>
 #include <string_view>
 
-#include "base/names.h"
+#include "base/enum_names.h"
 
 namespace coaster::world {
 

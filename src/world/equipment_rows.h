@@ -7,7 +7,7 @@
 #include <cstddef>
 #include <span>
 
-#include "base/names.h"
+#include "base/enum_names.h"
 #include "world/components.h"
 
 namespace coaster::world {

@@ -6,7 +6,7 @@
 #include <span>
 #include <string_view>
 
-#include "base/names.h"
+#include "base/enum_names.h"
 
 namespace coaster::world {
 

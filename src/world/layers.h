@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <span>
 
-#include "base/names.h"
+#include "base/enum_names.h"
 
 namespace coaster::world {
 

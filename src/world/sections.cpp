@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "base/names.h"
+#include "base/enum_names.h"
 #include "world/element_rows.h"
 
 namespace coaster::world {

@@ -1,6 +1,6 @@
-// The row of a scalar setting. A group of settings (world/look.h and similar) is a plain struct with a tuple `kRows`,
-// one row per member. The row gives a setting its command, its query, its member of the user's settings file and its
-// line in a recording; to add a setting, add the member and its row. All groups: world/settings_groups.h.
+// The row of a scalar setting. A group of settings (world/appearance_settings.h and similar) is a plain struct with a
+// tuple `kRows`, one row per member. The row gives a setting its command, its query, its member of the user's settings
+// file and its line in a recording; to add a setting, add the member and its row. All groups: world/settings_groups.h.
 #pragma once
 
 #include <string_view>

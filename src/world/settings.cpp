@@ -1,13 +1,13 @@
 // The boxes of the groups of settings.
 #include "world/settings.h"
 
-#include "world/aids.h"
-#include "world/box_functions.h"
+#include "world/aid_settings.h"
+#include "world/appearance_settings.h"
 #include "world/camera_feel.h"
-#include "world/evaluation.h"
-#include "world/lab_view.h"
-#include "world/look.h"
-#include "world/panels.h"
+#include "world/evaluation_settings.h"
+#include "world/heap_value_functions.h"
+#include "world/laboratory_settings.h"
+#include "world/panel_settings.h"
 
 namespace coaster::world {
 

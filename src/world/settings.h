@@ -7,11 +7,11 @@
 #include <tuple>
 #include <vector>
 
-#include "base/names.h"
-#include "world/box.h"
+#include "base/enum_names.h"
 #include "world/camera.h"
 #include "world/element.h"
 #include "world/entity.h"
+#include "world/heap_value.h"
 #include "world/setting_row.h"
 
 namespace coaster::world {
@@ -44,18 +44,18 @@ struct Snapping {
   friend bool operator==(const Snapping&, const Snapping&) = default;
 };
 
-struct Aids;        // world/aids.h
+struct Aids;        // world/aid_settings.h
 struct CameraFeel;  // world/camera_feel.h
-struct Evaluation;  // world/evaluation.h
-struct LabView;     // world/lab_view.h
-struct Appearance;  // world/look.h
-struct Panels;      // world/panels.h
+struct Evaluation;  // world/evaluation_settings.h
+struct LabView;     // world/laboratory_settings.h
+struct Appearance;  // world/appearance_settings.h
+struct Panels;      // world/panel_settings.h
 
 enum class Colouring : std::uint8_t;  // world/laboratory.h
 enum class LabPage : std::uint8_t;    // world/laboratory.h
 enum class Layer : std::uint8_t;      // world/layers.h
-enum class Style : std::uint8_t;      // world/look.h
-enum class Theme : std::uint8_t;      // world/look.h
+enum class Style : std::uint8_t;      // world/appearance_settings.h
+enum class Theme : std::uint8_t;      // world/appearance_settings.h
 
 struct Settings {
   HeapValue<Appearance> look;

@@ -7,12 +7,12 @@
 #include <type_traits>
 #include <utility>
 
-#include "world/aids.h"
+#include "world/aid_settings.h"
+#include "world/appearance_settings.h"
 #include "world/camera_feel.h"
-#include "world/evaluation.h"
-#include "world/lab_view.h"
-#include "world/look.h"
-#include "world/panels.h"
+#include "world/evaluation_settings.h"
+#include "world/laboratory_settings.h"
+#include "world/panel_settings.h"
 #include "world/settings.h"
 
 namespace coaster::world {

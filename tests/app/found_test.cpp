@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "exchange/formats.h"
-#include "sim/study/closing_change.h"
+#include "sim/study/closing_replan.h"
 
 namespace coaster::app {
 namespace found_test {

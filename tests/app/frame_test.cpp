@@ -12,7 +12,7 @@
 #include "edit/session/findings_memory.h"
 #include "edit/session_fixture.h"
 #include "gfx/image.h"
-#include "world/aids.h"
+#include "world/aid_settings.h"
 #include "world/element_rows.h"
 #include "world/layers.h"
 #include "world/sections.h"

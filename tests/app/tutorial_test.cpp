@@ -6,16 +6,16 @@
 #include <string>
 
 #include "app/frame.h"
-#include "app/keeper.h"
 #include "app/program_fixture.h"
 #include "app/script_host.h"
+#include "app/user_data_keeper.h"
 #include "edit/commands/commands_elements.h"
 #include "edit/commands/commands_session.h"
 #include "edit/commands/commands_settings.h"
 #include "edit/commands/set_setting.h"
-#include "world/aids.h"
+#include "world/aid_settings.h"
 #include "world/element_rows.h"
-#include "world/panels.h"
+#include "world/panel_settings.h"
 
 namespace coaster::app {
 namespace tutorial_test {

@@ -1,7 +1,7 @@
 // Work as that of a job that is watched and can be cancelled.
 #pragma once
 
-#include "base/interrupted.h"
+#include "base/cancellable_job.h"
 
 namespace coaster::test {
 

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <set>
 
-#include "base/names.h"
+#include "base/enum_names.h"
 #include "curve/length_oracle.h"
 #include "curve/random_cubics.h"
 

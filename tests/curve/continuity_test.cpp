@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "base/names.h"
+#include "base/enum_names.h"
 #include "curve/random_cubics.h"
 
 namespace coaster::curve {

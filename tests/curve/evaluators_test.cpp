@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "base/names.h"
+#include "base/enum_names.h"
 #include "base/tries.h"
 #include "curve/evaluators_detail.h"
 #include "curve/random_cubics.h"

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "curve/continuity.h"
-#include "edit/commands/commands_force.h"
+#include "edit/commands/commands_force_sections.h"
 #include "edit/session_fixture.h"
 #include "sim/plan/force_plan.h"
 #include "world/sections.h"

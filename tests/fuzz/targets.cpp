@@ -13,10 +13,10 @@
 #include "base/file_lock.h"
 #include "base/scratch_folder.h"
 #include "exchange/challenge_file.h"
-#include "exchange/own/envelope_file.h"
-#include "exchange/own/link.h"
-#include "exchange/own/progress_file.h"
+#include "exchange/own/challenge_progress_file.h"
+#include "exchange/own/force_limits_file.h"
 #include "exchange/own/settings_file.h"
+#include "exchange/own/share_link.h"
 #include "exchange/own/track_file.h"
 #ifdef COASTER_FUZZ_SCRIPTS
 #include "script/grammar.h"

@@ -5,7 +5,7 @@
 #include <array>
 
 #include "gfx/studio.h"
-#include "world/evaluation.h"
+#include "world/evaluation_settings.h"
 
 namespace coaster::gfx {
 namespace gpu_curves_test {

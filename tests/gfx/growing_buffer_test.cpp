@@ -8,7 +8,7 @@
 
 #include "gfx/studio.h"
 #include "gfx/track_cache.h"
-#include "world/evaluation.h"
+#include "world/evaluation_settings.h"
 
 namespace coaster::gfx {
 namespace growing_buffer_test {

@@ -10,12 +10,12 @@
 #include <utility>
 #include <vector>
 
-#include "gfx/objects.h"
+#include "gfx/gl_objects.h"
 #include "sim/ride/ride.h"
 #include "sim/tracks.h"
 #include "view/pick.h"
-#include "world/aids.h"
-#include "world/look.h"
+#include "world/aid_settings.h"
+#include "world/appearance_settings.h"
 
 namespace coaster::test {
 

@@ -1,6 +1,6 @@
 // Pictures of a small track: their contents, and that they depend only on the scene, not on the renderer's earlier
 // pictures.
-#include "gfx/instances.h"
+#include "gfx/per_frame_instances.h"
 
 #include <cmath>
 #include <map>
@@ -9,7 +9,7 @@
 #include <glm/gtx/component_wise.hpp>
 
 #include "gfx/studio.h"
-#include "world/evaluation.h"
+#include "world/evaluation_settings.h"
 #include "world/laboratory.h"
 
 namespace coaster::gfx {

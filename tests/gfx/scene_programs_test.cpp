@@ -2,7 +2,7 @@
 #include "gfx/passes.h"
 
 #include "gfx/studio.h"
-#include "world/look.h"
+#include "world/appearance_settings.h"
 
 namespace coaster::gfx {
 namespace scene_programs_test {

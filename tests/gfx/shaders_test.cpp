@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "base/files.h"
-#include "gfx/objects.h"
+#include "gfx/gl_objects.h"
 #include "platform/surface.h"
 
 namespace coaster::gfx {

@@ -11,7 +11,7 @@
 #include "gfx/image.h"
 #include "platform/surface.h"
 #include "sim/tracks.h"
-#include "world/evaluation.h"
+#include "world/evaluation_settings.h"
 
 namespace coaster::test {
 

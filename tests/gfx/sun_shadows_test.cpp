@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "gfx/studio.h"
-#include "world/look.h"
+#include "world/appearance_settings.h"
 
 namespace coaster::gfx {
 namespace sun_shadows_test {

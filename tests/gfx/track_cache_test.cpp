@@ -2,7 +2,7 @@
 #include "gfx/track_cache.h"
 
 #include "gfx/studio.h"
-#include "world/evaluation.h"
+#include "world/evaluation_settings.h"
 
 namespace coaster::gfx {
 namespace track_cache_test {

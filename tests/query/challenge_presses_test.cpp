@@ -6,7 +6,7 @@
 #include "base/tries.h"
 #include "edit/commands/commands_challenge.h"
 #include "edit/session_fixture.h"
-#include "query/challenge.h"
+#include "query/challenge_rules.h"
 
 namespace coaster::query {
 namespace challenge_presses_test {

@@ -8,7 +8,7 @@
 #include "base/folders.h"
 #include "edit/session_fixture.h"
 #include "exchange/formats.h"
-#include "query/challenge.h"
+#include "query/challenge_rules.h"
 #include "query/context.h"
 #include "world/sections.h"
 

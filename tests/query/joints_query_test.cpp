@@ -7,7 +7,7 @@
 #include "query/context.h"
 #include "query/query.h"
 #include "sim/study/jolt.h"
-#include "sim/study/live_errata.h"
+#include "sim/study/track_errata.h"
 #include "world/topology.h"
 
 namespace coaster::query {

@@ -12,7 +12,7 @@
 #include "platform/events.h"
 #include "query/query.h"
 #include "script/grammar.h"
-#include "script/rows.h"
+#include "script/statement_rows.h"
 #include "world/entity.h"
 
 namespace coaster::script {

@@ -12,7 +12,7 @@
 #include "query/context.h"
 #include "script/grammar.h"
 #include "script/runner.h"
-#include "world/panels.h"
+#include "world/panel_settings.h"
 
 namespace coaster::script {
 

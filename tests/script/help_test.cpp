@@ -12,7 +12,7 @@
 #include "base/exit_codes.h"
 #include "edit/commands/codec.h"
 #include "query/query.h"
-#include "script/rows.h"
+#include "script/statement_rows.h"
 
 namespace coaster::script {
 namespace help_test {

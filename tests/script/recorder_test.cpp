@@ -8,7 +8,7 @@
 #include "edit/commands/commands_session.h"
 #include "script/fake_host.h"
 #include "world/element_rows.h"
-#include "world/lab_view.h"
+#include "world/laboratory_settings.h"
 #include "world/layers.h"
 #include "world/other_settings.h"
 

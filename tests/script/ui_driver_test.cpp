@@ -1,14 +1,14 @@
 // Widgets by label path: which one is selected, which are refused, and that a click takes a frame each for move, press
 // and release.
 #include "script/ui_driver.h"
-#include "world/panels.h"
+#include "world/panel_settings.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "edit/commands/commands_document.h"
 #include "script/fake_host.h"
-#include "script/widgets.h"
+#include "script/widget_lookup.h"
 
 namespace coaster::script {
 namespace ui_driver_test {

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <vector>
 
-#include "sim/fit/fit_rows.h"
+#include "sim/fit/track_samples.h"
 #include "world/document.h"
 
 namespace coaster::test {

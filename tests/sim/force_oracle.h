@@ -9,7 +9,7 @@
 #include <optional>
 #include <random>
 
-#include "sim/plan/force_law.h"
+#include "sim/plan/force_path.h"
 
 namespace coaster::test {
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <random>
 
-#include "sim/plan/elements.h"
+#include "sim/plan/element_plan.h"
 #include "world/element_rows.h"
 
 namespace coaster::test {

@@ -6,8 +6,8 @@
 #include <functional>
 
 #include "sim/fit/fit_track.h"
-#include "sim/shape/derived.h"
-#include "world/evaluation.h"
+#include "sim/shape/derived_track.h"
+#include "world/evaluation_settings.h"
 
 namespace coaster::test {
 

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "sim/shape/derived.h"
+#include "sim/shape/derived_track.h"
 #include "world/sample_documents.h"
 
 namespace coaster::test {

@@ -19,7 +19,7 @@ def run(tool, files):
 tool = sys.argv[1]
 for clean in [
     {"world/a.h": '#include "curve/cubic.h"\n#include "base/check.h"\n'},
-    {"sim/study/a.h": '#include "sim/shape/derived.h"\n#include "world/document.h"\n'},
+    {"sim/study/a.h": '#include "sim/shape/derived_track.h"\n#include "world/document.h"\n'},
     {"ui/tools/a.cpp": '#include "ui/tools/keys_detail.h"\n'},
     {"exchange/formats.cpp": '#include "exchange/formats.h"\n#include "exchange/own/track_file.h"\n'},
 ]:

@@ -30,7 +30,7 @@ SRC = {
     "script/recorder.cpp": ("create put_in_place", MADE, "script.overwrites_check"),
     "app/movie.cpp": ("create put_in_place remove_made write_atomic", MADE, "script.overwrites_check"),
     "app/pictures.cpp": ("write_atomic write_atomic", MADE + "; goldens by an option", "script.overwrites_check"),
-    "app/keeper.cpp": ("remove_leftovers rename write_atomic", OWN, "script.settings_check",
+    "app/user_data_keeper.cpp": ("remove_leftovers rename write_atomic", OWN, "script.settings_check",
                        "settings_file.a_newer_version_is_refused"),
     "base/crash_guard.cpp": ("put_in_place", OWN,
                              "autosave.what_a_crash_completes_replaces_the_one_before_and_is_removed_whole"),

@@ -10,7 +10,8 @@ from pathlib import Path
 
 # Additions: the files that they change besides the new thing's own, and how many of src/ are compiled again, at most.
 ADDITIONS = [
-    ("setting", ["world/aids.h", "world/camera_feel.h", "world/look.h", "world/panels.h"], 40),
+    ("setting", ["world/aid_settings.h", "world/appearance_settings.h", "world/camera_feel.h",
+                 "world/panel_settings.h"], 40),
     ("layer", ["world/layers.h"], 60),
     ("command", ["edit/commands/commands_*.h"], 40),
     ("panel", ["ui/panels/panels.cpp"], 1),
@@ -24,8 +25,8 @@ ADDITIONS = [
 ]
 # Headers that nobody changes for an addition, but that should not reach far: of src/ and tests/.
 FIREWALL = {"edit/session/session.h": 220, "edit/session/findings_memory.h": 8, "exchange/formats.h": 60,
-            "sim/plan/force_law.h": 60, "sim/solids/conflicts.h": 40, "sim/solids/supports.h": 40,
-            "sim/study/complete_circuit.h": 35, "world/lab_view.h": 60}
+            "sim/plan/force_path.h": 60, "sim/solids/conflicts.h": 40, "sim/solids/supports.h": 40,
+            "sim/study/complete_circuit.h": 35, "world/laboratory_settings.h": 60}
 INCLUDE = re.compile(r'^#include "([^"]+)"', re.M)
 
 

@@ -10,15 +10,15 @@
 #include "edit/commands/commands_challenge.h"
 #include "edit/commands/commands_document.h"
 #include "edit/commands/commands_elements.h"
-#include "edit/commands/commands_force.h"
+#include "edit/commands/commands_force_sections.h"
 #include "edit/commands/commands_session.h"
 #include "edit/commands/set_setting.h"
 #include "ui/stage.h"
-#include "world/aids.h"
+#include "world/aid_settings.h"
+#include "world/appearance_settings.h"
 #include "world/element_rows.h"
-#include "world/lab_view.h"
-#include "world/look.h"
-#include "world/panels.h"
+#include "world/laboratory_settings.h"
+#include "world/panel_settings.h"
 
 namespace coaster::ui {
 

@@ -9,7 +9,7 @@
 #include "ui/stage.h"
 #include "world/element_rows.h"
 #include "world/equipment_rows.h"
-#include "world/panels.h"
+#include "world/panel_settings.h"
 #include "world/sections.h"
 
 namespace coaster::ui {

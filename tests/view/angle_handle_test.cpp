@@ -7,7 +7,7 @@
 #include "edit/session_fixture.h"
 #include "sim/shape/rails.h"
 #include "view/marks.h"
-#include "world/panels.h"
+#include "world/panel_settings.h"
 #include "world/sections.h"
 
 namespace coaster::view {

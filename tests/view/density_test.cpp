@@ -5,11 +5,11 @@
 
 #include "base/tries.h"
 #include "edit/session_fixture.h"
-#include "sim/plan/elements.h"
+#include "sim/plan/element_plan.h"
 #include "view/overlay.h"
 #include "world/element_rows.h"
-#include "world/lab_view.h"
-#include "world/panels.h"
+#include "world/laboratory_settings.h"
+#include "world/panel_settings.h"
 
 namespace coaster::view {
 namespace density_test {

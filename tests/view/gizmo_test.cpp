@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "world/aids.h"
+#include "world/aid_settings.h"
 #include "world/sample_documents.h"
 
 namespace coaster::view {

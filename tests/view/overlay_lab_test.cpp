@@ -7,10 +7,10 @@
 #include <span>
 
 #include "curve/bernstein.h"
-#include "sim/study/rounding.h"
+#include "sim/study/vertex_rounding.h"
 #include "sim/tracks.h"
-#include "world/evaluation.h"
-#include "world/lab_view.h"
+#include "world/evaluation_settings.h"
+#include "world/laboratory_settings.h"
 
 namespace coaster::view {
 namespace overlay_lab_test {

@@ -7,7 +7,7 @@
 
 #include "sim/tracks.h"
 #include "world/element_rows.h"
-#include "world/panels.h"
+#include "world/panel_settings.h"
 #include "world/sections.h"
 #include "world/topology.h"
 

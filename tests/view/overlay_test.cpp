@@ -4,9 +4,9 @@
 
 #include "sim/tracks.h"
 #include "view/marks.h"
-#include "world/aids.h"
-#include "world/look.h"
-#include "world/panels.h"
+#include "world/aid_settings.h"
+#include "world/appearance_settings.h"
+#include "world/panel_settings.h"
 #include "world/sections.h"
 #include "world/topology.h"
 

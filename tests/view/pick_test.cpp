@@ -4,8 +4,8 @@
 
 #include "sim/ride/ride.h"
 #include "sim/tracks.h"
-#include "view/beam.h"
-#include "world/look.h"
+#include "view/pick_cone.h"
+#include "world/appearance_settings.h"
 
 namespace coaster::view {
 namespace pick_test {

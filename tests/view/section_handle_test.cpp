@@ -4,7 +4,7 @@
 
 #include "edit/session_fixture.h"
 #include "view/pick.h"
-#include "world/panels.h"
+#include "world/panel_settings.h"
 
 namespace coaster::view {
 namespace section_handle_test {

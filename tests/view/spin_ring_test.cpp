@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "world/aids.h"
+#include "world/aid_settings.h"
 #include "world/sample_documents.h"
 #include "world/topology.h"
 

@@ -3,7 +3,7 @@
 
 #include <type_traits>
 
-#include "base/names.h"
+#include "base/enum_names.h"
 #include "sim/ride/ride.h"
 #include "sim/shape/frame_methods.h"
 #include "world/settings_groups.h"

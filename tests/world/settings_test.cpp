@@ -7,8 +7,8 @@
 
 #include <gtest/gtest.h>
 
-#include "world/aids.h"
-#include "world/box.h"
+#include "world/aid_settings.h"
+#include "world/heap_value.h"
 #include "world/other_settings.h"
 #include "world/settings_groups.h"
 

@@ -8,7 +8,7 @@
 
 #include "edit/commands/codec_values.h"
 #include "edit/commands/command_list.h"
-#include "exchange/own/link.h"
+#include "exchange/own/share_link.h"
 
 namespace coaster::edit {
 namespace {

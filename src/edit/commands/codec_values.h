@@ -12,7 +12,7 @@
 
 #include "base/text.h"
 #include "edit/commands/command.h"
-#include "exchange/own/import.h"
+#include "exchange/own/import_options.h"
 #include "sim/ride/ride.h"
 #include "sim/shape/frame_methods.h"
 #include "world/document.h"

@@ -126,7 +126,7 @@ constexpr std::optional<world::Kind> named_kind() {
 }
 
 struct Session;
-struct Change;  // of the session by one command: edit/perform/perform.h
+struct Change;  // of the session by one command: edit/perform/perform_context.h
 
 // The CommandInfo of a kind of command, and the function that carries it out. It checks first and changes nothing on
 // failure; one with Effect::document changes only the document.

@@ -15,7 +15,7 @@ struct ShowLayer {
   COASTER_COMMAND(ShowLayer, "show", "Show or hide one of the laboratory's pictures over the scene.", Effect::settings);
   COASTER_FIELDS(visit("", self.what), visit("", self.to))
 };
-// Measures the table of sim/study/measure.h, a part per frame.
+// Measures the table of sim/study/evaluator_benchmark.h, a part per frame.
 struct Measure {
   COASTER_COMMAND(
       Measure, "measure",

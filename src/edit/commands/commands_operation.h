@@ -5,7 +5,7 @@
 
 #include "edit/commands/command_fields.h"
 #include "world/document.h"
-#include "world/losses.h"
+#include "world/loss_presets.h"
 
 namespace coaster::edit {
 COASTER_COMMAND_GROUP(Operation);

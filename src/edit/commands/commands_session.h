@@ -4,7 +4,7 @@
 #include <string>
 
 #include "edit/commands/command_fields.h"
-#include "exchange/own/import.h"
+#include "exchange/own/import_options.h"
 
 namespace coaster::edit {
 COASTER_COMMAND_GROUP(Session);

@@ -9,15 +9,15 @@
 
 #include <fmt/format.h>
 
-#include "base/interrupted.h"
+#include "base/cancellable_job.h"
 #include "edit/commands/codec.h"
 #include "edit/commands/command_list.h"
-#include "edit/perform/follow.h"
+#include "edit/perform/apply_setting.h"
+#include "edit/perform/change_propagation.h"
 #include "edit/perform/job_result.h"
-#include "edit/perform/perform.h"
-#include "edit/perform/set.h"
+#include "edit/perform/perform_context.h"
 #include "edit/session/history.h"
-#include "edit/session/ride_watch.h"
+#include "edit/session/ride_end_detection.h"
 #include "edit/session/session.h"
 #include "sim/shape/folds.h"
 

@@ -8,9 +8,9 @@
 #include "edit/perform/replan.h"
 #include "sim/study/complete_circuit.h"
 #include "sim/study/jolt.h"
-#include "world/aids.h"
+#include "world/aid_settings.h"
 #include "world/element_rows.h"
-#include "world/evaluation.h"
+#include "world/evaluation_settings.h"
 #include "world/sections.h"
 #include "world/topology.h"
 

@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "edit/perform/perform.h"
+#include "edit/perform/perform_context.h"
 #include "world/equipment_rows.h"
 
 namespace coaster::edit {

@@ -3,20 +3,20 @@
 
 #include <fmt/format.h>
 
-#include "base/interrupted.h"
+#include "base/cancellable_job.h"
 #include "base/text.h"
 #include "edit/commands/commands_lab.h"
 #include "edit/commands/commands_operation.h"
 #include "edit/commands/commands_session.h"
 #include "edit/commands/commands_settings.h"
 #include "edit/perform/job_result.h"
-#include "edit/perform/perform.h"
+#include "edit/perform/perform_context.h"
 #include "exchange/formats.h"
-#include "exchange/own/envelope_file.h"
-#include "exchange/own/link.h"
+#include "exchange/own/force_limits_file.h"
+#include "exchange/own/share_link.h"
 #include "exchange/own/track_file.h"
-#include "world/aids.h"
-#include "world/evaluation.h"
+#include "world/aid_settings.h"
+#include "world/evaluation_settings.h"
 
 namespace coaster::edit {
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "exchange/own/track_file.h"
-#include "sim/study/closing_change.h"
+#include "sim/study/closing_replan.h"
 
 namespace coaster::edit {
 

@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "base/interrupted.h"
+#include "base/cancellable_job.h"
 #include "base/text.h"
 #include "curve/continuity.h"
 #include "curve/g2.h"

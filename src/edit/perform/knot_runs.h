@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "edit/perform/perform.h"
+#include "edit/perform/perform_context.h"
 
 namespace coaster::edit {
 

@@ -12,7 +12,7 @@
 #include "edit/perform/append_shape.h"
 #include "edit/perform/joint_repair.h"
 #include "edit/perform/knot_runs.h"
-#include "edit/perform/perform.h"
+#include "edit/perform/perform_context.h"
 #include "sim/study/jolt.h"
 #include "world/topology.h"
 

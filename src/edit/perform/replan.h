@@ -1,8 +1,8 @@
 // Plans sections again and moves the track that follows along. Private to this room.
 #pragma once
 
-#include "edit/perform/perform.h"
-#include "sim/plan/elements.h"
+#include "edit/perform/perform_context.h"
+#include "sim/plan/element_plan.h"
 #include "sim/plan/force_plan.h"
 #include "sim/plan/upright_move.h"
 #include "world/sections.h"

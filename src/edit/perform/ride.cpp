@@ -3,8 +3,8 @@
 
 #include "edit/commands/commands_challenge.h"
 #include "edit/commands/commands_ride.h"
-#include "edit/perform/perform.h"
-#include "edit/session/ride_watch.h"
+#include "edit/perform/perform_context.h"
+#include "edit/session/ride_end_detection.h"
 #include "exchange/challenge_file.h"
 
 namespace coaster::edit {

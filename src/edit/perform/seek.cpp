@@ -7,17 +7,17 @@
 
 #include <fmt/format.h>
 
-#include "base/interrupted.h"
+#include "base/cancellable_job.h"
 #include "base/text.h"
 #include "edit/commands/codec.h"
 #include "edit/commands/commands_document.h"
 #include "edit/commands/commands_sections.h"
-#include "edit/perform/follow.h"
+#include "edit/perform/change_propagation.h"
 #include "edit/perform/knot_runs.h"
 #include "edit/perform/replan.h"
 #include "world/element.h"
 #include "world/element_rows.h"
-#include "world/force.h"
+#include "world/force_program.h"
 #include "world/sections.h"
 #include "world/selection.h"
 #include "world/topology.h"

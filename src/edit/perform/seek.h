@@ -5,10 +5,10 @@
 #include <optional>
 #include <string>
 
-#include "base/least_change.h"
+#include "base/least_change_solver.h"
 #include "edit/commands/commands_seek.h"
 #include "edit/perform/job_result.h"
-#include "edit/perform/perform.h"
+#include "edit/perform/perform_context.h"
 #include "edit/session/session.h"
 
 namespace coaster::edit {

@@ -5,9 +5,9 @@
 
 #include "edit/commands/commands_lab.h"
 #include "edit/commands/commands_settings.h"
+#include "edit/perform/apply_setting.h"
 #include "edit/perform/knot_runs.h"
-#include "edit/perform/set.h"
-#include "world/lab_view.h"
+#include "world/laboratory_settings.h"
 
 namespace coaster::edit {
 namespace {

@@ -11,7 +11,7 @@
 #include "edit/perform/append_shape.h"
 #include "edit/perform/equipping.h"
 #include "edit/perform/knot_runs.h"
-#include "sim/fit/switch_curve.h"
+#include "sim/fit/heartline_rails_conversion.h"
 #include "sim/plan/banking.h"
 #include "world/topology.h"
 

@@ -1,5 +1,5 @@
 // A challenge in progress, the end of a ride, and the verdict on both: values in the session. Rules are evaluated above
-// this room: the referee is passed in as functions (query/challenge.h).
+// this room: the referee is passed in as functions (query/challenge_rules.h).
 #pragma once
 
 #include <cstdint>
@@ -9,7 +9,7 @@
 
 #include "base/status.h"
 #include "exchange/challenge_file.h"
-#include "exchange/own/progress_file.h"
+#include "exchange/own/challenge_progress_file.h"
 #include "sim/shape/shape_distance.h"
 #include "sim/study/ratings.h"
 

@@ -1,19 +1,19 @@
 #include "edit/session/findings.h"
 
 #include "edit/session/findings_memory.h"
-#include "sim/shape/deviation.h"
+#include "sim/shape/polyline_error.h"
 #include "sim/study/ratings.h"
 #include "sim/study/riders.h"
-#include "world/box_functions.h"
-#include "world/evaluation.h"
-#include "world/lab_view.h"
+#include "world/evaluation_settings.h"
+#include "world/heap_value_functions.h"
+#include "world/laboratory_settings.h"
 
 namespace coaster::world {
 using Memory = edit::FindingsMemory;
-template HeapValue<Memory>::Box();
-template HeapValue<Memory>::Box(const HeapValue<Memory>&);
+template HeapValue<Memory>::HeapValue();
+template HeapValue<Memory>::HeapValue(const HeapValue<Memory>&);
 template HeapValue<Memory>& HeapValue<Memory>::operator=(const HeapValue<Memory>&);
-template HeapValue<Memory>::~Box();
+template HeapValue<Memory>::~HeapValue();
 }  // namespace coaster::world
 
 namespace coaster::edit {

@@ -7,8 +7,8 @@
 #include <optional>
 #include <span>
 
-#include "world/box.h"
 #include "world/entity.h"
+#include "world/heap_value.h"
 
 namespace coaster::world {
 struct Element;

@@ -7,9 +7,9 @@
 #include <utility>
 #include <vector>
 
-#include "base/kept.h"
+#include "base/cached_value.h"
 #include "edit/session/session.h"
-#include "sim/plan/element_memo.h"
+#include "sim/plan/element_plan_cache.h"
 #include "sim/plan/force_plan.h"
 #include "sim/ride/simulated_ride.h"
 #include "sim/shape/folds.h"
@@ -17,14 +17,14 @@
 #include "sim/shape/shape_distance.h"
 #include "sim/solids/conflicts.h"
 #include "sim/solids/supports.h"
-#include "sim/study/closing_change.h"
+#include "sim/study/closing_replan.h"
+#include "sim/study/colour_values.h"
 #include "sim/study/complete_circuit.h"
-#include "sim/study/element_room.h"
+#include "sim/study/element_clearance.h"
 #include "sim/study/jolt.h"
 #include "sim/study/ratings.h"
 #include "sim/study/riders.h"
 #include "sim/study/section_figures.h"
-#include "sim/study/track_values.h"
 
 namespace coaster::edit {
 

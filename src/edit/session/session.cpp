@@ -10,11 +10,11 @@
 #include "base/file_lock.h"
 #include "base/hash.h"
 #include "base/text.h"
-#include "edit/session/ride_watch.h"
-#include "exchange/own/link.h"
+#include "edit/session/ride_end_detection.h"
+#include "exchange/own/share_link.h"
 #include "sim/plan/force_plan.h"
 #include "sim/shape/folds.h"
-#include "world/evaluation.h"
+#include "world/evaluation_settings.h"
 #include "world/sections.h"
 
 namespace coaster::edit {

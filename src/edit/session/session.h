@@ -17,10 +17,10 @@
 #include "edit/session/findings.h"
 #include "exchange/own/track_file.h"
 #include "sim/ride/ride.h"
-#include "sim/shape/derived.h"
-#include "sim/study/envelope.h"
-#include "sim/study/measure.h"
-#include "world/difference.h"
+#include "sim/shape/derived_track.h"
+#include "sim/study/evaluator_benchmark.h"
+#include "sim/study/force_limits.h"
+#include "world/document_difference.h"
 
 namespace coaster::edit {
 

@@ -5,7 +5,7 @@
 #include <fmt/format.h>
 
 #include "base/text.h"
-#include "exchange/export/track_shapes.h"
+#include "exchange/export/shape_export.h"
 
 namespace coaster::exchange {
 namespace {

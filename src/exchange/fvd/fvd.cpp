@@ -11,7 +11,7 @@
 #include "base/portable_math.h"
 #include "base/text.h"
 #include "curve/frames.h"
-#include "sim/plan/elements.h"
+#include "sim/plan/element_plan.h"
 #include "sim/plan/force_plan.h"
 #include "world/components.h"
 #include "world/topology.h"

@@ -14,7 +14,7 @@
 #include "base/status.h"
 #include "exchange/own/track_file.h"
 #include "sim/plan/element_path.h"
-#include "world/force.h"
+#include "world/force_program.h"
 
 namespace coaster::exchange {
 

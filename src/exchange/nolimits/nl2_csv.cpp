@@ -10,14 +10,14 @@
 
 #include <fmt/format.h>
 
+#include "base/cancellable_job.h"
 #include "base/check.h"
-#include "base/interrupted.h"
 #include "base/text.h"
+#include "exchange/nolimits/delimited_text.h"
 #include "exchange/nolimits/nl2_spline.h"
-#include "exchange/nolimits/text_rows.h"
-#include "exchange/own/import.h"
-#include "sim/fit/fit_rounding.h"
+#include "exchange/own/import_options.h"
 #include "sim/fit/fit_track.h"
+#include "sim/fit/sample_dequantisation.h"
 #include "world/topology.h"
 
 namespace coaster::exchange {

@@ -23,9 +23,9 @@ inline constexpr double kNl2Spacing = 0.05;  // m between saved rows; the same a
 // frames that are not unit, perpendicular and right-handed to 1 % (better ones are made exact), fewer than 2 rows, more
 // than kMaxNl2Rows, a truncated last number, and rows that run against Front. Leaves out rows at the position of the
 // previous row, with a warning. Where tabs or semicolons separate, decimals may follow a comma, in the whole file. Rows
-// with few decimals are followed within 1.5 of their steps, with a warning (sim/fit/fit_rounding.h). Warns of single
-// steps against Front, of gaps and of jumps of the frame. Reports progress, and is refused once it is cancelled.
-// `origin`: moves rows from anywhere to the origin (exchange/own/import.h).
+// with few decimals are followed within 1.5 of their steps, with a warning (sim/fit/sample_dequantisation.h). Warns of
+// single steps against Front, of gaps and of jumps of the frame. Reports progress, and is refused once it is cancelled.
+// `origin`: moves rows from anywhere to the origin (exchange/own/import_options.h).
 base::Result<LoadedTrack> parse_nl2_csv(std::string_view text, std::string_view name, bool origin = false);
 // True if the first row can be read and is further than kFar from the origin.
 bool starts_far(std::string_view text);

@@ -7,7 +7,7 @@
 #include "base/portable_math.h"
 #include "curve/arc_length.h"
 #include "curve/frames.h"
-#include "sim/fit/fit_span.h"
+#include "sim/fit/sample_span_fit.h"
 #include "sim/shape/rails.h"
 #include "world/components.h"
 

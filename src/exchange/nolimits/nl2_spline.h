@@ -11,7 +11,7 @@
 #include <glm/glm.hpp>
 
 #include "curve/cubic.h"
-#include "sim/shape/derived.h"
+#include "sim/shape/derived_track.h"
 
 namespace coaster::exchange {
 

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <set>
 
-#include "base/interrupted.h"
+#include "base/cancellable_job.h"
 #include "base/text.h"
 #include "exchange/own/json_scan.h"
 #include "exchange/own/json_values.h"

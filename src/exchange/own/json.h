@@ -14,8 +14,8 @@
 #include <glm/glm.hpp>
 #include <nlohmann/json.hpp>
 
+#include "base/enum_names.h"
 #include "base/files.h"
-#include "base/names.h"
 #include "base/status.h"
 
 namespace coaster::exchange {

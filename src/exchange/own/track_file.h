@@ -12,8 +12,8 @@
 #include "base/status.h"
 #include "world/camera.h"
 #include "world/document.h"
-#include "world/evaluation.h"
-#include "world/force.h"
+#include "world/evaluation_settings.h"
+#include "world/force_program.h"
 
 namespace coaster::exchange {
 
@@ -34,7 +34,7 @@ struct ImportReport {
   friend bool operator==(const ImportReport&, const ImportReport&) = default;
 };
 
-// The view of a shared track (exchange/own/link.h).
+// The view of a shared track (exchange/own/share_link.h).
 struct SharedView {
   world::CameraMode mode = world::CameraMode::orbit;
   world::Camera camera;

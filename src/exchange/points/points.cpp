@@ -9,10 +9,10 @@
 
 #include <fmt/format.h>
 
-#include "base/interrupted.h"
+#include "base/cancellable_job.h"
 #include "base/text.h"
 #include "curve/natural_spline.h"
-#include "exchange/nolimits/text_rows.h"
+#include "exchange/nolimits/delimited_text.h"
 #include "sim/fit/fit_track.h"
 #include "sim/shape/roll.h"
 #include "world/topology.h"

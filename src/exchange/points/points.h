@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "exchange/own/import.h"
+#include "exchange/own/import_options.h"
 #include "exchange/own/track_file.h"
 
 namespace coaster::exchange {

@@ -7,8 +7,8 @@
 #include "base/check.h"
 #include "base/portable_math.h"
 #include "curve/span_search.h"
-#include "sim/fit/fit_smooth.h"
-#include "sim/fit/fit_work.h"
+#include "sim/fit/sample_interpolation.h"
+#include "sim/fit/span_partition.h"
 #include "world/topology.h"
 
 namespace coaster::sim {

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <span>
 
-#include "sim/fit/fit_span.h"
-#include "sim/shape/derived.h"
+#include "sim/fit/sample_span_fit.h"
+#include "sim/shape/derived_track.h"
 
 namespace coaster::sim {
 
@@ -55,10 +55,10 @@ struct FittedTrack {
 // row is not repeated, and is a knot. The bounds are met if rows are at least 0.03 m apart and coordinates within 10
 // km: two neighbouring rows always fit, and a span that misses on the finished document is halved. Spans between more
 // rows also bound what riders feel (SpanBounds::felt). The same bits on every machine; about 25 us per row. Reports
-// progress (base/interrupted.h); returns an empty document once it is cancelled.
-// `given`: what rows that are not rounded any more (sim/fit/fit_rounding.h) are in place of, as many; the report
-// measures these. `step`: that their positions are rounded to, m, 0 if they are exact; the track stays within kSteps of
-// it.
+// progress (base/cancellable_job.h); returns an empty document once it is cancelled.
+// `given`: what rows that are not rounded any more (sim/fit/sample_dequantisation.h) are in place of, as many; the
+// report measures these. `step`: that their positions are rounded to, m, 0 if they are exact; the track stays within
+// kSteps of it.
 inline constexpr double kSteps = 1.5;
 FittedTrack fit_track(std::span<const FitRow> rows, bool closed, std::span<const FitRow> given = {}, double step = 0);
 

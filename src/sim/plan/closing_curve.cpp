@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "base/portable_math.h"
-#include "sim/plan/circuit_heights.h"
+#include "sim/plan/closing_heights.h"
 #include "world/motion.h"
 
 namespace coaster::sim {

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "sim/plan/circuit_heights.h"
+#include "sim/plan/closing_heights.h"
 #include "sim/plan/element_path.h"
 #include "sim/plan/element_shapes.h"
 #include "world/components.h"
@@ -129,7 +129,7 @@ struct ClosingPlace {
 std::vector<ClosingPlace> rough_line(const CircuitTask& task, const ClosingCurve& closing, double step);
 
 // Returns the ideal curve. Its up is the felt direction, so lateral g is 0 on the curve itself; the roll of both ends,
-// with its rate and the slope of that, fades into it (circuit_heights.h). Its last point is exactly `task.home`.
+// with its rate and the slope of that, fades into it (closing_heights.h). Its last point is exactly `task.home`.
 ElementCurve ideal_closing(const CircuitTask& task, const ClosingCurve& closing);
 // Returns what riders feel on it, without the lateral g caused by the roll of both ends.
 FeltRange felt_on(const CircuitTask& task, const ElementCurve& curve);

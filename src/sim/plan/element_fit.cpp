@@ -79,7 +79,7 @@ bool slopes_hold(const ElementPoint& p, const EndSlopes& wanted, double roll_slo
 
 }  // namespace
 
-// Follows the ideal curve's points along a span. The frame is computed as the track's (sim/shape/derived.cpp):
+// Follows the ideal curve's points along a span. The frame is computed as the track's (sim/shape/derived_track.cpp):
 // rotation-minimising, turned to the second knot's up by the spins of both.
 SpanCheck check_span(std::span<const ElementPoint> points, const world::Knot& from, const world::Knot& to,
                      std::vector<SpanPlace>* places) {

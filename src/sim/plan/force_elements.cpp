@@ -11,11 +11,11 @@
 
 #include <fmt/format.h>
 
-#include "base/least_change.h"
+#include "base/least_change_solver.h"
 #include "base/portable_math.h"
 #include "base/text.h"
+#include "sim/plan/force_end_state.h"
 #include "sim/plan/force_plan.h"
-#include "sim/plan/force_walk.h"
 #include "sim/ride/train.h"
 #include "world/element_rows.h"
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "sim/plan/force_law.h"
+#include "sim/plan/force_path.h"
 #include "world/components.h"
 #include "world/element.h"
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "sim/plan/element_fit.h"
-#include "sim/plan/force_law.h"
+#include "sim/plan/force_path.h"
 
 namespace coaster::sim {
 

@@ -9,8 +9,8 @@
 #include "base/text.h"
 #include "curve/continuity.h"
 #include "curve/frames.h"
-#include "sim/plan/elements.h"
-#include "sim/plan/force_hold.h"
+#include "sim/plan/element_plan.h"
+#include "sim/plan/force_end_constraint.h"
 #include "sim/ride/train.h"
 
 namespace coaster::sim {

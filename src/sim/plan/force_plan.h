@@ -11,7 +11,7 @@
 
 #include "sim/plan/force_fit.h"
 #include "sim/ride/simulated_ride.h"
-#include "sim/shape/derived.h"
+#include "sim/shape/derived_track.h"
 #include "world/sections.h"
 
 namespace coaster::sim {

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "sim/shape/derived.h"
+#include "sim/shape/derived_track.h"
 #include "world/motion.h"
 
 namespace coaster::sim {

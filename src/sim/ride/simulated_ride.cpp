@@ -7,10 +7,10 @@
 #include <span>
 #include <vector>
 
-#include "base/interrupted.h"
+#include "base/cancellable_job.h"
 #include "sim/ride/simulated_ride_detail.h"
 #include "sim/ride/train.h"
-#include "world/evaluation.h"
+#include "world/evaluation_settings.h"
 
 namespace coaster::sim {
 namespace {

@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "sim/shape/derived.h"
+#include "sim/shape/derived_track.h"
 #include "world/motion.h"
 
 namespace coaster::sim {

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "sim/shape/derived.h"
+#include "sim/shape/derived_track.h"
 
 namespace coaster::sim {
 

@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "sim/shape/derived.h"
+#include "sim/shape/derived_track.h"
 
 namespace coaster::sim {
 

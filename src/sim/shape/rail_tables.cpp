@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "base/bits.h"
-#include "base/interrupted.h"
+#include "base/cancellable_job.h"
 #include "curve/tight_places.h"
 
 namespace coaster::sim {

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "sim/shape/detail.h"
+#include "sim/shape/detail_limits.h"
 
 namespace coaster::sim {
 

@@ -2,7 +2,7 @@
 // these functions are for drawing and contact with the rails.
 #pragma once
 
-#include "sim/shape/derived.h"
+#include "sim/shape/derived_track.h"
 
 namespace coaster::sim {
 

@@ -4,9 +4,9 @@
 #include <cmath>
 #include <vector>
 
-#include "base/interrupted.h"
+#include "base/cancellable_job.h"
 #include "base/parallel.h"
-#include "sim/shape/derived.h"
+#include "sim/shape/derived_track.h"
 
 namespace coaster::sim {
 namespace {

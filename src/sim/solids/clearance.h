@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "sim/shape/derived.h"
+#include "sim/shape/derived_track.h"
 #include "sim/solids/mesh.h"
 
 namespace coaster::sim {

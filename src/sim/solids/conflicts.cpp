@@ -5,7 +5,7 @@
 #include <iterator>
 
 #include "base/bits.h"
-#include "base/interrupted.h"
+#include "base/cancellable_job.h"
 #include "sim/shape/rails.h"
 #include "sim/solids/clearance.h"
 #include "sim/solids/track_mesh.h"

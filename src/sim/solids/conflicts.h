@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "sim/shape/derived.h"
+#include "sim/shape/derived_track.h"
 #include "sim/solids/conflict.h"
 
 namespace coaster::sim {

@@ -8,7 +8,7 @@
 #include <numeric>
 #include <utility>
 
-#include "base/interrupted.h"
+#include "base/cancellable_job.h"
 #include "sim/shape/rails.h"
 #include "sim/solids/track_mesh.h"
 

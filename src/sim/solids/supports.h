@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "sim/shape/detail.h"
+#include "sim/shape/detail_limits.h"
 #include "sim/solids/clearance.h"
 
 namespace coaster::sim {

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "sim/shape/detail.h"
+#include "sim/shape/detail_limits.h"
 #include "sim/solids/mesh.h"
 
 namespace coaster::sim {

@@ -8,14 +8,14 @@
 
 #include <fmt/format.h>
 
+#include "base/cancellable_job.h"
 #include "base/check.h"
-#include "base/interrupted.h"
 #include "base/text.h"
 #include "curve/continuity.h"
 #include "curve/frames.h"
 #include "sim/ride/train.h"
-#include "sim/study/closing_change.h"
-#include "sim/study/element_room.h"
+#include "sim/study/closing_replan.h"
+#include "sim/study/element_clearance.h"
 #include "sim/study/jolt.h"
 #include "world/motion.h"
 #include "world/topology.h"

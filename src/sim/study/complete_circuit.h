@@ -5,9 +5,9 @@
 #include <array>
 #include <tuple>
 
-#include "base/kept.h"
-#include "sim/plan/circuit_search.h"
-#include "sim/plan/elements.h"
+#include "base/cached_value.h"
+#include "sim/plan/closing_candidates.h"
+#include "sim/plan/element_plan.h"
 #include "sim/ride/simulated_ride.h"
 #include "sim/solids/conflicts.h"
 

@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "curve/continuity.h"
-#include "sim/study/envelope.h"
-#include "sim/study/live_errata.h"
+#include "sim/study/force_limits.h"
+#include "sim/study/track_errata.h"
 
 namespace coaster::sim {
 namespace {

@@ -9,7 +9,7 @@
 
 #include <fmt/format.h>
 
-#include "base/interrupted.h"
+#include "base/cancellable_job.h"
 #include "base/units.h"
 #include "sim/solids/supports.h"
 #include "sim/solids/track_mesh.h"

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "sim/ride/simulated_ride.h"
-#include "sim/study/envelope.h"
+#include "sim/study/force_limits.h"
 #include "sim/study/riders.h"
 
 namespace coaster::sim {

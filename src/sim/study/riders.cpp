@@ -7,7 +7,7 @@
 #include "base/check.h"
 #include "base/portable_math.h"
 #include "sim/ride/simulated_ride.h"
-#include "sim/study/envelope.h"
+#include "sim/study/force_limits.h"
 #include "world/laboratory.h"
 
 namespace coaster::sim {

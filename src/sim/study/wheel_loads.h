@@ -5,7 +5,7 @@
 
 #include <array>
 
-#include "base/names.h"
+#include "base/enum_names.h"
 #include "sim/ride/ride.h"
 
 namespace coaster::sim {

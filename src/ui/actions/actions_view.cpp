@@ -5,9 +5,9 @@
 #include "sim/study/jolt.h"
 #include "ui/actions/actions_detail.h"
 #include "ui/actions/command_palette.h"
-#include "ui/tools/cameras.h"
+#include "ui/tools/camera_controls.h"
 #include "ui/tools/previews.h"
-#include "world/panels.h"
+#include "world/panel_settings.h"
 
 namespace coaster::ui {
 namespace {

@@ -5,8 +5,8 @@
 #include <variant>
 
 #include "edit/commands/commands_settings.h"
-#include "ui/tools/cameras.h"
-#include "world/aids.h"
+#include "ui/tools/camera_controls.h"
+#include "world/aid_settings.h"
 
 namespace coaster::ui {
 namespace {

@@ -11,10 +11,10 @@
 
 #include "edit/commands/commands_session.h"
 #include "ui/actions/actions_detail.h"
-#include "ui/context/query_rows.h"
+#include "ui/context/query_widgets.h"
 #include "ui/widgets/imgui_compat.h"
 #include "ui/widgets/theme.h"
-#include "world/panels.h"
+#include "world/panel_settings.h"
 
 namespace coaster::ui {
 namespace {

@@ -10,7 +10,7 @@
 #include "query/lesson.h"
 #include "view/camera.h"
 #include "view/pick.h"
-#include "world/force.h"
+#include "world/force_program.h"
 
 namespace coaster::ui {
 

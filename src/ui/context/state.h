@@ -8,10 +8,10 @@
 #include <string>
 #include <vector>
 
-#include "base/interrupted.h"
+#include "base/cancellable_job.h"
 #include "edit/session/findings.h"
 #include "edit/session/session.h"
-#include "exchange/own/progress_file.h"
+#include "exchange/own/challenge_progress_file.h"
 #include "exchange/own/settings_file.h"
 #include "query/frame_stats.h"
 #include "query/lesson.h"

@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "base/kept.h"
+#include "base/cached_value.h"
 #include "edit/commands/command.h"
 #include "ui/context/key_map.h"
 #include "ui/context/output.h"

@@ -7,7 +7,7 @@
 #include <map>
 
 #include "base/status.h"
-#include "gfx/objects.h"
+#include "gfx/gl_objects.h"
 
 namespace coaster::ui {
 

@@ -6,7 +6,7 @@
 
 #include "ui/panels/palette.h"
 #include "view/camera.h"
-#include "world/panels.h"
+#include "world/panel_settings.h"
 
 namespace coaster::ui {
 

@@ -11,13 +11,13 @@
 
 #include "edit/commands/commands_lab.h"
 #include "edit/commands/set_setting.h"
-#include "sim/study/live_errata.h"
-#include "ui/context/query_rows.h"
+#include "sim/study/track_errata.h"
+#include "ui/context/query_widgets.h"
 #include "ui/lab/page_parts.h"
 #include "ui/widgets/table.h"
 #include "ui/widgets/theme.h"
-#include "world/evaluation.h"
-#include "world/lab_view.h"
+#include "world/evaluation_settings.h"
+#include "world/laboratory_settings.h"
 
 namespace coaster::ui {
 namespace {

@@ -13,7 +13,7 @@
 #include "edit/commands/commands_lab.h"
 #include "edit/commands/commands_settings.h"
 #include "ui/widgets/theme.h"
-#include "world/lab_view.h"
+#include "world/laboratory_settings.h"
 #include "world/topology.h"
 
 namespace coaster::ui {

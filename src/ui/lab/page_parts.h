@@ -12,16 +12,16 @@
 
 #include <glm/glm.hpp>
 
-#include "base/kept.h"
+#include "base/cached_value.h"
 #include "curve/arc_length_study.h"
 #include "curve/continuity.h"
-#include "sim/study/advice.h"
-#include "sim/study/live_errata.h"
-#include "sim/study/rounding.h"
+#include "sim/study/overload_advice.h"
+#include "sim/study/track_errata.h"
+#include "sim/study/vertex_rounding.h"
 #include "ui/context/ui.h"
 #include "ui/lab/ride_plots.h"
 #include "ui/plots/plot.h"
-#include "world/force.h"
+#include "world/force_program.h"
 
 namespace coaster::ui {
 

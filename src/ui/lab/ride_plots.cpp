@@ -12,7 +12,7 @@
 #include "edit/commands/set_setting.h"
 #include "ui/lab/page_parts.h"
 #include "ui/widgets/table.h"
-#include "world/lab_view.h"
+#include "world/laboratory_settings.h"
 
 namespace coaster::ui {
 namespace {

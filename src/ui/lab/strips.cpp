@@ -10,13 +10,13 @@
 #include <fmt/format.h>
 
 #include "edit/commands/set_setting.h"
-#include "ui/lab/force_keys.h"
+#include "ui/lab/force_key_editor.h"
 #include "ui/lab/page_parts.h"
 #include "ui/lab/ride_plots.h"
 #include "ui/widgets/imgui_compat.h"
 #include "ui/widgets/theme.h"
-#include "world/lab_view.h"
-#include "world/panels.h"
+#include "world/laboratory_settings.h"
+#include "world/panel_settings.h"
 
 namespace coaster::ui {
 

@@ -11,13 +11,13 @@
 
 #include "edit/commands/commands_ride.h"
 #include "edit/commands/set_setting.h"
-#include "ui/context/query_rows.h"
+#include "ui/context/query_widgets.h"
 #include "ui/panels/panels.h"
-#include "ui/tools/cameras.h"
+#include "ui/tools/camera_controls.h"
 #include "ui/tools/show_places.h"
 #include "ui/widgets/icons.h"
 #include "ui/widgets/theme.h"
-#include "world/lab_view.h"
+#include "world/laboratory_settings.h"
 #include "world/sections.h"
 
 namespace coaster::ui {

@@ -7,9 +7,9 @@
 #include <fmt/format.h>
 
 #include "edit/commands/commands_settings.h"
-#include "sim/shape/deviation.h"
-#include "ui/context/query_rows.h"
-#include "ui/context/setting_rows.h"
+#include "sim/shape/polyline_error.h"
+#include "ui/context/query_widgets.h"
+#include "ui/context/setting_widgets.h"
 #include "ui/panels/panels.h"
 #include "ui/widgets/theme.h"
 

@@ -12,7 +12,7 @@
 #include "edit/commands/commands_settings.h"
 #include "edit/commands/commands_shape.h"
 #include "sim/study/jolt.h"
-#include "ui/context/query_rows.h"
+#include "ui/context/query_widgets.h"
 #include "ui/tools/selecting.h"
 #include "world/selection.h"
 #include "world/topology.h"

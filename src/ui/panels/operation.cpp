@@ -2,7 +2,7 @@
 #include <fmt/format.h>
 
 #include "edit/commands/commands_operation.h"
-#include "ui/panels/forms.h"
+#include "ui/panels/element_equipment_fields.h"
 #include "world/selection.h"
 
 namespace coaster::ui {

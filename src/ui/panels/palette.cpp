@@ -13,18 +13,18 @@
 #include "base/text.h"
 #include "edit/commands/commands_elements.h"
 #include "edit/commands/set_setting.h"
-#include "sim/plan/elements.h"
+#include "sim/plan/element_plan.h"
 #include "sim/study/complete_circuit.h"
 #include "sim/study/jolt.h"
-#include "ui/context/query_rows.h"
-#include "ui/panels/forms.h"
+#include "ui/context/query_widgets.h"
+#include "ui/panels/element_equipment_fields.h"
 #include "ui/tools/previews.h"
 #include "ui/tools/show_places.h"
 #include "ui/widgets/icons.h"
 #include "ui/widgets/theme.h"
-#include "world/aids.h"
+#include "world/aid_settings.h"
 #include "world/element_rows.h"
-#include "world/panels.h"
+#include "world/panel_settings.h"
 
 namespace coaster::ui {
 namespace {

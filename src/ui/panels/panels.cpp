@@ -9,8 +9,8 @@
 #include <string>
 #include <utility>
 
-#include "world/aids.h"
-#include "world/panels.h"
+#include "world/aid_settings.h"
+#include "world/panel_settings.h"
 
 namespace coaster::ui {
 

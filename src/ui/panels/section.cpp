@@ -8,13 +8,13 @@
 #include <fmt/format.h>
 
 #include "base/text.h"
-#include "edit/commands/commands_force.h"
+#include "edit/commands/commands_force_sections.h"
 #include "edit/commands/commands_sections.h"
 #include "sim/plan/force_plan.h"
 #include "sim/study/section_figures.h"
-#include "ui/context/query_rows.h"
-#include "ui/panels/forms.h"
-#include "ui/panels/sections.h"
+#include "ui/context/query_widgets.h"
+#include "ui/panels/element_equipment_fields.h"
+#include "ui/panels/selected_sections.h"
 #include "ui/tools/selecting.h"
 #include "ui/widgets/theme.h"
 #include "ui/widgets/widgets.h"

@@ -1,6 +1,6 @@
 // The table of sections: sorted by any column, with several rows selected at once. Cells that show a parameter of a
 // planned section can be edited.
-#include "ui/panels/sections.h"
+#include "ui/panels/selected_sections.h"
 
 #include <imgui.h>
 
@@ -16,13 +16,13 @@
 #include "edit/commands/set_setting.h"
 #include "sim/study/section_figures.h"
 #include "ui/context/ui.h"
-#include "ui/panels/forms.h"
+#include "ui/panels/element_equipment_fields.h"
 #include "ui/tools/selecting.h"
 #include "ui/widgets/table.h"
 #include "ui/widgets/theme.h"
 #include "world/element_rows.h"
 #include "world/equipment_rows.h"
-#include "world/panels.h"
+#include "world/panel_settings.h"
 #include "world/selection.h"
 
 namespace coaster::ui {

@@ -14,7 +14,7 @@
 #include "edit/commands/commands_shape.h"
 #include "query/goal.h"
 #include "query/query.h"
-#include "ui/context/query_rows.h"
+#include "ui/context/query_widgets.h"
 #include "ui/context/ui.h"
 #include "ui/tools/selecting.h"
 #include "ui/widgets/theme.h"

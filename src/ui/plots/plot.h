@@ -8,7 +8,7 @@
 #include <string>
 #include <string_view>
 
-#include "ui/plots/plot_ticks.h"
+#include "ui/plots/plot_axes.h"
 #include "ui/widgets/widgets.h"
 
 namespace coaster::ui {

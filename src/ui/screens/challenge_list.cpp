@@ -1,5 +1,5 @@
 #include "ui/screens/challenge_list.h"
-#include "ui/context/query_rows.h"
+#include "ui/context/query_widgets.h"
 
 #include <imgui.h>
 
@@ -9,7 +9,7 @@
 
 #include "base/folders.h"
 #include "exchange/challenge_file.h"
-#include "query/challenge.h"
+#include "query/challenge_rules.h"
 #include "ui/widgets/icons.h"
 #include "ui/widgets/imgui_compat.h"
 #include "ui/widgets/theme.h"

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "ui/context/kept_files.h"
 #include "ui/context/ui.h"
+#include "ui/context/user_files.h"
 
 namespace coaster::ui {
 

@@ -12,7 +12,7 @@
 
 #include "base/text.h"
 #include "exchange/formats.h"
-#include "exchange/own/link.h"
+#include "exchange/own/share_link.h"
 #include "ui/widgets/theme.h"
 
 namespace coaster::ui {

@@ -15,17 +15,17 @@
 
 #include "base/portable_math.h"
 #include "edit/commands/set_setting.h"
-#include "ui/plots/plot_ticks.h"
+#include "ui/plots/plot_axes.h"
 #include "ui/tools/selecting.h"
 #include "ui/tools/show_places.h"
 #include "ui/widgets/theme.h"
 #include "view/colour_map.h"
 #include "view/section_handle.h"
-#include "world/aids.h"
+#include "world/aid_settings.h"
 #include "world/camera_feel.h"
-#include "world/lab_view.h"
+#include "world/laboratory_settings.h"
 #include "world/motion.h"
-#include "world/panels.h"
+#include "world/panel_settings.h"
 #include "world/sections.h"
 
 namespace coaster::ui {

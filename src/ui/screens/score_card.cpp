@@ -14,7 +14,7 @@
 #include "edit/commands/commands_challenge.h"
 #include "edit/commands/commands_ride.h"
 #include "edit/commands/commands_sections.h"
-#include "ui/context/kept_files.h"
+#include "ui/context/user_files.h"
 #include "ui/tools/show_places.h"
 #include "ui/widgets/icons.h"
 #include "ui/widgets/theme.h"

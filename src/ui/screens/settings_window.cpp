@@ -8,8 +8,8 @@
 
 #include "platform/sound.h"
 #include "ui/actions/actions.h"
-#include "ui/context/query_rows.h"
-#include "ui/context/setting_rows.h"
+#include "ui/context/query_widgets.h"
+#include "ui/context/setting_widgets.h"
 #include "ui/screens/dialogs.h"
 #include "ui/widgets/theme.h"
 

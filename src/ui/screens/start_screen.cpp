@@ -1,6 +1,6 @@
 // The start screen: choices on the left, pictures on the right.
 #include "ui/screens/start_screen.h"
-#include "ui/context/query_rows.h"
+#include "ui/context/query_widgets.h"
 
 #include <imgui.h>
 

@@ -4,12 +4,12 @@
 
 #include "edit/commands/commands_elements.h"
 #include "edit/commands/set_setting.h"
-#include "sim/plan/elements.h"
+#include "sim/plan/element_plan.h"
 #include "sim/study/complete_circuit.h"
-#include "world/aids.h"
+#include "world/aid_settings.h"
 #include "world/element_rows.h"
 #include "world/equipment_rows.h"
-#include "world/panels.h"
+#include "world/panel_settings.h"
 
 namespace coaster::ui {
 namespace {

@@ -5,7 +5,7 @@
 
 #include "edit/commands/commands_sections.h"
 #include "edit/commands/commands_settings.h"
-#include "world/panels.h"
+#include "world/panel_settings.h"
 #include "world/sections.h"
 #include "world/selection.h"
 

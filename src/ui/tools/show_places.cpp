@@ -7,7 +7,7 @@
 #include "edit/commands/set_setting.h"
 #include "sim/solids/conflict.h"
 #include "sim/study/jolt.h"
-#include "world/aids.h"
+#include "world/aid_settings.h"
 #include "world/sections.h"
 
 namespace coaster::ui {

@@ -10,7 +10,7 @@
 #include "base/files.h"
 #include "platform/system.h"
 #include "ui/widgets/imgui_compat.h"
-#include "world/look.h"
+#include "world/appearance_settings.h"
 
 #ifdef COASTER_HAS_INTER_FONT
 namespace coaster::embedded {

@@ -14,7 +14,7 @@
 #include <string>
 #include <string_view>
 
-#include "base/names.h"
+#include "base/enum_names.h"
 #include "base/units.h"
 #include "platform/events.h"
 #include "ui/widgets/widget_list.h"

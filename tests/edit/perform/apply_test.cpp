@@ -8,7 +8,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
-#include "base/interrupted.h"
+#include "base/cancellable_job.h"
 #include "base/scratch_folder.h"
 #include "base/tries.h"
 #include "edit/commands/commands_document.h"
@@ -18,8 +18,8 @@
 #include "edit/commands/set_setting.h"
 #include "edit/random_commands.h"
 #include "edit/session_fixture.h"
-#include "exchange/own/link.h"
-#include "world/evaluation.h"
+#include "exchange/own/share_link.h"
+#include "world/evaluation_settings.h"
 
 namespace coaster::edit {
 namespace apply_test {

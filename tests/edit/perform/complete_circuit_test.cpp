@@ -15,7 +15,7 @@
 #include "sim/shape/rails.h"
 #include "sim/study/complete_circuit.h"
 #include "sim/study/jolt.h"
-#include "world/aids.h"
+#include "world/aid_settings.h"
 
 namespace coaster::edit {
 namespace perform_complete_circuit_test {

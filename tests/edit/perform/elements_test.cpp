@@ -6,7 +6,7 @@
 #include "edit/commands/commands_elements.h"
 #include "edit/session_fixture.h"
 #include "sim/random_elements.h"
-#include "world/aids.h"
+#include "world/aid_settings.h"
 #include "world/element_rows.h"
 
 namespace coaster::edit {

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "edit/force_fixture.h"
-#include "sim/plan/elements.h"
+#include "sim/plan/element_plan.h"
 
 namespace coaster::edit {
 namespace force_reading_test {

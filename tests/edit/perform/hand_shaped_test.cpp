@@ -1,4 +1,4 @@
-// Tests which commands leave a section as it was planned (edit/perform/follow.h).
+// Tests which commands leave a section as it was planned (edit/perform/change_propagation.h).
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 

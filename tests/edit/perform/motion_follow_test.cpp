@@ -1,5 +1,5 @@
-// Tests how trains stay on their rails while segments come and go (edit/perform/follow.h).
-#include "edit/perform/follow.h"
+// Tests how trains stay on their rails while segments come and go (edit/perform/change_propagation.h).
+#include "edit/perform/change_propagation.h"
 
 #include "edit/commands/commands_document.h"
 #include "edit/session_fixture.h"

@@ -3,9 +3,9 @@
 #include "edit/commands/commands_settings.h"
 #include "edit/commands/set_setting.h"
 #include "edit/session_fixture.h"
+#include "world/appearance_settings.h"
 #include "world/camera_feel.h"
-#include "world/evaluation.h"
-#include "world/look.h"
+#include "world/evaluation_settings.h"
 
 namespace coaster::edit {
 namespace perform_settings_test {

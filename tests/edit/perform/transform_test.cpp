@@ -3,7 +3,7 @@
 
 #include "edit/commands/commands_shape.h"
 #include "edit/session_fixture.h"
-#include "sim/shape/derived.h"
+#include "sim/shape/derived_track.h"
 #include "world/topology.h"
 
 namespace coaster::edit {

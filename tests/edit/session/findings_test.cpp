@@ -4,12 +4,12 @@
 #include <string>
 
 #include "edit/session_fixture.h"
-#include "sim/plan/elements.h"
+#include "sim/plan/element_plan.h"
 #include "sim/shape/frame_methods.h"
 #include "sim/solids/conflict.h"
 #include "sim/solids/supports.h"
+#include "sim/study/colour_values.h"
 #include "sim/study/jolt.h"
-#include "sim/study/track_values.h"
 
 namespace coaster::edit {
 namespace findings_test {

@@ -4,7 +4,7 @@
 #include "edit/session/findings_memory.h"
 #include "edit/session_fixture.h"
 #include "sim/tracks.h"
-#include "world/evaluation.h"
+#include "world/evaluation_settings.h"
 
 namespace coaster::edit {
 namespace history_test {

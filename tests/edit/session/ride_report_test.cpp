@@ -1,5 +1,5 @@
-// Tests the ride report (edit/session/ride_watch.h).
-#include "edit/session/ride_watch.h"
+// Tests the ride report (edit/session/ride_end_detection.h).
+#include "edit/session/ride_end_detection.h"
 
 #include <cmath>
 #include <set>

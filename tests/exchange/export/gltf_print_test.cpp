@@ -3,8 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include "exchange/export/shape_export.h"
 #include "exchange/export/shape_readers.h"
-#include "exchange/export/track_shapes.h"
 
 namespace coaster::exchange {
 namespace gltf_print_test {

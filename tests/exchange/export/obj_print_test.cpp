@@ -6,8 +6,8 @@
 
 #include <gtest/gtest.h>
 
+#include "exchange/export/shape_export.h"
 #include "exchange/export/shape_readers.h"
-#include "exchange/export/track_shapes.h"
 #include "sim/solids/supports.h"
 #include "sim/solids/track_mesh.h"
 

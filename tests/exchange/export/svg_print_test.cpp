@@ -4,8 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include "exchange/export/shape_export.h"
 #include "exchange/export/shape_readers.h"
-#include "exchange/export/track_shapes.h"
 
 namespace coaster::exchange {
 namespace svg_print_test {

@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-#include "sim/plan/force_law.h"
+#include "sim/plan/force_path.h"
 
 namespace coaster::exchange {
 namespace fvd_function_test {

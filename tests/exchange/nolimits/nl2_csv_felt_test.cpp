@@ -15,7 +15,7 @@
 #include "exchange/nolimits/nl2_header.h"
 #include "exchange/nolimits/nl2_spline.h"
 #include "sim/shape/rail_tables.h"
-#include "sim/study/envelope.h"
+#include "sim/study/force_limits.h"
 #include "sim/study/jolt.h"
 #include "world/motion.h"
 

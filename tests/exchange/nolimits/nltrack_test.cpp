@@ -9,7 +9,7 @@
 #include <rapidcheck/gtest.h>
 
 #include "base/portable_math.h"
-#include "sim/shape/derived.h"
+#include "sim/shape/derived_track.h"
 #include "world/topology.h"
 
 namespace coaster::exchange {

@@ -1,5 +1,5 @@
 // Text packed for addresses.
-#include "exchange/own/link.h"
+#include "exchange/own/share_link.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>

@@ -5,8 +5,8 @@
 
 #include "base/tries.h"
 #include "sim/bends_of.h"
-#include "sim/fit/fit_smooth.h"
 #include "sim/fit/fit_track.h"
+#include "sim/fit/sample_interpolation.h"
 #include "sim/rows_along.h"
 #include "sim/study/jolt.h"
 #include "world/topology.h"

@@ -1,5 +1,5 @@
 // What riders may feel more or less than rows far apart say, by closed forms.
-#include "sim/fit/fit_smooth.h"
+#include "sim/fit/sample_interpolation.h"
 
 #include <gtest/gtest.h>
 

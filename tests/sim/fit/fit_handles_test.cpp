@@ -1,5 +1,5 @@
-// Tests the handles of a span (sim/fit/fit_span.h).
-#include "sim/fit/fit_span.h"
+// Tests the handles of a span (sim/fit/sample_span_fit.h).
+#include "sim/fit/sample_span_fit.h"
 
 #include <random>
 

@@ -1,5 +1,5 @@
 // The fade of an end's roll, compared with sums of small steps of its slope.
-#include "sim/plan/circuit_heights.h"
+#include "sim/plan/closing_heights.h"
 
 #include <algorithm>
 #include <cmath>

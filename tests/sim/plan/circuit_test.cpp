@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "base/tries.h"
-#include "sim/plan/circuit_search.h"
+#include "sim/plan/closing_candidates.h"
 #include "sim/random_elements.h"
 
 namespace coaster::sim {

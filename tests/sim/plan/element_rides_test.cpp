@@ -1,7 +1,7 @@
 // Every element with its default values, ridden by the simulated ride at its design speed: forces and inversions.
 #include <gtest/gtest.h>
 
-#include "sim/plan/elements.h"
+#include "sim/plan/element_plan.h"
 #include "sim/study/ratings.h"
 #include "sim/tracks.h"
 #include "world/element_rows.h"

@@ -1,9 +1,9 @@
-// Tests the bridge to a held end (sim/plan/force_hold.h).
-#include "sim/plan/force_hold.h"
+// Tests the bridge to a held end (sim/plan/force_end_constraint.h).
+#include "sim/plan/force_end_constraint.h"
 
 #include <gtest/gtest.h>
 
-#include "sim/plan/force_law.h"
+#include "sim/plan/force_path.h"
 
 namespace coaster::sim {
 namespace force_bridge_test {

@@ -1,5 +1,5 @@
-// Tests the curves of channels (sim/plan/force_law.h).
-#include "sim/plan/force_law.h"
+// Tests the curves of channels (sim/plan/force_path.h).
+#include "sim/plan/force_path.h"
 
 #include <gtest/gtest.h>
 

@@ -10,7 +10,7 @@
 #include "base/portable_math.h"
 #include "base/tries.h"
 #include "sim/force_oracle.h"
-#include "sim/plan/elements.h"
+#include "sim/plan/element_plan.h"
 #include "sim/plan/force_plan.h"
 #include "world/element_rows.h"
 

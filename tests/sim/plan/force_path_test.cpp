@@ -1,10 +1,10 @@
-// Tests the path of a force section (sim/plan/force_law.h), which integrates its law.
+// Sections of curvature; those of forces are in force_path_test.cpp.
+#include "sim/plan/force_path.h"
+
 #include <gtest/gtest.h>
 
 #include "base/tries.h"
-#include "curve/frames.h"
 #include "sim/force_oracle.h"
-#include "sim/plan/force_law.h"
 
 namespace coaster::sim {
 namespace force_path_test {
@@ -13,180 +13,194 @@ using glm::dvec3;
 using world::ForceChannel;
 using world::ForceDomain;
 
-ForceTask level(double speed, double length, ForceDomain over = ForceDomain::distance) {
+// Level, straight and of curvature.
+ForceTask bent(double length) {
   ForceTask task;
   task.end.position = {0, 100, 0};
-  task.program.speed = speed, task.program.length = length, task.program.over = over;
+  task.program.of = world::ForceQuantity::curvature, task.program.speed = 20, task.program.length = length;
+  task.riders = 1.1, task.losses = {0.02f, 2e-5f};
   return task;
 }
 
 dvec3 of(const test::Vector& v) { return {double(v[0]), double(v[1]), double(v[2])}; }
 
-// A program that starts with the values felt there needs no ramp, so the oracle needs none.
-class ForceOracle : public testing::TestWithParam<unsigned> {};
-INSTANTIATE_TEST_SUITE_P(seed, ForceOracle, testing::Values(7, 8, 9, 10));
-
-TEST_P(ForceOracle, five_of_twenty_programs_end_where_the_oracle_does) {
-  test::RandomForces random(GetParam());
-  for (int i = 0; i < test::tries(5); ++i) {
-    const ForceTask task = random.next(i == 0 && GetParam() < 10 ? 300 : 60);
+// The turns of a frame by curvature k(s) upwards alone stay in one plane: with the angle integral of k, the position is
+// the integral of its cosine and sine, here by Simpson's rule in long double.
+TEST(force_law, constant_curvature_is_a_circle_and_a_linear_one_a_clothoid) {
+  ForceTask task = bent(60);
+  auto& up = task.program.keys(ForceChannel::vertical);
+  for (const double slope : {0.0, 0.0008}) {
+    const double first = 0.015;
+    up = {{0, first, slope}, {60, first + 60 * slope, slope}};
+    task.end.curvature = {0, first, 0};
     const ForcePath path = force_path(task);
-    ASSERT_EQ(path.stopped, "") << i;
-    ASSERT_LT(path.ramp, 1e-9) << i;
-    test::ForceOracle oracle(task);
-    double farthest = 0;
-    for (std::size_t k = 0; k < path.points.size(); k += 1 + path.points.size() / 4) {
-      oracle.go_to(path.points[k].at);
-      farthest = std::max(farthest, glm::distance(of(oracle.position), path.curve.points[k].position));
+    ASSERT_EQ(path.stopped, "");
+    ASSERT_EQ(path.ramp, 0);
+    long double x = 0, y = 0;
+    const auto angle = [&](long double s) { return first * s + slope * s * s / 2; };
+    constexpr int kParts = 2000;
+    for (int i = 0; i < kParts; ++i) {
+      const long double h = 60.0L / kParts, s = h * i;
+      x += h / 6 * (std::cos(angle(s)) + 4 * std::cos(angle(s + h / 2)) + std::cos(angle(s + h)));
+      y += h / 6 * (std::sin(angle(s)) + 4 * std::sin(angle(s + h / 2)) + std::sin(angle(s + h)));
     }
-    oracle.go_to(path.points.back().at);
-    farthest = std::max(farthest, glm::distance(of(oracle.position), path.curve.points.back().position));
-    EXPECT_LT(farthest, 0.005) << i << ": 5 cm are asked for";
-    EXPECT_LT(glm::distance(of(oracle.up), path.curve.points.back().up), 1e-4) << i;
-    EXPECT_NEAR(double(oracle.square), path.points.back().square, 0.01) << i;
-    EXPECT_NEAR(double(oracle.time), path.points.back().time, 1e-4) << i;
+    EXPECT_LT(glm::distance(path.curve.points.back().position, dvec3(double(x), 100 + double(y), 0)), 1e-6) << slope;
+    if (slope > 0) continue;
+    const dvec3 centre(0, 100 + 1 / first, 0);
+    for (const ElementPoint& p : path.curve.points) EXPECT_NEAR(glm::distance(p.position, centre), 1 / first, 1e-6);
   }
 }
 
-TEST(force_path, nothing_felt_is_the_path_of_a_thrown_body) {
-  ForceTask task = level(20, 1.5, ForceDomain::time);
-  task.end.forward = glm::normalize(dvec3(1, 0.6, 0)), task.end.up = glm::normalize(dvec3(-0.6, 1, 0));
-  // The track's end bends as the body's path, so that there is no ramp.
-  const double bend = 9.81 * task.end.up.y / (20 * 20);
-  task.end.curvature = -bend * task.end.up;
-  task.program.keys(ForceChannel::vertical) = {{0, 0}};
-  const ForcePath path = force_path(task);
-  ASSERT_EQ(path.stopped, "");
-  for (std::size_t k = 0; k < path.points.size(); ++k) {
-    const double t = path.points[k].time;
-    const dvec3 thrown = task.end.position + 20 * t * task.end.forward - dvec3(0, 9.81 / 2 * t * t, 0);
-    EXPECT_LT(glm::distance(path.curve.points[k].position, thrown), 1e-6) << t;
-  }
-}
-
-// Level and rolled by 90 degrees, gravity pulls across the seat: with as much lateral g as holds against it, and
-// vertical g alone bending the track, it is a circle at constant speed.
-TEST(force_path, constant_g_across_gravity_is_a_circle) {
-  ForceTask task = level(20, 150);
-  const double g = 2.5, radius = 20.0 * 20 / (g * 9.81);
-  task.end.up = {0, 0, 1};  // towards its left is down: lateral g to the left is -1 against gravity
-  task.end.curvature = dvec3(0, 0, 1 / radius);
-  task.program.keys(ForceChannel::vertical) = {{0, g}};
-  task.program.keys(ForceChannel::lateral) = {{0, glm::cross(task.end.up, task.end.forward).y}};
-  const ForcePath path = force_path(task);
-  const dvec3 centre = task.end.position + radius * task.end.up;
-  ASSERT_NE(path.stopped, "") << "after a turn it meets itself";
-  EXPECT_NEAR(path.curve.length(), 2 * M_PI * radius, 2) << "up to its own rails";
-  for (const ElementPoint& p : path.curve.points) {
-    EXPECT_NEAR(glm::distance(p.position, centre), radius, 1e-5) << p.s;
-    EXPECT_NEAR(p.position.y, 100, 1e-7) << p.s;
-  }
-}
-
-// Riders in the curve itself roll about their hearts: the curve stays straight, whatever the roll is, when they are
-// asked to feel gravity alone.
-TEST(force_path, a_heartline_roll_stays_straight) {
-  ForceTask task = level(15, 60);
-  task.riders = 0, task.rails = -1.1;
-  const ForcePath straight = force_path(task);
-  ASSERT_EQ(straight.stopped, "");
-  EXPECT_LT(glm::distance(straight.curve.points.back().position, dvec3(60, 100, 0)), 1e-9);
-  // Rolled by 6 degrees a metre, gravity turns against the seat: cosine up, sine to the side.
-  task.program.length = 30;
-  task.program.keys(ForceChannel::roll) = {{0, 6}};
-  task.end.spin = 6 * M_PI / 180;
-  auto &up = task.program.keys(ForceChannel::vertical), &side = task.program.keys(ForceChannel::lateral);
-  for (int i = 0; i <= 30; ++i) {
-    const double angle = 6 * M_PI / 180 * i, rate = 6 * M_PI / 180;
-    up.push_back({double(i), std::cos(angle), -rate * std::sin(angle)});
-    side.push_back({double(i), std::sin(angle), rate * std::cos(angle)});
-  }
-  const ForcePath rolled = force_path(task);
-  ASSERT_EQ(rolled.stopped, "");
-  const ElementPoint& end = rolled.curve.points.back();
-  EXPECT_LT(glm::distance(end.position, dvec3(30, 100, 0)), 0.01);
-  EXPECT_NEAR(end.up.y, std::cos(M_PI), 1e-6) << "half a turn";
-}
-
-TEST(force_path, the_start_continues_the_curvature_and_the_spin_of_the_track) {
+TEST(force_law, roll_of_curvature_is_the_angle_that_the_frame_turns_by) {
   for (const ForceDomain over : {ForceDomain::distance, ForceDomain::time}) {
-    ForceTask task = level(18, over == ForceDomain::time ? 3 : 50, over);
-    task.riders = 1.1;
+    ForceTask task = bent(over == ForceDomain::time ? 3 : 60);
+    task.program.over = over;
+    const double half = task.program.length / 2;
+    task.program.keys(ForceChannel::roll) = {{0, 0}, {half, 70}, {2 * half, -400}};
+    const ForcePath path = force_path(task);
+    ASSERT_EQ(path.stopped, "");
+    for (std::size_t k = 0; k < path.points.size(); ++k) {
+      const ElementPoint& p = path.curve.points[k];
+      EXPECT_NEAR(p.position.y, 100, 1e-12) << "straight";
+      const double u = path.points[k].at / half, v = u < 1 ? u : u - 1, rise = v * v * (3 - 2 * v),
+                   angle = M_PI / 180 * (u < 1 ? 70 * rise : 70 - 470 * rise);
+      EXPECT_NEAR(p.up.y, std::cos(angle), 1e-5) << p.s;
+      EXPECT_NEAR(p.up.z, std::sin(angle), 1e-5) << p.s << ": to the right";
+    }
+  }
+}
+
+TEST(force_law, curvature_is_the_same_at_any_speed_and_at_none) {
+  test::RandomCurvature random(3);
+  ForceTask task = random.next(80);
+  const ForcePath path = force_path(task);
+  for (const double speed : {0.0, 4.0, 33.0}) {
+    task.program.speed = speed;
+    const ForcePath again = force_path(task);
+    ASSERT_EQ(again.points.size(), path.points.size()) << speed << again.stopped;
+    for (std::size_t k = 0; k < path.points.size(); ++k) {
+      EXPECT_EQ(again.curve.points[k].position, path.curve.points[k].position) << speed;
+      EXPECT_EQ(again.curve.points[k].up, path.curve.points[k].up) << speed;
+      EXPECT_TRUE(std::isfinite(again.points[k].up) && std::isfinite(again.points[k].time)) << speed;
+    }
+  }
+}
+
+TEST(force_law, curvature_ends_where_the_oracle_does) {
+  for (const unsigned seed : {1u, 2u}) {
+    if (test::kSanitized && seed > 1) continue;
+    test::RandomCurvature random(seed);
+    for (int i = 0; i < test::tries(5); ++i) {
+      const ForceTask task = random.next(i == 0 ? 300 : 60);
+      const ForcePath path = force_path(task);
+      test::ForceOracle oracle(task);
+      oracle.go_to(path.points.back().at);
+      EXPECT_LT(glm::distance(of(oracle.position), path.curve.points.back().position), 0.005) << seed << ' ' << i;
+      EXPECT_LT(glm::distance(of(oracle.up), path.curve.points.back().up), 1e-4) << seed << ' ' << i;
+    }
+  }
+}
+
+// Keys that begin with another curvature, angle and rate of roll than the track's end are reached after a ramp.
+TEST(force_law, curvature_continues_that_of_the_track_and_its_spin) {
+  for (const ForceDomain over : {ForceDomain::distance, ForceDomain::time}) {
+    ForceTask task = bent(over == ForceDomain::time ? 4 : 80);
+    task.program.over = over;
     task.end.curvature = {0, 0.02, -0.015}, task.end.spin = 0.04;
-    task.program.keys(ForceChannel::vertical) = {{0, 1.5}};
+    task.program.keys(ForceChannel::vertical) = {{0, 0.004}};
+    task.program.keys(ForceChannel::roll) = {{0, 30, 0.5}, {task.program.length, 60}};
     const ForcePath path = force_path(task);
     const ElementPoint& first = path.curve.points.front();
     EXPECT_LT(glm::distance(first.curvature, task.end.curvature), 1e-12);
     EXPECT_NEAR(first.spin, task.end.spin, 1e-12);
     EXPECT_GT(path.ramp, 0);
-    // The required value is reached after the ramp, and without a jump before.
+    EXPECT_LT(path.ramp, task.program.length / 2);
+    const ForceCurve roll(task.program, ForceChannel::roll);
+    double angle = 0;
     for (std::size_t k = 1; k < path.points.size(); ++k) {
-      EXPECT_LT(std::abs(path.points[k].up - path.points[k - 1].up), 0.2) << k;
-      if (path.points[k].at >= path.ramp) {
-        EXPECT_NEAR(path.points[k].up, 1.5, 1e-9) << k;
-      }
+      const ElementPoint &a = path.curve.points[k - 1], &b = path.curve.points[k];
+      EXPECT_LT(glm::distance(a.curvature, b.curvature), 0.003) << b.s;
+      EXPECT_LT(std::abs(a.spin - b.spin), 0.02) << b.s;
+      angle += 180 / M_PI * (a.spin + b.spin) / 2 * (b.s - a.s);
+      EXPECT_NEAR(path.points[k].asked(ForceChannel::roll), angle, 0.05) << b.s;
+      if (path.points[k].at < path.ramp) continue;
+      EXPECT_NEAR(path.points[k].asked(ForceChannel::vertical), 0.004, 1e-12) << b.s;
+      EXPECT_NEAR(path.points[k].asked(ForceChannel::roll), roll.at(path.points[k].at).value, 1e-9) << b.s;
     }
   }
 }
 
-// On a level straight without losses equipment adds its acceleration: v^2 = v0^2 + 2 a s.
-TEST(force_path, equipment_of_the_section_counts_in_its_speed) {
-  const auto with = [](world::EquipmentKind kind, float speed, float acceleration, double from, int cars = 1) {
-    ForceTask task = level(from, 100);
-    world::Equipment& e = task.equipment.emplace(world::Equipment{kind});
-    e.speed = speed, e.acceleration = acceleration, e.hysteresis = 0.5f;
-    task.cars = cars, task.spacing = 3;
-    return task;
-  };
-  const auto square_at = [](const ForceTask& task, double s) {
-    const ForcePath path = force_path(task);
-    EXPECT_EQ(path.stopped, "");
-    const auto at = std::ranges::upper_bound(path.points, s - 1e-9, {}, &ForcePoint::at);
-    EXPECT_NEAR(at->at, s, 1e-6);
-    return at->square;
-  };
+// Launches and brakes act on the cars that are on the section: the first from the start, one more each `spacing`
+// metres. A lift pulls the whole train.
+TEST(force_law, equipment_drives_the_part_of_the_train_that_has_entered) {
   using world::EquipmentKind;
-  const ForceTask launch = with(EquipmentKind::launch, 28, 5, 10);
-  EXPECT_NEAR(square_at(launch, 60), 100 + 2 * 5 * 60, 1e-6);
-  EXPECT_NEAR(square_at(launch, 69), 28 * 28, 1e-6);
-  EXPECT_NEAR(force_path(launch).points.back().time, 18 / 5.0 + (100 - (784 - 100) / 10.0) / 28, 2e-3);
-  // Of five cars, three metres apart, one more is pushed each three metres.
-  EXPECT_NEAR(square_at(with(EquipmentKind::launch, 28, 5, 10, 5), 60), 100 + 10 * (3 * (0.2 + 0.4 + 0.6 + 0.8) + 48),
-              1.0);
-  EXPECT_NEAR(square_at(with(EquipmentKind::brake, 8, 6, 20), 20), 400 - 12 * 20, 1e-6);
-  EXPECT_NEAR(square_at(with(EquipmentKind::brake, 8, 6, 20), 50), 7.5 * 7.5, 1e-6);
-  ForceTask slow = with(EquipmentKind::brake, 2.8f, 6, 20);
-  slow.losses.rolling = 0.02f;
-  EXPECT_NEAR(square_at(slow, 60), 3 * 3, 1e-6) << "not below 3 m/s";
-  EXPECT_NEAR(square_at(with(EquipmentKind::station, 4, 3, 20), 50), 400, 1e-6);
-  // A lift on a slope keeps its speed, and lets faster trains climb freely down to it.
-  ForceTask lift = with(EquipmentKind::lift, 5, 3, 5);
-  lift.end.forward = {0.8, 0.6, 0}, lift.end.up = {-0.6, 0.8, 0};
-  lift.program.keys(ForceChannel::vertical) = {{0, 0.8}};
-  EXPECT_NEAR(square_at(lift, 100), 25, 1e-9);
-  lift.program.speed = 12;
-  EXPECT_NEAR(square_at(lift, 5), 144 - 2 * 9.81 * 0.6 * 5, 1e-6);
-  EXPECT_NEAR(square_at(lift, 100), 25, 1e-9);
+  ForceTask task = bent(200);
+  task.cars = 5, task.spacing = 3;
+  const double g = world::kGravity, sine = 0.2, square = 100, losses = 0.02 * g + 2e-5 * square, push = 7.5;
+  ForceState train;
+  train.tangent = {std::sqrt(1 - sine * sine), sine, 0}, train.square = square;
+  EXPECT_NEAR(ForceLaw(task).along(train), -g * sine - losses, 1e-6);
+  world::Equipment equipment;
+  equipment.acceleration = static_cast<float>(push);
+  for (int on = 1; on <= 5; ++on)
+    for (const double length : {3.0 * (on - 1) + 0.1, on < 5 ? 3.0 * on - 0.1 : 190.0}) {
+      SCOPED_TRACE(length);
+      train.length = length;
+      const auto driven = [&](EquipmentKind kind, double speed, bool braking) {
+        equipment.kind = kind, equipment.speed = static_cast<float>(speed);
+        task.equipment = equipment, train.braking = braking;
+        return ForceLaw(task).along(train) + g * sine + losses;
+      };
+      const double share = push * on / 5;
+      for (const EquipmentKind kind : {EquipmentKind::brake, EquipmentKind::block}) {
+        EXPECT_NEAR(driven(kind, 5, true), -share, 1e-6);
+        EXPECT_NEAR(driven(kind, 5, false), -share, 1e-6) << "too fast";
+        EXPECT_NEAR(driven(kind, 10, false), 0, 1e-6);
+      }
+      EXPECT_NEAR(driven(EquipmentKind::launch, 30, false), share, 1e-6);
+      EXPECT_NEAR(driven(EquipmentKind::launch, 8, false), 0, 1e-6) << "faster already";
+      // At its speed a launch makes up for the slope and the losses, as far as it can.
+      EXPECT_NEAR(driven(EquipmentKind::launch, 10, false), std::min(share, g * sine + losses), 1e-6);
+      EXPECT_NEAR(driven(EquipmentKind::lift, 30, false), push + g * sine + losses, 1e-6);
+      EXPECT_NEAR(driven(EquipmentKind::lift, 10, false), g * sine + losses, 1e-6) << "it holds the speed";
+      EXPECT_NEAR(driven(EquipmentKind::lift, 8, false), 0, 1e-6);
+      EXPECT_NEAR(driven(EquipmentKind::station, 30, true), 0, 1e-6);
+    }
+  // Below the slowest speed no slope stops the train, and no brakes do.
+  train.square = 0.5 * world::kSlowestForce * world::kSlowestForce, train.braking = true;
+  equipment.kind = EquipmentKind::brake, task.equipment = equipment;
+  EXPECT_NEAR(ForceLaw(task).along(train), 0, 1e-12);
+  train.tangent.y = -sine;
+  EXPECT_GT(ForceLaw(task).along(train), 1);
 }
 
-TEST(force_path, stops_with_the_reason) {
-  ForceTask task = level(8, 200);
-  task.end.forward = glm::normalize(dvec3(1, 1, 0)), task.end.up = glm::normalize(dvec3(-1, 1, 0));
-  task.program.keys(ForceChannel::vertical) = {{0, std::sqrt(0.5)}};
-  EXPECT_EQ(force_path(task).stopped, "the train falls below 3 m/s");
-  task = level(20, 400);
-  task.program.keys(ForceChannel::vertical) = {{0, 0}};
-  EXPECT_EQ(force_path(task).stopped, "the track would run into the ground");
-  task = level(20, 400);
-  task.end.position = {world::kMaxCoordinate - 50.0, 50, 0};
-  EXPECT_EQ(force_path(task).stopped.substr(0, 32), "the track would leave the world,");
-  task = level(24, 400);
-  task.program.keys(ForceChannel::vertical) = {{0, 1}, {20, 4.5}};
-  EXPECT_EQ(force_path(task).stopped, "the track would run through itself") << "a loop in one plane";
-  task = level(5, 100);
-  task.program.keys(ForceChannel::vertical) = {{0, 1}, {10, 9}};
-  EXPECT_EQ(force_path(task).stopped, "the turn would be tighter than a radius of 2 m");
-  for (const ElementPoint& p : force_path(task).curve.points) EXPECT_LE(glm::length(p.curvature), 0.5);
+TEST(force_law, equipment_that_brings_a_train_to_its_speed_keeps_it_there_and_brakes_change_over) {
+  using world::EquipmentKind;
+  ForceTask task = bent(200);
+  world::Equipment equipment;
+  equipment.speed = 10, equipment.hysteresis = 1;
+  const auto settled = [&](EquipmentKind kind, double before, double after, bool braking = false) {
+    equipment.kind = kind, task.equipment = equipment;
+    ForceState from, next;
+    from.square = before * before, next.square = after * after, next.braking = braking;
+    ForceLaw(task).settle(from, next);
+    return std::pair(std::sqrt(next.square), next.braking);
+  };
+  for (const EquipmentKind kind : {EquipmentKind::lift, EquipmentKind::launch}) {
+    EXPECT_EQ(settled(kind, 9.9, 10.2).first, 10);
+    EXPECT_EQ(settled(kind, 10.2, 9.9).first, 10);
+    EXPECT_NEAR(settled(kind, 9.7, 9.9).first, 9.9, 1e-12);
+    EXPECT_NEAR(settled(kind, 10.3, 10.1).first, 10.1, 1e-12);
+    EXPECT_NEAR(settled(kind, 10, 9.8).first, 9.8, 1e-12);
+  }
+  for (const EquipmentKind kind : {EquipmentKind::brake, EquipmentKind::block}) {
+    EXPECT_TRUE(settled(kind, 12, 11.1).second);
+    EXPECT_FALSE(settled(kind, 12, 10.9).second);
+    EXPECT_TRUE(settled(kind, 12, 10.9, true).second);
+    EXPECT_EQ(settled(kind, 9.2, 8.8, true), std::pair(9.0, false)) << "down to its speed less the hysteresis";
+  }
+  equipment.speed = 0;
+  EXPECT_EQ(settled(EquipmentKind::brake, 2, 0.1, true), std::pair(double{world::kSlowestForce}, true));
 }
 
 }  // namespace force_path_test

@@ -1,5 +1,5 @@
-// Tests the values of keys that follow a way (sim/plan/force_reading.h).
-#include "sim/plan/force_reading.h"
+// Tests the values of keys that follow a way (sim/plan/force_keys_from_track.h).
+#include "sim/plan/force_keys_from_track.h"
 
 #include <gtest/gtest.h>
 

@@ -4,7 +4,7 @@
 #include "base/portable_math.h"
 #include "sim/force_oracle.h"
 #include "sim/plan/force_elements.h"
-#include "sim/plan/force_law.h"
+#include "sim/plan/force_path.h"
 #include "world/element_rows.h"
 
 namespace coaster::sim {

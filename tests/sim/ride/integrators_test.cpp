@@ -8,7 +8,7 @@
 #include "base/portable_math.h"
 #include "sim/ride/live_ride.h"
 #include "sim/tracks.h"
-#include "world/evaluation.h"
+#include "world/evaluation_settings.h"
 
 namespace coaster::sim {
 namespace integrators_test {

@@ -8,7 +8,7 @@
 #include "sim/ride/ride.h"
 #include "sim/ride/simulated_ride.h"
 #include "sim/tracks.h"
-#include "world/losses.h"
+#include "world/loss_presets.h"
 
 namespace coaster::sim {
 namespace truth_test {

@@ -1,5 +1,5 @@
 // Which track is near the eye.
-#include "sim/shape/detail.h"
+#include "sim/shape/detail_limits.h"
 
 #include <gtest/gtest.h>
 

@@ -94,7 +94,7 @@ TEST(rails, have_their_mesh_below_the_curve) {
     sweep_track(shape, mesh, {false, false});
     int vertices = 0;
     for (const MeshVertex& v : mesh.vertices) {
-      if (static_cast<Part>(static_cast<int>(v.part)) != Part::rail) continue;
+      if (static_cast<Material>(static_cast<int>(v.part)) != Material::rail) continue;
       const double s = static_cast<double>(v.along) * shape.arc.length();
       const curve::Frame frame = frame_at(shape, s);
       const dvec3 off = dvec3(v.position) - below(shape, s, 1.3);

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "sim/shape/derived.h"
+#include "sim/shape/derived_track.h"
 #include "world/sample_documents.h"
 #include "world/topology.h"
 

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "sim/study/envelope.h"
+#include "sim/study/force_limits.h"
 #include "sim/tracks.h"
 
 namespace coaster::sim {

@@ -184,7 +184,7 @@ TEST(wheel_loads, the_bogies_are_where_the_car_has_them) {
   float front = 0;
   int wheels = 0;
   for (const MeshVertex& v : car_mesh(false).vertices) {
-    if (v.part != static_cast<float>(Part::wheel) || v.position.x < 0) continue;
+    if (v.part != static_cast<float>(Material::wheel) || v.position.x < 0) continue;
     front += v.position.x, ++wheels;
   }
   EXPECT_NEAR(2 * front / static_cast<float>(wheels), kBogieShare * world::kCarLength, 1e-3);

@@ -8,9 +8,9 @@
 #include "edit/commands/commands_settings.h"
 #include "edit/commands/set_setting.h"
 #include "ui/stage.h"
-#include "world/aids.h"
-#include "world/look.h"
-#include "world/panels.h"
+#include "world/aid_settings.h"
+#include "world/appearance_settings.h"
+#include "world/panel_settings.h"
 
 namespace coaster::ui {
 namespace actions_test {

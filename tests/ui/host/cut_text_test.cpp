@@ -12,9 +12,9 @@
 #include "edit/commands/commands_session.h"
 #include "edit/commands/set_setting.h"
 #include "ui/stage.h"
-#include "world/aids.h"
+#include "world/aid_settings.h"
 #include "world/element_rows.h"
-#include "world/panels.h"
+#include "world/panel_settings.h"
 
 namespace coaster::ui {
 namespace cut_text_test {

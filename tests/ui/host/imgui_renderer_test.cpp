@@ -5,8 +5,8 @@
 #include "gfx/image.h"
 #include "ui/stage.h"
 #include "ui/widgets/theme.h"
-#include "world/lab_view.h"
-#include "world/panels.h"
+#include "world/laboratory_settings.h"
+#include "world/panel_settings.h"
 
 namespace coaster::ui {
 namespace imgui_renderer_test {

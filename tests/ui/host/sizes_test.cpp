@@ -12,7 +12,7 @@
 #include <utility>
 #include <vector>
 
-#include "base/interrupted.h"
+#include "base/cancellable_job.h"
 #include "base/scratch_folder.h"
 #include "edit/commands/commands_ride.h"
 #include "ui/all_parts_stage.h"

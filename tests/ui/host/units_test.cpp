@@ -13,10 +13,10 @@
 #include "edit/commands/set_setting.h"
 #include "ui/panels/panels.h"
 #include "ui/stage.h"
-#include "world/aids.h"
-#include "world/lab_view.h"
-#include "world/look.h"
-#include "world/panels.h"
+#include "world/aid_settings.h"
+#include "world/appearance_settings.h"
+#include "world/laboratory_settings.h"
+#include "world/panel_settings.h"
 
 namespace coaster::ui {
 namespace units_test {

@@ -1,11 +1,11 @@
 // Force keys copied and pasted with the keyboard; tests/scripts/force_copy.coaster also pastes them.
-#include "ui/lab/force_keys.h"
+#include "ui/lab/force_key_editor.h"
 
-#include "edit/commands/commands_force.h"
+#include "edit/commands/commands_force_sections.h"
 #include "edit/commands/set_setting.h"
 #include "ui/sections_stage.h"
 #include "world/element_rows.h"
-#include "world/panels.h"
+#include "world/panel_settings.h"
 
 namespace coaster::ui {
 namespace force_clip_test {

@@ -15,8 +15,8 @@
 #include "ui/lab/page_parts.h"
 #include "ui/stage.h"
 #include "ui/widgets/theme.h"
-#include "world/lab_view.h"
-#include "world/panels.h"
+#include "world/laboratory_settings.h"
+#include "world/panel_settings.h"
 
 namespace coaster::ui {
 namespace plots_read_test {

@@ -7,9 +7,9 @@
 #include "edit/commands/set_setting.h"
 #include "sim/study/riders.h"
 #include "ui/stage.h"
-#include "world/lab_view.h"
-#include "world/look.h"
-#include "world/panels.h"
+#include "world/appearance_settings.h"
+#include "world/laboratory_settings.h"
+#include "world/panel_settings.h"
 
 namespace coaster::ui {
 namespace riders_test {

@@ -4,10 +4,10 @@
 #include "edit/commands/commands_document.h"
 #include "edit/commands/commands_elements.h"
 #include "edit/commands/set_setting.h"
-#include "ui/panels/forms.h"
+#include "ui/panels/element_equipment_fields.h"
 #include "ui/panels/panels.h"
 #include "ui/stage.h"
-#include "world/aids.h"
+#include "world/aid_settings.h"
 #include "world/element_rows.h"
 
 namespace coaster::ui {

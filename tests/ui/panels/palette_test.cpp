@@ -5,10 +5,10 @@
 #include "edit/commands/commands_elements.h"
 #include "edit/commands/set_setting.h"
 #include "ui/stage.h"
-#include "world/aids.h"
+#include "world/aid_settings.h"
+#include "world/appearance_settings.h"
 #include "world/element_rows.h"
-#include "world/look.h"
-#include "world/panels.h"
+#include "world/panel_settings.h"
 
 namespace coaster::ui {
 namespace palette_test {

@@ -12,8 +12,8 @@
 #include "edit/commands/commands_settings.h"
 #include "edit/commands/set_setting.h"
 #include "ui/stage.h"
-#include "world/aids.h"
-#include "world/panels.h"
+#include "world/aid_settings.h"
+#include "world/panel_settings.h"
 
 namespace coaster::ui {
 namespace panels_test {

@@ -5,7 +5,7 @@
 #include "edit/commands/set_setting.h"
 #include "ui/panels/panels.h"
 #include "ui/stage.h"
-#include "world/panels.h"
+#include "world/panel_settings.h"
 
 namespace coaster::ui {
 namespace panel_ride_test {

@@ -1,7 +1,7 @@
 // The panel of the selected sections.
 #include "base/text.h"
 #include "ui/sections_stage.h"
-#include "world/panels.h"
+#include "world/panel_settings.h"
 #include "world/selection.h"
 
 namespace coaster::ui {

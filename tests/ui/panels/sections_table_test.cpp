@@ -1,10 +1,10 @@
-#include "ui/panels/sections.h"
+#include "ui/panels/selected_sections.h"
 
 #include "edit/commands/set_setting.h"
 #include "ui/sections_stage.h"
+#include "world/appearance_settings.h"
 #include "world/element_rows.h"
-#include "world/look.h"
-#include "world/panels.h"
+#include "world/panel_settings.h"
 #include "world/selection.h"
 
 namespace coaster::ui {

@@ -6,8 +6,8 @@
 #include "ui/actions/actions.h"
 #include "ui/screens/overlays.h"
 #include "ui/stage.h"
-#include "world/aids.h"
-#include "world/panels.h"
+#include "world/aid_settings.h"
+#include "world/panel_settings.h"
 
 namespace coaster::ui {
 namespace hints_test {

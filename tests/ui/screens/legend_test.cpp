@@ -4,8 +4,8 @@
 #include "edit/commands/commands_lab.h"
 #include "edit/commands/set_setting.h"
 #include "ui/stage.h"
-#include "world/lab_view.h"
-#include "world/panels.h"
+#include "world/laboratory_settings.h"
+#include "world/panel_settings.h"
 
 namespace coaster::ui {
 namespace legend_test {

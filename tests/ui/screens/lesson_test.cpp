@@ -9,7 +9,7 @@
 #include "edit/commands/set_setting.h"
 #include "ui/stage.h"
 #include "ui/widgets/theme.h"
-#include "world/look.h"
+#include "world/appearance_settings.h"
 
 namespace coaster::ui {
 namespace lesson_test {

@@ -13,7 +13,7 @@
 #include "ui/tools/show_places.h"
 #include "ui/widgets/icons.h"
 #include "ui/widgets/widgets.h"
-#include "world/aids.h"
+#include "world/aid_settings.h"
 #include "world/element_rows.h"
 #include "world/sections.h"
 

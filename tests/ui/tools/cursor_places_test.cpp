@@ -9,7 +9,7 @@
 #include "edit/commands/set_setting.h"
 #include "ui/stage.h"
 #include "view/gizmo.h"
-#include "world/aids.h"
+#include "world/aid_settings.h"
 #include "world/element_rows.h"
 
 namespace coaster::ui {

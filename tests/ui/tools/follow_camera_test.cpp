@@ -1,5 +1,5 @@
-// The camera that follows new track (ui/tools/cameras.h).
-#include "ui/tools/cameras.h"
+// The camera that follows new track (ui/tools/camera_controls.h).
+#include "ui/tools/camera_controls.h"
 
 #include "edit/commands/commands_document.h"
 #include "edit/commands/commands_elements.h"
@@ -7,7 +7,7 @@
 #include "edit/commands/commands_settings.h"
 #include "edit/commands/set_setting.h"
 #include "ui/stage.h"
-#include "world/aids.h"
+#include "world/aid_settings.h"
 #include "world/camera_feel.h"
 #include "world/element_rows.h"
 

@@ -7,7 +7,7 @@
 #include "edit/commands/set_setting.h"
 #include "ui/stage.h"
 #include "world/element_rows.h"
-#include "world/panels.h"
+#include "world/panel_settings.h"
 
 namespace coaster::ui {
 namespace palette_element_test {

@@ -7,7 +7,7 @@
 #include "view/gizmo.h"
 #include "view/section_handle.h"
 #include "world/element_rows.h"
-#include "world/panels.h"
+#include "world/panel_settings.h"
 #include "world/selection.h"
 
 namespace coaster::ui {

@@ -7,7 +7,7 @@
 
 #include "edit/perform/apply.h"
 #include "ui/tools/selecting.h"
-#include "world/look.h"
+#include "world/appearance_settings.h"
 #include "world/sample_documents.h"
 #include "world/selection.h"
 

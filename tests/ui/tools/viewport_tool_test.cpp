@@ -5,7 +5,7 @@
 #include "edit/commands/commands_settings.h"
 #include "edit/commands/set_setting.h"
 #include "ui/stage.h"
-#include "world/aids.h"
+#include "world/aid_settings.h"
 
 namespace coaster::ui {
 namespace viewport_tool_test {

@@ -1,5 +1,5 @@
 #include "ui/widgets/theme.h"
-#include "world/look.h"
+#include "world/appearance_settings.h"
 
 #include <gtest/gtest.h>
 

@@ -9,8 +9,8 @@
 #include "edit/commands/commands_elements.h"
 #include "edit/commands/set_setting.h"
 #include "ui/stage.h"
-#include "world/evaluation.h"
-#include "world/look.h"
+#include "world/appearance_settings.h"
+#include "world/evaluation_settings.h"
 
 namespace coaster::ui {
 namespace widgets_test {
